@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: 2026 The Burin authors
+# SPDX-License-Identifier: Apache-2.0
+# The few functions that declare every target of Burin. What a target does not name, it can't link.
+
+set(BURIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code, as for -fsanitize=")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+    set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(burin_warnings INTERFACE)
+target_compile_options(burin_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+    -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wcast-align -Wnull-dereference -Wformat=2
+    -Wimplicit-fallthrough -Werror)
+
+add_library(burin_options INTERFACE)
+target_include_directories(burin_options INTERFACE ${CMAKE_SOURCE_DIR})
+# The same path on every machine: no fused multiply-add behind the programmer's back.
+target_compile_options(burin_options INTERFACE -ffp-contract=off)
+if(BURIN_SANITIZE)
+    target_compile_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE})
+    if(BURIN_SANITIZE MATCHES undefined)
+        target_compile_options(burin_options INTERFACE -fno-sanitize-recover=undefined)
+        # g++ 12 sees null dereferences in the code that the sanitizers themselves insert.
+        target_compile_options(burin_options INTERFACE -Wno-null-dereference)
+    endif()
+endif()
+
+# burin_library(NAME [SOURCES ...] [PUBLIC ...] [PRIVATE ...] [SYSTEM_INCLUDES ...])
+# One folder, one library burin::NAME. Without SOURCES it is header-only.
+function(burin_library name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE;SYSTEM_INCLUDES")
+    if(arg_SOURCES)
+        add_library(burin_${name} STATIC ${arg_SOURCES})
+        target_link_libraries(burin_${name} PUBLIC burin_options ${arg_PUBLIC} PRIVATE burin_warnings ${arg_PRIVATE})
+        target_include_directories(burin_${name} SYSTEM PRIVATE ${arg_SYSTEM_INCLUDES})
+    else()
+        add_library(burin_${name} INTERFACE)
+        target_link_libraries(burin_${name} INTERFACE burin_options ${arg_PUBLIC})
+    endif()
+    add_library(burin::${name} ALIAS burin_${name})
+endfunction()
+
+# burin_program(NAME SOURCES ... USES ...)
+function(burin_program name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;USES")
+    add_executable(${name} ${arg_SOURCES})
+    target_link_libraries(${name} PRIVATE burin_options burin_warnings ${arg_USES})
+endfunction()
+
+# burin_plugin(KIND NAME SOURCES ... USES ...)
+# A loadable module with its metadata, plugin.json, beside it in plugins/KIND/NAME of the build tree.
+function(burin_plugin kind name)
+    cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;USES")
+    set(target burin_plugin_${kind}_${name})
+    add_library(${target} MODULE ${arg_SOURCES})
+    target_link_libraries(${target} PRIVATE burin_options burin_warnings ${arg_USES})
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} CXX_VISIBILITY_PRESET hidden
+        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/${kind}/${name})
+    add_custom_command(TARGET ${target} POST_BUILD COMMAND ${CMAKE_COMMAND} -E copy_if_different
+        ${CMAKE_CURRENT_SOURCE_DIR}/plugin.json ${CMAKE_BINARY_DIR}/plugins/${kind}/${name}/plugin.json)
+endfunction()
+
+# burin_test(PLACE NAME [USES ...] [LABELS ...] [TIMEOUT SECONDS] [AFTER ...])
+# tst_NAME.cpp, a QtTest program, known to ctest as PLACE.NAME. AFTER names programs that it starts.
+function(burin_test place name)
+    cmake_parse_arguments(PARSE_ARGV 2 arg "" "TIMEOUT" "USES;LABELS;AFTER")
+    string(REPLACE "." "_" target "tst_${place}_${name}")
+    add_executable(${target} tst_${name}.cpp)
+    target_link_libraries(${target} PRIVATE burin_options burin_warnings Qt6::Test ${arg_USES})
+    target_compile_definitions(${target} PRIVATE BURIN_BUILD_DIRECTORY="${CMAKE_BINARY_DIR}"
+        BURIN_SOURCE_DIRECTORY="${CMAKE_SOURCE_DIR}" BURIN_FIXTURES="${CMAKE_SOURCE_DIR}/tests/fixtures")
+    set_target_properties(${target} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+    if(arg_AFTER)
+        add_dependencies(${target} ${arg_AFTER})
+    endif()
+    add_test(NAME ${place}.${name} COMMAND ${target})
+    if(NOT arg_TIMEOUT)
+        set(arg_TIMEOUT 300)
+    endif()
+    set_tests_properties(${place}.${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}"
+        ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
+endfunction()

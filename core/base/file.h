@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+/// The whole content of a file. Errors: fileNotFound, fileNotReadable, outOfMemory.
+Result<std::string> readFile(const std::filesystem::path& file);
+
+/// Writes `content` beside `file`, flushes it to the disk and renames it over `file`: afterwards either the whole new
+/// content stands there or what stood there before. Errors: fileNotWritable, diskFull.
+Result<void> writeFileAtomically(const std::filesystem::path& file, std::string_view content);
+
+/// Flushes `written` to the disk and renames it over `file`. For libraries that write a file by themselves: let them
+/// write to `temporaryBeside(file)`. On failure `written` is removed. Errors: fileNotWritable, diskFull.
+Result<void> replaceFile(const std::filesystem::path& written, const std::filesystem::path& file);
+
+/// A name in the folder of `file` that nobody else uses, for writing beside it.
+std::filesystem::path temporaryBeside(const std::filesystem::path& file);
+
+/// The error that `errno` value `systemError` means for writing `file`.
+Error writeError(const std::filesystem::path& file, int systemError);
+
+/// Folder of the running program.
+std::filesystem::path executableDirectory();
+
+/// Folder of the data that Burin is shipped with: `resources` beside the program, or ../share/burin/resources.
+std::filesystem::path resourceDirectory();
+
+/// Folder of the plugins that Burin is shipped with: `plugins` beside the program, or ../lib/burin/plugins.
+std::filesystem::path pluginDirectory();
+
+} // namespace burin

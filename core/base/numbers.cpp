@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/numbers.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace burin {
+
+std::string formatFixed(double value, int decimals) {
+    std::array<char, 400> buffer{}; // the largest double has 309 digits before its point
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+    if (error != std::errc{}) return "0";
+    std::string text(buffer.data(), end);
+    if (text.front() == '-' && text.find_first_of("123456789") == std::string::npos && std::isfinite(value))
+        text.erase(0, 1);
+    return text;
+}
+
+std::string formatShortest(double value) {
+    std::array<char, 64> buffer{};
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return error == std::errc{} ? std::string(buffer.data(), end) : std::string("0");
+}
+
+std::optional<double> parseNumber(std::string_view text) {
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+} // namespace burin

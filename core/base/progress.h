@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+
+namespace burin {
+
+/// How far a long work is, and the wish to stop it. One writer (the work), any readers, any canceller; never waits.
+class Progress {
+public:
+    /// @param fraction of this stage that is done, 0 … 1; values outside are clamped.
+    void report(double fraction) noexcept {
+        const double clamped = std::clamp(fraction, 0.0, 1.0);
+        fraction_.store(low_ + (high_ - low_) * clamped, std::memory_order_relaxed);
+    }
+    /// Later reports cover this part of the whole, 0 … 1. Called by the work, between its stages.
+    void stage(double low, double high) noexcept {
+        low_ = low;
+        high_ = high;
+        report(0.0);
+    }
+    double fraction() const noexcept { return fraction_.load(std::memory_order_relaxed); }
+
+    void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+    bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+private:
+    std::atomic<double> fraction_{0.0};
+    std::atomic<bool> cancelled_{false};
+    double low_ = 0.0, high_ = 1.0; // the work's thread only
+};
+
+} // namespace burin

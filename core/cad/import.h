@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/cad/model.h"
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+struct ImportLimits {
+    double seconds = 120.0;              ///< CPU and wall time of the child process
+    std::size_t memoryBytes = 4ULL << 30; ///< address space of the child process
+};
+
+struct ImportOptions {
+    double meshChord = 0.005;  ///< mm, distance between mesh and surface, at most
+    double stlUnit = 1.0;      ///< mm per unit of an STL file, which states none
+    ImportLimits limits;
+    std::filesystem::path worker; ///< the import program; empty: `burin-import` beside the running program
+};
+
+/// Reads STEP, IGES, BREP or STL (the contents decide, not the suffix) in a child process with time and memory limits:
+/// heals, sews, meshes, measures. A file that hangs or kills OpenCASCADE costs an error, not the caller.
+/// Thread: any. Errors: fileNotFound, fileNotReadable, fileEmpty, fileFormatUnknown, fileDamaged, modelHasNoSolid,
+/// meshIncomplete, importTimedOut, importOutOfMemory, importCrashed, cancelled.
+Result<Model> importModel(const std::filesystem::path& file, const ImportOptions& options, Progress& progress);
+
+/// Exact distances from points to a B-rep (`Model::brep`), mm, negative inside: OpenCASCADE's extrema, in child
+/// processes. 7 … 29 ms a point. Errors: as importModel.
+Result<std::vector<double>> exactSignedDistances(const std::string& brep, std::span<const glm::dvec3> points,
+                                                 const ImportOptions& options, Progress& progress);
+
+} // namespace burin

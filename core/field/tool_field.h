@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/geometry/mesh_distance.h"
+
+#include <memory>
+#include <vector>
+
+namespace burin {
+
+/// What to build a tool's configuration-space field for.
+struct ToolFieldRequest {
+    std::vector<RevolvedPiece> tool; ///< flutes, shank, holder; axis +Z
+    Box tips;                        ///< where the tip may go, mm, setup frame
+    double voxel = 0.5;              ///< edge of the workpiece's voxels, mm: the unit of the error that is allowed
+    double maximumAllowance = 1.0;   ///< mm, the field is fine out to this clearance
+};
+
+struct FieldSample {
+    double clearance = 0.0;       ///< mm, never above the true clearance by more than `errorBound`
+    glm::dvec3 gradient{0.0};     ///< of the clearance, about unit length
+    bool fine = false;            ///< inside the fine band, where errorBound() holds
+};
+
+/// How far a tool, its tip at a point, keeps from what it must not enter. The proxy of the haptic loop moves in it as a
+/// point. Closed formulas implement it in tests, ToolField for a part.
+class ClearanceField {
+public:
+    virtual ~ClearanceField() = default;
+    /// Any thread; no allocation, no exception.
+    virtual FieldSample at(const glm::dvec3& tip) const noexcept = 0;
+    /// Largest error of `clearance` in the fine band where the part's faces are smooth, mm; <= 0.05 voxel.
+    virtual double errorBound() const noexcept = 0;
+    /// Edge of a fine cell, mm.
+    virtual double spacing() const noexcept = 0;
+};
+
+/// How far a tool with axis +Z, its tip at a point, keeps from the part: the part grown by flutes, shank and holder, as
+/// one field over tips. Fine bricks near the surface, coarse ones beyond. Immutable.
+class ToolField final : public ClearanceField {
+public:
+    /// Cost: seconds; parallel. Errors: cancelled, outOfMemory.
+    static Result<ToolField> build(const MeshDistance& part, const ToolFieldRequest& request, Progress& progress);
+    ~ToolField() override;
+    ToolField(ToolField&&) noexcept;
+    ToolField& operator=(ToolField&&) noexcept;
+
+    /// Trilinear value and gradient. Outside the box of tips the coarse value of its nearest point.
+    FieldSample at(const glm::dvec3& tip) const noexcept override;
+    double errorBound() const noexcept override;
+    double spacing() const noexcept override;
+    std::size_t memoryBytes() const noexcept;
+
+private:
+    class Impl;
+    explicit ToolField(std::unique_ptr<const Impl> impl);
+    std::unique_ptr<const Impl> impl_;
+};
+
+} // namespace burin

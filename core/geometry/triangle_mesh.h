@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/box.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// Triangles with shared vertices, mm. Counter-clockwise seen from outside.
+struct TriangleMesh {
+    std::vector<glm::dvec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices into `vertices`
+
+    bool empty() const noexcept { return triangles.empty(); }
+};
+
+/// Box of the vertices that triangles use; empty for an empty mesh.
+Box boundingBox(const TriangleMesh& mesh);
+
+/// Enclosed volume, mm³, by the divergence theorem; positive for outward normals. Meaningless for an open mesh.
+double signedVolume(const TriangleMesh& mesh);
+
+/// Area, mm².
+double surfaceArea(const TriangleMesh& mesh);
+
+/// Merges vertices that are bit-identical, drops triangles that collapse by it. Order of triangles is kept.
+TriangleMesh weldIdenticalVertices(const TriangleMesh& mesh);
+
+/// Number of undirected edges that are not used by exactly two triangles with opposite directions. 0: closed, manifold
+/// and consistently oriented.
+std::size_t countOpenEdges(const TriangleMesh& mesh);
+
+/// `mesh` followed by `other`, vertices not merged.
+void append(TriangleMesh& mesh, const TriangleMesh& other);
+
+} // namespace burin

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/text.h"
+#include "core/cutting/cutting_force.h"
+#include "core/geometry/mesh_distance.h"
+#include "core/machine/machine_profile.h"
+#include "core/path/path.h"
+#include "core/recording/sample.h"
+#include "core/tool/tool.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace burin {
+
+/// Leaves out stretches that removed nothing, unless the boundary held the tool (a finishing pass over finished stock
+/// is work, not air) or the stretch is shorter than `shortest`.
+struct DropAirCuts { double shortest = 3.0; /* mm */ };
+/// Leaves out samples while the tip stays slower than `speed` for longer than `time` and removes nothing.
+struct DropDwells { double speed = 1.0; /* mm/s */ double time = 0.15; /* s */ };
+/// Zero-phase low pass in time (forward-backward Butterworth, second order), cut-off in Hz, held within `tolerance` of
+/// the recorded tips. Never across a gap.
+struct Smooth { double cutOff = 5.0; double tolerance = 0.02; };
+/// Pushes every place of the path out of the part, grown by the take's allowance plus `clearance`: closest point on the
+/// fine mesh at the points and every `sampling` between them.
+struct HoldOut { double clearance = 0.005; double sampling = 0.1; };
+/// Fewest points such that no dropped one is farther than `tolerance` from the result (Douglas & Peucker, distance to
+/// segments). Never lets a segment enter the part: a shortcut that would is not taken.
+struct Simplify { double tolerance = 0.005; };
+/// Joins the stretches: retract to `clearanceAbove` over the stock's top, rapid across, rapid down to `approach` above
+/// what is left at the entry, plunge.
+struct Link { double clearanceAbove = 5.0; double approach = 1.0; };
+/// Feed, plunge feed and spindle speed from tool, material and machine.
+struct SetFeed { };
+
+using EditParameters = std::variant<DropAirCuts, DropDwells, Smooth, HoldOut, Simplify, Link, SetFeed>;
+
+/// One entry of a path's history.
+struct Edit {
+    EditParameters parameters;
+    bool enabled = true;
+};
+TextId titleOf(const EditParameters& parameters);
+/// Stable id of an edit's kind: "drop-air-cuts", "smooth", … and back.
+std::string_view idOf(const EditParameters& parameters);
+Result<Edit> editFromJson(std::string_view text);
+std::string toJson(const Edit& edit);
+Result<void> validate(const Edit& edit);
+
+/// The edits of the main job, in the order that keeps their guarantees.
+std::vector<Edit> standardEdits();
+
+/// What evaluating edits needs to know besides the recording.
+struct PathContext {
+    const MeshDistance* part = nullptr;  ///< chord <= 0.005 mm
+    Tool tool;
+    CuttingConditions conditions;
+    MachineProfile machine;
+    Box stock;                           ///< mm, setup frame
+    double tickPeriod = 0.001;           ///< s
+};
+
+/// What one edit did.
+struct EditReport {
+    std::string edit;              ///< its id
+    std::size_t pointsBefore = 0, pointsAfter = 0;
+    double largestDeviation = 0.0; ///< mm, between the path before and after, at the worst place
+    glm::dvec3 worstPlace{0.0};    ///< mm, setup frame
+};
+
+struct EvaluatedPath {
+    Path path;
+    std::vector<EditReport> reports;
+    double errorBudget = 0.0;      ///< mm, sum of the deviations that smoothing, holding out and simplifying report
+};
+
+/// Takes in order, each edit in order. Cancellable. Errors: pathEmpty, argumentInvalid, cancelled.
+Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>& takes, const std::vector<Edit>& edits,
+                               const PathContext& context, Progress& progress);
+
+} // namespace burin

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/pose.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// How the machine gets to a point.
+enum class MoveKind : std::uint8_t {
+    rapid,  ///< no contact with the workpiece
+    plunge, ///< feed downwards into or close above material
+    cut,    ///< cutting feed
+    retract ///< feed away from material, upwards
+};
+
+/// A tip that the machine goes to in a straight line from the point before.
+struct PathPoint {
+    glm::dvec3 tip{0.0};            ///< mm, setup frame
+    MoveKind kind = MoveKind::cut;  ///< of the move that ends here
+    double feed = 0.0;              ///< mm/min; 0: not decided yet, and for rapids
+    std::int64_t take = 0;          ///< TakeInfo::id of the hand's moment behind it; 0: made by an edit
+    std::int64_t sample = -1;       ///< tick within the take; -1: made by an edit
+};
+
+/// What the machine shall do with one tool, axis +Z.
+struct Path {
+    std::string name;
+    std::string toolId;
+    double spindleSpeed = 0.0; ///< 1/min
+    std::vector<PathPoint> points;
+};
+
+} // namespace burin

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/model.h"
+#include "core/path/edit.h"
+#include "core/recording/sample.h"
+#include "core/setup/setup.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// A path as the project keeps it: takes plus edits; its points are evaluated, never stored as truth.
+struct StoredPath {
+    std::int64_t id = 0;
+    std::string name;
+    std::vector<std::int64_t> takes;
+    std::vector<Edit> edits;
+};
+
+/// A posted program with the verdict that let it out.
+struct StoredProgram {
+    std::string name;
+    std::string dialect;
+    std::string machine;
+    std::string text;
+    std::string reportJson;
+};
+
+/// A .burin file: one SQLite database. One works on a journalled copy beside it (`<name>.working`, WAL, synchronous
+/// FULL); `save` writes a snapshot beside the file through SQLite's backup interface and renames it, so the user's file
+/// is always a whole one. A working copy that its owner left behind (kill -9, power) is taken up again by `open`.
+/// Thread: one at a time, but for `TakeWriter`, which has a connection of its own.
+class Project {
+public:
+    /// A new project with no file yet besides its working copy. Errors: fileNotWritable, diskFull, projectInUse.
+    static Result<Project> create(const std::filesystem::path& file);
+    /// Errors: fileNotFound, projectNotBurin, projectFromNewerBurin, projectInUse, fileDamaged, fileNotWritable.
+    static Result<Project> open(const std::filesystem::path& file);
+    ~Project(); ///< discards the working copy if everything in it was saved, keeps it otherwise
+    Project(Project&&) noexcept;
+    Project& operator=(Project&&) noexcept;
+
+    const std::filesystem::path& file() const noexcept;
+    /// True when `open` took up a working copy that an earlier run left behind.
+    bool recovered() const noexcept;
+    Result<void> save();
+
+    // Each setter is one transaction; errors: diskFull, fileNotWritable. Each getter: fileDamaged, projectIncomplete.
+    Result<void> setModel(const Model& model);
+    Result<Model> model() const;
+    Result<void> setSetup(const Setup& setup);
+    Result<Setup> setup() const;
+    /// Materials of the setup by id, as they were when it was made.
+    Result<void> setMaterials(const std::vector<Property>& materials);
+    Result<std::vector<Property>> materials() const;
+    Result<void> setTool(const Tool& tool);
+    Result<std::vector<Tool>> tools() const;
+
+    Result<std::vector<TakeInfo>> takes() const;
+    Result<Take> take(std::int64_t id) const;
+    Result<void> removeTake(std::int64_t id);
+
+    Result<std::int64_t> addPath(const StoredPath& path); ///< its id
+    Result<void> setPath(const StoredPath& path);
+    Result<std::vector<StoredPath>> paths() const;
+
+    Result<void> addProgram(const StoredProgram& program);
+    Result<std::vector<StoredProgram>> programs() const;
+
+    class TakeWriter;
+    /// Starts a recording. Errors: as the setters.
+    Result<TakeWriter> beginTake(const TakeInfo& info);
+
+private:
+    class Impl;
+    explicit Project(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Journals a recording while it is made: what `append` got is on the disk when it returns. Meant for the recorder's
+/// thread, never for the haptic loop. Call it every 50 ms or more often.
+class Project::TakeWriter {
+public:
+    ~TakeWriter(); ///< an unfinished take stays, marked incomplete
+    TakeWriter(TakeWriter&&) noexcept;
+    TakeWriter& operator=(TakeWriter&&) noexcept;
+
+    std::int64_t id() const noexcept;
+    /// One transaction, flushed to the disk. Errors: diskFull, fileNotWritable; nothing of this call is kept then.
+    Result<void> append(std::span<const Sample> samples);
+    /// Marks the take complete.
+    Result<void> finish();
+
+private:
+    friend class Project;
+    class Impl;
+    explicit TakeWriter(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace burin

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// Entry of a property list. 0 is air, always.
+using PropertyIndex = std::uint8_t;
+inline constexpr PropertyIndex airProperty = 0;
+/// Machinable entries that one list may hold: a recorded sample has room for the removed volume of so many materials.
+inline constexpr int maximumMachinableProperties = 8;
+
+/// What a cutter may do to a run.
+enum class Machinability : std::uint8_t { machinable, isProtected };
+
+/// One number of a material, with where it comes from.
+struct NamedValue {
+    double value = 0.0;
+    std::string unit;      ///< "J/mm^3", "g/cm^3", "1"
+    std::string source;    ///< publication, table, edition
+    bool estimate = false; ///< true: nobody published it; calibrate before trusting a figure that depends on it
+};
+
+// Names of values that Burin itself reads. Any further name may be added to a material.
+inline constexpr std::string_view specificCuttingEnergy = "specific_cutting_energy"; ///< K, J/mm^3 (paper, eq. 11)
+inline constexpr std::string_view radialForceRatio = "radial_force_ratio";           ///< Kr, 1 (paper, eq. 13)
+inline constexpr std::string_view density = "density";                               ///< g/cm^3
+inline constexpr std::string_view surfaceSpeed = "surface_speed";                    ///< carbide, m/min
+inline constexpr std::string_view chipLoadPerDiameter = "chip_load_per_diameter";    ///< fz / D, 1
+inline constexpr std::string_view plungeFeedRatio = "plunge_feed_ratio";             ///< plunge feed / feed, 1
+
+/// One entry of the property list: the paper's physical domain.
+struct Property {
+    std::string id;                            ///< "aluminium-6061", stable
+    std::string name;                          ///< English, shown through translation
+    std::array<std::uint8_t, 3> colour{128, 128, 128}; ///< sRGB
+    Machinability machinability = Machinability::machinable;
+    std::map<std::string, NamedValue, std::less<>> values;
+
+    /// The value called `name`, or `otherwise` when the material has none.
+    double valueOr(std::string_view name, double otherwise) const;
+};
+
+/// The property list of a volume: air and up to 255 materials, at most `maximumMachinableProperties` machinable.
+class PropertyList {
+public:
+    PropertyList(); ///< holds air alone
+
+    /// Errors: argumentInvalid (an id that stands already, a list that is full).
+    Result<PropertyIndex> add(Property property);
+    const Property& operator[](PropertyIndex index) const { return entries_[index]; }
+    int size() const noexcept { return static_cast<int>(entries_.size()); } ///< air included
+    bool isProtected(PropertyIndex index) const noexcept { return protected_[index]; }
+
+private:
+    std::vector<Property> entries_;
+    std::array<bool, 256> protected_{};
+};
+
+/// Materials that Burin is shipped with or the user added: `<id>.json` files of one folder.
+/// Errors: nameUnknown, resourceInvalid.
+Result<Property> loadMaterial(std::string_view id);
+/// Ids of all materials there are, sorted.
+std::vector<std::string> materialIds();
+
+/// A material as JSON text and back; the form of resources/materials and of the project file.
+std::string toJson(const Property& property);
+/// @param origin file name for messages. Errors: resourceInvalid.
+Result<Property> propertyFromJson(std::string_view text, const std::string& origin);
+
+} // namespace burin

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+#include "core/volume/grid.h"
+#include "core/volume/property_list.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// Part of a scanline with one property: from the end of the segment before it (0 for the first) to `end`. The segments
+/// of a line cover it without gaps, air included; neighbours differ in property.
+class Segment {
+public:
+    Segment() = default;
+    Segment(RunPosition end, PropertyIndex property) noexcept : packed_((end << 8) | property) {}
+    RunPosition end() const noexcept { return packed_ >> 8; }
+    PropertyIndex property() const noexcept { return static_cast<PropertyIndex>(packed_ & 0xff); }
+    friend bool operator==(Segment, Segment) = default;
+
+private:
+    std::uint32_t packed_ = 0; ///< 16.8 bits of position, 8 of property
+};
+
+/// A run of the paper: homogeneous voxels first … last (inclusive, from 0) of one scanline.
+struct Run {
+    std::int32_t first = 0, last = 0;
+    PropertyIndex property = airProperty;
+    friend bool operator==(const Run&, const Run&) = default;
+};
+
+/// Lengths of material by property, in run units (1/256 voxel of one scanline): exact.
+struct RunAmounts {
+    std::array<std::uint64_t, 256> units{};
+    friend bool operator==(const RunAmounts&, const RunAmounts&) = default;
+};
+
+enum class Removal : std::uint8_t { nothing, removed, outOfMemory };
+
+/// What a volume held at one moment. Shared and immutable: any thread may read it as long as it likes; the writer never
+/// waits for it. Copying is cheap.
+class VolumeSnapshot {
+public:
+    const Grid& grid() const noexcept;
+    const PropertyList& properties() const noexcept;
+    /// Segments of a scanline, in order. `line` must lie in the grid.
+    std::span<const Segment> line(LineIndex line) const noexcept;
+    /// Total of every property, recounted over all scanlines (parallel).
+    RunAmounts amounts() const;
+
+private:
+    friend class RunVolume;
+    struct State;
+    std::shared_ptr<const State> state_;
+};
+
+/// Spatial run-length encoding of a workpiece: a position array of scanlines with runs, cross-referenced to a property
+/// list (Chen & Yang 2004, section 2), run ends to 1/256 voxel. Copy-on-write bricks of 8 × 8 scanlines.
+/// Thread: one writer; snapshots are read anywhere.
+class RunVolume {
+public:
+    /// A grid filled with air.
+    /// @param reservedBytes memory for bricks that editing may use up; allocated and touched here, so that no edit
+    ///        allocates. 0: a figure from the grid's size.
+    /// Errors: outOfMemory.
+    static Result<RunVolume> make(const Grid& grid, PropertyList properties, std::size_t reservedBytes = 0);
+    ~RunVolume();
+    RunVolume(RunVolume&&) noexcept;
+    RunVolume& operator=(RunVolume&&) noexcept;
+
+    const Grid& grid() const noexcept;
+    const PropertyList& properties() const noexcept;
+    std::span<const Segment> line(LineIndex line) const noexcept;
+
+    // ---- Scanlines. No allocation, no exception: fit for the haptic loop.
+
+    /// Turns the machinable runs between `from` and `to` to air; protected runs stay.
+    /// @param removed what was taken is added to it.
+    /// outOfMemory: the line is unchanged and the reserved memory is used up; cutting has to stop.
+    Removal removeSpan(LineIndex line, RunPosition from, RunPosition to, RunAmounts& removed) noexcept;
+    /// Gives the stretch `from` … `to` one property, whatever was there. False: out of reserved memory, line unchanged.
+    bool fillSpan(LineIndex line, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
+    /// Replaces a line. `segments` must cover it. False: out of reserved memory, line unchanged.
+    bool setLine(LineIndex line, std::span<const Segment> segments) noexcept;
+
+    // ---- The paper's operations on whole voxels (section 3), an exact special case. A voxel belongs to the property
+    // that its centre lies in.
+
+    /// Belonging: is the voxel part of the object, that is, not air?
+    bool belongs(VoxelIndex voxel) const noexcept;
+    /// Locating: the run that holds the voxel, nothing for air.
+    std::optional<Run> locate(VoxelIndex voxel) const noexcept;
+    /// Inserting. A voxel that belongs already changes nothing (false).
+    bool insert(VoxelIndex voxel, PropertyIndex property) noexcept;
+    /// Removing, whatever the property. A voxel outside the object is a failure (false).
+    bool remove(VoxelIndex voxel) noexcept;
+    /// Runs of a scanline in the paper's whole-voxel view.
+    std::vector<Run> runs(LineIndex line) const;
+
+    // ---- Whole volume
+
+    /// Total of every property, kept up to date with each edit: O(1).
+    const RunAmounts& amounts() const noexcept;
+    /// Cost: below a tick. Bricks are copied when they are next written.
+    VolumeSnapshot snapshot();
+    /// Puts back what a snapshot of this volume held (undo).
+    void restore(const VolumeSnapshot& snapshot);
+    std::size_t reservedBytes() const noexcept;
+    std::size_t usedBytes() const noexcept;
+
+private:
+    friend class VolumeSnapshot;
+    class Impl;
+    explicit RunVolume(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace burin

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/volume/run_volume.h"
+
+namespace burin {
+
+/// What voxelising a mesh found out about it.
+struct VoxelisationReport {
+    std::size_t linesWithOddCrossings = 0; ///< scanlines where the mesh was not closed; they were left untouched
+    std::uint64_t filledUnits = 0;         ///< run units inside the mesh
+    std::size_t clippedLines = 0;          ///< scanlines on which the mesh reached out of the grid
+};
+
+/// Fills the inside of a closed mesh with a property. Run ends lie where the scanline's centre crosses the surface, to
+/// 1/256 voxel. Rule for overlapping shells: a place is inside where the winding number is not zero; a place exactly on
+/// a triangle's edge is decided once for all triangles that share it, so that a closed mesh never gives an odd line.
+/// Cost: time linear in triangles and crossings; parallel over slabs of scanlines.
+/// Errors: volumeOutOfMemory, cancelled.
+Result<VoxelisationReport> voxelise(const TriangleMesh& mesh, PropertyIndex property, RunVolume& volume,
+                                    Progress& progress);
+
+} // namespace burin
