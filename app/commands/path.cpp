@@ -5,6 +5,7 @@
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/project/program_job.h"
+#include "core/recording/take_csv.h"
 #include "core/recording/trace_file.h"
 
 #include <CLI/CLI.hpp>
@@ -171,9 +172,9 @@ int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& con
     if (!project) return context.fail(project.error());
     const Result<Take> take = project->take(arguments.take);
     if (!take) return context.fail(take.error());
-    const std::string text = asTrace ? traceCsv(traceOf(*take)) : takeCsv(*take);
-    if (const Result<void> written = writeFileAtomically(arguments.output, text); !written)
-        return context.fail(written.error());
+    const Result<void> written =
+        asTrace ? writeTrace(arguments.output, traceOf(take->samples)) : writeTakeCsv(arguments.output, take->samples);
+    if (!written) return context.fail(written.error());
     context.answer({{"csv", std::filesystem::absolute(arguments.output).lexically_normal().string()},
                     {"samples", take->samples.size()}},
                    arguments.output + ": " + std::to_string(take->samples.size()) + " samples");
