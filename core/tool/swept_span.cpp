@@ -38,6 +38,7 @@ double restingOffset(const CornerLine& line) noexcept {
         const double radius = line.flat + line.corner * sine, growth = line.corner * cosine;
         const double offset = offsetAt(radius);
         const double value = line.reach * sine * offset - line.rise * cosine * radius;
+        if (value == 0.0) break;
         (value < 0.0 ? low : high) = angle;
         const double slope = offset > 0.0 ? line.reach * (cosine * offset + sine * radius * growth / offset) -
                                                 line.rise * (cosine * growth - sine * radius)
