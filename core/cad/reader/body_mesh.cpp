@@ -36,12 +36,12 @@ BodyMesh collect(const TopoDS_Solid& solid, double chord) {
             ++result.facesFilled;
         else
             ++result.facesWithoutTriangles;
-    result.mesh = shape.mesh();
-    result.openEdges = countOpenEdges(result.mesh);
-    if (result.openEdges == 0 || result.facesWithoutTriangles > 0) return result;
-    // A face that is there but torn: from its boundary it closes.
-    for (const std::size_t face : shape.facesAtOpenEdges())
-        if (shape.fillPlaneFace(face)) ++result.facesFilled;
+    if (result.facesWithoutTriangles == 0) {
+        // A face that is there but torn: from its boundary it closes.
+        for (const std::size_t face : shape.facesAtOpenEdges())
+            if (shape.fillPlaneFace(face)) ++result.facesFilled;
+        shape.partSharedChords();
+    }
     result.mesh = shape.mesh();
     result.openEdges = countOpenEdges(result.mesh);
     return result;

@@ -22,6 +22,7 @@
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <TDocStd_Document.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include <array>
@@ -54,6 +55,7 @@ void stateSettings() {
 
 Handle(TDocStd_Document) newDocument() {
     Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
+    XCAFDoc_ShapeTool::SetAutoNaming(Standard_False); // "COMPOUND" is no name that a user gave
     XCAFDoc_DocumentTool::Set(document->Main(), Standard_False);
     return document;
 }

@@ -49,7 +49,7 @@ void noteMesh(Model& model, const Body& body, const BodyMesh& mesh) {
     };
     if (mesh.facesFilled > 0)
         note(ImportNote::Kind::healing,
-             ": " + std::to_string(mesh.facesFilled) + " faces that the mesher left out were filled.");
+             ": " + std::to_string(mesh.facesFilled) + " plane faces that the mesher left incomplete were filled.");
     if (mesh.openEdges > 0)
         note(ImportNote::Kind::warning,
              " is not closed: " + std::to_string(mesh.openEdges) + " open edges. Its inside is not certain.");

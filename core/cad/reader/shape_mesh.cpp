@@ -36,6 +36,8 @@ std::size_t index(int number) {
     return static_cast<std::size_t>(number - 1);
 } // OpenCASCADE counts from 1
 
+std::uint64_t edgeKey(std::uint64_t a, std::uint64_t b) { return a < b ? (a << 32) | b : (b << 32) | a; }
+
 /// Twice the signed area of a loop.
 double loopArea(const std::vector<PolygonCorner>& loop) {
     double area = 0.0;
@@ -135,8 +137,8 @@ std::vector<std::size_t> ShapeMesh::facesAtOpenEdges() const {
         for (std::size_t face = 0; face < faces_.size(); ++face)
             for (const auto& triangle : faces_[face].triangles)
                 for (std::size_t i = 0; i < 3; ++i) {
-                    const std::uint64_t from = triangle[i], to = triangle[(i + 1) % 3];
-                    visit(face, from < to ? (from << 32) | to : (to << 32) | from, from < to ? 1 : -1);
+                    const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
+                    visit(face, edgeKey(from, to), from < to ? 1 : -1);
                 }
     };
     each([&](std::size_t, std::uint64_t edge, int direction) { balance[edge] += direction; });
@@ -146,6 +148,35 @@ std::vector<std::size_t> ShapeMesh::facesAtOpenEdges() const {
     for (std::size_t face = 0; face < open.size(); ++face)
         if (open[face]) numbers.push_back(face);
     return numbers;
+}
+
+void ShapeMesh::splitChord(Face& face, std::uint32_t from, std::uint32_t to, std::uint32_t middle) {
+    const std::size_t count = face.triangles.size();
+    for (std::size_t triangle = 0; triangle < count; ++triangle)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto corners = face.triangles[triangle];
+            const std::uint32_t a = corners[i], b = corners[(i + 1) % 3], c = corners[(i + 2) % 3];
+            if (edgeKey(a, b) != edgeKey(from, to)) continue;
+            face.triangles[triangle] = {a, middle, c};
+            face.triangles.push_back({middle, b, c});
+            break;
+        }
+}
+
+void ShapeMesh::partSharedChords() {
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> users; // faces, once for each triangle at the edge
+    for (std::size_t face = 0; face < faces_.size(); ++face)
+        for (const auto& triangle : faces_[face].triangles)
+            for (std::size_t i = 0; i < 3; ++i) users[edgeKey(triangle[i], triangle[(i + 1) % 3])].push_back(face);
+    for (auto& [edge, faces] : users) {
+        if (faces.size() <= 2) continue;
+        const auto from = static_cast<std::uint32_t>(edge >> 32), to = static_cast<std::uint32_t>(edge);
+        std::sort(faces.begin(), faces.end());
+        // Inside of a face its chord is used twice; a use on the face's border is single and stays.
+        for (std::size_t i = 0; i + 1 < faces.size(); ++i)
+            if (faces[i] == faces[i + 1] && std::count(faces.begin(), faces.end(), faces[i]) == 2)
+                splitChord(faces_[faces[i]], from, to, addPoint(0.5 * (points_[from] + points_[to])));
+    }
 }
 
 const std::vector<std::uint32_t>& ShapeMesh::pointsAlong(const TopoDS_Shape& shape) {

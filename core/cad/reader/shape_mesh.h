@@ -31,6 +31,10 @@ public:
     /// then nothing has changed.
     bool fillPlaneFace(std::size_t face);
 
+    /// Two faces may both draw a chord between the same two corners, which makes four triangles meet at one edge. Gives
+    /// each such chord a point of its own in its middle; the surface stays the same.
+    void partSharedChords();
+
     TriangleMesh mesh() const;
 
 private:
@@ -40,6 +44,7 @@ private:
     };
 
     void addFace(const TopoDS_Face& face);
+    static void splitChord(Face& face, std::uint32_t from, std::uint32_t to, std::uint32_t middle);
     std::uint32_t vertexOf(const TopoDS_Shape& vertex);
     std::uint32_t addPoint(const glm::dvec3& point);
     void shareEdges(const TopoDS_Face& face, std::vector<std::uint32_t>& nodes);
