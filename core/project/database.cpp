@@ -53,6 +53,15 @@ ErrorCode codeOf(int sqliteCode, int systemError) {
     }
 }
 
+/// SQLite keeps the system's reason only where a call fails at once, not where a statement does in its last step; errno
+/// then still has it, having been cleared before the call.
+int systemErrorOf(sqlite3* handle, int code, int lastError) {
+    const int primary = code & 0xff;
+    if (primary != SQLITE_IOERR && primary != SQLITE_CANTOPEN) return 0;
+    const int kept = handle != nullptr ? sqlite3_system_errno(handle) : 0;
+    return kept != 0 ? kept : lastError;
+}
+
 void distrustSchema(sqlite3* handle) {
     // https://www.sqlite.org/security.html, "Untrusted SQLite Database Files"
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -73,7 +82,7 @@ Database::Connection::~Connection() {
 }
 
 Error Database::errorOf(const Connection& connection, int code) {
-    const int systemError = connection.handle != nullptr ? sqlite3_system_errno(connection.handle) : 0;
+    const int systemError = systemErrorOf(connection.handle, code, errno);
     std::string detail = sqlite3_errstr(code);
     if (connection.handle != nullptr) detail = sqlite3_errmsg(connection.handle);
     if (systemError != 0) detail.append(" (").append(std::strerror(systemError)).append(")");
@@ -106,6 +115,7 @@ Result<Database> Database::inMemory(std::string subject) {
 }
 
 Result<void> Database::execute(const char* sql) {
+    errno = 0;
     const int code = sqlite3_exec(connection_->handle, sql, nullptr, nullptr, nullptr);
     if (code != SQLITE_OK) return error(code);
     return {};
@@ -163,6 +173,7 @@ void Statement::reset() {
 } // repeats the fault of the last step, told already
 
 Result<bool> Statement::step() {
+    errno = 0;
     const int code = sqlite3_step(statement_.get());
     if (code == SQLITE_ROW) return true;
     if (code == SQLITE_DONE) return false;
