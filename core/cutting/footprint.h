@@ -43,7 +43,9 @@ void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexc
             const LineIndex line{u, v};
             const std::optional<Span> span = swept.along(grid.lineCentre(line).x, y);
             if (!span) continue;
-            const RunPosition from = grid.toRunPosition(span->low), to = grid.toRunPosition(span->high);
+            // Ends beyond the grid need no arithmetic: most flutes reach out of the stock.
+            const RunPosition from = span->low <= box.low.z ? 0 : grid.toRunPosition(span->low);
+            const RunPosition to = span->high >= box.high.z ? grid.lineEnd() : grid.toRunPosition(span->high);
             if (from < to && !visit(line, from, to)) return;
         }
     }
