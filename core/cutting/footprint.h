@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 
@@ -33,6 +34,8 @@ void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexc
     assert(grid.axis() == RunAxis::z);
     const Box reach = swept.bounds(), box = grid.box();
     if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
+    double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at one height
+    RunPosition to = 0;
     const LineRange rows = linesWithin({reach.low.y, reach.high.y}, grid.low().y, grid.edge(), grid.lineCountV());
     for (std::int32_t v = rows.first; v <= rows.last; ++v) {
         const double y = grid.lineCentre({0, v}).y;
@@ -43,7 +46,10 @@ void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexc
             const LineIndex line{u, v};
             const std::optional<Span> span = swept.along(grid.lineCentre(line).x, y);
             if (!span) continue;
-            const RunPosition from = grid.toRunPosition(span->low), to = grid.toRunPosition(span->high);
+            // Ends beyond the grid need no arithmetic: most flutes reach out of the stock.
+            const RunPosition from = span->low <= box.low.z ? 0 : grid.toRunPosition(span->low);
+            if (span->high != top) to = span->high >= box.high.z ? grid.lineEnd() : grid.toRunPosition(span->high);
+            top = span->high;
             if (from < to && !visit(line, from, to)) return;
         }
     }
