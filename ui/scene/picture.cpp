@@ -12,6 +12,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
+#include <vtkObject.h>
 #include <vtkPNGWriter.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
@@ -80,6 +81,33 @@ vtkSmartPointer<vtkPolyData> cuttingLines(const Path& path) {
     return data;
 }
 
+/// Key from the upper left, weak fill from the right: what faces the viewer is never black.
+void addLights(vtkRenderer& renderer) {
+    renderer.AutomaticLightCreationOff();
+    constexpr std::array<std::array<double, 4>, 3> lights{
+        {{-0.8, 1.1, 1.0, 0.55}, {1.2, 0.3, 0.8, 0.32}, {0.0, 0.0, 1.0, 0.45}}}; // camera frame, and intensity
+    for (const auto& [x, y, z, intensity] : lights) {
+        vtkNew<vtkLight> light;
+        light->SetLightTypeToCameraLight();
+        light->SetPosition(x, y, z);
+        light->SetFocalPoint(0.0, 0.0, 0.0);
+        light->SetIntensity(intensity);
+        renderer.AddLight(light);
+    }
+}
+
+/// VTK 9.1 logs two lines about GLEW for every context that has no X server behind it; they mean nothing.
+class QuietVtk {
+public:
+    QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
+    ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before_); }
+    QuietVtk(const QuietVtk&) = delete;
+    QuietVtk& operator=(const QuietVtk&) = delete;
+
+private:
+    int before_;
+};
+
 void aimCamera(vtkRenderer& renderer, const Box& bench) {
     const glm::dvec3 centre = bench.centre();
     vtkCamera* camera = renderer.GetActiveCamera();
@@ -89,7 +117,7 @@ void aimCamera(vtkRenderer& renderer, const Box& bench) {
     camera->SetViewAngle(28.0);
     const std::array<double, 6> bounds{bench.low.x, bench.high.x, bench.low.y, bench.high.y, bench.low.z, bench.high.z};
     renderer.ResetCamera(bounds.data());
-    camera->Zoom(1.35);
+    camera->Zoom(1.15);
     renderer.ResetCameraClippingRange();
 }
 
@@ -118,6 +146,7 @@ Result<std::string> drawPicture(const PictureContent& content) {
     renderer->SetBackground(backgroundBottom.data());
     renderer->SetBackground2(backgroundTop.data());
     renderer->GradientBackgroundOn();
+    addLights(*renderer);
     renderer->AddActor(workpieceActor(content.workpiece));
     if (!content.path.points.empty()) {
         vtkSmartPointer<vtkActor> path = actorFor(cuttingLines(content.path), pathColour);
@@ -133,11 +162,12 @@ Result<std::string> drawPicture(const PictureContent& content) {
     window->SetReadyForRendering(true);
     window->SetOwnContext(0);
     window->SetSize(content.width, content.height);
+    const QuietVtk quiet;
     window->OpenGLInitContext();
     window->SetMultiSamples(8);
     window->AddRenderer(renderer);
     Box bench = content.workpiece.grid().box();
-    if (content.tool) bench.include(content.tip + glm::dvec3(0.0, 0.0, 0.6 * content.tool->cutter.length()));
+    if (content.tool) bench.include(content.tip + glm::dvec3(0.0, 0.0, content.tool->cutter.stickOut));
     aimCamera(*renderer, bench);
     window->Render();
     std::string picture = png(*window);

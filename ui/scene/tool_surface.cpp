@@ -42,6 +42,7 @@ vtkSmartPointer<vtkPolyData> pieceSurface(const RevolvedPiece& piece) {
     vtkNew<vtkPolyDataNormals> normals;
     normals->SetInputConnection(revolve->GetOutputPort());
     normals->SetFeatureAngle(40.0);
+    normals->FlipNormalsOn(); // the profile runs outwards and up, which revolves inside out
     normals->Update();
     return normals->GetOutput();
 }

@@ -7,7 +7,9 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPolyDataNormals.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkWindowedSincPolyDataFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,11 +80,11 @@ void addColours(vtkPolyData& surface, const VolumeSnapshot& workpiece) {
     colours->SetName("colour");
     colours->SetNumberOfComponents(3);
     colours->SetNumberOfTuples(surface.GetNumberOfPoints());
-    vtkDataArray* normals = surface.GetPointData()->GetNormals();
+    vtkDataArray* pointNormals = surface.GetPointData()->GetNormals();
     for (vtkIdType point = 0; point < surface.GetNumberOfPoints(); ++point) {
         glm::dvec3 place(0.0), normal(0.0);
         surface.GetPoint(point, &place.x);
-        normals->GetTuple(point, &normal.x);
+        pointNormals->GetTuple(point, &normal.x);
         const Property& material = workpiece.properties()[propertyUnder(workpiece, place, normal)];
         colours->SetTypedTuple(point, material.colour.data());
     }
@@ -95,11 +97,24 @@ vtkSmartPointer<vtkPolyData> workpieceSurface(const VolumeSnapshot& workpiece) {
     vtkNew<vtkFlyingEdges3D> contour;
     contour->SetInputData(fullness(workpiece));
     contour->SetValue(0, 0.5);
-    contour->ComputeNormalsOn();
+    contour->ComputeNormalsOff();
     contour->ComputeGradientsOff();
     contour->ComputeScalarsOff();
-    contour->Update();
-    vtkSmartPointer<vtkPolyData> surface = contour->GetOutput();
+    // Across the runs a wall is known to a voxel only: what is drawn is relaxed within it, the volume is not touched.
+    vtkNew<vtkWindowedSincPolyDataFilter> relaxed;
+    relaxed->SetInputConnection(contour->GetOutputPort());
+    relaxed->SetNumberOfIterations(12);
+    relaxed->SetPassBand(0.08);
+    relaxed->BoundarySmoothingOff();
+    relaxed->FeatureEdgeSmoothingOff();
+    relaxed->NonManifoldSmoothingOn();
+    relaxed->NormalizeCoordinatesOn();
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputConnection(relaxed->GetOutputPort());
+    normals->SplittingOff();
+    normals->ConsistencyOff();
+    normals->Update();
+    vtkSmartPointer<vtkPolyData> surface = normals->GetOutput();
     addColours(*surface, workpiece);
     return surface;
 }
