@@ -12,6 +12,10 @@ struct CouplingGains {
     double damping = 0.0;   ///< N·s/m
 };
 
+/// N·s/m that a damper on the hand may have: the stylus' figure, but no more than the velocity's lag (half of its
+/// window) bears with a light handle of 0.1 kg. A damper that comes too late drives instead of damping.
+double usableDamping(const StylusDescription& stylus) noexcept;
+
 /// From the stylus' own figures, which hold for 1 kHz without delay: the stiffness that stays passive goes with one
 /// over the period (Colgate & Schenkel), and is not raised above `share` of the figure for faster loops. Damping: 0.3
 /// of the device's, as more helps stability but costs passivity. Zero for a stylus without motors.

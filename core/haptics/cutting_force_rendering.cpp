@@ -12,7 +12,7 @@ namespace burin {
 
 void CuttingForceRendering::reset() noexcept {
     yield_ = 0.0;
-    radial_ = glm::dvec3(0.0);
+    sideways_ = glm::dvec3(0.0);
     anchored_ = false;
 }
 
@@ -21,23 +21,25 @@ glm::dvec3 CuttingForceRendering::operator()(const CuttingForce& cut, const glm:
     if (!anchored_) anchor_ = tip;
     anchored_ = true;
 
-    // The radial part is what is left of the force beside the part against the motion.
+    // What works against the motion, of either part, is friction and goes to the anchor; what is left of the radial
+    // part pushes sideways.
     const double moved = glm::length(motion);
     const glm::dvec3 against = moved > 0.0 ? -motion / moved : glm::dvec3(0.0);
-    const glm::dvec3 radial = moved > 0.0 ? cut.force - cut.tangential * against : glm::dvec3(0.0);
+    const double resistance = std::max(0.0, glm::dot(cut.force, against));
+    const glm::dvec3 sideways = moved > 0.0 ? cut.force - glm::dot(cut.force, against) * against : glm::dvec3(0.0);
     const double share = 1.0 - std::exp(-period / smoothing);
-    yield_ += share * (settings_.scale * cut.tangential - yield_);
-    radial_ += share * (settings_.scale * radial - radial_);
+    yield_ += share * (settings_.scale * resistance - yield_);
+    sideways_ += share * (settings_.scale * sideways - sideways_);
     // Below any device's resolution; without it the decay would end in denormal numbers, which are slow.
     if (yield_ < 1e-9) yield_ = 0.0;
-    if (glm::length(radial_) < 1e-9) radial_ = glm::dvec3(0.0);
+    if (glm::length(sideways_) < 1e-9) sideways_ = glm::dvec3(0.0);
 
     if (settings_.stiffness <= 0.0) return glm::dvec3(0.0);
     const double yield = std::min(yield_, settings_.maximum);
     const double newtonPerMillimetre = settings_.stiffness / (settings_.workspaceScale * millimetresPerMetre);
     const glm::dvec3 stretch = clampLength(tip - anchor_, yield / newtonPerMillimetre);
     anchor_ = tip - stretch;
-    return clampLength(-newtonPerMillimetre * stretch + radial_, settings_.maximum);
+    return clampLength(-newtonPerMillimetre * stretch + sideways_, settings_.maximum);
 }
 
 } // namespace burin

@@ -29,9 +29,9 @@ public:
 private:
     static constexpr double smoothing = 0.015; ///< s; removal comes in steps of whole scanlines
     Settings settings_;
-    double yield_ = 0.0;     ///< N
-    glm::dvec3 radial_{0.0}; ///< N
-    glm::dvec3 anchor_{0.0}; ///< mm
+    double yield_ = 0.0;       ///< N
+    glm::dvec3 sideways_{0.0}; ///< N
+    glm::dvec3 anchor_{0.0};   ///< mm
     bool anchored_ = false;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 namespace {
@@ -11,6 +12,9 @@ namespace {
 constexpr double voxelsPerTick = 6.0; // of travel, at least
 constexpr double cuttingShare = 0.6;  // of the force that is allowed at all
 constexpr int parkingSamples = 256;
+// A tool that cuts takes a row of scanlines at least so often. The reported removal looks a voxel ahead; without this
+// a tool on its way to the stock would feel it before it touches.
+constexpr double idleVoxels = 2.0;
 
 double maximumForce(const HapticSettings& settings) noexcept {
     return settings.stylus.actuated ? settings.forceShare * settings.stylus.maximumForce : 0.0;
@@ -51,7 +55,7 @@ HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const 
     , guard_(settings.stylus, settings.tickPeriod)
     , coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
-    , passivity_(settings.stylus.maximumDamping)
+    , passivity_(usableDamping(settings.stylus))
     , limiter_(maximumForce(settings), coupling_.stiffness(), settings.tickPeriod)
     , ramp_(settings.rampSeconds) {}
 
@@ -102,6 +106,7 @@ bool HapticStep::start(const glm::dvec3& hand) noexcept {
     allowance_.settle();
     if (!proxy_.feasible(hand, allowance_.inForce()) || brake_.at(*workpiece_, hand).touches) return false;
     tip_ = hand;
+    travelSinceRemoval_ = std::numeric_limits<double>::infinity();
     proxyVelocity_.reset();
     started_ = true;
     return true;
@@ -148,8 +153,11 @@ CuttingForce HapticStep::cut(Motion& motion, double period, Sample& sample) noex
     for (std::size_t i = 0; i < sample.removed.size() && i < cut.removed.size(); ++i)
         sample.removed[i] = {cut.removed[i].units, cut.removed[i].property};
     sample.reportedRemoval = cut.reported;
-    const CuttingForce force =
-        cuttingForce(cut, coefficients_, motion.to - motion.from, motion.to, settings_.cuttingSpeed, period);
+    const glm::dvec3 way = motion.to - motion.from;
+    travelSinceRemoval_ = cut.volume > 0.0 ? 0.0 : travelSinceRemoval_ + glm::length(way);
+    CuttingForce force;
+    if (travelSinceRemoval_ <= idleVoxels * workpiece_->grid().edge())
+        force = cuttingForce(cut, coefficients_, way, motion.to, settings_.cuttingSpeed, period);
     sample.cuttingForce = force.force;
     if (cut.outOfMemory) {
         memoryFull_ = true;

@@ -89,6 +89,7 @@ private:
     std::uint64_t tick_ = 0;
     double time_ = 0.0;
     glm::dvec3 tip_{0.0};
+    double travelSinceRemoval_ = 0.0; ///< mm
     glm::dvec3 deviceForce_{0.0};
     bool started_ = false;
     bool memoryFull_ = false;
