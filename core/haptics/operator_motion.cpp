@@ -43,15 +43,19 @@ Result<std::vector<Segment>> segments(std::span<const IntentPoint> points, const
     return result;
 }
 
+constexpr double turningShare = 0.5; // of the acceleration; the rest is for the speed along the way
+
 /// Fastest way round the corner between two segments: the change of velocity, spread over the time in which a corner is
-/// rounded, stays within the acceleration, and so does the curvature that a row of short segments stands for.
+/// rounded, stays within a share of the acceleration, and so does the curvature that a row of short segments stands
+/// for.
 double cornerSpeed(const Segment& in, const Segment& out, const MotionLimits& limits) {
     const double turn =
         std::atan2(glm::length(glm::cross(in.direction, out.direction)), glm::dot(in.direction, out.direction));
     const double speed = std::min(in.speed, out.speed);
     if (turn < 1e-9) return speed;
-    const double byChange = limits.acceleration * limits.cornerSeconds / (2.0 * std::sin(0.5 * turn));
-    const double byCurvature = std::sqrt(limits.acceleration * 0.5 * (in.length + out.length) / turn);
+    const double turning = turningShare * limits.acceleration;
+    const double byChange = turning * limits.cornerSeconds / (2.0 * std::sin(0.5 * turn));
+    const double byCurvature = std::sqrt(turning * 0.5 * (in.length + out.length) / turn);
     return std::min({speed, byChange, byCurvature});
 }
 
