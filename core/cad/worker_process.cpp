@@ -167,7 +167,11 @@ void WorkerProcess::stop() noexcept {
 }
 
 void WorkerProcess::finish(WorkerAnswer answer) {
-    if (auto* error = std::get_if<Error>(&answer); error && error->subject.empty()) error->subject = subject_;
+    if (auto* error = std::get_if<Error>(&answer)) {
+        if (error->subject.empty()) error->subject = subject_;
+        if (error->code == ErrorCode::importOutOfMemory)
+            error->place = std::to_string(limits_.memoryBytes >> 20U) + " MiB";
+    }
     answer_ = std::move(answer);
     stop();
 }

@@ -40,6 +40,7 @@ BodyMesh collect(const TopoDS_Solid& solid, double chord) {
         // A face that is there but torn: from its boundary it closes.
         for (const std::size_t face : shape.facesAtOpenEdges())
             if (shape.fillPlaneFace(face)) ++result.facesFilled;
+        shape.refine();
         shape.partSharedChords();
     }
     result.mesh = shape.mesh();

@@ -53,9 +53,8 @@ void noteMesh(Model& model, const Body& body, const BodyMesh& mesh) {
     if (mesh.openEdges > 0)
         note(ImportNote::Kind::warning,
              " is not closed: " + std::to_string(mesh.openEdges) + " open edges. Its inside is not certain.");
-    constexpr double agreement = 2e-3; // relative; a mesh within its chord differs far less
-    if (const double meshed = signedVolume(body.mesh);
-        std::abs(meshed - body.volume) > agreement * std::abs(body.volume))
+    // A mesh within its chord encloses a volume that differs by less than the chord times the area.
+    if (const double meshed = signedVolume(body.mesh); std::abs(meshed - body.volume) > model.meshChord * body.area)
         note(ImportNote::Kind::warning, ": its mesh encloses " + formatFixed(meshed, 2) + " mm³, its exact surface " +
                                             formatFixed(body.volume, 2) + " mm³.");
 }

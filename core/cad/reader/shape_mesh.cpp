@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/shape_mesh.h"
 
+#include "core/cad/reader/polygon_fill.h"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
@@ -36,7 +38,9 @@ std::size_t index(int number) {
     return static_cast<std::size_t>(number - 1);
 } // OpenCASCADE counts from 1
 
-std::uint64_t edgeKey(std::uint64_t a, std::uint64_t b) { return a < b ? (a << 32) | b : (b << 32) | a; }
+std::uint64_t edgeKey(std::uint64_t a, std::uint64_t b) {
+    return a < b ? (a << 32) | b : (b << 32) | a;
+}
 
 /// Twice the signed area of a loop.
 double loopArea(const std::vector<PolygonCorner>& loop) {
@@ -104,70 +108,78 @@ void ShapeMesh::shareEdges(const TopoDS_Face& face, std::vector<std::uint32_t>& 
 
 void ShapeMesh::addFace(const TopoDS_Face& face) {
     faces_.push_back({face, {}});
+    FaceMesh& mesh = faces_.back().mesh;
     TopLoc_Location place;
     const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, place);
     if (triangulation.IsNull()) return;
-    std::vector<std::uint32_t> nodes(static_cast<std::size_t>(triangulation->NbNodes()), none);
-    shareEdges(face, nodes);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i] == none)
-            nodes[i] =
-                addPoint(toVector(triangulation->Node(static_cast<int>(i) + 1).Transformed(place.Transformation())));
+    const auto count = static_cast<std::size_t>(triangulation->NbNodes());
+    mesh.nodes.resize(count, none);
+    shareEdges(face, mesh.nodes);
+    for (std::size_t i = 0; i < count; ++i) {
+        const int number = static_cast<int>(i) + 1;
+        if (mesh.nodes[i] == none)
+            mesh.nodes[i] = addPoint(toVector(triangulation->Node(number).Transformed(place.Transformation())));
+        if (triangulation->HasUVNodes())
+            mesh.parameters.emplace_back(triangulation->UVNode(number).X(), triangulation->UVNode(number).Y());
+    }
     for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
         int a = 0, b = 0, c = 0;
         triangulation->Triangle(i).Get(a, b, c);
         if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
-        const std::array<std::uint32_t, 3> triangle{nodes[index(a)], nodes[index(b)], nodes[index(c)]};
-        // A pole's nodes are one point: the triangles between them vanish.
-        if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
-            faces_.back().triangles.push_back(triangle);
+        mesh.triangles.push_back(
+            {static_cast<std::uint32_t>(a - 1), static_cast<std::uint32_t>(b - 1), static_cast<std::uint32_t>(c - 1)});
     }
 }
 
 std::vector<std::size_t> ShapeMesh::emptyFaces() const {
     std::vector<std::size_t> empty;
     for (std::size_t face = 0; face < faces_.size(); ++face)
-        if (faces_[face].triangles.empty()) empty.push_back(face);
+        if (faces_[face].mesh.triangles.empty()) empty.push_back(face);
     return empty;
+}
+
+template <class Visit>
+void ShapeMesh::visitEdges(Visit visit) const {
+    for (std::size_t face = 0; face < faces_.size(); ++face) {
+        const FaceMesh& mesh = faces_[face].mesh;
+        for (const auto& triangle : mesh.triangles)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint32_t from = mesh.nodes[triangle[i]], to = mesh.nodes[triangle[(i + 1) % 3]];
+                if (from != to) visit(face, edgeKey(from, to), from < to ? 1 : -1);
+            }
+    }
 }
 
 std::vector<std::size_t> ShapeMesh::facesAtOpenEdges() const {
     std::unordered_map<std::uint64_t, int> balance; // uses in one direction less those in the other
-    const auto each = [&](auto visit) {
-        for (std::size_t face = 0; face < faces_.size(); ++face)
-            for (const auto& triangle : faces_[face].triangles)
-                for (std::size_t i = 0; i < 3; ++i) {
-                    const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
-                    visit(face, edgeKey(from, to), from < to ? 1 : -1);
-                }
-    };
-    each([&](std::size_t, std::uint64_t edge, int direction) { balance[edge] += direction; });
+    visitEdges([&](std::size_t, std::uint64_t edge, int direction) { balance[edge] += direction; });
     std::vector<bool> open(faces_.size(), false);
-    each([&](std::size_t face, std::uint64_t edge, int) { open[face] = open[face] || balance[edge] != 0; });
+    visitEdges([&](std::size_t face, std::uint64_t edge, int) { open[face] = open[face] || balance[edge] != 0; });
     std::vector<std::size_t> numbers;
     for (std::size_t face = 0; face < open.size(); ++face)
         if (open[face]) numbers.push_back(face);
     return numbers;
 }
 
-void ShapeMesh::splitChord(Face& face, std::uint32_t from, std::uint32_t to, std::uint32_t middle) {
-    const std::size_t count = face.triangles.size();
+void ShapeMesh::splitChord(FaceMesh& mesh, std::uint32_t from, std::uint32_t to, std::uint32_t middle) {
+    const auto node = static_cast<std::uint32_t>(mesh.nodes.size());
+    mesh.nodes.push_back(middle);
+    mesh.parameters.clear(); // unknown for the new node; refining is over by now
+    const std::size_t count = mesh.triangles.size();
     for (std::size_t triangle = 0; triangle < count; ++triangle)
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto corners = face.triangles[triangle];
+            const auto corners = mesh.triangles[triangle];
             const std::uint32_t a = corners[i], b = corners[(i + 1) % 3], c = corners[(i + 2) % 3];
-            if (edgeKey(a, b) != edgeKey(from, to)) continue;
-            face.triangles[triangle] = {a, middle, c};
-            face.triangles.push_back({middle, b, c});
+            if (edgeKey(mesh.nodes[a], mesh.nodes[b]) != edgeKey(from, to)) continue;
+            mesh.triangles[triangle] = {a, node, c};
+            mesh.triangles.push_back({node, b, c});
             break;
         }
 }
 
 void ShapeMesh::partSharedChords() {
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> users; // faces, once for each triangle at the edge
-    for (std::size_t face = 0; face < faces_.size(); ++face)
-        for (const auto& triangle : faces_[face].triangles)
-            for (std::size_t i = 0; i < 3; ++i) users[edgeKey(triangle[i], triangle[(i + 1) % 3])].push_back(face);
+    visitEdges([&](std::size_t face, std::uint64_t edge, int) { users[edge].push_back(face); });
     for (auto& [edge, faces] : users) {
         if (faces.size() <= 2) continue;
         const auto from = static_cast<std::uint32_t>(edge >> 32), to = static_cast<std::uint32_t>(edge);
@@ -175,8 +187,12 @@ void ShapeMesh::partSharedChords() {
         // Inside of a face its chord is used twice; a use on the face's border is single and stays.
         for (std::size_t i = 0; i + 1 < faces.size(); ++i)
             if (faces[i] == faces[i + 1] && std::count(faces.begin(), faces.end(), faces[i]) == 2)
-                splitChord(faces_[faces[i]], from, to, addPoint(0.5 * (points_[from] + points_[to])));
+                splitChord(faces_[faces[i]].mesh, from, to, addPoint(0.5 * (points_[from] + points_[to])));
     }
+}
+
+void ShapeMesh::refine() {
+    for (Face& face : faces_) refineFace(BRepAdaptor_Surface(face.shape, Standard_False), chord_, face.mesh, points_);
 }
 
 const std::vector<std::uint32_t>& ShapeMesh::pointsAlong(const TopoDS_Shape& shape) {
@@ -233,29 +249,40 @@ bool ShapeMesh::fillPlaneFace(std::size_t number) {
     }
     for (std::size_t i = 0; i < loops.size(); ++i)
         if ((loopArea(loops[i]) > 0.0) != (i == 0)) return false;
-    std::vector<std::array<std::uint32_t, 3>> triangles = fillPolygon(std::move(loops));
-    if (faces_[number].shape.Orientation() == TopAbs_REVERSED)
-        for (auto& triangle : triangles) std::swap(triangle[1], triangle[2]);
-    faces_[number].triangles = std::move(triangles);
-    return !faces_[number].triangles.empty();
+    FaceMesh filled;
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+    for (auto triangle : fillPolygon(std::move(loops))) {
+        if (faces_[number].shape.Orientation() == TopAbs_REVERSED) std::swap(triangle[1], triangle[2]);
+        for (std::uint32_t& corner : triangle) {
+            const auto [node, added] = numbers.try_emplace(corner, static_cast<std::uint32_t>(filled.nodes.size()));
+            if (added) filled.nodes.push_back(corner);
+            corner = node->second;
+        }
+        filled.triangles.push_back(triangle);
+    }
+    if (filled.triangles.empty()) return false;
+    faces_[number].mesh = std::move(filled);
+    return true;
 }
 
 TriangleMesh ShapeMesh::mesh() const {
     // Points that only dropped triangles used are left out.
     TriangleMesh mesh;
     std::vector<std::uint32_t> numbers(points_.size(), none);
+    const auto numberOf = [&](std::uint32_t point) {
+        std::uint32_t& number = numbers[point];
+        if (number == none) {
+            number = static_cast<std::uint32_t>(mesh.vertices.size());
+            mesh.vertices.push_back(points_[point]);
+        }
+        return number;
+    };
     for (const Face& face : faces_)
-        for (const auto& triangle : face.triangles) {
-            std::array<std::uint32_t, 3> renumbered{};
-            for (std::size_t i = 0; i < 3; ++i) {
-                std::uint32_t& number = numbers[triangle[i]];
-                if (number == none) {
-                    number = static_cast<std::uint32_t>(mesh.vertices.size());
-                    mesh.vertices.push_back(points_[triangle[i]]);
-                }
-                renumbered[i] = number;
-            }
-            mesh.triangles.push_back(renumbered);
+        for (const auto& triangle : face.mesh.triangles) {
+            const std::uint32_t a = face.mesh.nodes[triangle[0]], b = face.mesh.nodes[triangle[1]],
+                                c = face.mesh.nodes[triangle[2]];
+            // A pole's nodes are one point: the triangles between them vanish.
+            if (a != b && b != c && c != a) mesh.triangles.push_back({numberOf(a), numberOf(b), numberOf(c)});
         }
     return mesh;
 }

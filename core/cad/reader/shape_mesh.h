@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/cad/reader/polygon_fill.h"
+#include "core/cad/reader/face_mesh.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -35,16 +35,21 @@ public:
     /// each such chord a point of its own in its middle; the surface stays the same.
     void partSharedChords();
 
+    /// Brings every face within the chord of its surface.
+    void refine();
+
     TriangleMesh mesh() const;
 
 private:
     struct Face {
         TopoDS_Face shape;
-        std::vector<std::array<std::uint32_t, 3>> triangles;
+        FaceMesh mesh;
     };
 
+    template <class Visit>
+    void visitEdges(Visit visit) const;
     void addFace(const TopoDS_Face& face);
-    static void splitChord(Face& face, std::uint32_t from, std::uint32_t to, std::uint32_t middle);
+    static void splitChord(FaceMesh& face, std::uint32_t from, std::uint32_t to, std::uint32_t middle);
     std::uint32_t vertexOf(const TopoDS_Shape& vertex);
     std::uint32_t addPoint(const glm::dvec3& point);
     void shareEdges(const TopoDS_Face& face, std::vector<std::uint32_t>& nodes);
