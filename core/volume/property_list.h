@@ -40,14 +40,14 @@ inline constexpr std::string_view plungeFeedRatio = "plunge_feed_ratio";        
 
 /// One entry of the property list: the paper's physical domain.
 struct Property {
-    std::string id;                            ///< "aluminium-6061", stable
-    std::string name;                          ///< English, shown through translation
+    std::string id;                                    ///< "aluminium-6061", stable
+    std::string name;                                  ///< English, shown through translation
     std::array<std::uint8_t, 3> colour{128, 128, 128}; ///< sRGB
     Machinability machinability = Machinability::machinable;
     std::map<std::string, NamedValue, std::less<>> values;
 
-    /// The value called `name`, or `otherwise` when the material has none.
-    double valueOr(std::string_view name, double otherwise) const;
+    /// The value called `valueName`, or `otherwise` when the material has none.
+    double valueOr(std::string_view valueName, double otherwise) const;
 };
 
 /// The property list of a volume: air and up to 255 materials, at most `maximumMachinableProperties` machinable.

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/tool/swept_span.h"
+#include "core/volume/grid.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace burin {
+
+/// Indices first … last of scanlines; none when last < first.
+struct LineRange {
+    std::int32_t first = 0, last = -1;
+};
+
+/// Scanlines whose centres lie in `stretch` (mm along an axis that starts at `low`), at most `count` of them. One more
+/// at either end where rounding leaves that open: the span decides.
+inline LineRange linesWithin(const Span& stretch, double low, double edge, std::int32_t count) noexcept {
+    constexpr double slack = 1e-6; // voxels
+    const double first = std::ceil((stretch.low - low) / edge - 0.5 - slack);
+    const double last = std::floor((stretch.high - low) / edge - 0.5 + slack);
+    return {static_cast<std::int32_t>(std::clamp(first, 0.0, static_cast<double>(count))),
+            static_cast<std::int32_t>(std::clamp(last, -1.0, static_cast<double>(count) - 1.0))};
+}
+
+/// Calls `visit(line, from, to)` for every scanline whose centre line meets the swept piece in the grid, run positions
+/// from < to rounded by Grid's one rule; stops when it returns false. Runs must lie along z, as the tool's axis does.
+template <class Visit>
+void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexcept {
+    assert(grid.axis() == RunAxis::z);
+    const Box reach = swept.bounds(), box = grid.box();
+    if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
+    const LineRange rows = linesWithin({reach.low.y, reach.high.y}, grid.low().y, grid.edge(), grid.lineCountV());
+    for (std::int32_t v = rows.first; v <= rows.last; ++v) {
+        const double y = grid.lineCentre({0, v}).y;
+        const std::optional<Span> shadow = swept.shadow(y);
+        if (!shadow) continue;
+        const LineRange row = linesWithin(*shadow, grid.low().x, grid.edge(), grid.lineCountU());
+        for (std::int32_t u = row.first; u <= row.last; ++u) {
+            const LineIndex line{u, v};
+            const std::optional<Span> span = swept.along(grid.lineCentre(line).x, y);
+            if (!span) continue;
+            const RunPosition from = grid.toRunPosition(span->low), to = grid.toRunPosition(span->high);
+            if (from < to && !visit(line, from, to)) return;
+        }
+    }
+}
+
+/// Calls `visit(property, start, end)` for every piece of a line's segments between `from` and `to` that is not air.
+template <class Segments, class Visit>
+void forEachPiece(const Segments& segments, std::uint32_t from, std::uint32_t to, Visit&& visit) noexcept {
+    std::uint32_t start = 0;
+    for (const auto& segment : segments) {
+        const std::uint32_t low = std::max(start, from), high = std::min(segment.end(), to);
+        if (low < high && segment.property() != 0) visit(segment.property(), low, high);
+        start = segment.end();
+        if (start >= to) return;
+    }
+}
+
+} // namespace burin

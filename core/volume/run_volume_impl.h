@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/volume_store.h"
+
+namespace burin {
+
+/// The writer's side of a volume: the present table of tiles, copy on write, and the edits of one scanline.
+class RunVolume::Impl {
+public:
+    /// @throws std::bad_alloc
+    explicit Impl(std::shared_ptr<VolumeStore> store);
+    /// A page for every part of the table, one tile of air for all. False: out of memory.
+    bool fillWithAir() noexcept;
+
+    const VolumeStore& store() const noexcept { return *store_; }
+    const RunAmounts& amounts() const noexcept { return amounts_; }
+    std::span<const Segment> line(LineIndex index) const noexcept { return store_->line(pages_, index); }
+
+    Removal removeSpan(LineIndex index, RunPosition from, RunPosition to, RunAmounts& removed) noexcept;
+    bool fillSpan(LineIndex index, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
+    bool fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
+    bool setLine(LineIndex index, std::span<const Segment> segments) noexcept;
+
+    VolumeState* snapshot();
+    void restore(const VolumeState& state);
+
+private:
+    /// A tile that was made equal to another: every line of it got the same stretch.
+    struct EqualFill {
+        BlockIndex before = noBlock, after = noBlock;
+    };
+
+    BlockHeader& header(BlockIndex block) const noexcept { return *store_->arena->at(block); }
+    bool isOwn(BlockIndex block) const noexcept { return header(block).birth > lastSnapshot_ || !store_->hasReaders(); }
+    BlockIndex allocate(std::size_t bytes) noexcept;
+    BlockIndex allocateTile(std::uint32_t segments) noexcept;
+    BlockIndex* writableEntry(LineIndex index) noexcept;
+    std::optional<Tile> writableTile(LineIndex index, std::uint32_t added) noexcept;
+    void drop(BlockIndex block) noexcept;
+    RunPosition removeFew(const Tile& tile, int line, RunPosition from, RunPosition to, RunAmounts& removed) noexcept;
+    bool fillTile(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property,
+                  EqualFill& known) noexcept;
+    void count(std::span<const Segment> line, bool add) noexcept;
+
+    std::shared_ptr<VolumeStore> store_;
+    std::vector<BlockIndex> pages_;
+    RunAmounts amounts_;
+    std::uint64_t epoch_ = 1;        ///< blocks made now bear it
+    std::uint64_t lastSnapshot_ = 0; ///< epoch of the newest snapshot
+    DeadList dead_;                  ///< died since the newest snapshot, which shows them
+};
+
+} // namespace burin

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/volume_store.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_reduce.h>
+
+#include <utility>
+
+namespace burin {
+
+VolumeSnapshot::VolumeSnapshot(VolumeState* state) noexcept : state_(state) {
+    state_->readers.store(1, std::memory_order_relaxed);
+}
+
+VolumeSnapshot::VolumeSnapshot(const VolumeSnapshot& other) noexcept : state_(other.state_) {
+    if (state_ != nullptr) state_->readers.fetch_add(1, std::memory_order_relaxed);
+}
+
+VolumeSnapshot::VolumeSnapshot(VolumeSnapshot&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
+
+VolumeSnapshot& VolumeSnapshot::operator=(VolumeSnapshot other) noexcept {
+    std::swap(state_, other.state_);
+    return *this;
+}
+
+VolumeSnapshot::~VolumeSnapshot() {
+    if (state_ != nullptr && state_->readers.fetch_sub(1, std::memory_order_acq_rel) == 1) VolumeStore::release(state_);
+}
+
+const Grid& VolumeSnapshot::grid() const noexcept {
+    return state_->store->grid;
+}
+const PropertyList& VolumeSnapshot::properties() const noexcept {
+    return state_->store->properties;
+}
+
+std::span<const Segment> VolumeSnapshot::line(LineIndex line) const noexcept {
+    return state_->store->line(state_->pages, line);
+}
+
+RunAmounts VolumeSnapshot::amounts() const {
+    const auto addLines = [&](const oneapi::tbb::blocked_range<std::int32_t>& rows, RunAmounts sum) {
+        for (std::int32_t v = rows.begin(); v != rows.end(); ++v)
+            for (std::int32_t u = 0; u < grid().lineCountU(); ++u) {
+                RunPosition start = 0;
+                for (const Segment segment : line({u, v})) {
+                    sum.units[segment.property()] += segment.end() - start;
+                    start = segment.end();
+                }
+            }
+        return sum;
+    };
+    const auto join = [](RunAmounts a, const RunAmounts& b) {
+        for (std::size_t i = 0; i < a.units.size(); ++i) a.units[i] += b.units[i];
+        return a;
+    };
+    return oneapi::tbb::parallel_reduce(oneapi::tbb::blocked_range<std::int32_t>(0, grid().lineCountV(), 16),
+                                        RunAmounts{}, addLines, join);
+}
+
+} // namespace burin
