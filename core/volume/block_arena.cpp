@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/block_arena.h"
 
+#include "core/volume/available_memory.h"
+
 #include <algorithm>
 #include <limits>
 #include <new>
@@ -32,6 +34,8 @@ std::unique_ptr<BlockArena> BlockArena::make(std::size_t bytes) {
     constexpr std::size_t page = std::size_t{2} << 20;
     const std::size_t mapped = (std::max(bytes, unitBytes * 2) + page - 1) / page * page;
     if (bytes > std::numeric_limits<BlockIndex>::max() * unitBytes) return nullptr;
+    // The system promises more than it has; touching it would end in its out-of-memory killer.
+    if (mapped > availableMemory()) return nullptr;
     void* memory = ::mmap(nullptr, mapped, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return nullptr;
     auto arena = std::unique_ptr<BlockArena>(new (std::nothrow) BlockArena(static_cast<std::byte*>(memory), mapped));

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/numbers.h"
+#include "core/setup/setup.h"
+#include "core/volume/voxelisation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+/// The entries of a setup, in the order of the property list: stock, then one a body.
+struct Materials {
+    PropertyList list;
+    PropertyIndex stock = airProperty;
+    std::vector<PropertyIndex> bodies;
+};
+
+std::string nameOf(const Model& model, std::size_t body) {
+    const std::string& name = model.bodies[body].name;
+    return name.empty() ? "Body " + std::to_string(body + 1) : name;
+}
+
+/// Ids of a property list are unique; bodies of one name get numbers.
+Result<PropertyIndex> addNumbered(PropertyList& list, Property property) {
+    const auto taken = [&](const std::string& id) {
+        for (int i = 0; i < list.size(); ++i)
+            if (list[static_cast<PropertyIndex>(i)].id == id) return true;
+        return false;
+    };
+    const std::string id = property.id;
+    for (int number = 2; taken(property.id); ++number) property.id = id + " " + std::to_string(number);
+    return list.add(std::move(property));
+}
+
+Result<Materials> gatherMaterials(const Model& model, const Setup& setup) {
+    Materials materials;
+    Result<Property> stock = loadMaterial(setup.stockMaterial);
+    if (!stock) return stock.error();
+    stock->machinability = Machinability::machinable;
+    const Property stockMaterial = *stock;
+    const Result<PropertyIndex> stockIndex = materials.list.add(*std::move(stock));
+    if (!stockIndex) return stockIndex.error();
+    materials.stock = *stockIndex;
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+        const bool own = i < setup.bodyMaterials.size() && !setup.bodyMaterials[i].empty();
+        Result<Property> material = own ? loadMaterial(setup.bodyMaterials[i]) : Result<Property>(stockMaterial);
+        if (!material) return material.error();
+        material->machinability = Machinability::isProtected;
+        material->id += " (" + nameOf(model, i) + ")";
+        material->name += " (" + nameOf(model, i) + ")";
+        if (model.bodies[i].colour) material->colour = *model.bodies[i].colour;
+        const Result<PropertyIndex> index = addNumbered(materials.list, *std::move(material));
+        if (!index) return index.error();
+        materials.bodies.push_back(*index);
+    }
+    return materials;
+}
+
+Result<void> requireInside(const Model& model, const Box& stock) {
+    constexpr double roundingOfBoxes = 1e-6; // mm
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+        const Box& box = model.bodies[i].box;
+        double beyond = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            beyond = std::max({beyond, stock.low[axis] - box.low[axis], box.high[axis] - stock.high[axis]});
+        if (beyond > roundingOfBoxes)
+            return Error{ErrorCode::partOutsideStock, nameOf(model, i), formatFixed(beyond, 3) + " mm", {}};
+    }
+    return {};
+}
+
+/// Lines whose centre lies in the stock; along them the stock's own faces.
+bool fillStock(RunVolume& volume, const Box& stock, PropertyIndex property) {
+    const Grid& grid = volume.grid();
+    const auto lines = [&](int axis) {
+        return static_cast<std::int32_t>(std::ceil(stock.size()[axis] / grid.edge() - 0.5 - 1e-6));
+    };
+    return volume.fillBlock({0, 0}, {std::max(1, lines(0)), std::max(1, lines(1))}, grid.toRunPosition(stock.low.z),
+                            grid.toRunPosition(stock.high.z), property);
+}
+
+Error notWatertight(const Model& model, std::size_t body, std::size_t lines) {
+    const std::size_t open = model.bodies[body].openEdges;
+    const std::string count =
+        open > 0 ? std::to_string(open) + " open edges" : std::to_string(lines) + " scanlines with an odd crossing";
+    return {ErrorCode::modelNotWatertight, model.sourceFile, count + " in " + nameOf(model, body), {}};
+}
+
+/// Fills one body and says what was odd about it.
+Result<void> fillBody(const Model& model, std::size_t body, EmbeddedSetup& embedded, Progress& progress) {
+    RunVolume& volume = embedded.workpiece;
+    const RunAmounts before = volume.amounts();
+    const Result<VoxelisationReport> report =
+        voxelise(model.bodies[body].mesh, embedded.bodyProperties[body], volume, progress);
+    if (!report) return report.error();
+    if (report->linesWithOddCrossings > 0) return notWatertight(model, body, report->linesWithOddCrossings);
+    const auto warn = [&](std::string text) { embedded.warnings.push_back(std::move(text)); };
+    if (model.bodies[body].openEdges > 0)
+        warn(nameOf(model, body) + " has " + std::to_string(model.bodies[body].openEdges) +
+             " open edges, too small for the voxels to see");
+    if (report->linesWithTurnedFaces > 0)
+        warn(nameOf(model, body) + " has faces that are turned inside out on " +
+             std::to_string(report->linesWithTurnedFaces) + " scanlines");
+    if (report->filledUnits == 0)
+        warn(nameOf(model, body) + " is too small for the voxels: nothing of it is protected");
+    for (std::size_t earlier = 0; earlier < body; ++earlier) {
+        const PropertyIndex property = embedded.bodyProperties[earlier];
+        const std::uint64_t lost = before.units[property] - volume.amounts().units[property];
+        if (lost > 0)
+            warn(nameOf(model, body) + " overlaps " + nameOf(model, earlier) + " in " +
+                 formatFixed(static_cast<double>(lost) * volume.grid().unitVolume(), 3) +
+                 " mm³; the later body has its place");
+    }
+    return {};
+}
+
+} // namespace
+
+Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, Progress& progress) {
+    const Result<EmbeddingSize> size = embeddingSize(setup);
+    if (!size) return size.error();
+    if (Result<void> inside = requireInside(model, setup.stock); !inside) return inside.error();
+    Result<Materials> materials = gatherMaterials(model, setup);
+    if (!materials) return materials.error();
+    const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size->voxels, RunAxis::z);
+    if (!grid) return grid.error();
+    Result<RunVolume> volume = RunVolume::make(*grid, std::move(materials->list));
+    if (!volume) return volume.error();
+
+    EmbeddedSetup embedded{*std::move(volume), std::move(materials->bodies), materials->stock, 0.0, 0.0, {}};
+    if (!fillStock(embedded.workpiece, setup.stock, embedded.stockProperty))
+        return Error{ErrorCode::volumeOutOfMemory, std::to_string(embedded.workpiece.reservedBytes()), {}, {}};
+    const auto count = static_cast<double>(model.bodies.size());
+    for (std::size_t body = 0; body < model.bodies.size(); ++body) {
+        progress.stage(static_cast<double>(body) / count, static_cast<double>(body + 1) / count);
+        if (Result<void> filled = fillBody(model, body, embedded, progress); !filled) return filled.error();
+    }
+    const RunAmounts& amounts = embedded.workpiece.amounts();
+    for (const PropertyIndex property : embedded.bodyProperties)
+        embedded.partVolume += static_cast<double>(amounts.units[property]) * grid->unitVolume();
+    embedded.stockVolume = static_cast<double>(amounts.units[embedded.stockProperty]) * grid->unitVolume();
+    return embedded;
+}
+
+} // namespace burin
