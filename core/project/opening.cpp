@@ -88,7 +88,11 @@ Result<void> standOn(Database& copy, const DocumentState* saved) {
 Result<void> placeFresh(WorkingCopy& copy, SavedFile& saved) {
     return copy.place([&](Database& empty) -> Result<void> {
         if (Result<void> copied = copyDatabase(saved.database, empty); !copied) return copied;
-        return standOn(empty, &saved.state);
+        Result<void> noted = standOn(empty, &saved.state);
+        // The folder took all pages: what forbids writing now is a header of a form that nobody writes.
+        if (!noted && noted.error().code == ErrorCode::fileNotWritable)
+            return Error{ErrorCode::fileDamaged, copy.file().string(), "header", noted.error().detail};
+        return noted;
     });
 }
 

@@ -11,8 +11,8 @@
 
 namespace burin::fixture {
 
-/// Runs `work` in a child process that ends without unwinding, as a killed one does. What `work` gives (0 … 125) is the
-/// result; -1: it died of a signal.
+/// Runs `work` in a child process. What `work` gives (0 … 125) is the result; -1: it died of a signal. Work that calls
+/// _exit itself leaves everything as a kill does.
 template <class Work>
 int inAnotherProcess(Work work) {
     const pid_t child = ::fork();
