@@ -3,12 +3,14 @@
 #pragma once
 
 #include "core/tool/swept_span.h"
-#include "core/volume/grid.h"
+#include "core/volume/run_volume.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 
 namespace burin {
 
@@ -56,12 +58,12 @@ void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexc
 }
 
 /// Calls `visit(property, start, end)` for every piece of a line's segments between `from` and `to` that is not air.
-template <class Segments, class Visit>
-void forEachPiece(const Segments& segments, std::uint32_t from, std::uint32_t to, Visit&& visit) noexcept {
-    std::uint32_t start = 0;
-    for (const auto& segment : segments) {
-        const std::uint32_t low = std::max(start, from), high = std::min(segment.end(), to);
-        if (low < high && segment.property() != 0) visit(segment.property(), low, high);
+template <class Visit>
+void forEachPiece(std::span<const Segment> segments, RunPosition from, RunPosition to, Visit&& visit) noexcept {
+    RunPosition start = 0;
+    for (const Segment segment : segments) {
+        const RunPosition low = std::max(start, from), high = std::min(segment.end(), to);
+        if (low < high && segment.property() != airProperty) visit(segment.property(), low, high);
         start = segment.end();
         if (start >= to) return;
     }
