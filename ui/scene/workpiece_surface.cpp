@@ -66,13 +66,16 @@ PropertyIndex propertyAt(const VolumeSnapshot& workpiece, const glm::dvec3& plac
     return airProperty;
 }
 
-/// Material under a point of the surface: the first that is not air on the way in.
+/// Material under a point of the surface: the part where it lies within a voxel (a finishing pass leaves a film of
+/// some hundredths of a millimetre, which nobody would call stock), else the first that is not air on the way in.
 PropertyIndex propertyUnder(const VolumeSnapshot& workpiece, const glm::dvec3& place, const glm::dvec3& normal) {
+    PropertyIndex found = airProperty;
     for (const double depth : {0.3, 0.6, 0.9, 1.3, 1.8}) {
         const PropertyIndex property = propertyAt(workpiece, place - normal * (depth * workpiece.grid().edge()));
-        if (property != airProperty) return property;
+        if (depth < 1.0 && workpiece.properties().isProtected(property)) return property;
+        if (found == airProperty) found = property;
     }
-    return airProperty;
+    return found;
 }
 
 void addColours(vtkPolyData& surface, const VolumeSnapshot& workpiece) {
