@@ -109,7 +109,8 @@ private slots:
                 BRepClass3d_SolidClassifier classifier(solids.Current(), point, 1e-7);
                 inside = inside || classifier.State() == TopAbs_IN;
             }
-            QVERIFY(std::abs(std::abs(measured[i]) - nearest) < 1e-6);
+            QVERIFY2(std::abs(std::abs(measured[i]) - nearest) < 1e-6,
+                     (std::to_string(measured[i]) + " instead of " + std::to_string(nearest)).c_str());
             QVERIFY(nearest < 1e-6 || (measured[i] < 0.0) == inside);
         }
     }
