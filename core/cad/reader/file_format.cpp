@@ -40,10 +40,26 @@ bool isIges(std::string_view content) {
            number.back() == '1';
 }
 
-bool hasIgesEnd(std::string_view content) {
-    while (!content.empty() && (content.back() == '\n' || content.back() == '\r')) content.remove_suffix(1);
+std::string_view lastLine(std::string_view content) {
+    while (!content.empty() && std::isspace(static_cast<unsigned char>(content.back())) != 0) content.remove_suffix(1);
     const std::size_t line = content.find_last_of("\r\n");
-    const std::string_view last = content.substr(line == std::string_view::npos ? 0 : line + 1);
+    return content.substr(line == std::string_view::npos ? 0 : line + 1);
+}
+
+/// A text BREP ends with the number of its root shape and that of its location: "+1 0". OpenCASCADE waits for ever for
+/// what is missing.
+bool hasBrepEnd(std::string_view content) {
+    const std::string_view last = lastLine(content);
+    const std::size_t space = last.find(' ');
+    const auto isNumber = [](std::string_view text) {
+        return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    };
+    return space != std::string_view::npos && (last[0] == '+' || last[0] == '-') &&
+           isNumber(last.substr(1, space - 1)) && isNumber(last.substr(space + 1));
+}
+
+bool hasIgesEnd(std::string_view content) {
+    const std::string_view last = lastLine(content);
     return last.size() > 72 && last[72] == 'T';
 }
 
@@ -59,7 +75,10 @@ Result<FileFormat> detectFormat(std::string_view content) {
     constexpr std::size_t brepHead = 200;
     const std::string_view head = text.substr(0, brepHead);
     if (startsWith(text, "Open CASCADE Topology V")) return FileFormat::brepBinary;
-    if (contains(head, "CASCADE Topology V")) return FileFormat::brepText;
+    if (contains(head, "CASCADE Topology V")) {
+        if (!hasBrepEnd(content)) return damaged("the end of the file is missing");
+        return FileFormat::brepText;
+    }
     if (isIges(content)) {
         if (!hasIgesEnd(content)) return damaged("the end of the file is missing");
         return FileFormat::iges;

@@ -22,8 +22,10 @@
 
 #include <cmath>
 #include <exception>
+#include <fstream>
 #include <new>
 #include <sstream>
+#include <sys/resource.h>
 #include <utility>
 
 namespace burin {
@@ -129,11 +131,27 @@ Result<Model> readAnyModel(const ReadRequest& request, const ReportFraction& rep
     return makeModel(std::move(*file), request.meshChord, report);
 }
 
+/// Whether this process came near its limit of memory. OpenCASCADE's mesher swallows a refused allocation and leaves
+/// faces empty: the fault is then not the model's.
+bool memoryWasShort() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+    std::ifstream status("/proc/self/status");
+    std::string key;
+    for (double kibibytes = 0.0; status >> key; status.ignore(1000, '\n'))
+        if (key == "VmPeak:" && status >> kibibytes)
+            return kibibytes * 1024.0 > 0.9 * static_cast<double>(limit.rlim_cur);
+    return false;
+}
+
 /// Runs work of OpenCASCADE and turns what it throws into an Error.
 template <class T, class Work>
 Result<T> guarded(Work work) {
     try {
-        return work();
+        Result<T> result = work();
+        if (!result && result.error().code == ErrorCode::meshIncomplete && memoryWasShort())
+            return Error{ErrorCode::importOutOfMemory, {}, {}, {}};
+        return result;
     } catch (const Standard_OutOfMemory&) {
         return Error{ErrorCode::importOutOfMemory, {}, {}, {}};
     } catch (const std::bad_alloc&) {
