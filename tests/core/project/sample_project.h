@@ -5,7 +5,7 @@
 #include "core/project/project.h"
 
 #include <cstddef>
-#include <cstring>
+#include <filesystem>
 #include <vector>
 
 /// Contents for projects in tests: small, made by formula, the same in every run.
@@ -19,6 +19,10 @@ Model model();
 Setup setup();
 std::vector<Property> materials();
 Tool tool();
+
+/// A saved project with one of everything, and whether a project holds just that (whole_project.cpp).
+bool fillProject(const std::filesystem::path& file);
+bool holdsFixture(const Project& project);
 
 /// Equal bit for bit; padding apart.
 bool identical(const Sample& one, const Sample& other);
