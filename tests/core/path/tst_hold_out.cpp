@@ -151,7 +151,7 @@ private slots:
             }
         }
         shake(ticks, 0.03, 9);
-        const auto path = run({takeOf(ticks)}, {{Smooth{}}, {HoldOut{}}, {Simplify{}}},
+        const auto path = run({takeOf(ticks)}, {{Smooth{5.0, 0.06}}, {HoldOut{}}, {Simplify{}}},
                               contextOf(part, ballTool(), {{-25, -25, -25}, {25, 25, 22}}));
         QVERIFY2(path, path ? "" : path.error().place.c_str());
         double least = 1e9, most = -1e9;

@@ -80,7 +80,7 @@ class TestLink : public QObject {
 
 private slots:
     void rapidsNeverMeetStock() {
-        const Box stock{{-8, -8, -8}, {8, 8, 0}};
+        const Box stock{{-8, -8, -5}, {8, 8, 0}};
         QVERIFY(rc::check("neither rapids nor shank nor holder touch what is left", [&] {
             const Tool tool = stubbyTool(*rc::gen::element(CutterType::ball, CutterType::flat));
             const auto path = run({takeOf(layeredStrokes())}, linkedEdits, contextOf(nothing_, tool, stock));
@@ -88,7 +88,7 @@ private slots:
             PointStock left(stock);
             const std::vector<RevolvedPiece> parts = pieces(tool.cutter);
             bool clean = true;
-            walk(path->path.points, 0.25, [&](const PathPoint& end, const glm::dvec3& place) {
+            walk(path->path.points, 0.5, [&](const PathPoint& end, const glm::dvec3& place) {
                 for (std::size_t i = 1; i < parts.size(); ++i) clean = clean && !left.meets(parts[i], place);
                 if (end.kind == MoveKind::rapid)
                     clean = clean && !left.meets(parts.front(), place);
