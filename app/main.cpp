@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <array>
 #include <exception>
@@ -18,7 +19,7 @@ constexpr std::array commands{burin::registerImport, burin::registerEmbed,  buri
 int run(int argc, char** argv) {
     QCoreApplication application(argc, argv); // translations need it
     QCoreApplication::setApplicationName("Burin");
-    burin::Messages::install(application);
+    burin::Messages::install(QLocale::system());
 
     CLI::App program("Burin: milling tool paths authored by hand", "burin");
     program.set_version_flag("--version", BURIN_VERSION);

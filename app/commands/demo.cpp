@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 struct DemoArguments {
-    std::string model, tool, output = "out", machine = "linuxcnc-mill", material = "aluminium-6061";
+    std::string model, tool, output = "out", machine = "linuxcnc-mill", material = "machinable-wax";
     double seconds = 0.0, voxel = 0.0, margin = 5.0, tolerance = 0.02;
     std::uint64_t seed = 1;
     bool block = false;
@@ -87,6 +87,10 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     context.stage("Building the tool's field");
     OperatorRequest request;
     request.timeLimit = arguments.seconds;
+    // The paper's model wax takes deep, wide cuts; what is left of the steps the fine finishing passes take.
+    request.levelDepth = 1.4 * tool.cutter.diameter;
+    request.roughingStepOver = 0.85 * tool.cutter.diameter;
+    request.finishingStepOver = tool.cutter.diameter / 17.0;
     request.seed = arguments.seed;
     const auto field = clearanceField(*bench, request.allowance, context.progress());
     if (!field) return field.error();

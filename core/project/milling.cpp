@@ -100,8 +100,7 @@ Result<MillingPlan> planFor(const Bench& bench, const ClearanceField& field, con
     wanted.roughing.bottom = bench.model.box().low.z;
     wanted.roughing.allowance = request.allowance;
     wanted.roughing.stepOver = request.roughingStepOver;
-    // What a finishing pass takes in one go, a narrow strip at a time, need not be roughed before.
-    wanted.roughing.finishingDepth = std::min(1.5 * bench.tool.cutter.diameter, bench.tool.maximumDepthOfCut);
+    wanted.roughing.levelDepth = request.levelDepth;
     wanted.finishing.part = bench.model.box();
     wanted.finishing.floor = bench.model.box().low.z;
     wanted.finishing.press = request.press;

@@ -43,6 +43,7 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceFi
 struct OperatorRequest {
     double allowance = 0.5;         ///< mm, roughing
     double press = 2.0;             ///< mm into the part, finishing
+    double levelDepth = 0.0;        ///< mm, between roughing levels; 0: the plan's own rule
     double roughingStepOver = 0.0;  ///< mm; 0: the plan's own rule
     double finishingStepOver = 0.0; ///< mm; 0: the plan's own rule
     double timeLimit = 0.0;         ///< s for both; 0: none
