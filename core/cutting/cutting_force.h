@@ -21,10 +21,10 @@ CuttingCoefficients cuttingCoefficients(const PropertyList& properties);
 
 /// Force of one cut on the tool, N, setup frame, unscaled.
 struct CuttingForce {
-    double tangential = 0.0;   ///< N: sum over materials of 1000 K MRR / v (paper, eqs. 11, 12, 14)
-    double radial = 0.0;       ///< N: sum of Kr Ft (eq. 13)
-    double removalRate = 0.0;  ///< mm³/s
-    glm::dvec3 force{0.0};     ///< against the motion (tangential) and away from the removed material (radial)
+    double tangential = 0.0;  ///< N: sum over materials of 1000 K MRR / v (paper, eqs. 11, 12, 14)
+    double radial = 0.0;      ///< N: sum of Kr Ft (eq. 13)
+    double removalRate = 0.0; ///< mm³/s
+    glm::dvec3 force{0.0};    ///< against the motion (tangential) and away from the removed material (radial)
 };
 
 /// @param cut          what the tick removed; its reported volumes drive the force
@@ -37,13 +37,17 @@ CuttingForce cuttingForce(const CutResult& cut, const CuttingCoefficients& coeff
 
 /// What a tool does in a material by the tables: the feed that the machine gets, whatever the hand's speed was.
 struct CuttingConditions {
-    double spindleSpeed = 0.0; ///< 1/min
-    double feed = 0.0;         ///< mm/min
-    double plungeFeed = 0.0;   ///< mm/min
-    double surfaceSpeed = 0.0; ///< mm/s, that the spindle speed gives at the flutes
+    double spindleSpeed = 0.0;     ///< 1/min
+    double feed = 0.0;             ///< mm/min
+    double plungeFeed = 0.0;       ///< mm/min
+    double surfaceSpeed = 0.0;     ///< mm/s, that the spindle speed gives at the flutes
     bool limitedByMachine = false; ///< the table asked for more than tool or machine can do
 };
-/// n = vc / (pi D), feed = n z fz, both within the limits given. Errors: resourceInvalid (the material lacks a value).
+/// n = vc / (pi D), feed = n z fz, both within the limits given; where the spindle is too slow, the feed follows the
+/// speed that it reaches.
+/// @param maximumSpindleSpeed of the machine, 1/min; the tool's own limit counts too
+/// @param maximumFeed         of the machine, mm/min
+/// Errors: resourceInvalid (subject: material, place: the value that it lacks), argumentInvalid (a limit not above 0).
 Result<CuttingConditions> cuttingConditions(const Tool& tool, const Property& material, double maximumSpindleSpeed,
                                             double maximumFeed);
 

@@ -15,36 +15,40 @@ namespace burin {
 
 /// Where a mesh is nearest to a point.
 struct ClosestPoint {
-    glm::dvec3 point{0.0};      ///< on the mesh, mm
-    double distance = 0.0;      ///< mm, >= 0
+    glm::dvec3 point{0.0};       ///< on the mesh, mm
+    double distance = 0.0;       ///< mm, >= 0
     double signedDistance = 0.0; ///< mm, negative inside a closed, outward mesh (angle-weighted pseudo-normals)
     std::size_t triangle = 0;
 };
 
 /// How far a tool keeps from a mesh.
 struct ToolClearance {
-    double clearance = 0.0;  ///< mm; negative: the tool enters the solid by so much (its gouge is -clearance)
-    glm::dvec3 meshPoint{0.0}; ///< mm, the nearest or deepest point of the mesh, same frame as the mesh
+    double clearance = 0.0;         ///< mm; negative: the tool enters the solid by so much (its gouge is -clearance)
+    glm::dvec3 meshPoint{0.0};      ///< mm, the nearest or deepest point of the mesh, same frame as the mesh
     glm::dvec3 away{0.0, 0.0, 1.0}; ///< unit vector along which the tool has to move to gain clearance fastest
-    std::size_t piece = 0;   ///< which piece of the tool
+    std::size_t piece = 0;          ///< which piece of the tool
 };
 
 /// Distance queries against one triangle mesh, exact for its triangles (Burin's judge of gouges; the mesh is made with
 /// a chord of 0.005 mm or finer). Copies what it needs; immutable after construction, so any number of threads may ask.
 class MeshDistance {
 public:
-    /// Cost: O(n log n) for n triangles. An empty mesh answers an infinite distance.
+    /// Cost: O(n log n) for n triangles. An empty mesh answers an infinite distance. Triangles with a corner that is
+    /// not finite are left out. Vertices that are bit-identical count as one.
     explicit MeshDistance(const TriangleMesh& mesh);
     ~MeshDistance();
     MeshDistance(MeshDistance&&) noexcept;
     MeshDistance& operator=(MeshDistance&&) noexcept;
 
-    /// @param within stop looking beyond this distance, mm; the answer's distance is then `within` or more.
+    /// @param within stop looking beyond this distance, mm. Where there is nothing nearer, distance and signedDistance
+    /// are `within` (the sign is not known then), the point is the asked one.
     ClosestPoint closest(const glm::dvec3& point, double within = 1e300) const;
 
     /// Clearance of a tool, given as stacked pieces, at a pose with any axis.
-    /// Exact to 1e-6 mm for ball, flat and bull-nose pieces. Clearances above `within` are answered as `within`.
-    /// A tool wholly inside the solid answers its depth as negative clearance too.
+    /// Apart or touching: the distance between tool and mesh. Otherwise minus the greater of two depths: of the mesh's
+    /// deepest point in a piece, and of the tip in the solid. Wholly inside: minus the depth of the deepest of its
+    /// axis' points (tip, ends of the pieces, centre of the rounding). Exact to 1e-6 mm for every piece.
+    /// Clearances above `within` are answered as `within`; meshPoint is the tip and away the axis then.
     ToolClearance clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within = 1e300) const;
 
     Box bounds() const noexcept;

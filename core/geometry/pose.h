@@ -29,7 +29,7 @@ struct ToolPose {
 /// Pose of a six-degree-of-freedom input. `rotation` takes the tool frame (tip at the origin, axis +Z towards the
 /// holder) to the frame that `position` is given in.
 struct Pose {
-    glm::dvec3 position{0.0};                        ///< mm
+    glm::dvec3 position{0.0};                             ///< mm
     glm::dquat rotation = glm::dquat(1.0, 0.0, 0.0, 0.0); ///< unit quaternion (w, x, y, z)
 };
 

@@ -37,17 +37,25 @@ double signedVolume(const TriangleMesh& mesh) {
     const glm::dvec3 origin = mesh.vertices[mesh.triangles.front()[0]];
     double six = 0.0;
     for (const auto& [a, b, c] : mesh.triangles)
-        six += glm::dot(mesh.vertices[a] - origin,
-                        glm::cross(mesh.vertices[b] - origin, mesh.vertices[c] - origin));
+        six += glm::dot(mesh.vertices[a] - origin, glm::cross(mesh.vertices[b] - origin, mesh.vertices[c] - origin));
     return six / 6.0;
 }
 
 double surfaceArea(const TriangleMesh& mesh) {
     double twice = 0.0;
     for (const auto& [a, b, c] : mesh.triangles)
-        twice += glm::length(
-            glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+        twice += glm::length(glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
     return 0.5 * twice;
+}
+
+std::vector<std::uint32_t> firstAtSamePlace(const TriangleMesh& mesh) {
+    std::unordered_map<glm::dvec3, std::uint32_t, PointHash> places;
+    places.reserve(mesh.vertices.size());
+    std::vector<std::uint32_t> first;
+    first.reserve(mesh.vertices.size());
+    for (const glm::dvec3& vertex : mesh.vertices)
+        first.push_back(places.try_emplace(vertex, static_cast<std::uint32_t>(first.size())).first->second);
+    return first;
 }
 
 TriangleMesh weldIdenticalVertices(const TriangleMesh& mesh) {

@@ -29,6 +29,9 @@ double signedVolume(const TriangleMesh& mesh);
 /// Area, mm².
 double surfaceArea(const TriangleMesh& mesh);
 
+/// For each vertex the first vertex that is bit-identical to it (itself, when there is no earlier one).
+std::vector<std::uint32_t> firstAtSamePlace(const TriangleMesh& mesh);
+
 /// Merges vertices that are bit-identical, drops triangles that collapse by it. Order of triangles is kept.
 TriangleMesh weldIdenticalVertices(const TriangleMesh& mesh);
 

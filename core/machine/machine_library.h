@@ -5,13 +5,17 @@
 #include "core/base/result.h"
 #include "core/machine/machine_profile.h"
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace burin {
 
-/// Errors: nameUnknown, resourceInvalid.
+/// Machines that Burin is shipped with or the user added: machines/<id>.json. Errors: nameUnknown, resourceInvalid.
 Result<MachineProfile> loadMachine(std::string_view id);
+/// Ids of all machines there are, sorted.
 std::vector<std::string> machineIds();
+/// @param origin file name for messages. Errors: resourceInvalid.
+Result<MachineProfile> machineFromJson(std::string_view text, const std::string& origin);
 
 } // namespace burin

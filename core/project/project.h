@@ -16,6 +16,8 @@
 
 namespace burin {
 
+class WorkingCopy;
+
 /// A path as the project keeps it: takes plus edits; its points are evaluated, never stored as truth.
 struct StoredPath {
     std::int64_t id = 0;
@@ -33,15 +35,20 @@ struct StoredProgram {
     std::string reportJson;
 };
 
-/// A .burin file: one SQLite database. One works on a journalled copy beside it (`<name>.working`, WAL, synchronous
+/// A .burin file: one SQLite database. One works on a journalled copy beside it (`.<name>.working`, WAL, synchronous
 /// FULL); `save` writes a snapshot beside the file through SQLite's backup interface and renames it, so the user's file
 /// is always a whole one. A working copy that its owner left behind (kill -9, power) is taken up again by `open`.
+/// README.md holds the schema and the rules of recovery.
 /// Thread: one at a time, but for `TakeWriter`, which has a connection of its own.
 class Project {
 public:
-    /// A new project with no file yet besides its working copy. Errors: fileNotWritable, diskFull, projectInUse.
+    /// A new project with no file yet besides its working copy. A project that stands there already is replaced by the
+    /// first `save`, nothing else is. Errors: fileNotWritable, diskFull, projectInUse, projectNotBurin (another kind of
+    /// file stands there).
     static Result<Project> create(const std::filesystem::path& file);
-    /// Errors: fileNotFound, projectNotBurin, projectFromNewerBurin, projectInUse, fileDamaged, fileNotWritable.
+    /// Where the folder can't be written, the project is open for reading alone.
+    /// Errors: fileNotFound, fileEmpty, projectNotBurin, projectFromNewerBurin, projectInUse (detail: "process 4711"),
+    /// fileDamaged, fileNotReadable, fileNotWritable, diskFull.
     static Result<Project> open(const std::filesystem::path& file);
     ~Project(); ///< discards the working copy if everything in it was saved, keeps it otherwise
     Project(Project&&) noexcept;
@@ -50,24 +57,38 @@ public:
     const std::filesystem::path& file() const noexcept;
     /// True when `open` took up a working copy that an earlier run left behind.
     bool recovered() const noexcept;
+    /// A leftover working copy that doesn't belong to the file as it is now, under a name that the user sees; empty
+    /// when there was none.
+    const std::filesystem::path& keptAside() const noexcept;
+    /// True when nothing can be changed: setters, `beginTake` and `save` give fileNotWritable.
+    bool readOnly() const noexcept;
+    /// Whether something was changed since the last `save`. Errors: fileDamaged.
+    Result<bool> unsaved() const;
+    /// Recordings may go on meanwhile; the file then holds what they had written when it began.
+    /// Errors: diskFull, fileNotWritable; the file is then what it was before.
     Result<void> save();
 
     // Each setter is one transaction; errors: diskFull, fileNotWritable. Each getter: fileDamaged, projectIncomplete.
+    // Lists are empty where nothing was stored yet; what there is only one of is then projectIncomplete.
     Result<void> setModel(const Model& model);
     Result<Model> model() const;
     Result<void> setSetup(const Setup& setup);
     Result<Setup> setup() const;
-    /// Materials of the setup by id, as they were when it was made.
+    /// Materials of the setup by id, as they were when it was made; in their order.
     Result<void> setMaterials(const std::vector<Property>& materials);
     Result<std::vector<Property>> materials() const;
-    Result<void> setTool(const Tool& tool);
+    Result<void> setTool(const Tool& tool); ///< replaces the one of the same id
     Result<std::vector<Tool>> tools() const;
 
     Result<std::vector<TakeInfo>> takes() const;
+    /// Errors: nameUnknown, projectIncomplete (there is no recording at all).
     Result<Take> take(std::int64_t id) const;
+    /// Errors: as `take`, argumentInvalid while a path uses it.
     Result<void> removeTake(std::int64_t id);
 
-    Result<std::int64_t> addPath(const StoredPath& path); ///< its id
+    /// Its id; `path.id` is ignored. Errors: nameUnknown (a take).
+    Result<std::int64_t> addPath(const StoredPath& path);
+    /// Errors: nameUnknown (the path, a take).
     Result<void> setPath(const StoredPath& path);
     Result<std::vector<StoredPath>> paths() const;
 
@@ -75,7 +96,8 @@ public:
     Result<std::vector<StoredProgram>> programs() const;
 
     class TakeWriter;
-    /// Starts a recording. Errors: as the setters.
+    /// Starts a recording; `info.id`, `sampleCount` and `complete` are the project's to decide. The writer may outlive
+    /// this object. Errors: as the setters.
     Result<TakeWriter> beginTake(const TakeInfo& info);
 
 private:
@@ -101,6 +123,7 @@ public:
 private:
     friend class Project;
     class Impl;
+    static Result<TakeWriter> begin(std::shared_ptr<WorkingCopy> copy, const TakeInfo& info);
     explicit TakeWriter(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

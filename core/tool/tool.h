@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/geometry/revolved_piece.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,14 +53,18 @@ struct Tool {
 /// least as long as the corner is high, stick-out >= flutes, no empty holder segment).
 Result<void> validate(const Tool& tool);
 
-/// Flutes first, then shank, then holder, for geometry that knows no tools.
+/// Flutes first, then the shank (none where the flutes reach the holder), then the holder from below, for geometry
+/// that knows no tools.
 std::vector<RevolvedPiece> pieces(const Cutter& cutter);
 RevolvedPiece flutes(const Cutter& cutter);
 
-/// Tools that Burin is shipped with: resources/tools/<id>.json. Errors: nameUnknown, resourceInvalid.
+/// Tools that Burin is shipped with or the user added: tools/<id>.json. Errors: nameUnknown, resourceInvalid.
 Result<Tool> loadTool(std::string_view id);
+/// Ids of all tools there are, sorted.
 std::vector<std::string> toolIds();
+/// A tool as JSON text and back; the form of resources/tools and of the project file.
 std::string toJson(const Tool& tool);
+/// @param origin file name for messages. Errors: resourceInvalid.
 Result<Tool> toolFromJson(std::string_view text, const std::string& origin);
 
 } // namespace burin

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/json_object.h"
+
+#include "core/base/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+using nlohmann::json;
+
+namespace {
+
+/// nlohmann::json keeps the last of two equal keys without a word; here that is a fault.
+struct DoubledKey {
+    std::vector<std::set<std::string>> open;
+    std::string key;
+    bool operator()(int, json::parse_event_t event, json& value) {
+        if (event == json::parse_event_t::object_start) open.emplace_back();
+        if (event == json::parse_event_t::object_end) open.pop_back();
+        if (event == json::parse_event_t::key && !open.back().insert(value.get<std::string>()).second && key.empty())
+            key = value.get<std::string>();
+        return true;
+    }
+};
+
+std::string rangeText(NumberRange range) {
+    if (std::isinf(range.low) && std::isinf(range.high)) return "a number";
+    if (std::isinf(range.high)) return "a number of at least " + formatShortest(range.low);
+    if (std::isinf(range.low)) return "a number of at most " + formatShortest(range.high);
+    return "a number from " + formatShortest(range.low) + " to " + formatShortest(range.high);
+}
+
+double standIn(NumberRange range) {
+    return std::isfinite(range.low) ? range.low : 0.0;
+}
+
+} // namespace
+
+Result<JsonObject> JsonObject::parse(std::string_view text, const std::string& origin) {
+    auto shared = std::make_shared<Shared>();
+    shared->origin = origin;
+    DoubledKey doubled;
+    shared->document = json::parse(text, std::ref(doubled), /*allow_exceptions=*/false);
+    if (shared->document.is_discarded()) return Error{ErrorCode::resourceInvalid, origin, {}, "is not JSON"};
+    if (!shared->document.is_object()) return Error{ErrorCode::resourceInvalid, origin, {}, "is not a JSON object"};
+    if (!doubled.key.empty()) return Error{ErrorCode::resourceInvalid, origin, doubled.key, "stands twice"};
+    const json& top = shared->document;
+    return JsonObject(std::move(shared), top, {});
+}
+
+JsonObject::JsonObject(std::shared_ptr<Shared> shared, const json& node, std::string path)
+    : shared_(std::move(shared)), node_(&node), path_(std::move(path)) {}
+
+std::string JsonObject::pathOf(std::string_view key) const {
+    return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+}
+
+void JsonObject::failAt(std::string path, std::string detail) {
+    if (!shared_->fault)
+        shared_->fault = Error{ErrorCode::resourceInvalid, shared_->origin, std::move(path), std::move(detail)};
+}
+
+void JsonObject::fail(std::string_view key, std::string detail) {
+    failAt(pathOf(key), std::move(detail));
+}
+
+bool JsonObject::has(std::string_view key) const {
+    return node_->contains(key);
+}
+
+const json* JsonObject::find(std::string_view key) {
+    asked_.emplace(key);
+    const auto found = node_->find(key);
+    if (found != node_->end()) return &*found;
+    fail(key, "is missing");
+    return nullptr;
+}
+
+double JsonObject::checked(std::string_view key, const json& value, NumberRange range) {
+    const double number = value.is_number() ? value.get<double>() : std::nan("");
+    if (std::isfinite(number) && number >= range.low && number <= range.high) return number;
+    fail(key, "has to be " + rangeText(range));
+    return standIn(range);
+}
+
+double JsonObject::number(std::string_view key, NumberRange range) {
+    const json* value = find(key);
+    return value != nullptr ? checked(key, *value, range) : standIn(range);
+}
+
+double JsonObject::numberOr(std::string_view key, double otherwise, NumberRange range) {
+    return has(key) ? number(key, range) : otherwise;
+}
+
+int JsonObject::integer(std::string_view key, int low, int high) {
+    const json* value = find(key);
+    if (value == nullptr) return low;
+    if (value->is_number_integer()) {
+        const auto number = value->get<std::int64_t>();
+        if (number >= low && number <= high) return static_cast<int>(number);
+    }
+    fail(key, "has to be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return low;
+}
+
+bool JsonObject::boolean(std::string_view key) {
+    const json* value = find(key);
+    if (value == nullptr) return false;
+    if (value->is_boolean()) return value->get<bool>();
+    fail(key, "has to be true or false");
+    return false;
+}
+
+bool JsonObject::booleanOr(std::string_view key, bool otherwise) {
+    return has(key) ? boolean(key) : otherwise;
+}
+
+std::string JsonObject::text(std::string_view key) {
+    const json* value = find(key);
+    if (value == nullptr) return {};
+    if (value->is_string() && !value->get_ref<const std::string&>().empty()) return value->get<std::string>();
+    fail(key, "has to be a text that is not empty");
+    return {};
+}
+
+std::size_t JsonObject::choice(std::string_view key, const std::vector<std::string_view>& choices) {
+    const json* value = find(key);
+    if (value == nullptr) return 0;
+    if (value->is_string()) {
+        const auto found = std::ranges::find(choices, std::string_view(value->get_ref<const std::string&>()));
+        if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
+    }
+    std::string allowed;
+    for (const std::string_view one : choices) allowed += (allowed.empty() ? "" : ", ") + std::string(one);
+    fail(key, "has to be one of: " + allowed);
+    return 0;
+}
+
+std::vector<double> JsonObject::numbers(std::string_view key, std::size_t count, NumberRange range) {
+    std::vector<double> result(count, standIn(range));
+    const json* value = find(key);
+    if (value == nullptr) return result;
+    if (!value->is_array() || value->size() != count) {
+        fail(key, "has to be a list of " + std::to_string(count) + " numbers");
+        return result;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        result[i] = checked(std::string(key) + "[" + std::to_string(i) + "]", (*value)[i], range);
+    return result;
+}
+
+void JsonObject::readNested(const json& node, const std::string& path, const std::function<void(JsonObject&)>& read) {
+    if (!node.is_object()) {
+        failAt(path, "has to be an object");
+        return;
+    }
+    JsonObject nested(shared_, node, path);
+    read(nested);
+    (void)nested.finish(); // a fault is kept in what all of them share
+}
+
+void JsonObject::object(std::string_view key, const std::function<void(JsonObject&)>& read) {
+    if (const json* value = find(key)) readNested(*value, pathOf(key), read);
+}
+
+void JsonObject::objects(std::string_view key, const std::function<void(JsonObject&)>& read) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    if (!value->is_array()) {
+        fail(key, "has to be a list");
+        return;
+    }
+    for (std::size_t i = 0; i < value->size(); ++i)
+        readNested((*value)[i], pathOf(key) + "[" + std::to_string(i) + "]", read);
+}
+
+void JsonObject::objectsByName(std::string_view key,
+                               const std::function<void(const std::string& name, JsonObject&)>& read) {
+    const json* value = find(key);
+    if (value == nullptr) return;
+    if (!value->is_object()) {
+        fail(key, "has to be an object");
+        return;
+    }
+    for (const auto& [name, node] : value->items())
+        readNested(node, pathOf(key) + "." + name, [&](JsonObject& nested) { read(name, nested); });
+}
+
+Result<void> JsonObject::finish() {
+    for (const auto& [key, value] : node_->items())
+        if (!asked_.contains(key)) fail(key, "is not known");
+    if (shared_->fault) return *shared_->fault;
+    return {};
+}
+
+} // namespace burin

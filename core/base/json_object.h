@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// Bounds of a number in a file, both allowed.
+struct NumberRange {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+};
+
+/// Reads a JSON object strictly: every key is asked for once, with its type and range; a key that nobody asked for, a
+/// missing or doubled one, a wrong type, a value out of range is a fault. The first fault is kept and names the key
+/// with its way from the top ("cutter.holder[1].length_mm"); reading goes on with harmless values, so that a reader
+/// needs to look only once, at `finish`. One thread.
+class JsonObject {
+public:
+    /// @param origin file name for messages. Errors: resourceInvalid (not JSON, not an object, a doubled key).
+    static Result<JsonObject> parse(std::string_view text, const std::string& origin);
+
+    /// Lowest value of the range (or 0) stands in for a faulty number.
+    double number(std::string_view key, NumberRange range = {});
+    double numberOr(std::string_view key, double otherwise, NumberRange range = {});
+    int integer(std::string_view key, int low, int high);
+    bool boolean(std::string_view key);
+    bool booleanOr(std::string_view key, bool otherwise);
+    std::string text(std::string_view key); ///< not empty
+    /// Place of the text in `choices`; 0 stands in for a faulty one.
+    std::size_t choice(std::string_view key, const std::vector<std::string_view>& choices);
+    std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = {});
+    void object(std::string_view key, const std::function<void(JsonObject&)>& read);
+    void objects(std::string_view key, const std::function<void(JsonObject&)>& read);
+    /// An object whose keys are data: each of its values must be an object.
+    void objectsByName(std::string_view key, const std::function<void(const std::string& name, JsonObject&)>& read);
+
+    bool has(std::string_view key) const;
+    /// For rules between keys: a fault of `key`.
+    void fail(std::string_view key, std::string detail);
+
+    /// The first fault, or an unknown key. Nested objects are finished by their reader.
+    Result<void> finish();
+
+private:
+    struct Shared {
+        nlohmann::json document;
+        std::string origin;
+        std::optional<Error> fault;
+    };
+    JsonObject(std::shared_ptr<Shared> shared, const nlohmann::json& node, std::string path);
+    const nlohmann::json* find(std::string_view key);
+    double checked(std::string_view key, const nlohmann::json& value, NumberRange range);
+    std::string pathOf(std::string_view key) const;
+    void readNested(const nlohmann::json& node, const std::string& path, const std::function<void(JsonObject&)>& read);
+    void failAt(std::string path, std::string detail);
+
+    std::shared_ptr<Shared> shared_;
+    const nlohmann::json* node_;
+    std::string path_;
+    std::set<std::string, std::less<>> asked_;
+};
+
+} // namespace burin

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/resource_folder.h"
+
+#include "core/base/file.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+#include <system_error>
+
+namespace burin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view suffix = ".json";
+
+bool isLetterOrDigit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+bool isId(std::string_view id) {
+    return !id.empty() && isLetterOrDigit(id.front()) &&
+           std::ranges::all_of(id, [](char c) { return isLetterOrDigit(c) || c == '-' || c == '_' || c == '.'; });
+}
+
+/// An environment variable that holds an absolute path, as the XDG base directory specification demands.
+fs::path absolutePathFrom(const char* variable) {
+    const char* value = std::getenv(variable);
+    const fs::path path = value != nullptr ? fs::path(value) : fs::path();
+    return path.is_absolute() ? path : fs::path();
+}
+
+std::string joined(const std::vector<std::string>& ids) {
+    std::string text;
+    for (const std::string& id : ids) text += (text.empty() ? "" : ", ") + id;
+    return text;
+}
+
+} // namespace
+
+fs::path userResourceDirectory(ResourceKind kind) {
+    if (const fs::path data = absolutePathFrom("XDG_DATA_HOME"); !data.empty()) return data / "burin" / kind.folder;
+    if (const fs::path home = absolutePathFrom("HOME"); !home.empty())
+        return home / ".local" / "share" / "burin" / kind.folder;
+    return {};
+}
+
+std::vector<fs::path> resourceSearchPath(ResourceKind kind) {
+    std::vector<fs::path> folders;
+    if (fs::path user = userResourceDirectory(kind); !user.empty()) folders.push_back(std::move(user));
+    folders.push_back(resourceDirectory() / kind.folder);
+    return folders;
+}
+
+Result<ResourceText> findResource(ResourceKind kind, std::string_view id) {
+    if (isId(id)) {
+        for (const fs::path& folder : resourceSearchPath(kind)) {
+            const fs::path file = folder / (std::string(id) + std::string(suffix));
+            std::error_code ignored;
+            if (!fs::exists(file, ignored)) continue;
+            Result<std::string> text = readFile(file);
+            if (!text) return text.error();
+            return ResourceText{*std::move(text), file.string()};
+        }
+    }
+    return Error{ErrorCode::nameUnknown, std::string(kind.name), std::string(id), joined(resourceIds(kind))};
+}
+
+std::vector<std::string> resourceIds(ResourceKind kind) {
+    std::set<std::string> ids;
+    for (const fs::path& folder : resourceSearchPath(kind)) {
+        std::error_code failed;
+        for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+            const fs::path& file = entry->path();
+            if (file.extension() == suffix && isId(file.stem().string())) ids.insert(file.stem().string());
+        }
+    }
+    return {ids.begin(), ids.end()};
+}
+
+} // namespace burin

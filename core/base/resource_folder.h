@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// A kind of data file that Burin is shipped with and the user may add to: `<id>.json` in one folder.
+struct ResourceKind {
+    std::string_view name;   ///< "tool", the subject of nameUnknown
+    std::string_view folder; ///< "tools", below the folders of resources
+};
+inline constexpr ResourceKind materialResource{"material", "materials"};
+inline constexpr ResourceKind toolResource{"tool", "tools"};
+inline constexpr ResourceKind machineResource{"machine", "machines"};
+
+/// A data file as it was read.
+struct ResourceText {
+    std::string text;
+    std::string file; ///< path, for messages
+};
+
+/// Folder of the user's own files of a kind: $XDG_DATA_HOME/burin/<folder>, or ~/.local/share/burin/<folder> where
+/// that is not set. Need not exist; empty when there is no home either.
+std::filesystem::path userResourceDirectory(ResourceKind kind);
+
+/// Folders that are searched, the user's first: it may replace what Burin is shipped with.
+std::vector<std::filesystem::path> resourceSearchPath(ResourceKind kind);
+
+/// The file of `id` from the first folder that has it. An id is made of letters, digits, '-', '_' and '.', and starts
+/// with a letter or digit, so that it can't lead out of the folder.
+/// Errors: nameUnknown (detail: ids that exist), those of readFile.
+Result<ResourceText> findResource(ResourceKind kind, std::string_view id);
+
+/// Ids of all files of a kind, sorted, each once.
+std::vector<std::string> resourceIds(ResourceKind kind);
+
+} // namespace burin

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/numbers.h"
+#include "core/base/units.h"
+#include "core/cutting/cutting_force.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+Result<double> positiveValue(const Property& material, std::string_view name) {
+    const double value = material.valueOr(name, 0.0);
+    if (std::isfinite(value) && value > 0.0) return value;
+    return Error{ErrorCode::resourceInvalid, material.id, std::string(name), "the material needs a value above 0"};
+}
+
+Result<void> checkLimit(const char* name, double value) {
+    if (std::isfinite(value) && value > 0.0) return {};
+    return Error{ErrorCode::argumentInvalid, name, formatShortest(value), "above 0"};
+}
+
+} // namespace
+
+Result<CuttingConditions> cuttingConditions(const Tool& tool, const Property& material, double maximumSpindleSpeed,
+                                            double maximumFeed) {
+    if (Result<void> valid = checkLimit("maximum spindle speed", maximumSpindleSpeed); !valid) return valid.error();
+    if (Result<void> valid = checkLimit("maximum feed", maximumFeed); !valid) return valid.error();
+    const Result<double> speed = positiveValue(material, surfaceSpeed);
+    if (!speed) return speed.error();
+    const Result<double> chipLoad = positiveValue(material, chipLoadPerDiameter);
+    if (!chipLoad) return chipLoad.error();
+    const Result<double> plungeRatio = positiveValue(material, plungeFeedRatio);
+    if (!plungeRatio) return plungeRatio.error();
+
+    const double diameter = tool.cutter.diameter;
+    const double highest =
+        tool.maximumSpindleSpeed > 0.0 ? std::min(maximumSpindleSpeed, tool.maximumSpindleSpeed) : maximumSpindleSpeed;
+    const double wantedSpindle = *speed * millimetresPerMetre / (pi * diameter);
+    CuttingConditions conditions;
+    conditions.spindleSpeed = std::min(wantedSpindle, highest);
+    // The chip load is what the tool needs: the feed follows the speed that the spindle really reaches.
+    const double wantedFeed = conditions.spindleSpeed * tool.fluteCount * *chipLoad * diameter;
+    conditions.feed = std::min(wantedFeed, maximumFeed);
+    conditions.plungeFeed = std::min(conditions.feed * *plungeRatio, maximumFeed);
+    conditions.surfaceSpeed = pi * diameter * conditions.spindleSpeed / secondsPerMinute;
+    conditions.limitedByMachine = wantedSpindle > highest || wantedFeed > maximumFeed;
+    return conditions;
+}
+
+} // namespace burin

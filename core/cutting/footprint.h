@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/tool/swept_span.h"
+#include "core/volume/run_volume.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace burin {
+
+/// Indices first … last of scanlines; none when last < first.
+struct LineRange {
+    std::int32_t first = 0, last = -1;
+};
+
+/// Scanlines whose centres lie in `stretch` (mm along an axis that starts at `low`), at most `count` of them. One more
+/// at either end where rounding leaves that open: the span decides.
+inline LineRange linesWithin(const Span& stretch, double low, double edge, std::int32_t count) noexcept {
+    constexpr double slack = 1e-6; // voxels
+    const double first = std::ceil((stretch.low - low) / edge - 0.5 - slack);
+    const double last = std::floor((stretch.high - low) / edge - 0.5 + slack);
+    return {static_cast<std::int32_t>(std::clamp(first, 0.0, static_cast<double>(count))),
+            static_cast<std::int32_t>(std::clamp(last, -1.0, static_cast<double>(count) - 1.0))};
+}
+
+/// Calls `visit(line, from, to)` for every scanline whose centre line meets the swept piece in the grid, run positions
+/// from < to rounded by Grid's one rule; stops when it returns false. Runs must lie along z, as the tool's axis does.
+template <class Visit>
+void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexcept {
+    assert(grid.axis() == RunAxis::z);
+    const Box reach = swept.bounds(), box = grid.box();
+    if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
+    double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at one height
+    RunPosition to = 0;
+    const LineRange rows = linesWithin({reach.low.y, reach.high.y}, grid.low().y, grid.edge(), grid.lineCountV());
+    for (std::int32_t v = rows.first; v <= rows.last; ++v) {
+        const double y = grid.lineCentre({0, v}).y;
+        const std::optional<Span> shadow = swept.shadow(y);
+        if (!shadow) continue;
+        const LineRange row = linesWithin(*shadow, grid.low().x, grid.edge(), grid.lineCountU());
+        for (std::int32_t u = row.first; u <= row.last; ++u) {
+            const LineIndex line{u, v};
+            const std::optional<Span> span = swept.along(grid.lineCentre(line).x, y);
+            if (!span) continue;
+            // Ends beyond the grid need no arithmetic: most flutes reach out of the stock.
+            const RunPosition from = span->low <= box.low.z ? 0 : grid.toRunPosition(span->low);
+            if (span->high != top) to = span->high >= box.high.z ? grid.lineEnd() : grid.toRunPosition(span->high);
+            top = span->high;
+            if (from < to && !visit(line, from, to)) return;
+        }
+    }
+}
+
+/// Calls `visit(property, start, end)` for every piece of a line's segments between `from` and `to` that is not air.
+template <class Visit>
+void forEachPiece(std::span<const Segment> segments, RunPosition from, RunPosition to, Visit&& visit) noexcept {
+    RunPosition start = 0;
+    for (const Segment segment : segments) {
+        const RunPosition low = std::max(start, from), high = std::min(segment.end(), to);
+        if (low < high && segment.property() != airProperty) visit(segment.property(), low, high);
+        start = segment.end();
+        if (start >= to) return;
+    }
+}
+
+} // namespace burin

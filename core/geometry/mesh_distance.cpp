@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/geometry/mesh_distance.h"
+
+#include "core/geometry/piece_minimum.h"
+#include "core/geometry/surface_normals.h"
+#include "core/geometry/triangle_tree.h"
+#include "core/geometry/triangle_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+std::vector<std::uint32_t> finiteTriangles(const TriangleMesh& mesh) {
+    std::vector<std::uint32_t> places;
+    places.reserve(mesh.triangles.size());
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto& [a, b, c] = mesh.triangles[i];
+        if (isFinite(mesh.vertices[a]) && isFinite(mesh.vertices[b]) && isFinite(mesh.vertices[c])) places.push_back(i);
+    }
+    return places;
+}
+
+std::vector<Triangle> trianglesOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& places) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(places.size());
+    for (const std::uint32_t i : places) {
+        const auto& [a, b, c] = mesh.triangles[i];
+        triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    }
+    return triangles;
+}
+
+/// A point of the mesh that a walk has found.
+struct Found {
+    std::size_t slot = 0;
+    glm::dvec3 point{0.0};
+    TriangleFeature feature = TriangleFeature::face;
+    double distance = 0.0;
+    std::size_t piece = 0;
+    bool any = false;
+};
+
+glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) noexcept {
+    const double length = glm::length(v);
+    return length > 0.0 ? v / length : otherwise;
+}
+
+glm::dvec3 anyAcross(const glm::dvec3& axis) noexcept {
+    const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    return glm::normalize(glm::cross(axis, other));
+}
+
+} // namespace
+
+class MeshDistance::Tree {
+public:
+    explicit Tree(const TriangleMesh& mesh)
+        : places_(finiteTriangles(mesh)), tree_(trianglesOf(mesh, places_)), normals_(mesh, meshOrder()) {}
+
+    const Box& bounds() const noexcept { return tree_.bounds(); }
+    bool empty() const noexcept { return tree_.empty(); }
+    std::size_t triangleOf(std::size_t slot) const noexcept { return places_[tree_.order()[slot]]; }
+
+    Found nearest(const glm::dvec3& point, double within) const noexcept {
+        Found found;
+        double leastSquared = within < 1e150 ? within * within : 1e300;
+        NearPoint near(tree_, point);
+        near.limit(leastSquared);
+        walk(tree_, near, [&](std::size_t slot) noexcept {
+            const TrianglePoint candidate = closestOnTriangle(tree_.triangles()[slot], point);
+            const glm::dvec3 way = candidate.point - point;
+            const double squared = glm::dot(way, way);
+            if (!(squared < leastSquared)) return;
+            leastSquared = squared;
+            near.limit(squared);
+            found = {slot, candidate.point, candidate.feature, 0.0, 0, true};
+        });
+        found.distance = std::sqrt(leastSquared);
+        return found;
+    }
+
+    ClosestPoint closest(const glm::dvec3& point, double within) const noexcept {
+        if (empty()) within = std::numeric_limits<double>::infinity();
+        const Found found = empty() ? Found{} : nearest(point, within);
+        if (!found.any) return {point, within, within, 0};
+        const bool inside = glm::dot(point - found.point, normalAt(found)) < 0.0;
+        return {found.point, found.distance, inside ? -found.distance : found.distance, triangleOf(found.slot)};
+    }
+
+    ToolClearance clearance(std::span<const RevolvedPiece> tool, ToolPose pose, double within) const noexcept {
+        const ToolClearance free{within, pose.tip, pose.axis, 0};
+        if (empty() || tool.empty()) return free;
+        pose.axis = unitOr(pose.axis, {0.0, 0.0, 1.0});
+
+        const Found found = deepest(tool, pose, std::max(within, 0.0));
+        ToolClearance answer = free;
+        if (!found.any) {
+            if (!reachesOutside(tool, pose)) answer = whollyInside(tool, pose, free);
+        } else {
+            const PlacedPiece::Value there = PlacedPiece(tool[found.piece], pose).at(found.point);
+            const glm::dvec3 gradient = unitOr(there.gradient, anyAcross(pose.axis));
+            answer = {found.distance, found.point, -gradient, found.piece};
+            if (found.distance > 0.0 && glm::dot(gradient, normalAt(found)) > 0.0)
+                answer = whollyInside(tool, pose, answer);
+            if (found.distance <= 0.0) answer = deeper(answer, pose.tip, 0);
+        }
+        return answer.clearance < within ? answer : free;
+    }
+
+private:
+    std::vector<std::uint32_t> meshOrder() const {
+        std::vector<std::uint32_t> order;
+        order.reserve(places_.size());
+        for (const std::uint32_t place : tree_.order()) order.push_back(places_[place]);
+        return order;
+    }
+
+    glm::dvec3 normalAt(const Found& found) const noexcept {
+        if (const auto normal = normals_.at(tree_.triangles(), found.slot, found.feature)) return *normal;
+        return gatheredNormal(found.point);
+    }
+
+    /// Where the mesh is no ordinary surface: of all the triangles that touch the point.
+    glm::dvec3 gatheredNormal(const glm::dvec3& point) const noexcept {
+        const double touching = 1e-9 * (1.0 + glm::length(tree_.bounds().size()));
+        glm::dvec3 sum(0.0);
+        NearPoint near(tree_, point);
+        near.limit(touching * touching);
+        walk(tree_, near, [&](std::size_t slot) noexcept {
+            const Triangle& triangle = tree_.triangles()[slot];
+            const TrianglePoint candidate = closestOnTriangle(triangle, point);
+            const glm::dvec3 way = candidate.point - point;
+            if (glm::dot(way, way) > touching * touching) return;
+            sum += surroundingAngle(triangle, candidate.feature) * unitNormal(triangle);
+        });
+        return sum;
+    }
+
+    /// The point of the mesh where the signed distance to a piece is least, below `within`.
+    Found deepest(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within) const noexcept {
+        constexpr double tie = 1e-8; // a mesh has many points that are equally near to a flat: one of them will do
+        Found found;
+        found.distance = within;
+        for (std::size_t i = 0; i < tool.size(); ++i) {
+            const PlacedPiece piece(tool[i], pose);
+            double floor = piece.piece().bottom;
+            if (piece.ballEnd() && piece.piece().top >= floor + 2.0 * piece.piece().cornerRadius) {
+                floor += piece.piece().cornerRadius;
+                meetBall(piece, i, tie, found);
+            }
+            NearPiece near(tree_, piece, floor);
+            near.limit(found.distance - tie);
+            walk(tree_, near, [&](std::size_t slot) noexcept {
+                const auto least = minimumOverTriangle(piece, tree_.triangles()[slot], found.distance - tie);
+                if (!least) return;
+                found = {slot, least->point, least->feature, least->distance, i, true};
+                near.limit(found.distance - tie);
+            });
+        }
+        return found;
+    }
+
+    /// What lies below a ball's centre is as near to the ball as it is to the centre, which is quicker to ask. What
+    /// lies above is not nearer to the ball than to the piece: it is left to the piece.
+    void meetBall(const PlacedPiece& piece, std::size_t number, double tie, Found& found) const noexcept {
+        const double radius = piece.piece().cornerRadius;
+        const double reach = found.distance - tie + radius;
+        if (!(reach > 0.0)) return;
+        Found ball = nearest(piece.pose().tip + (piece.piece().bottom + radius) * piece.pose().axis, reach);
+        if (!ball.any) return;
+        ball.distance = piece.at(ball.point).distance;
+        ball.piece = number;
+        if (ball.distance < found.distance - tie) found = ball;
+    }
+
+    /// Whether some point of the tool's axis lies outside the mesh's box, or else outside the mesh.
+    bool reachesOutside(std::span<const RevolvedPiece> tool, const ToolPose& pose) const noexcept {
+        for (const RevolvedPiece& piece : tool)
+            for (const double height : {piece.bottom, piece.top})
+                if (!bounds().contains(pose.tip + height * pose.axis)) return true;
+        return closest(pose.tip + 0.5 * (tool[0].bottom + tool[0].top) * pose.axis, 1e300).signedDistance >= 0.0;
+    }
+
+    ToolClearance whollyInside(std::span<const RevolvedPiece> tool, const ToolPose& pose,
+                               ToolClearance answer) const noexcept {
+        answer.clearance = 0.0;
+        for (std::size_t i = 0; i < tool.size(); ++i)
+            for (const double height : {tool[i].bottom, tool[i].bottom + tool[i].cornerRadius, tool[i].top})
+                answer = deeper(answer, pose.tip + height * pose.axis, i);
+        return answer;
+    }
+
+    /// `answer`, or the depth of a point of the tool where that is greater.
+    ToolClearance deeper(const ToolClearance& answer, const glm::dvec3& toolPoint, std::size_t piece) const noexcept {
+        const ClosestPoint nearest = closest(toolPoint, 1e300);
+        if (nearest.signedDistance >= answer.clearance) return answer;
+        return {nearest.signedDistance, nearest.point, unitOr(nearest.point - toolPoint, answer.away), piece};
+    }
+
+    std::vector<std::uint32_t> places_; ///< the mesh's triangles that are in the tree
+    TriangleTree tree_;
+    SurfaceNormals normals_;
+};
+
+MeshDistance::MeshDistance(const TriangleMesh& mesh) : tree_(std::make_unique<const Tree>(mesh)) {}
+MeshDistance::~MeshDistance() = default;
+MeshDistance::MeshDistance(MeshDistance&&) noexcept = default;
+MeshDistance& MeshDistance::operator=(MeshDistance&&) noexcept = default;
+
+ClosestPoint MeshDistance::closest(const glm::dvec3& point, double within) const {
+    return tree_->closest(point, within);
+}
+
+ToolClearance MeshDistance::clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within) const {
+    return tree_->clearance(tool, pose, within);
+}
+
+Box MeshDistance::bounds() const noexcept {
+    return tree_->bounds();
+}
+
+} // namespace burin

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/pose.h"
+#include "core/geometry/revolved_piece.h"
+#include "core/geometry/triangle.h"
+
+#include <optional>
+
+namespace burin {
+
+/// A piece of a tool at a pose, asked by points of the frame that the pose is given in.
+class PlacedPiece {
+public:
+    PlacedPiece(const RevolvedPiece& piece, const ToolPose& pose) noexcept : piece_(piece), pose_(pose) {}
+
+    struct Value {
+        double distance = 0.0;
+        glm::dvec3 gradient{0.0}; ///< a subgradient of the signed distance, at most unit length
+    };
+    Value at(const glm::dvec3& point) const noexcept;
+
+    const RevolvedPiece& piece() const noexcept { return piece_; }
+    const ToolPose& pose() const noexcept { return pose_; }
+    bool ballEnd() const noexcept {
+        return piece_.cornerRadius > 0.0 && piece_.cornerRadius == piece_.bottomRadius &&
+               piece_.bottomRadius == piece_.topRadius;
+    }
+
+private:
+    RevolvedPiece piece_;
+    ToolPose pose_;
+};
+
+struct PieceMinimum {
+    double distance = 0.0; ///< mm, the least signed distance
+    glm::dvec3 point{0.0}; ///< of the triangle, where it is taken
+    TriangleFeature feature = TriangleFeature::face;
+};
+
+/// Least signed distance from the points of a triangle to a piece, exact to 1e-8 mm. None when it is not below
+/// `cutoff`, mm. The signed distance of a convex body is convex: its minimum over the triangle's plane is the one over
+/// the triangle when it lies in it, and otherwise the least on the edges that this point is beyond.
+std::optional<PieceMinimum> minimumOverTriangle(const PlacedPiece& piece, const Triangle& triangle,
+                                                double cutoff) noexcept;
+
+} // namespace burin

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/geometry/triangle.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// Four boxes side by side, single precision, relative to the tree's origin and rounded outwards, so that what is
+/// outside a box here is outside the true one.
+struct alignas(64) TreeNode {
+    static constexpr std::size_t width = 4;
+    std::array<std::array<float, width>, 3> low; ///< [axis][child]
+    std::array<std::array<float, width>, 3> high;
+    std::array<std::uint32_t, width> first; ///< a leaf's first triangle, or a node
+    std::array<std::uint32_t, width> count; ///< a leaf's triangles; 0: `first` is a node. Unused children: empty box.
+};
+
+/// Bounding volume hierarchy over triangles, four children a node, at most four triangles a leaf, split by the surface
+/// area heuristic (binned: I. Wald, On fast construction of SAH-based bounding volume hierarchies, 2007).
+class TriangleTree {
+public:
+    static constexpr std::size_t trianglesPerLeaf = 4;
+    /// Entries that a depth-first walk can have open at once.
+    static constexpr std::size_t stackSize = 256;
+
+    /// @param source kept in an order of the tree's own; `order()[slot]` is the place of `triangles()[slot]` in it.
+    explicit TriangleTree(std::vector<Triangle> source);
+
+    bool empty() const noexcept { return triangles_.empty(); }
+    std::span<const TreeNode> nodes() const noexcept { return nodes_; } ///< the root is the first
+    std::span<const Triangle> triangles() const noexcept { return triangles_; }
+    std::span<const std::uint32_t> order() const noexcept { return order_; }
+    const glm::dvec3& origin() const noexcept { return origin_; }
+    const Box& bounds() const noexcept { return bounds_; }
+
+private:
+    std::vector<TreeNode> nodes_;
+    std::vector<Triangle> triangles_;
+    std::vector<std::uint32_t> order_;
+    glm::dvec3 origin_{0.0};
+    Box bounds_;
+};
+
+} // namespace burin

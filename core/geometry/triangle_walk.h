@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/piece_minimum.h"
+#include "core/geometry/triangle_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+/// Lower bound of a walk for each child of a node; infinity where the child needs no visit.
+using ChildBounds = std::array<float, TreeNode::width>;
+
+/// Depth-first, nearest child first. @param bounds  has `of(node)` and `stillBelow(bound)`, and may become stricter
+/// while triangles are met. @param meet  takes the slot of a triangle. No allocation.
+template <class Bounds, class Meet>
+void walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noexcept {
+    struct Open {
+        float bound;
+        std::uint32_t first, count;
+    };
+    if (tree.empty()) return;
+    std::array<Open, TriangleTree::stackSize> stack;
+    std::size_t open = 0;
+    stack[open++] = {-std::numeric_limits<float>::infinity(), 0, 0};
+    while (open > 0) {
+        const Open top = stack[--open];
+        if (!bounds.stillBelow(top.bound)) continue;
+        if (top.count > 0) {
+            for (std::uint32_t slot = top.first; slot < top.first + top.count; ++slot) meet(slot);
+            continue;
+        }
+        const TreeNode& node = tree.nodes()[top.first];
+        const ChildBounds of = bounds.of(node);
+        const std::size_t base = open;
+        for (std::size_t child = 0; child < TreeNode::width; ++child) {
+            if (!bounds.stillBelow(of[child])) continue;
+            std::size_t place = open++;
+            for (; place > base && stack[place - 1].bound < of[child]; --place) stack[place] = stack[place - 1];
+            stack[place] = {of[child], node.first[child], node.count[child]};
+        }
+    }
+}
+
+/// Squared distances from a point to boxes.
+class NearPoint {
+public:
+    NearPoint(const TriangleTree& tree, const glm::dvec3& point) noexcept : at_(point - tree.origin()) {
+        const glm::vec3 size = glm::abs(at_);
+        slack_ = 2.4e-7F * std::max({size.x, size.y, size.z}); // what rounding the point may have hidden
+    }
+    /// Only what is nearer counts, mm².
+    void limit(double squared) noexcept {
+        limit_ = squared < 1e38 ? static_cast<float>(squared * (1.0 + 4e-6)) + std::numeric_limits<float>::min()
+                                : std::numeric_limits<float>::max();
+    }
+    bool stillBelow(float bound) const noexcept { return bound < limit_; }
+    ChildBounds of(const TreeNode& node) const noexcept {
+        ChildBounds squared{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float low = at_[static_cast<int>(axis)] + slack_, high = at_[static_cast<int>(axis)] - slack_;
+            for (std::size_t child = 0; child < TreeNode::width; ++child) {
+                const float below = node.low[axis][child] - low, above = high - node.high[axis][child];
+                const float gap = std::max(std::max(below, above), 0.0F);
+                squared[child] += gap * gap;
+            }
+        }
+        return squared;
+    }
+
+private:
+    glm::vec3 at_;
+    float slack_ = 0.0F;
+    float limit_ = 0.0F;
+};
+
+/// Lower bounds of the signed distance from a piece to the points of boxes, as far as they lie above `floor` (height
+/// above the tip, mm): from the piece's bottom up, or from a ball's centre when what is below is known already.
+class NearPiece {
+public:
+    NearPiece(const TriangleTree& tree, const PlacedPiece& placed, double floor) noexcept
+        : placed_(&placed), origin_(tree.origin()),
+          floor_(floor > placed.piece().bottom ? floor : -std::numeric_limits<double>::infinity()) {
+        const auto& [tip, axis] = placed.pose();
+        const RevolvedPiece& piece = placed.piece();
+        const glm::dvec3 bottom = tip + floor * axis - origin_, top = tip + piece.top * axis - origin_;
+        for (int i = 0; i < 3; ++i) {
+            const double across = std::sqrt(std::max(0.0, 1.0 - axis[i] * axis[i]));
+            const double low = std::min(bottom[i] - piece.bottomRadius * across, top[i] - piece.topRadius * across);
+            const double high = std::max(bottom[i] + piece.bottomRadius * across, top[i] + piece.topRadius * across);
+            const double slack = 1e-9 + 2.4e-7 * std::max(std::abs(low), std::abs(high));
+            low_[i] = static_cast<float>(low - slack);
+            high_[i] = static_cast<float>(high + slack);
+        }
+    }
+    /// Only what is nearer counts, mm; negative: deeper inside.
+    void limit(double distance) noexcept {
+        distance_ = distance;
+        const double outside = std::max(distance, 0.0);
+        squared_ = outside < 1e18
+                       ? static_cast<float>(outside * outside * (1.0 + 4e-6)) + std::numeric_limits<float>::min()
+                       : std::numeric_limits<float>::max();
+    }
+    bool stillBelow(float bound) const noexcept { return static_cast<double>(bound) < distance_; }
+
+    ChildBounds of(const TreeNode& node) const noexcept {
+        ChildBounds squared{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (std::size_t child = 0; child < TreeNode::width; ++child) {
+                const float below = node.low[axis][child] - high_[static_cast<int>(axis)];
+                const float above = low_[static_cast<int>(axis)] - node.high[axis][child];
+                const float gap = std::max(std::max(below, above), 0.0F);
+                squared[child] += gap * gap;
+            }
+        ChildBounds bounds;
+        for (std::size_t child = 0; child < TreeNode::width; ++child)
+            bounds[child] =
+                squared[child] < squared_ ? tangentBound(node, child) : std::numeric_limits<float>::infinity();
+        return bounds;
+    }
+
+private:
+    /// The signed distance is convex: over a box it stays above its tangent at the box's centre.
+    float tangentBound(const TreeNode& node, std::size_t child) const noexcept {
+        glm::dvec3 centre, half;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double low = node.low[axis][child], high = node.high[axis][child];
+            centre[static_cast<int>(axis)] = 0.5 * (low + high);
+            half[static_cast<int>(axis)] = 0.5 * (high - low);
+        }
+        const glm::dvec3& axis = placed_->pose().axis;
+        const glm::dvec3 point = centre + origin_;
+        const double highest = glm::dot(point - placed_->pose().tip, axis) + glm::dot(glm::abs(axis), half);
+        if (highest < floor_) return std::numeric_limits<float>::infinity();
+        const PlacedPiece::Value value = placed_->at(point);
+        const double bound = value.distance - glm::dot(glm::abs(value.gradient), half);
+        return static_cast<float>(bound - 1e-9 - 1.2e-7 * std::abs(bound));
+    }
+
+    const PlacedPiece* placed_;
+    glm::dvec3 origin_;
+    double floor_;
+    glm::vec3 low_{0.0F}, high_{0.0F};
+    double distance_ = 0.0;
+    float squared_ = 0.0F;
+};
+
+} // namespace burin

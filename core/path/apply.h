@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/stroke.h"
+
+namespace burin {
+
+/// The farthest that an edit moved the path.
+struct Deviation {
+    double distance = 0.0; ///< mm
+    glm::dvec3 place{0.0}; ///< mm, setup frame
+
+    void include(double other, const glm::dvec3& at) noexcept {
+        if (other > distance) *this = {other, at};
+    }
+    void include(const Deviation& other) noexcept { include(other.distance, other.place); }
+};
+
+// One function an edit, each in the file of its name. They change `state` in place and say how far the path went from
+// what it was. Strokes stay in their order; each edit treats a stroke by itself, so they run in parallel and give the
+// same result with any number of threads. Errors: argumentInvalid, cancelled, and what each one states.
+Result<Deviation> apply(const DropAirCuts& edit, PathState& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const DropDwells& edit, PathState& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Smooth& edit, PathState& state, const PathContext& context, Progress& progress);
+/// Errors: pathGouges, where no place nearby is clear of the part.
+Result<Deviation> apply(const HoldOut& edit, PathState& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Simplify& edit, PathState& state, const PathContext& context, Progress& progress);
+/// Errors: pathGouges, where the tool can't get to a stroke from above without entering the part.
+Result<Deviation> apply(const Link& edit, PathState& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const SetFeed& edit, PathState& state, const PathContext& context, Progress& progress);
+
+} // namespace burin

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/geometry/revolved_piece.h"
+
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// Above which height each little square of the stock is known to be empty, because flutes went there. Conservative on
+/// both sides: a square is lowered only by what the flutes surely swept over all of it, and a tool is held up by the
+/// highest square that it may touch. Beside the stock nothing holds a tool up.
+class ClearedHeights {
+public:
+    /// @param pieces of the tool, upright, flutes first
+    ClearedHeights(const Box& stock, std::span<const RevolvedPiece> pieces);
+
+    /// The flutes went straight from one tip to another.
+    void cut(const glm::dvec3& from, const glm::dvec3& to);
+
+    /// The lowest tip above (x, y) at which the whole tool is in empty space, mm; very low beside the stock.
+    double freeHeight(double x, double y) const { return restingHeight(x, y, pieces_, stock_.low.z - 1e3); }
+    /// Whether shank and holder are in empty space.
+    bool shankIsFree(const glm::dvec3& tip) const {
+        return restingHeight(tip.x, tip.y, std::span(pieces_).subspan(1), tip.z) <= tip.z;
+    }
+
+private:
+    void cutAt(const glm::dvec3& tip);
+    /// The lowest tip, not below `floor`, at which the pieces are in empty space.
+    double restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor) const;
+    /// Indices of the squares that a circle may touch, along one axis.
+    struct Range {
+        long first, last;
+    };
+    Range range(double centre, double radius, int axis) const;
+    double& height(long i, long j) { return heights_[static_cast<std::size_t>(j * countX_ + i)]; }
+    double height(long i, long j) const { return heights_[static_cast<std::size_t>(j * countX_ + i)]; }
+
+    Box stock_;
+    std::vector<RevolvedPiece> pieces_;
+    double edge_; // of a square, mm
+    long countX_, countY_;
+    std::vector<double> heights_;
+};
+
+} // namespace burin

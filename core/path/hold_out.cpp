@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/apply.h"
+
+#include "core/base/numbers.h"
+#include "core/path/part_guard.h"
+#include "core/path/polyline.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace burin {
+namespace {
+
+/// Points that carry no shape are dropped first: fewer to hold out, and no farther apart from the path than this, mm.
+constexpr double thinning = 0.002;
+/// Stretches between fixed points that threads share.
+constexpr std::size_t pieceLength = 500;
+/// Where a move is this short and still enters, it is led over the obstacle instead of around it, mm.
+constexpr double shortestMove = 0.02;
+/// Halvings of a move after which the same happens.
+constexpr int deepest = 16;
+/// Closes the gap of rounding between the aim and what the next query answers, mm.
+constexpr double surplus = 1e-6;
+
+/// Points are pushed a little farther than moves have to stay away: else the arc of a convex part would take ever more
+/// points to go around.
+double requiredBetween(const HoldOut& edit, double allowance) {
+    return allowance + std::min(0.25 * edit.clearance, 0.001);
+}
+
+/// A point on its way out of the part.
+struct Held {
+    StrokePoint point;
+    glm::dvec3 origin{0.0}; ///< where the path was before, mm
+};
+
+class Holder {
+public:
+    Holder(const PartGuard& guard, const HoldOut& edit, double allowance)
+        : guard_(guard)
+        , sampling_(edit.sampling)
+        , aim_(allowance + edit.clearance)
+        , required_(requiredBetween(edit, allowance)) {}
+
+    /// Moves the tip out along the way that gains clearance fastest, or up where that leads nowhere.
+    void push(glm::dvec3& tip) const {
+        constexpr int attempts = 30; // in a groove each wall takes back a part of what the other one gained
+        glm::dvec3 place = tip;
+        for (int i = 0; i < attempts; ++i) {
+            const ToolClearance found = guard_.clearance(place, aim_ + surplus);
+            if (found.clearance >= aim_) {
+                tip = place;
+                return;
+            }
+            place += (aim_ - found.clearance + surplus) * found.away;
+        }
+        lift(tip);
+    }
+
+    /// What has to stand between two held points so that each move is clear, both ends left out.
+    /// @return false where nothing helps
+    bool bridge(const Held& from, const Held& to, std::vector<Held>& between, int depth = 0) const {
+        const auto dip = guard_.deepestDip(from.point.tip, to.point.tip, required_, sampling_);
+        if (!dip) return true;
+        const double length = glm::distance(from.point.tip, to.point.tip);
+        if (length < shortestMove || depth > deepest) return leadOver(from, to, between);
+        // Near an end the dip is split in the middle, else the halves would not get shorter.
+        const double part = std::clamp(dip->part, 0.1, 0.9);
+        Held middle;
+        middle.point = from.point;
+        middle.point.removes = middle.point.onBoundary = false;
+        middle.point.tip = glm::mix(from.point.tip, to.point.tip, part);
+        middle.origin = glm::mix(from.origin, to.origin, part);
+        push(middle.point.tip);
+        if (!bridge(from, middle, between, depth + 1)) return false;
+        between.push_back(middle);
+        return bridge(middle, to, between, depth + 1);
+    }
+
+private:
+    /// Straight up, to the first height found that is clear; above the part at the latest.
+    void lift(glm::dvec3& tip) const {
+        const double last = std::max(guard_.top() + aim_ + surplus, tip.z);
+        double step = 0.01;
+        while (tip.z < last) {
+            const double missing = aim_ - guard_.clearance(tip, aim_ + surplus).clearance;
+            if (missing <= 0.0) return;
+            tip.z = std::min(last, tip.z + std::max(missing, step) + surplus);
+            step *= 1.5;
+        }
+    }
+
+    /// Up, across and down.
+    bool leadOver(const Held& from, const Held& to, std::vector<Held>& between) const {
+        const double low = std::max(from.point.tip.z, to.point.tip.z);
+        const double last = std::max(guard_.top() + aim_ + surplus, low);
+        double height = low;
+        for (double step = 0.01; height <= last; step *= 1.5) {
+            height = height < last ? std::min(last, height + step) : height + step;
+            Held up = from, across = to;
+            up.point.removes = up.point.onBoundary = false;
+            across.point.removes = across.point.onBoundary = false;
+            across.point.sample = from.point.sample;
+            up.point.tip.z = across.point.tip.z = height;
+            if (guard_.isClear(from.point.tip, up.point.tip, required_, sampling_) &&
+                guard_.isClear(up.point.tip, across.point.tip, required_, sampling_) &&
+                guard_.isClear(across.point.tip, to.point.tip, required_, sampling_)) {
+                between.push_back(up);
+                between.push_back(across);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const PartGuard& guard_;
+    double sampling_;
+    double aim_;      // mm, of points that had to be pushed
+    double required_; // mm, of every place of every move
+};
+
+Error stuck(const glm::dvec3& place) {
+    return Error{ErrorCode::pathGouges, "path",
+                 "at " + formatFixed(place.x, 3) + " " + formatFixed(place.y, 3) + " " + formatFixed(place.z, 3) +
+                     " mm",
+                 "no way around the part was found"};
+}
+
+/// A stretch of one stroke: from one of its points to another, both included.
+struct Piece {
+    std::size_t stroke = 0, first = 0, last = 0;
+    std::vector<Held> between; ///< all held points behind the first one
+    bool stuck = false;
+};
+
+std::vector<Piece> piecesOf(const std::vector<std::vector<Held>>& strokes) {
+    std::vector<Piece> pieces;
+    for (std::size_t s = 0; s < strokes.size(); ++s) {
+        for (std::size_t i = 0; i + 1 < strokes[s].size(); i += pieceLength)
+            pieces.push_back({s, i, std::min(i + pieceLength, strokes[s].size() - 1), {}, false});
+    }
+    return pieces;
+}
+
+void hold(Piece& piece, const std::vector<Held>& points, const Holder& holder) {
+    for (std::size_t i = piece.first; i < piece.last && !piece.stuck; ++i) {
+        piece.stuck = !holder.bridge(points[i], points[i + 1], piece.between);
+        piece.between.push_back(points[i + 1]);
+    }
+}
+
+} // namespace
+
+Result<Deviation> apply(const HoldOut& edit, PathState& state, const PathContext& context, Progress& progress) {
+    const Result<PartGuard> guard = PartGuard::of(context);
+    if (!guard) return guard.error();
+    const auto anyShortcut = [](const glm::dvec3&, const glm::dvec3&) { return true; };
+    Deviation thinned;
+    std::vector<std::vector<Held>> strokes(state.strokes.size());
+    for (std::size_t s = 0; s < strokes.size(); ++s) {
+        std::vector<StrokePoint>& points = state.strokes[s].points;
+        const std::vector<std::size_t> kept = simplifyInGroups(points, thinning, anyShortcut, progress);
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
+        thinned.include(thinnedDeviation(points, kept));
+        keepOnly(points, kept);
+        const Holder holder(*guard, edit, state.strokes[s].allowance);
+        strokes[s].resize(points.size());
+        tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+            strokes[s][i] = {points[i], points[i].tip};
+            if (!progress.cancelled()) holder.push(strokes[s][i].point.tip);
+        });
+    }
+    std::vector<Piece> pieces = piecesOf(strokes);
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+        Piece& piece = pieces[i];
+        const Holder holder(*guard, edit, state.strokes[piece.stroke].allowance);
+        if (!progress.cancelled()) hold(piece, strokes[piece.stroke], holder);
+    });
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
+    Deviation pushed;
+    for (std::size_t s = 0; s < strokes.size(); ++s) {
+        state.strokes[s].points.clear();
+        state.strokes[s].required = requiredBetween(edit, state.strokes[s].allowance);
+        if (strokes[s].empty()) continue;
+        state.strokes[s].points.push_back(strokes[s].front().point);
+        pushed.include(glm::distance(strokes[s].front().point.tip, strokes[s].front().origin),
+                       strokes[s].front().origin);
+    }
+    for (const Piece& piece : pieces) {
+        if (piece.stuck) return stuck(piece.between.back().point.tip);
+        for (const Held& held : piece.between) {
+            state.strokes[piece.stroke].points.push_back(held.point);
+            pushed.include(glm::distance(held.point.tip, held.origin), held.origin);
+        }
+    }
+    // Both happened one after the other, so their sum bounds what they did together.
+    return Deviation{thinned.distance + pushed.distance, pushed.distance > 0.0 ? pushed.place : thinned.place};
+}
+
+} // namespace burin

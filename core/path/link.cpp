@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/apply.h"
+
+#include "core/base/numbers.h"
+#include "core/path/cleared_heights.h"
+#include "core/path/part_guard.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+constexpr double touchTolerance = 1e-6; // mm; a tool that lies on the part does not enter it
+
+/// Which points of a stroke the tool can get to from above, and leave upwards. On a part without undercuts these are
+/// its ends; under an overhang the tool goes back along the stroke until the way up is free.
+struct Access {
+    std::size_t entry = 0, exit = 0;
+    bool found = false;
+};
+
+bool isFreeAbove(const PartGuard& guard, const glm::dvec3& tip, double height) {
+    constexpr double sampling = 0.25; // mm
+    // A path that was not held out of the part may start inside; its own depth is no obstacle to leaving.
+    const double required = std::min(0.0, guard.clearance(tip, 1.0).clearance) - touchTolerance;
+    return guard.isClear(tip, {tip.x, tip.y, height}, required, sampling);
+}
+
+Access accessOf(const Stroke& stroke, const PartGuard& guard, double height) {
+    const std::size_t count = stroke.points.size();
+    Access access;
+    while (access.entry < count && !isFreeAbove(guard, stroke.points[access.entry].tip, height)) ++access.entry;
+    if (access.entry == count) return access;
+    access.found = true;
+    access.exit = count - 1;
+    while (access.exit > access.entry && !isFreeAbove(guard, stroke.points[access.exit].tip, height)) --access.exit;
+    return access;
+}
+
+/// Strings strokes together.
+class Linker {
+public:
+    Linker(const Link& edit, const PartGuard& guard, const PathContext& context, double safeHeight)
+        : approach_(edit.approach)
+        , safeHeight_(safeHeight)
+        , reach_(context.tool.cutter.diameter)
+        , guard_(guard)
+        , cleared_(context.stock, guard.pieces()) {}
+
+    void add(const Stroke& stroke, const Access& access) {
+        const glm::dvec3& start = stroke.points.front().tip;
+        const bool joined = !points.empty() && canJoin(start, std::min(lastRequired_, stroke.required));
+        if (!joined) {
+            leave();
+            enter(stroke, access);
+        }
+        for (std::size_t i = joined ? 0 : 1; i < stroke.points.size(); ++i) cut(stroke, i);
+        for (std::size_t i = stroke.points.size() - 1; i > access.exit; --i) back_.push_back({&stroke, i - 1});
+        lastRequired_ = stroke.required;
+    }
+
+    /// Up to where the tool may travel.
+    void leave() {
+        if (points.empty()) return;
+        for (const auto& [stroke, index] : back_) cut(*stroke, index);
+        back_.clear();
+        const glm::dvec3 tip = points.back().tip;
+        const double near = std::min(tip.z + approach_, safeHeight_);
+        go({tip.x, tip.y, near}, MoveKind::retract);
+        if (near < safeHeight_) go({tip.x, tip.y, safeHeight_}, MoveKind::rapid);
+    }
+
+    std::vector<PathPoint> points;
+
+private:
+    void go(const glm::dvec3& tip, MoveKind kind) { points.push_back({tip, kind, 0.0, 0, -1}); }
+
+    void cut(const Stroke& stroke, std::size_t index) {
+        const StrokePoint& point = stroke.points[index];
+        cleared_.cut(points.empty() ? point.tip : points.back().tip, point.tip);
+        points.push_back({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample});
+    }
+
+    /// To the stroke's first point: across at the safe height, rapidly down to the approach above what is left there,
+    /// and on at the plunge feed.
+    void enter(const Stroke& stroke, const Access& access) {
+        const StrokePoint& entry = stroke.points[access.entry];
+        const glm::dvec3& tip = entry.tip;
+        go({tip.x, tip.y, safeHeight_}, MoveKind::rapid);
+        const double free = std::max(cleared_.freeHeight(tip.x, tip.y) + approach_, tip.z);
+        if (free < safeHeight_) go({tip.x, tip.y, free}, MoveKind::rapid);
+        cleared_.cut(points.back().tip, tip);
+        points.push_back({tip, MoveKind::plunge, 0.0, stroke.take, entry.sample});
+        for (std::size_t i = access.entry; i > 0; --i) cut(stroke, i - 1);
+    }
+
+    /// Whether the tool may go straight on at its cutting feed: not far, clear of the part, and shank and holder in
+    /// empty space. What lies in between meets the flutes at the feed that is theirs.
+    bool canJoin(const glm::dvec3& start, double required) const {
+        if (!back_.empty()) return false;
+        const glm::dvec3& end = points.back().tip;
+        const double length = glm::distance(end, start);
+        if (length > reach_ || !guard_.isClear(end, start, required, defaultSampling)) return false;
+        constexpr double sampling = 0.25; // mm
+        const int steps = std::max(1, static_cast<int>(length / sampling) + 1);
+        for (int i = 0; i <= steps; ++i) {
+            const glm::dvec3 tip = end + (static_cast<double>(i) / steps) * (start - end);
+            if (!cleared_.shankIsFree(tip)) return false;
+        }
+        return true;
+    }
+
+    double approach_, safeHeight_, reach_; // mm
+    double lastRequired_ = 0.0;            // mm from the part, of the stroke before
+    const PartGuard& guard_;
+    ClearedHeights cleared_;
+    std::vector<std::pair<const Stroke*, std::size_t>> back_; // the way to where the last stroke can be left
+};
+
+/// Above the stock, the part and every tip.
+double safeHeightOf(const Link& edit, const PathState& state, const PathContext& context, const PartGuard& guard) {
+    double height = std::max(context.stock.high.z, guard.top()) + edit.clearanceAbove;
+    for (const Stroke& stroke : state.strokes) {
+        for (const StrokePoint& point : stroke.points) height = std::max(height, point.tip.z);
+    }
+    return height;
+}
+
+} // namespace
+
+Result<Deviation> apply(const Link& edit, PathState& state, const PathContext& context, Progress& progress) {
+    const Result<PartGuard> guard = PartGuard::of(context);
+    if (!guard) return guard.error();
+    if (context.stock.empty()) return Error{ErrorCode::argumentInvalid, "stock", "", "links need the stock's box"};
+    std::erase_if(state.strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
+    const double height = safeHeightOf(edit, state, context, *guard);
+    std::vector<Access> accesses(state.strokes.size());
+    tbb::parallel_for(std::size_t{0}, accesses.size(), [&](std::size_t i) {
+        if (!progress.cancelled()) accesses[i] = accessOf(state.strokes[i], *guard, height);
+    });
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
+    Linker linker(edit, *guard, context, height);
+    for (std::size_t i = 0; i < accesses.size(); ++i) {
+        const Stroke& stroke = state.strokes[i];
+        if (!accesses[i].found) {
+            const StrokePoint& point = stroke.points.front();
+            return Error{ErrorCode::pathGouges, "take " + std::to_string(stroke.take),
+                         "sample " + std::to_string(point.sample),
+                         "no way from above leads there without entering the part"};
+        }
+        linker.add(stroke, accesses[i]);
+    }
+    linker.leave();
+    state.points = std::move(linker.points);
+    state.strokes.clear();
+    state.linked = true;
+    return Deviation{};
+}
+
+} // namespace burin

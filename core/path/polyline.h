@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/apply.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// Distance from a point to a straight segment, mm.
+double distanceToSegment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) noexcept;
+
+/// Whether the tool may go straight from one tip to another; asked only for moves that leave points out.
+using ShortcutTest = std::function<bool(const glm::dvec3& from, const glm::dvec3& to)>;
+
+/// Indices of the points that stay, in order, first and last among them (Douglas & Peucker 1973, with the distance to
+/// segments): every dropped point lies within `tolerance` of the segment that replaces it, hence the whole of one
+/// polyline within `tolerance` of the other. Cost: n log n for ordinary paths, n² at worst.
+std::vector<std::size_t> simplify(std::span<const StrokePoint> points, double tolerance, const ShortcutTest& allowed);
+
+/// Points in groups that are simplified by themselves: bounds the cost, and threads share the work.
+inline constexpr std::size_t simplifyGroup = 2000;
+
+/// The same over a stroke of any length, group by group; cancellable.
+std::vector<std::size_t> simplifyInGroups(std::span<const StrokePoint> points, double tolerance,
+                                          const ShortcutTest& allowed, const Progress& progress);
+
+/// How far the points that are not in `kept` lie from the polyline of those that are.
+/// @param kept ascending, with the first and the last index; empty only for no points
+Deviation thinnedDeviation(std::span<const StrokePoint> points, std::span<const std::size_t> kept);
+
+/// Drops the points that are not in `kept`; what they did counts for the next one that stays.
+void keepOnly(std::vector<StrokePoint>& points, std::span<const std::size_t> kept);
+
+} // namespace burin

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/apply.h"
+
+#include "core/base/numbers.h"
+#include "core/base/units.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+/// Butterworth low pass of second order by the bilinear transform, warped to its cut-off.
+struct LowPass {
+    double b0, b1, b2, a1, a2;
+
+    /// @param part cut-off over sampling rate, 0 … 0.5
+    explicit LowPass(double part) {
+        const double k = std::tan(pi * part), root = std::sqrt(2.0);
+        const double scale = 1.0 / (1.0 + root * k + k * k);
+        b0 = k * k * scale;
+        b1 = 2.0 * b0;
+        b2 = b0;
+        a1 = 2.0 * (k * k - 1.0) * scale;
+        a2 = (1.0 - root * k + k * k) * scale;
+    }
+
+    /// In place, starting as if the first value had stood there for ever.
+    template <class Iterator>
+    void run(Iterator at, Iterator end) const {
+        if (at == end) return;
+        glm::dvec3 second = (b2 - a2) * *at, first = (b1 - a1) * *at + second;
+        for (; at != end; ++at) {
+            const glm::dvec3 in = *at, out = b0 * in + first;
+            first = b1 * in - a1 * out + second;
+            second = b2 * in - a2 * out;
+            *at = out;
+        }
+    }
+};
+
+/// Forward and backward: no delay, gain 1 / (1 + (f / cut-off)⁴). The ends are continued by their point reflection, so
+/// that a line stays a line and the ends stay about where they are.
+std::vector<glm::dvec3> lowPassed(const Stroke& stroke, double cutOff) {
+    const std::vector<StrokePoint>& points = stroke.points;
+    const double cutOffPart = cutOff * stroke.tickPeriod;
+    // The impulse response has died down to 1e-5 of its peak after 3 periods of the cut-off.
+    const std::size_t padding = std::min(points.size() - 1, static_cast<std::size_t>(std::ceil(3.0 / cutOffPart)));
+    const glm::dvec3 front = points.front().tip, back = points.back().tip;
+    std::vector<glm::dvec3> tips;
+    tips.reserve(points.size() + 2 * padding);
+    for (std::size_t i = padding; i > 0; --i) tips.push_back(2.0 * front - points[i].tip);
+    for (const StrokePoint& point : points) tips.push_back(point.tip);
+    for (std::size_t i = 1; i <= padding; ++i) tips.push_back(2.0 * back - points[points.size() - 1 - i].tip);
+    const LowPass filter(cutOffPart);
+    filter.run(tips.begin(), tips.end());
+    filter.run(tips.rbegin(), tips.rend());
+    tips.erase(tips.begin(), tips.begin() + static_cast<std::ptrdiff_t>(padding));
+    tips.resize(points.size());
+    return tips;
+}
+
+Deviation smooth(Stroke& stroke, const Smooth& edit) {
+    Deviation deviation;
+    if (stroke.points.size() < 3) return deviation;
+    const std::vector<glm::dvec3> tips = lowPassed(stroke, edit.cutOff);
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+        StrokePoint& point = stroke.points[i];
+        const glm::dvec3 shift = clampLength(tips[i] - point.tip, edit.tolerance);
+        point.tip += shift;
+        deviation.include(glm::length(shift), point.tip);
+    }
+    return deviation;
+}
+
+} // namespace
+
+Result<Deviation> apply(const Smooth& edit, PathState& state, const PathContext&, Progress& progress) {
+    for (const Stroke& stroke : state.strokes) {
+        if (edit.cutOff * stroke.tickPeriod >= 0.5)
+            return Error{ErrorCode::argumentInvalid, "cut_off_hz", formatShortest(edit.cutOff),
+                         "below half of the recording's rate"};
+    }
+    std::vector<Deviation> deviations(state.strokes.size());
+    tbb::parallel_for(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
+        if (!progress.cancelled()) deviations[i] = smooth(state.strokes[i], edit);
+    });
+    Deviation deviation;
+    for (const Deviation& one : deviations) deviation.include(one);
+    return deviation;
+}
+
+} // namespace burin

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/stroke.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+/// A few ticks that the recorder lost don't tear a stroke apart.
+constexpr std::uint64_t longestGap = 5; // ticks
+constexpr double tiltTolerance = 1e-6;  // of a unit vector's components
+
+bool removes(const Sample& sample) noexcept {
+    return std::ranges::any_of(sample.removed, [](const RemovedMaterial& m) { return m.property != 0 && m.units > 0; });
+}
+
+bool isUpright(const glm::dvec3& axis) noexcept {
+    return std::abs(axis.x) < tiltTolerance && std::abs(axis.y) < tiltTolerance && axis.z > 0.0;
+}
+
+Result<void> append(std::vector<Stroke>& strokes, const Take& take, const PathContext& context) {
+    const TakeInfo& info = take.info;
+    if (!info.toolId.empty() && info.toolId != context.tool.id)
+        return Error{ErrorCode::argumentInvalid, "tool", info.toolId,
+                     "take " + std::to_string(info.id) + "; the path is for " + context.tool.id};
+    bool begins = true;
+    std::uint64_t lastTick = 0;
+    for (const Sample& sample : take.samples) {
+        if ((sample.flags & sampleShankContact) != 0 || !isFinite(sample.proxy.tip)) {
+            begins = true;
+            continue;
+        }
+        if (!isUpright(sample.proxy.axis))
+            return Error{ErrorCode::notSupported, "tilted tool axis", "paths with the tool along Z",
+                         "take " + std::to_string(info.id) + ", sample " + std::to_string(sample.tick)};
+        if (begins || sample.tick > lastTick + longestGap) {
+            const double period = info.tickPeriod > 0.0 ? info.tickPeriod : context.tickPeriod;
+            strokes.push_back({info.id, info.allowance, info.allowance, period, {}});
+        }
+        strokes.back().points.push_back({sample.proxy.tip, static_cast<std::int64_t>(sample.tick), removes(sample),
+                                         (sample.flags & sampleOnBoundary) != 0});
+        begins = false;
+        lastTick = sample.tick;
+    }
+    return {};
+}
+
+} // namespace
+
+std::size_t PathState::count() const noexcept {
+    if (linked) return points.size();
+    std::size_t sum = 0;
+    for (const Stroke& stroke : strokes) sum += stroke.points.size();
+    return sum;
+}
+
+Result<PathState> strokesOf(const std::vector<Take>& takes, const PathContext& context) {
+    PathState state;
+    for (const Take& take : takes) {
+        if (Result<void> done = append(state.strokes, take, context); !done) return done.error();
+    }
+    return state;
+}
+
+std::vector<PathPoint> pointsOf(const PathState& state) {
+    if (state.linked) return state.points;
+    std::vector<PathPoint> points;
+    points.reserve(state.count());
+    for (const Stroke& stroke : state.strokes) {
+        MoveKind kind = MoveKind::rapid;
+        for (const StrokePoint& point : stroke.points) {
+            points.push_back({point.tip, kind, 0.0, stroke.take, point.sample});
+            kind = MoveKind::cut;
+        }
+    }
+    return points;
+}
+
+} // namespace burin

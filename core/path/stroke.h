@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+#include "core/path/edit.h"
+#include "core/path/path.h"
+#include "core/recording/sample.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace burin {
+
+/// A tip of a stretch under edit.
+struct StrokePoint {
+    glm::dvec3 tip{0.0};     ///< mm, setup frame
+    std::int64_t sample = 0; ///< tick within the take; of the moment before, for points that an edit put between two
+    bool removes = false;    ///< the motion that ends here took material away
+    bool onBoundary = false; ///< the part held the tool here
+};
+
+/// A stretch of one take without a gap: the tool goes from point to point in straight lines.
+struct Stroke {
+    std::int64_t take = 0;
+    double allowance = 0.0; ///< mm, of the take
+    double required =
+        0.0; ///< mm that later edits keep the tool from the part by: the allowance, or what HoldOut reached
+    double tickPeriod = 0.001; ///< s between the points, as long as no edit thinned them
+    std::vector<StrokePoint> points;
+};
+
+/// A path between two edits: strokes until they are linked, points from then on.
+struct PathState {
+    std::vector<Stroke> strokes;
+    std::vector<PathPoint> points; ///< what Link made of the strokes
+    bool linked = false;
+    double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
+
+    std::size_t count() const noexcept;
+};
+
+/// The strokes of takes, in order: the proxy's tip at every tick. A stretch in which shank or holder touched something
+/// is left out. A new stroke begins there, with each take, and where more than a few ticks are missing. Errors:
+/// notSupported (an axis that is not +Z), argumentInvalid (a take of another tool).
+Result<PathState> strokesOf(const std::vector<Take>& takes, const PathContext& context);
+
+/// The points of a state: its linked points, or the strokes one behind the other, each reached by a rapid move.
+std::vector<PathPoint> pointsOf(const PathState& state);
+
+} // namespace burin

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/working_copy.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace burin {
+
+/// A connection to a project's working copy, and how it came about.
+struct OpenedCopy {
+    std::shared_ptr<WorkingCopy> copy; ///< null: open for reading alone
+    Database database;
+    bool recovered = false;
+    std::filesystem::path keptAside;
+};
+
+/// @param file absolute. Errors: as Project::create and Project::open.
+Result<OpenedCopy> createWorkingCopy(const std::filesystem::path& file);
+Result<OpenedCopy> openWorkingCopy(const std::filesystem::path& file);
+
+} // namespace burin

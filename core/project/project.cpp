@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/project.h"
+
+#include "core/project/opening.h"
+#include "core/project/project_impl.h"
+#include "core/project/saving.h"
+#include "core/project/stores.h"
+
+#include <system_error>
+#include <utility>
+
+namespace burin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One name for one file, whichever way it was called: the working copy and its lock stand beside it.
+fs::path plainName(const fs::path& file) {
+    std::error_code failed;
+    const fs::path whole = fs::absolute(file, failed);
+    fs::path plain = fs::weakly_canonical(whole, failed);
+    return failed ? whole : plain;
+}
+
+} // namespace
+
+Project::Project(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Project::~Project() = default;
+Project::Project(Project&&) noexcept = default;
+Project& Project::operator=(Project&&) noexcept = default;
+
+Result<Project> Project::create(const fs::path& file) {
+    fs::path plain = plainName(file);
+    Result<OpenedCopy> opened = createWorkingCopy(plain);
+    if (!opened) return std::move(opened).error();
+    auto impl = std::make_unique<Impl>(std::move(plain), std::move(opened->copy), std::move(opened->database));
+    impl->keptAside = std::move(opened->keptAside);
+    return Project(std::move(impl));
+}
+
+Result<Project> Project::open(const fs::path& file) {
+    fs::path plain = plainName(file);
+    Result<OpenedCopy> opened = openWorkingCopy(plain);
+    if (!opened) return std::move(opened).error();
+    auto impl = std::make_unique<Impl>(std::move(plain), std::move(opened->copy), std::move(opened->database));
+    impl->recovered = opened->recovered;
+    impl->keptAside = std::move(opened->keptAside);
+    return Project(std::move(impl));
+}
+
+const fs::path& Project::file() const noexcept {
+    return impl_->file;
+}
+bool Project::recovered() const noexcept {
+    return impl_->recovered;
+}
+const fs::path& Project::keptAside() const noexcept {
+    return impl_->keptAside;
+}
+bool Project::readOnly() const noexcept {
+    return impl_->copy == nullptr;
+}
+
+Result<bool> Project::unsaved() const {
+    const Result<DocumentState> state = documentState(impl_->database);
+    if (!state) return state.error();
+    return state->unsaved();
+}
+
+Result<void> Project::save() {
+    if (readOnly()) return Error{ErrorCode::fileNotWritable, impl_->file.string(), {}, "open for reading alone"};
+    return saveSnapshot(impl_->database, impl_->file);
+}
+
+Result<void> Project::setModel(const Model& model) {
+    return impl_->change([&](Database& database) { return storeModel(database, model); });
+}
+Result<Model> Project::model() const {
+    return impl_->read(loadModel);
+}
+
+Result<std::vector<TakeInfo>> Project::takes() const {
+    return impl_->read(loadTakes);
+}
+Result<Take> Project::take(std::int64_t id) const {
+    return impl_->read([id](Database& database) { return loadTake(database, id); });
+}
+Result<void> Project::removeTake(std::int64_t id) {
+    return impl_->change([id](Database& database) { return eraseTake(database, id); });
+}
+
+Result<Project::TakeWriter> Project::beginTake(const TakeInfo& info) {
+    if (readOnly()) return Error{ErrorCode::fileNotWritable, impl_->file.string(), {}, "open for reading alone"};
+    return TakeWriter::begin(impl_->copy, info);
+}
+
+} // namespace burin

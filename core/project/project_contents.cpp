@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/project_impl.h"
+#include "core/project/stores.h"
+
+namespace burin {
+
+Result<void> Project::setSetup(const Setup& setup) {
+    return impl_->change([&](Database& database) { return storeSetup(database, setup); });
+}
+Result<Setup> Project::setup() const {
+    return impl_->read(loadSetup);
+}
+
+Result<void> Project::setMaterials(const std::vector<Property>& materials) {
+    return impl_->change([&](Database& database) { return storeMaterials(database, materials); });
+}
+Result<std::vector<Property>> Project::materials() const {
+    return impl_->read(loadMaterials);
+}
+
+Result<void> Project::setTool(const Tool& tool) {
+    return impl_->change([&](Database& database) { return storeTool(database, tool); });
+}
+Result<std::vector<Tool>> Project::tools() const {
+    return impl_->read(loadTools);
+}
+
+Result<std::int64_t> Project::addPath(const StoredPath& path) {
+    return impl_->change([&](Database& database) { return storePath(database, path); });
+}
+Result<void> Project::setPath(const StoredPath& path) {
+    return impl_->change([&](Database& database) { return replacePath(database, path); });
+}
+Result<std::vector<StoredPath>> Project::paths() const {
+    return impl_->read(loadPaths);
+}
+
+Result<void> Project::addProgram(const StoredProgram& program) {
+    return impl_->change([&](Database& database) { return storeProgram(database, program); });
+}
+Result<std::vector<StoredProgram>> Project::programs() const {
+    return impl_->read(loadPrograms);
+}
+
+} // namespace burin

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/project.h"
+#include "core/project/working_copy.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace burin {
+
+/// What a project holds open. The connection ends before the working copy does.
+class Project::Impl {
+public:
+    Impl(std::filesystem::path userFile, std::shared_ptr<WorkingCopy> workingCopy, Database connection)
+        : file(std::move(userFile)), copy(std::move(workingCopy)), database(std::move(connection)) {}
+
+    /// Runs `work` as one transaction that counts as a change.
+    template <class Work>
+    auto change(Work work) -> decltype(work(std::declval<Database&>())) {
+        Result<Transaction> whole = Transaction::begin(database, Transaction::Kind::write);
+        if (!whole) return std::move(whole).error();
+        auto result = work(database);
+        if (!result) return result;
+        if (Result<void> counted = countChange(database); !counted) return std::move(counted).error();
+        if (Result<void> committed = whole->commit(); !committed) return std::move(committed).error();
+        return result;
+    }
+    /// Runs `work` on one state of the project, whatever a recorder writes meanwhile.
+    template <class Work>
+    auto read(Work work) -> decltype(work(std::declval<Database&>())) {
+        Result<Transaction> whole = Transaction::begin(database, Transaction::Kind::read);
+        if (!whole) return std::move(whole).error();
+        return work(database);
+    }
+
+    std::filesystem::path file;
+    std::shared_ptr<WorkingCopy> copy; ///< null: open for reading alone
+    Database database;
+    bool recovered = false;
+    std::filesystem::path keptAside;
+};
+
+} // namespace burin

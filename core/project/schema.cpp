@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/schema.h"
+
+#include <string>
+
+namespace burin {
+
+namespace {
+
+// README.md says what each column holds.
+constexpr const char* tables = R"sql(
+CREATE TABLE document(
+    id INTEGER PRIMARY KEY CHECK(id = 1),
+    save_id BLOB NOT NULL,
+    next_save_id BLOB NOT NULL,
+    revision INTEGER NOT NULL,
+    changes INTEGER NOT NULL,
+    saved_changes INTEGER NOT NULL,
+    digest INTEGER);
+INSERT INTO document VALUES(1, x'', x'', 0, 0, 0, NULL);
+CREATE TABLE model(
+    id INTEGER PRIMARY KEY CHECK(id = 1),
+    source_file TEXT NOT NULL,
+    format TEXT NOT NULL,
+    length_unit TEXT NOT NULL,
+    unit_scale REAL,
+    mesh_chord REAL,
+    brep BLOB NOT NULL);
+CREATE TABLE body(
+    position INTEGER PRIMARY KEY,
+    name TEXT NOT NULL,
+    colour INTEGER,
+    volume REAL,
+    area REAL,
+    box BLOB NOT NULL,
+    mesh BLOB NOT NULL,
+    open_edges INTEGER NOT NULL,
+    face_count INTEGER NOT NULL);
+CREATE TABLE import_note(
+    position INTEGER PRIMARY KEY,
+    kind TEXT NOT NULL,
+    text TEXT NOT NULL);
+CREATE TABLE setup(
+    id INTEGER PRIMARY KEY CHECK(id = 1),
+    json TEXT NOT NULL);
+CREATE TABLE material(
+    position INTEGER PRIMARY KEY,
+    id TEXT NOT NULL,
+    json TEXT NOT NULL);
+CREATE TABLE tool(
+    position INTEGER PRIMARY KEY,
+    id TEXT NOT NULL UNIQUE,
+    json TEXT NOT NULL);
+CREATE TABLE take(
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    name TEXT NOT NULL,
+    tool_id TEXT NOT NULL,
+    allowance REAL,
+    tick_period REAL,
+    started_unix_time REAL,
+    stylus TEXT NOT NULL,
+    complete INTEGER NOT NULL);
+CREATE TABLE sample_chunk(
+    id INTEGER PRIMARY KEY,
+    take INTEGER NOT NULL REFERENCES take(id),
+    first INTEGER NOT NULL,
+    count INTEGER NOT NULL,
+    samples BLOB NOT NULL,
+    UNIQUE(take, first));
+CREATE TABLE path(
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    name TEXT NOT NULL);
+CREATE TABLE path_take(
+    path INTEGER NOT NULL REFERENCES path(id),
+    position INTEGER NOT NULL,
+    take INTEGER NOT NULL REFERENCES take(id),
+    PRIMARY KEY(path, position));
+CREATE TABLE path_edit(
+    path INTEGER NOT NULL REFERENCES path(id),
+    position INTEGER NOT NULL,
+    json TEXT NOT NULL,
+    PRIMARY KEY(path, position));
+CREATE TABLE program(
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    name TEXT NOT NULL,
+    dialect TEXT NOT NULL,
+    machine TEXT NOT NULL,
+    text TEXT NOT NULL,
+    report_json TEXT NOT NULL);
+)sql";
+
+Result<void> setVersion(Database& file, int version) {
+    return file.execute(("PRAGMA user_version = " + std::to_string(version)).c_str());
+}
+
+} // namespace
+
+Result<void> createSchema(Database& file) {
+    Result<Transaction> whole = Transaction::begin(file, Transaction::Kind::write);
+    if (!whole) return std::move(whole).error();
+    const std::string identity = "PRAGMA application_id = " + std::to_string(projectApplicationId);
+    if (Result<void> done = file.execute(identity.c_str()); !done) return done;
+    if (Result<void> done = setVersion(file, projectVersion); !done) return done;
+    if (Result<void> done = file.execute(tables); !done) return done;
+    return whole->commit();
+}
+
+Result<void> checkIdentity(Database& file, int newest) {
+    const Result<std::int64_t> application = file.integer("PRAGMA application_id");
+    if (!application) return application.error();
+    if (*application != projectApplicationId)
+        return Error{ErrorCode::projectNotBurin, file.subject(), {}, "application id " + std::to_string(*application)};
+    const Result<std::int64_t> version = file.integer("PRAGMA user_version");
+    if (!version) return version.error();
+    if (*version > newest) return Error{ErrorCode::projectFromNewerBurin, file.subject(), {}, std::to_string(*version)};
+    if (*version < 1) return Error{ErrorCode::fileDamaged, file.subject(), {}, "version " + std::to_string(*version)};
+    return {};
+}
+
+Result<void> upgrade(Database& file, std::span<const Migration> migrations) {
+    const int newest = static_cast<int>(migrations.size()) + 1;
+    if (Result<void> ours = checkIdentity(file, newest); !ours) return ours;
+    const Result<std::int64_t> found = file.integer("PRAGMA user_version");
+    if (!found) return found.error();
+    if (*found == newest) return {};
+    Result<Transaction> whole = Transaction::begin(file, Transaction::Kind::write);
+    if (!whole) return std::move(whole).error();
+    for (const Migration& step : migrations.subspan(static_cast<std::size_t>(*found) - 1))
+        if (Result<void> done = step.apply(file); !done) return done;
+    if (Result<void> done = setVersion(file, newest); !done) return done;
+    return whole->commit();
+}
+
+} // namespace burin

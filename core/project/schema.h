@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/text.h"
+#include "core/project/database.h"
+
+#include <array>
+#include <span>
+
+namespace burin {
+
+/// "Brin" in the SQLite header's application id: what `file` and we know a project by.
+inline constexpr std::int32_t projectApplicationId = 0x4272696E;
+
+/// One step of the format, from `user_version` `from` to the next. It works on the stored form: tables, not classes.
+struct Migration {
+    int from = 0;
+    TextId title; ///< one sentence for the user
+    Result<void> (*apply)(Database& file) = nullptr;
+};
+
+/// In order; the first starts from version 1. Every released version has its witness in tests/fixtures/projects.
+inline constexpr std::array<Migration, 0> projectMigrations{};
+inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
+
+/// Makes the tables of the current version in an empty database.
+Result<void> createSchema(Database& file);
+
+/// That a database is a project which this version can read. Errors: projectNotBurin, projectFromNewerBurin,
+/// fileDamaged.
+Result<void> checkIdentity(Database& file, int newest = projectVersion);
+
+/// Takes the steps that are missing; all of them or none. Errors: as `checkIdentity`, and those of the steps.
+Result<void> upgrade(Database& file, std::span<const Migration> migrations = projectMigrations);
+
+} // namespace burin

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/database.h"
+#include "core/project/project.h"
+
+#include <string_view>
+#include <vector>
+
+/// Each part of a project between its tables and its class. A store runs within the transaction of its caller and
+/// counts no change. Errors of reading: fileDamaged with the part as place, projectIncomplete; of writing: Database's.
+namespace burin {
+
+// model_store.cpp
+Result<void> storeModel(Database& database, const Model& model);
+Result<Model> loadModel(Database& database);
+
+// setup_store.cpp
+Result<void> storeSetup(Database& database, const Setup& setup); ///< argumentInvalid: a number that is not finite
+Result<Setup> loadSetup(Database& database);
+Result<void> storeMaterials(Database& database, const std::vector<Property>& materials);
+Result<std::vector<Property>> loadMaterials(Database& database);
+Result<void> storeTool(Database& database, const Tool& tool);
+Result<std::vector<Tool>> loadTools(Database& database);
+
+// take_store.cpp
+Result<std::int64_t> storeTake(Database& database, const TakeInfo& info);
+Result<std::vector<TakeInfo>> loadTakes(Database& database);
+Result<Take> loadTake(Database& database, std::int64_t id);
+Result<void> eraseTake(Database& database, std::int64_t id);
+
+// path_store.cpp
+Result<std::int64_t> storePath(Database& database, const StoredPath& path); ///< as a new one; its id
+Result<void> replacePath(Database& database, const StoredPath& path);
+Result<std::vector<StoredPath>> loadPaths(Database& database);
+Result<void> storeProgram(Database& database, const StoredProgram& program);
+Result<std::vector<StoredProgram>> loadPrograms(Database& database);
+
+/// A fault of the content: `part` can't be read back.
+Error damaged(const Database& database, std::string part);
+/// Calls `read` for each row. Stops at the first error, of the statement or of `read`.
+template <class Read>
+Result<void> forEachRow(Statement& statement, Read read) {
+    for (;;) {
+        Result<bool> row = statement.step();
+        if (!row) return std::move(row).error();
+        if (!*row) return {};
+        if (Result<void> done = read(); !done) return done;
+    }
+}
+
+} // namespace burin

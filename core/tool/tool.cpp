@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tool/tool.h"
+
+#include "core/base/numbers.h"
+
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+Error invalid(std::string key, double value, std::string allowed) {
+    return {ErrorCode::argumentInvalid, std::move(key), formatShortest(value), std::move(allowed)};
+}
+
+bool isPositive(double value) {
+    return std::isfinite(value) && value > 0.0;
+}
+
+Result<void> validateEnd(const Cutter& cutter) {
+    const double corner = cutter.cornerRadius;
+    switch (cutter.type) {
+    case CutterType::ball:
+        if (corner == cutter.radius()) return {};
+        return invalid("cutter.corner_radius_mm", corner, "half the diameter for a ball end");
+    case CutterType::flat:
+        if (corner == 0.0) return {};
+        return invalid("cutter.corner_radius_mm", corner, "0 for a flat end");
+    case CutterType::bullNose:
+        if (corner > 0.0 && corner < cutter.radius()) return {};
+        return invalid("cutter.corner_radius_mm", corner, "above 0 and below half the diameter for a bull nose");
+    }
+    return Error{ErrorCode::internalFault, "validateEnd", {}, {}};
+}
+
+Result<void> validateHolder(const std::vector<HolderSegment>& holder) {
+    for (std::size_t i = 0; i < holder.size(); ++i) {
+        const std::string key = "cutter.holder[" + std::to_string(i) + "].";
+        if (!isPositive(holder[i].lowerDiameter))
+            return invalid(key + "lower_diameter_mm", holder[i].lowerDiameter, "> 0");
+        if (!isPositive(holder[i].upperDiameter))
+            return invalid(key + "upper_diameter_mm", holder[i].upperDiameter, "> 0");
+        if (!isPositive(holder[i].length)) return invalid(key + "length_mm", holder[i].length, "> 0");
+    }
+    return {};
+}
+
+Result<void> validateCutter(const Cutter& cutter) {
+    if (!isPositive(cutter.diameter)) return invalid("cutter.diameter_mm", cutter.diameter, "> 0");
+    if (!isPositive(cutter.shankDiameter)) return invalid("cutter.shank_diameter_mm", cutter.shankDiameter, "> 0");
+    if (Result<void> end = validateEnd(cutter); !end) return end;
+    if (!isPositive(cutter.fluteLength) || cutter.fluteLength < cutter.cornerRadius)
+        return invalid("cutter.flute_length_mm", cutter.fluteLength, "> 0 and at least the corner radius");
+    if (!std::isfinite(cutter.stickOut) || cutter.stickOut < cutter.fluteLength)
+        return invalid("cutter.stick_out_mm", cutter.stickOut, "at least the length of the flutes");
+    return validateHolder(cutter.holder);
+}
+
+} // namespace
+
+double Cutter::length() const noexcept {
+    double sum = stickOut;
+    for (const HolderSegment& segment : holder) sum += segment.length;
+    return sum;
+}
+
+Result<void> validate(const Tool& tool) {
+    if (tool.id.empty()) return Error{ErrorCode::argumentInvalid, "id", {}, "not empty"};
+    if (tool.number < 1) return invalid("number", tool.number, "at least 1");
+    if (tool.fluteCount < 1) return invalid("flute_count", tool.fluteCount, "at least 1");
+    if (Result<void> cutter = validateCutter(tool.cutter); !cutter) return cutter;
+    if (!isPositive(tool.maximumDepthOfCut) || tool.maximumDepthOfCut > tool.cutter.fluteLength)
+        return invalid("maximum_depth_of_cut_mm", tool.maximumDepthOfCut, "> 0 and at most the length of the flutes");
+    if (!std::isfinite(tool.maximumSpindleSpeed) || tool.maximumSpindleSpeed < 0.0)
+        return invalid("maximum_spindle_speed_rpm", tool.maximumSpindleSpeed, "at least 0");
+    return {};
+}
+
+RevolvedPiece flutes(const Cutter& cutter) {
+    return {0.0, cutter.fluteLength, cutter.radius(), cutter.radius(), cutter.cornerRadius};
+}
+
+std::vector<RevolvedPiece> pieces(const Cutter& cutter) {
+    std::vector<RevolvedPiece> stack{flutes(cutter)};
+    const double shank = 0.5 * cutter.shankDiameter;
+    if (cutter.stickOut > cutter.fluteLength) stack.push_back({cutter.fluteLength, cutter.stickOut, shank, shank, 0.0});
+    double bottom = cutter.stickOut;
+    for (const HolderSegment& segment : cutter.holder) {
+        const double top = bottom + segment.length;
+        stack.push_back({bottom, top, 0.5 * segment.lowerDiameter, 0.5 * segment.upperDiameter, 0.0});
+        bottom = top;
+    }
+    return stack;
+}
+
+} // namespace burin

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/pose.h"
+#include "core/geometry/revolved_piece.h"
+
+#include <rapidcheck.h>
+
+#include <cstdint>
+
+/// Random numbers, points and tools for properties. A thousand steps a unit, so that shrinking ends soon.
+namespace burin::random {
+
+inline double number(double low, double high) {
+    return low + (high - low) * 1e-4 * *rc::gen::inRange<std::int32_t>(0, 10001);
+}
+
+inline glm::dvec3 point(double reach) {
+    const double x = number(-reach, reach), y = number(-reach, reach), z = number(-reach, reach);
+    return {x, y, z};
+}
+
+inline glm::dvec3 direction() {
+    const glm::dvec3 v = point(1.0);
+    return glm::length(v) > 1e-3 ? glm::normalize(v) : glm::dvec3(0.0, 0.0, 1.0);
+}
+
+/// Ball, flat, bull nose, or a frustum that widens or narrows.
+inline RevolvedPiece piece() {
+    const double bottom = number(0.0, 3.0), radius = number(0.2, 4.0), length = number(1.0, 12.0);
+    switch (*rc::gen::inRange(0, 4)) {
+    case 0:
+        return {bottom, bottom + radius + length, radius, radius, radius};
+    case 1:
+        return {bottom, bottom + length, radius, radius, 0.0};
+    case 2:
+        return {bottom, bottom + radius + length, radius, radius, radius * number(0.05, 0.95)};
+    default:
+        return {bottom, bottom + length, radius, number(0.0, 5.0), 0.0};
+    }
+}
+
+} // namespace burin::random

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/post.h"
+
+#include <QTest>
+
+using namespace burin;
+
+namespace {
+
+MachineProfile machine() {
+    MachineProfile profile;
+    profile.travel = {300, 200, 100};
+    profile.maximumFeed = 2000;
+    profile.minimumSpindleSpeed = 1000;
+    profile.maximumSpindleSpeed = 24000;
+    profile.maximumLineLength = 20;
+    return profile;
+}
+
+Path path() {
+    Path made;
+    made.name = "p";
+    made.toolId = "ball-6";
+    made.spindleSpeed = 10000;
+    made.points = {{{10, 20, 40}, MoveKind::rapid, 0, 0, -1},
+                   {{10, 20, 30}, MoveKind::plunge, 300, 0, -1},
+                   {{15, 20, 30}, MoveKind::cut, 900, 7, 123},
+                   {{15, 20, 31}, MoveKind::retract, 900, 0, -1},
+                   {{15, 20, 40}, MoveKind::rapid, 0, 0, -1}};
+    return made;
+}
+
+PostRequest request() {
+    PostRequest made;
+    made.programName = "job";
+    made.workOffset = {10, 20, 30};
+    made.safeHeight = 10;
+    return made;
+}
+
+class Repeater final : public PostProcessor {
+public:
+    explicit Repeater(std::string text) : text_(std::move(text)) {}
+    Result<void> write(const NcProgram&, const MachineProfile&, LineSink& sink, Progress&) const override {
+        return sink.line(text_);
+    }
+
+private:
+    std::string text_;
+};
+
+} // namespace
+
+class TestPost : public QObject {
+    Q_OBJECT
+
+private slots:
+    void movesArriveInTheFrameOfTheWorkOffset() {
+        const auto program = toProgram({path()}, request(), machine());
+        QVERIFY(program);
+        QCOMPARE(program->moves.size(), std::size_t{5});
+        QVERIFY(program->moves[0].kind == NcMoveKind::rapid && program->moves[0].target == glm::dvec3(0, 0, 10));
+        QVERIFY(program->moves[2].kind == NcMoveKind::line && program->moves[2].target == glm::dvec3(5, 0, 0));
+        QCOMPARE(program->moves[2].feed, 900.0);
+        QCOMPARE(program->moves[2].take, 7);
+        QCOMPARE(program->moves[2].sample, 123);
+        QCOMPARE(QString::fromStdString(program->moves[2].comment), "take 7, sample 123");
+        QCOMPARE(program->spindleSpeed, 10000.0);
+    }
+
+    void whatTheMachineCannotDoIsRefused_data() {
+        QTest::addColumn<int>("fault");
+        QTest::addColumn<ErrorCode>("code");
+        QTest::addColumn<QString>("subject");
+        QTest::newRow("feed too high") << 0 << ErrorCode::programLimit << "feed";
+        QTest::newRow("feed missing") << 1 << ErrorCode::programLimit << "feed";
+        QTest::newRow("X too far") << 2 << ErrorCode::programLimit << "X travel";
+        QTest::newRow("tool change height too far") << 3 << ErrorCode::programLimit << "Z travel";
+        QTest::newRow("spindle too fast") << 4 << ErrorCode::programLimit << "spindle speed";
+        QTest::newRow("spindle too slow") << 5 << ErrorCode::programLimit << "spindle speed";
+        QTest::newRow("no points") << 6 << ErrorCode::pathEmpty << "p";
+        QTest::newRow("begins in the unknown") << 7 << ErrorCode::argumentInvalid << "path";
+        QTest::newRow("not a place") << 8 << ErrorCode::argumentInvalid << "path";
+    }
+    void whatTheMachineCannotDoIsRefused() {
+        QFETCH(int, fault);
+        QFETCH(ErrorCode, code);
+        QFETCH(QString, subject);
+        Path faulty = path();
+        MachineProfile limits = machine();
+        switch (fault) {
+        case 0:
+            faulty.points[2].feed = 2000.5;
+            break;
+        case 1:
+            faulty.points[3].feed = 0;
+            break;
+        case 2:
+            faulty.points[2].tip.x = 310.5;
+            break;
+        case 3:
+            limits.toolChangeHeight = 100.5;
+            break;
+        case 4:
+            faulty.spindleSpeed = 24001;
+            break;
+        case 5:
+            faulty.spindleSpeed = 999;
+            break;
+        case 6:
+            faulty.points.clear();
+            break;
+        case 7:
+            faulty.points.erase(faulty.points.begin());
+            break;
+        default:
+            faulty.points[2].tip.y = std::nan("");
+            break;
+        }
+        const auto program = toProgram({faulty}, request(), limits);
+        QVERIFY(!program);
+        QCOMPARE(program.error().code, code);
+        QCOMPARE(QString::fromStdString(program.error().subject), subject);
+    }
+
+    void twoToolsAreTwoPrograms() {
+        Path other = path();
+        other.toolId = "flat-6";
+        const auto program = toProgram({path(), other}, request(), machine());
+        QVERIFY(!program);
+        QCOMPARE(program.error().code, ErrorCode::argumentInvalid);
+    }
+
+    void aLineTheControlCannotReadIsRefused() {
+        Progress progress;
+        const auto fits = writeProgram({}, machine(), Repeater(std::string(20, 'x')), progress);
+        QVERIFY(fits);
+        QCOMPARE(fits->size(), std::size_t{21});
+        const auto tooLong = writeProgram({}, machine(), Repeater(std::string(21, 'x')), progress);
+        QVERIFY(!tooLong);
+        QCOMPARE(tooLong.error().code, ErrorCode::programLimit);
+        QCOMPARE(QString::fromStdString(tooLong.error().subject), "length of line 1");
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPost)
+#include "tst_post.moc"

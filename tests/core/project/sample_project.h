@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/project.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+/// Contents for projects in tests: small, made by formula, the same in every run.
+namespace burin::fixture {
+
+/// Samples `first` … `first + count - 1` of a hand that mills in circles, with the noise of a device.
+std::vector<Sample> handSamples(std::size_t first, std::size_t count);
+TakeInfo takeInfo(const char* name);
+/// Two bodies, one without a colour, with notes and bytes that pose as a B-rep.
+Model model();
+Setup setup();
+std::vector<Property> materials();
+Tool tool();
+
+/// A saved project with one of everything, and whether a project holds just that (whole_project.cpp).
+bool fillProject(const std::filesystem::path& file);
+bool holdsFixture(const Project& project);
+
+/// Equal bit for bit; padding apart.
+bool identical(const Sample& one, const Sample& other);
+bool identical(const std::vector<Sample>& one, const std::vector<Sample>& other);
+bool identical(const Model& one, const Model& other);
+
+} // namespace burin::fixture

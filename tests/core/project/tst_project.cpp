@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/project.h"
+#include "core/project/setup_record.h"
+#include "tests/core/project/sample_project.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <filesystem>
+#include <limits>
+
+using namespace burin;
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path fileIn(const QTemporaryDir& folder, const char* name = "p.burin") {
+    return folder.filePath(name).toStdString();
+}
+
+/// As text: equal exactly when the stored forms are. What the forms themselves keep is tested where they are made.
+template <class Value>
+std::vector<std::string> texts(const std::vector<Value>& values) {
+    std::vector<std::string> result;
+    for (const Value& value : values) result.push_back(toJson(value));
+    return result;
+}
+
+bool same(const Setup& one, const Setup& other) {
+    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh &&
+           one.stockMaterial == other.stockMaterial && one.bodyMaterials == other.bodyMaterials &&
+           one.stock.low == other.stock.low && one.stock.high == other.stock.high && one.workOffset == other.workOffset;
+}
+
+} // namespace
+
+class TestProject : public QObject {
+    Q_OBJECT
+private slots:
+    /// Everything that a project holds comes back from a second program's point of view: saved, closed, opened.
+    void everythingComesBack() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(project && !project->recovered() && !*project->unsaved());
+        QVERIFY(fixture::holdsFixture(*project));
+    }
+
+    /// A file that the first version wrote, kept in the repository.
+    void aProjectOfVersionOneOpens() {
+        const QTemporaryDir folder;
+        fs::copy_file(fs::path(BURIN_FIXTURES) / "projects/v1/small.burin", fileIn(folder));
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(project);
+        QVERIFY(fixture::holdsFixture(*project));
+    }
+
+    void anUnplacedStockComesBackEmpty() {
+        const auto setup = setupFromJson(*toJson(Setup{}));
+        QVERIFY(setup && setup->stock.empty());
+        QVERIFY(same(*setup, Setup{}));
+    }
+
+    void aSetupThatIsNotFiniteIsRefused() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Setup setup = fixture::setup();
+        setup.voxel = std::numeric_limits<double>::quiet_NaN();
+        const Result<void> stored = project->setSetup(setup);
+        QVERIFY(!stored);
+        QCOMPARE(stored.error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(stored.error().subject, std::string("voxel_mm"));
+        QVERIFY(!*project->unsaved());
+    }
+
+    void anEmptyProjectSaysWhatIsMissing() {
+        const QTemporaryDir folder;
+        const Result<Project> project = Project::create(fileIn(folder));
+        QVERIFY(project);
+        const Error model = project->model().error(), setup = project->setup().error();
+        QCOMPARE(model.code, ErrorCode::projectIncomplete);
+        QCOMPARE(model.subject, std::string("model"));
+        QCOMPARE(setup.code, ErrorCode::projectIncomplete);
+        QCOMPARE(setup.place, std::string("burin embed"));
+        QCOMPARE(project->materials().error().code, ErrorCode::projectIncomplete);
+        QCOMPARE(project->take(1).error().subject, std::string("recording"));
+        QVERIFY(project->takes()->empty() && project->tools()->empty() && project->paths()->empty() &&
+                project->programs()->empty());
+    }
+
+    void whatIsThereOnceIsReplaced() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Model smaller = fixture::model();
+        smaller.bodies.pop_back();
+        smaller.notes.clear();
+        QVERIFY(project->setModel(fixture::model()) && project->setModel(smaller));
+        QVERIFY(fixture::identical(*project->model(), smaller));
+        QVERIFY(project->setMaterials(fixture::materials()) && project->setMaterials({fixture::materials().front()}));
+        QCOMPARE(project->materials()->size(), std::size_t{1});
+        Tool longer = fixture::tool();
+        longer.cutter.stickOut = 40.0;
+        QVERIFY(project->setTool(fixture::tool()) && project->setTool(longer));
+        QCOMPARE(texts(*project->tools()), texts(std::vector{longer}));
+    }
+
+    void pathsKnowTheirTakes() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(project);
+        StoredPath path = project->paths()->front();
+        const std::int64_t used = path.takes.front();
+
+        const Result<void> removed = project->removeTake(used);
+        QVERIFY(!removed);
+        QCOMPARE(removed.error().code, ErrorCode::argumentInvalid);
+        path.takes = {used, 99};
+        QCOMPARE(project->setPath(path).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->addPath(path).error().place, std::string("99"));
+        QVERIFY(fixture::holdsFixture(*project)); // nothing of all that was kept
+
+        path.takes.clear();
+        path.edits.pop_back();
+        QVERIFY(project->setPath(path));
+        QCOMPARE(project->paths()->front().edits.size(), path.edits.size());
+        QVERIFY(project->removeTake(used));
+        QCOMPARE(project->take(used).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->removeTake(used).error().code, ErrorCode::nameUnknown);
+        path.id = 77;
+        QCOMPARE(project->setPath(path).error().subject, std::string("path"));
+    }
+
+    /// A take's number is never given again, so that no path and no program can mean another one by it.
+    void numbersOfTakesAreNotReused() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        const std::int64_t first = project->beginTake(fixture::takeInfo("a"))->id();
+        QVERIFY(project->removeTake(first));
+        QVERIFY(project->beginTake(fixture::takeInfo("b"))->id() > first);
+    }
+
+    /// A minute at 1 kHz, journalled every 50 ms, stays below 8 MB (five minutes below 40).
+    void aMinuteOfRecordingStaysSmall() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("long"));
+        const std::vector<Sample> hand = fixture::handSamples(0, 60000);
+        for (std::size_t first = 0; first < hand.size(); first += 50)
+            QVERIFY(writer->append(std::span(hand).subspan(first, 50)));
+        QVERIFY(writer->finish() && project->save());
+        const auto size = fs::file_size(fileIn(folder));
+        qInfo("%.1f bytes a sample", static_cast<double>(size) / static_cast<double>(hand.size()));
+        QVERIFY(size < 8'000'000);
+        QVERIFY(fixture::identical(project->take(writer->id())->samples, hand));
+    }
+
+    void oneAppendMayBringManySamples() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("fast"));
+        const std::vector<Sample> hand = fixture::handSamples(0, 40000); // more than a chunk holds
+        QVERIFY(writer->append(hand) && writer->append({}) && writer->append(std::span(hand).first(1)));
+        const Result<Take> take = project->take(writer->id());
+        QVERIFY(take);
+        QCOMPARE(take->samples.size(), hand.size() + 1);
+        QCOMPARE(take->info.sampleCount, std::uint64_t{hand.size() + 1});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestProject)
+#include "tst_project.moc"

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/messages/messages.h"
+
+#include <QDir>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QTranslator>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+using namespace burin;
+
+namespace {
+
+constexpr int codeCount = static_cast<int>(ErrorCode::checkFailed) + 1; // the last of the list
+
+Error errorOf(int code) {
+    return {static_cast<ErrorCode>(code), "SUBJECT", "PLACE", "DETAIL"};
+}
+
+/// Does what `install` does, and takes it back at its end.
+class InGerman {
+public:
+    InGerman() : loaded_(translator_.load(QStringLiteral("burin_de"), QStringLiteral(BURIN_TRANSLATIONS))) {
+        QCoreApplication::installTranslator(&translator_);
+    }
+    ~InGerman() { QCoreApplication::removeTranslator(&translator_); }
+    InGerman(const InGerman&) = delete;
+    InGerman& operator=(const InGerman&) = delete;
+    bool loaded() const { return loaded_; }
+
+private:
+    QTranslator translator_;
+    bool loaded_;
+};
+
+QStringList translationFiles() {
+    const QDir folder(QStringLiteral(BURIN_SOURCE_DIRECTORY "/translations"));
+    QStringList files;
+    for (const QString& name : folder.entryList({QStringLiteral("*.ts")})) files.append(folder.filePath(name));
+    return files;
+}
+
+struct Translations {
+    QSet<QString> texts; ///< "context: source"
+    QStringList unfinished;
+    QStringList differentPlaces; ///< texts whose translation has not the same %1, %2, …
+};
+
+QSet<QString> placesIn(const QString& text) {
+    QSet<QString> places;
+    auto match = QRegularExpression(QStringLiteral("%[1-9n]")).globalMatch(text);
+    while (match.hasNext()) places.insert(match.next().captured());
+    return places;
+}
+
+Translations read(const QString& file) {
+    Translations result;
+    QFile content(file);
+    if (!content.open(QIODevice::ReadOnly)) return result;
+    QXmlStreamReader xml(&content);
+    QString context, source;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        if (xml.name() == QLatin1String("name")) context = xml.readElementText();
+        if (xml.name() == QLatin1String("source")) source = xml.readElementText();
+        if (xml.name() != QLatin1String("translation")) continue;
+        const bool unfinished = xml.attributes().hasAttribute(QStringLiteral("type"));
+        const QString translation = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+        const QString text = context + QStringLiteral(": ") + source;
+        result.texts.insert(text);
+        if (unfinished || translation.trimmed().isEmpty()) result.unfinished.append(text);
+        if (placesIn(source) != placesIn(translation)) result.differentPlaces.append(text);
+    }
+    return result;
+}
+
+} // namespace
+
+class TestMessages : public QObject {
+    Q_OBJECT
+private slots:
+    void everyErrorIsASentence_data() {
+        QTest::addColumn<bool>("german");
+        QTest::addColumn<bool>("bare");
+        QTest::newRow("English") << false << false;
+        QTest::newRow("English, without place and detail") << false << true;
+        QTest::newRow("German") << true << false;
+        QTest::newRow("German, without place and detail") << true << true;
+    }
+    void everyErrorIsASentence() {
+        QFETCH(bool, german);
+        QFETCH(bool, bare);
+        std::optional<InGerman> language;
+        if (german) QVERIFY(language.emplace().loaded());
+        QSet<QString> sentences;
+        for (int code = 0; code < codeCount; ++code) {
+            Error error = errorOf(code);
+            if (bare) error.place = error.detail = {};
+            const QString sentence = Messages::sentence(error);
+            QVERIFY2(sentence.contains(QStringLiteral("SUBJECT")), qPrintable(sentence));
+            QVERIFY2(sentence.endsWith(QLatin1Char('.')), qPrintable(sentence));
+            QVERIFY2(!sentence.contains(QLatin1Char('%')) && !sentence.contains(QStringLiteral("()")) &&
+                         !sentence.contains(QStringLiteral("\"\"")),
+                     qPrintable(sentence));
+            QVERIFY2(sentence.count(QRegularExpression(QStringLiteral("\\.( |$)"))) == 1, qPrintable(sentence));
+            QVERIFY2(sentence.front().isUpper() || sentence.front().isPunct(), qPrintable(sentence));
+            QVERIFY2(!sentence.contains(QStringLiteral("please"), Qt::CaseInsensitive), qPrintable(sentence));
+            sentences.insert(sentence);
+        }
+        QCOMPARE(sentences.size(), qsizetype{codeCount}); // no two faults read alike
+    }
+
+    void germanIsNotEnglish() {
+        QStringList english;
+        for (int code = 0; code < codeCount; ++code) english.append(Messages::sentence(errorOf(code)));
+        const InGerman german;
+        QVERIFY(german.loaded());
+        for (int code = 0; code < codeCount; ++code) QVERIFY(Messages::sentence(errorOf(code)) != english[code]);
+    }
+
+    void aPercentSignInANameStaysOne() {
+        const Error error{ErrorCode::projectInUse, "/parts/%2 %1.burin", {}, "process 4711"};
+        QVERIFY(Messages::sentence(error).contains(QStringLiteral("/parts/%2 %1.burin")));
+        QVERIFY(Messages::sentence(error).contains(QStringLiteral("process 4711")));
+    }
+
+    void coresWordsAreTranslated() {
+        const TextId smooth = BURIN_TEXT("Edit", "Smooth");
+        const Error error{ErrorCode::projectIncomplete, "recording", "burin mill", {}};
+        QCOMPARE(Messages::text(smooth), QStringLiteral("Smooth"));
+        QVERIFY(Messages::sentence(error).contains(QStringLiteral("recording")));
+        const InGerman german;
+        QCOMPARE(Messages::text(smooth), QStringLiteral("Glätten"));
+        QVERIFY(Messages::sentence(error).contains(QStringLiteral("Aufzeichnung")));
+    }
+
+    void theLanguageOfTheUserIsInstalled() {
+        QVERIFY(!Messages::install(QLocale(QLocale::Icelandic)));
+        QVERIFY(Messages::install(QLocale(QStringLiteral("de_AT"))));
+        QCOMPARE(Messages::text(BURIN_TEXT("Edit", "Smooth")), QStringLiteral("Glätten"));
+        for (QTranslator* installed : QCoreApplication::instance()->findChildren<QTranslator*>()) delete installed;
+        QCOMPARE(Messages::text(BURIN_TEXT("Edit", "Smooth")), QStringLiteral("Smooth"));
+    }
+
+    void everyTextIsTranslated() {
+        QVERIFY(!translationFiles().isEmpty());
+        for (const QString& file : translationFiles()) {
+            const Translations translations = read(file);
+            QVERIFY(!translations.texts.isEmpty());
+            QCOMPARE(translations.unfinished, QStringList());
+            QCOMPARE(translations.differentPlaces, QStringList());
+        }
+    }
+
+    /// Where this fails, run translations/update and translate what is new.
+    void translationsHoldWhatTheSourcesSay() {
+        const QTemporaryDir folder;
+        for (const QString& file : translationFiles()) {
+            const QString copy = folder.filePath(QFileInfo(file).fileName());
+            QVERIFY(QFile::copy(file, copy));
+            QProcess update;
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert(QStringLiteral("LUPDATE"), QStringLiteral(BURIN_LUPDATE));
+            update.setProcessEnvironment(environment);
+            update.start(QStringLiteral(BURIN_SOURCE_DIRECTORY "/translations/update"), {copy});
+            QVERIFY(update.waitForFinished() && update.exitCode() == 0);
+            const QSet<QString> now = read(copy).texts, kept = read(file).texts;
+            QCOMPARE((now - kept).values(), QStringList());
+            QCOMPARE((kept - now).values(), QStringList());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMessages)
+#include "tst_messages.moc"

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/messages/messages.h"
+
+#include "ui/messages/subjects.h"
+
+#include <QDir>
+
+namespace burin {
+
+namespace {
+
+QString given(const std::string& text) {
+    return text.empty() ? Messages::tr("no details are known") : QString::fromStdString(text);
+}
+
+} // namespace
+
+// No default: the compiler names every code that has no sentence yet.
+QString Messages::sentence(const Error& error) {
+    const QString file = QDir::toNativeSeparators(QString::fromStdString(error.subject));
+    const QString subject = subjectText(error.subject);
+    const QString place = given(error.place), detail = given(error.detail);
+    switch (error.code) {
+    case ErrorCode::cancelled:
+        return tr("\"%1\" was stopped as asked; start it again to finish it.").arg(subject);
+    case ErrorCode::outOfMemory:
+        return tr("There is not enough memory for \"%1\"; close other programs or choose larger voxels.").arg(subject);
+    case ErrorCode::internalFault:
+        return tr("Burin broke a rule of its own in \"%1\" (%2); save your work under another name and report this.")
+            .arg(subject, detail);
+    case ErrorCode::fileNotFound:
+        return tr("\"%1\" does not exist; check its name and its folder.").arg(file);
+    case ErrorCode::fileNotReadable:
+        return tr("\"%1\" can't be read (%2); check the rights of the file.").arg(file, detail);
+    case ErrorCode::fileNotWritable:
+        return tr("\"%1\" can't be written (%2); check the rights of the file and its folder or choose another place.")
+            .arg(file, detail);
+    case ErrorCode::diskFull:
+        return tr("The disk is full, so \"%1\" was not written; make room and try again.").arg(file);
+    case ErrorCode::fileEmpty:
+        return tr("\"%1\" is empty; export or copy it again.").arg(file);
+    case ErrorCode::fileFormatUnknown:
+        return tr("\"%1\" has no format that Burin reads; export it in another one, a model as STEP.").arg(file);
+    case ErrorCode::fileDamaged:
+        if (error.place.empty()) return tr("\"%1\" is damaged; use a backup, or export or copy it again.").arg(file);
+        return tr("\"%1\" is damaged at \"%2\"; use a backup, or export or copy it again.").arg(file, place);
+    case ErrorCode::argumentInvalid:
+        if (error.place.empty()) return tr("The value of \"%1\" can't be used; allowed is: %2.").arg(subject, detail);
+        return tr("The value \"%2\" of \"%1\" can't be used; allowed is: %3.").arg(subject, place, detail);
+    case ErrorCode::nameUnknown:
+        if (error.detail.empty()) return tr("No %1 is called \"%2\"; check the name.").arg(subject, place);
+        return tr("No %1 is called \"%2\"; choose one of these: %3.").arg(subject, place, detail);
+    case ErrorCode::notSupported:
+        if (error.place.empty()) return tr("This version does not support \"%1\"; do without it.").arg(subject);
+        return tr("This version does not support \"%1\"; use \"%2\" instead.").arg(subject, place);
+    case ErrorCode::importTimedOut:
+        return tr("Reading \"%1\" took longer than %2 and was stopped; simplify the model or allow more time.")
+            .arg(file, place);
+    case ErrorCode::importOutOfMemory:
+        return tr("Reading \"%1\" took more memory than %2 and was stopped; simplify the model or allow more memory.")
+            .arg(file, place);
+    case ErrorCode::importCrashed:
+        return tr("The CAD reader failed on \"%1\" (%2); export the model again, if possible as STEP.")
+            .arg(file, detail);
+    case ErrorCode::modelHasNoSolid:
+        return tr("\"%1\" holds no solid, but: %2; export a closed solid.").arg(file, place);
+    case ErrorCode::modelNotWatertight:
+        return tr("The surface of \"%1\" is open (%2); close it in your CAD program and export it again.")
+            .arg(file, place);
+    case ErrorCode::meshIncomplete:
+        return tr("Some faces of \"%1\" can't be meshed (%2); repair them in your CAD program and export it again.")
+            .arg(file, place);
+    case ErrorCode::volumeTooLarge:
+        return tr("A stock of %1 is too large for the limit of %2; choose larger voxels or a smaller stock.")
+            .arg(subject, place);
+    case ErrorCode::volumeOutOfMemory:
+        return tr("The memory reserved for the workpiece (%1 bytes) is used up; save, and go on with larger voxels.")
+            .arg(subject);
+    case ErrorCode::partOutsideStock:
+        return tr("\"%1\" reaches out of the stock (%2); enlarge the margin.").arg(subject, place);
+    case ErrorCode::stockInvalid:
+        return tr("The stock's \"%1\" can't be used; allowed is: %2.").arg(subject, detail);
+    case ErrorCode::resourceInvalid:
+        return tr("\"%1\" can't be used because of \"%2\" (%3); correct the file.").arg(file, place, detail);
+    case ErrorCode::deviceNotFound:
+        return tr("The device \"%1\" was not found; check its cable and its driver.").arg(subject);
+    case ErrorCode::deviceFault:
+        return tr("The device \"%1\" reports a fault (%2); its forces are off until you connect it again.")
+            .arg(subject, detail);
+    case ErrorCode::traceInvalid:
+        return tr("The trace \"%1\" can't be used (%2); correct it or record it again.").arg(file, place);
+    case ErrorCode::projectNotBurin:
+        return tr("\"%1\" is not a Burin project; choose a file that Burin saved.").arg(file);
+    case ErrorCode::projectFromNewerBurin:
+        return tr("\"%1\" was saved by a newer Burin (format %2); update Burin to open it.").arg(file, detail);
+    case ErrorCode::projectInUse:
+        return tr("\"%1\" is open in another program (%2); close it there first.").arg(file, ownerText(error.detail));
+    case ErrorCode::projectIncomplete:
+        return tr("The project lacks \"%1\"; supply it with \"%2\".").arg(subject, place);
+    case ErrorCode::recordingOverflow:
+        return tr("The disk could not keep up, so the recording ended after %1 samples; use a faster disk.")
+            .arg(subject);
+    case ErrorCode::pathEmpty:
+        return tr("The path \"%1\" holds no move; add a take that cuts, or switch off the edit that drops everything.")
+            .arg(subject);
+    case ErrorCode::pathGouges:
+        return tr("The path \"%1\" cuts into the part (%2); hold it out of the part before it is posted.")
+            .arg(subject, place);
+    case ErrorCode::dialectNotFound:
+        return tr("No dialect is called \"%1\"; choose one of these: %2.").arg(subject, detail);
+    case ErrorCode::pluginIncompatible:
+        return tr("The plugin \"%1\" has interface version %2, but this Burin needs %3; install the one made for it.")
+            .arg(file, place, detail);
+    case ErrorCode::pluginInvalid:
+        return tr("The plugin \"%1\" can't be loaded (%2); install it again.").arg(file, detail);
+    case ErrorCode::programSyntax:
+        return tr("The program \"%1\" can't be understood at %2 (%3); correct it there.").arg(file, place, detail);
+    case ErrorCode::programLimit:
+        return tr("The machine's limit of \"%1\" is broken (%2); change the path or choose another machine.")
+            .arg(subject, place);
+    case ErrorCode::checkFailed:
+        return tr("\"%1\" did not pass the check (%2); correct the path and check it again.").arg(file, place);
+    }
+    return tr("An unknown fault occurred in \"%1\"; report this.").arg(subject); // a number that is no code
+}
+
+QString Messages::text(TextId id) {
+    return QCoreApplication::translate(id.context, id.text);
+}
+
+} // namespace burin

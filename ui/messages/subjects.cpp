@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/messages/subjects.h"
+
+#include "core/base/text.h"
+
+#include <QCoreApplication>
+#include <array>
+
+namespace burin {
+
+namespace {
+
+/// The words that core gives as `Error::subject` where it names no file, as its sources have them.
+constexpr std::array subjects{
+    // what a project may lack
+    BURIN_TEXT("Subject", "model"),
+    BURIN_TEXT("Subject", "embedded stock"),
+    BURIN_TEXT("Subject", "recording"),
+    BURIN_TEXT("Subject", "a recording"),
+    BURIN_TEXT("Subject", "a tool"),
+    // kinds of named things
+    BURIN_TEXT("Subject", "body"),
+    BURIN_TEXT("Subject", "dialect"),
+    BURIN_TEXT("Subject", "edit"),
+    BURIN_TEXT("Subject", "machine"),
+    BURIN_TEXT("Subject", "material"),
+    BURIN_TEXT("Subject", "path"),
+    BURIN_TEXT("Subject", "stylus"),
+    BURIN_TEXT("Subject", "take"),
+    BURIN_TEXT("Subject", "tool"),
+    // work that takes time or memory
+    BURIN_TEXT("Subject", "boundary field of a tool"),
+    BURIN_TEXT("Subject", "exact distances"),
+    BURIN_TEXT("Subject", "milling"),
+    BURIN_TEXT("Subject", "replaying takes"),
+    BURIN_TEXT("Subject", "verification"),
+    BURIN_TEXT("Subject", "volume"),
+    BURIN_TEXT("Subject", "voxelisation"),
+    // what a machine limits
+    BURIN_TEXT("Subject", "feed"),
+    // what this version can't do
+    BURIN_TEXT("Subject", "tilted tool axis"),
+    BURIN_TEXT("Subject", "a program with a tool change"),
+};
+
+} // namespace
+
+QString subjectText(const std::string& subject) {
+    for (const TextId& known : subjects)
+        if (subject == known.text) return QCoreApplication::translate(known.context, known.text);
+    return QString::fromStdString(subject);
+}
+
+QString ownerText(const std::string& owner) {
+    const QString text = QString::fromStdString(owner);
+    const QString start = QStringLiteral("process ");
+    if (!text.startsWith(start)) return QCoreApplication::translate("Subject", "another process");
+    return QCoreApplication::translate("Subject", "process %1").arg(text.mid(start.size()));
+}
+
+} // namespace burin
