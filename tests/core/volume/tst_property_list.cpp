@@ -107,12 +107,13 @@ private slots:
         row("missing key", R"("name":"A",)", "", "name");
         row("wrong type", R"("name":"A")", R"("name":5)", "name");
         row("empty id", R"("id":"a")", R"("id":"")", "id");
-        row("colour out of range", "[1,2,3]", "[1,2,256]", "colour");
+        row("colour out of range", "[1,2,3]", "[1,2,256]", "colour[2]");
         row("colour of four", "[1,2,3]", "[1,2,3,4]", "colour");
         row("unknown machinability", R"("machinable")", R"("soft")", "machinability");
         row("number as text", R"("value":1)", R"("value":"1")", "values.k.value");
         row("unknown key of a value", R"("value":1)", R"("value":1,"error":2)", "values.k.error");
         row("value without source", R"(,"source":"s")", "", "values.k.source");
+        row("value of an unknown estimate", R"("value":1)", R"("value":1,"estimate":1)", "values.k.estimate");
         row("values as a list", R"({"k":{"value":1,"unit":"1","source":"s"}})", "[]", "values");
         row("not an object at all", good.toUtf8().constData(), "[]", "");
         row("not JSON", "}", "", "");

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <mutex>
 #include <new>
 #include <thread>
 
@@ -26,7 +27,14 @@ void* operator new(std::size_t size) {
     if (void* memory = std::malloc(size)) return memory;
     throw std::bad_alloc();
 }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    allocations.fetch_add(1, std::memory_order_relaxed);
+    return std::malloc(size);
+}
 void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
     std::free(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
@@ -78,6 +86,20 @@ void setLine(DenseGrid& dense, LineIndex line, const std::vector<Segment>& segme
         dense.fillSpan(line, start, segment.end(), segment.property());
         start = segment.end();
     }
+}
+
+/// What a snapshot holds, counted line by line on the caller's thread.
+RunAmounts recount(const VolumeSnapshot& snapshot) {
+    RunAmounts sum;
+    for (LineIndex line; line.v < snapshot.grid().lineCountV(); ++line.v)
+        for (line.u = 0; line.u < snapshot.grid().lineCountU(); ++line.u) {
+            RunPosition start = 0;
+            for (const Segment segment : snapshot.line(line)) {
+                sum.units[segment.property()] += segment.end() - start;
+                start = segment.end();
+            }
+        }
+    return sum;
 }
 
 } // namespace
@@ -238,7 +260,7 @@ private slots:
                         const std::lock_guard lock(mutex);
                         mine = shown;
                     }
-                    if (mine.snapshot.amounts() != mine.amounts) ++wrong;
+                    if (recount(mine.snapshot) != mine.amounts) ++wrong;
                     ++seen;
                 }
             });
