@@ -17,8 +17,10 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-bool isInside(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+/// Whether a point lies in a triangle, at least `depth` mm from its sides.
+bool isInside(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, double depth) {
+    return turn(a, b, p) >= depth * glm::distance(a, b) && turn(b, c, p) >= depth * glm::distance(b, c) &&
+           turn(c, a, p) >= depth * glm::distance(c, a);
 }
 
 bool crosses(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
@@ -62,13 +64,16 @@ void joinHole(Loop& loop, const Loop& hole) {
     loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(bridge.outer) + 1, insert.begin(), insert.end());
 }
 
-bool isEar(const Loop& loop, std::size_t i) {
+/// @param tolerance mm by which other corners may reach into the ear, or the ear be turned over: where loops cross a
+/// little, exactly so much has to be forgiven.
+bool isEar(const Loop& loop, std::size_t i, double tolerance) {
     const std::size_t n = loop.size();
     const PolygonCorner &a = loop[(i + n - 1) % n], &b = loop[i], &c = loop[(i + 1) % n];
-    if (turn(a.place, b.place, c.place) <= 0.0) return false;
+    const double turned = turn(a.place, b.place, c.place);
+    if (turned <= 0.0 && (tolerance == 0.0 || turned < -tolerance * glm::distance(a.place, c.place))) return false;
     return std::none_of(loop.begin(), loop.end(), [&](const PolygonCorner& p) {
         return p.place != a.place && p.place != b.place && p.place != c.place &&
-               isInside(p.place, a.place, b.place, c.place);
+               isInside(p.place, a.place, b.place, c.place, tolerance);
     });
 }
 
@@ -80,24 +85,62 @@ double shape(const Loop& loop, std::size_t i) {
     return longest > 0.0 ? turn(a, b, c) / longest : 0.0;
 }
 
-/// The ear to clip next. Where loops touch or cross there may be none: then the corner that turns least the wrong way.
-std::size_t nextEar(const Loop& loop) {
+/// The best-shaped ear, or the first good one.
+std::optional<std::size_t> findEar(const Loop& loop, double tolerance) {
     constexpr double good = 0.2;
     std::optional<std::size_t> best;
-    std::size_t least = 0;
-    double bestShape = 0.0, leastHarm = std::numeric_limits<double>::infinity();
+    double bestShape = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const double quality = shape(loop, i);
-        if (std::abs(quality) < leastHarm) {
-            leastHarm = std::abs(quality);
-            least = i;
-        }
-        if (quality <= bestShape || !isEar(loop, i)) continue;
+        if (quality <= bestShape || !isEar(loop, i, tolerance)) continue;
         bestShape = quality;
         best = i;
         if (quality > good) break;
     }
-    return best.value_or(least);
+    return best;
+}
+
+/// The ear to clip next. Where loops touch or cross there may be none without forgiving something; where nothing helps,
+/// the flattest corner.
+std::size_t nextEar(const Loop& loop) {
+    for (const double tolerance : {0.0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) // mm
+        if (const std::optional<std::size_t> ear = findEar(loop, tolerance)) return *ear;
+    std::size_t flattest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        if (const double quality = std::abs(shape(loop, i)); quality < least) {
+            least = quality;
+            flattest = i;
+        }
+    return flattest;
+}
+
+/// The corners between two edges of the loop that cross each other, as first and count; the shorter way round.
+struct Lobe {
+    std::size_t first = 0, count = 0;
+};
+
+std::optional<Lobe> findLobe(const Loop& loop) {
+    constexpr std::size_t most = 12; // corners; a tip of two rounded edges that run into each other has a few
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t steps = 2; steps <= most && steps + 2 < n; ++steps) {
+            const PolygonCorner &a = loop[i], &b = loop[(i + 1) % n], &c = loop[(i + steps) % n],
+                                &d = loop[(i + steps + 1) % n];
+            const bool touches = a.place == c.place || a.place == d.place || b.place == c.place || b.place == d.place;
+            if (!touches && crosses(a.place, b.place, c.place, d.place)) return Lobe{(i + 1) % n, steps};
+        }
+    return std::nullopt;
+}
+
+/// Clips the lobes where a loop crosses itself close by, before any other ear: where two edges of a face run into each
+/// other in a sharp tip, their rounding to chords makes them cross by a ten-thousandth of a millimetre, and the ears of
+/// such a loop would overlap across the whole face.
+template <class Clip>
+void untangle(Loop& loop, Clip clip) {
+    for (std::optional<Lobe> lobe = findLobe(loop); lobe && loop.size() > 3; lobe = findLobe(loop))
+        for (std::size_t i = 0; i < lobe->count && loop.size() > 3; ++i)
+            clip(loop, lobe->first < loop.size() ? lobe->first : 0);
 }
 
 } // namespace
@@ -105,6 +148,16 @@ std::size_t nextEar(const Loop& loop) {
 std::vector<std::array<std::uint32_t, 3>> fillPolygon(std::vector<Loop> loops) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     if (loops.empty()) return triangles;
+    // At the end of a bridge a corner may lie between twice the same vertex: nothing is left to cover there.
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        if (a != b && b != c && c != a) triangles.push_back({a, b, c});
+    };
+    const auto clip = [&](Loop& from, std::size_t ear) {
+        const std::size_t n = from.size();
+        add(from[(ear + n - 1) % n].vertex, from[ear].vertex, from[(ear + 1) % n].vertex);
+        from.erase(from.begin() + static_cast<std::ptrdiff_t>(ear));
+    };
+    for (Loop& each : loops) untangle(each, clip);
     Loop loop = std::move(loops.front());
     const auto rightmost = [](const Loop& hole) {
         double x = -std::numeric_limits<double>::infinity();
@@ -114,15 +167,7 @@ std::vector<std::array<std::uint32_t, 3>> fillPolygon(std::vector<Loop> loops) {
     std::sort(loops.begin() + 1, loops.end(),
               [&](const Loop& a, const Loop& b) { return rightmost(a) > rightmost(b); });
     for (std::size_t hole = 1; hole < loops.size(); ++hole) joinHole(loop, loops[hole]);
-    // At the end of a bridge a corner may lie between twice the same vertex: nothing is left to cover there.
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (a != b && b != c && c != a) triangles.push_back({a, b, c});
-    };
-    while (loop.size() > 3) {
-        const std::size_t ear = nextEar(loop), n = loop.size();
-        add(loop[(ear + n - 1) % n].vertex, loop[ear].vertex, loop[(ear + 1) % n].vertex);
-        loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(ear));
-    }
+    while (loop.size() > 3) clip(loop, nextEar(loop));
     if (loop.size() == 3) add(loop[0].vertex, loop[1].vertex, loop[2].vertex);
     return triangles;
 }
