@@ -33,6 +33,10 @@ struct BrickField {
     std::size_t brickCount() const noexcept { return count(bricks); }
     std::size_t cornerCount() const noexcept { return count(bricks + 1); }
     std::size_t brickAt(const glm::ivec3& b) const noexcept { return at(b, bricks); }
+    glm::ivec3 brickOf(std::size_t number) const noexcept {
+        const auto nx = static_cast<std::size_t>(bricks.x), ny = static_cast<std::size_t>(bricks.y);
+        return {static_cast<int>(number % nx), static_cast<int>(number / nx % ny), static_cast<int>(number / nx / ny)};
+    }
     std::size_t cornerAt(const glm::ivec3& c) const noexcept { return at(c, bricks + 1); }
     static std::size_t sampleAt(const glm::ivec3& s) noexcept { return at(s, glm::ivec3(samplesAlong)); }
     glm::dvec3 brickLow(const glm::ivec3& b) const noexcept { return tips.low + glm::dvec3(b) * brickEdge(); }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/field_builder.h"
 
+#include "core/field/brick_sampler.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -17,7 +19,20 @@ namespace burin {
 namespace {
 
 constexpr double halfDiagonal = 0.5 * std::numbers::sqrt3; // of a cube of edge 1
-constexpr double farthest = 1e6;                           // mm: what an empty part answers
+
+/// @param work takes a number of 0 … count; spread over the processors, reported from `from` to `to`.
+template <class Work>
+void spread(std::size_t count, double from, double to, Progress& progress, const Work& work) {
+    std::atomic<std::size_t> done{0};
+    const std::thread::id caller = std::this_thread::get_id(); // Progress has one writer
+    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+        if (progress.cancelled()) return;
+        work(i);
+        const std::size_t ready = done.fetch_add(1, std::memory_order_relaxed) + 1;
+        if (std::this_thread::get_id() == caller)
+            progress.report(from + (to - from) * static_cast<double>(ready) / static_cast<double>(count));
+    });
+}
 
 class Builder {
 public:
@@ -29,8 +44,9 @@ public:
         sampleCorners();
         boundCoarseBricks();
         if (!choose()) return tooLarge();
-        sampleBricks();
-        sampleUpperFaces();
+        BrickSampler sampler(part_, request_, resolution_, field_, fine_);
+        spread(fine_.size(), 0.2, 0.5, progress_, [&](std::size_t order) { sampler.sampleEven(order); });
+        spread(fine_.size(), 0.5, 1.0, progress_, [&](std::size_t order) { sampler.fill(order); });
         if (progress_.cancelled()) return Error{ErrorCode::cancelled, "boundary field of a tool", "", ""};
         progress_.report(1.0);
         return std::move(field_);
@@ -41,23 +57,8 @@ private:
         return {ErrorCode::outOfMemory, "boundary field of a tool", "", "more bricks than a field can count"};
     }
 
-    /// Clearance with the tip at a place, or `within` where it is more.
     double clearance(const glm::dvec3& tip, double within) const {
-        return std::min(part_.clearance(request_.tool, {tip, {0.0, 0.0, 1.0}}, within).clearance, farthest);
-    }
-
-    /// @param work takes a number of 0 … count; spread over the processors, reported from `from` to `to`.
-    template <class Work>
-    void spread(std::size_t count, double from, double to, const Work& work) {
-        std::atomic<std::size_t> done{0};
-        const std::thread::id caller = std::this_thread::get_id(); // Progress has one writer
-        tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
-            if (progress_.cancelled()) return;
-            work(i);
-            const std::size_t ready = done.fetch_add(1, std::memory_order_relaxed) + 1;
-            if (std::this_thread::get_id() == caller)
-                progress_.report(from + (to - from) * static_cast<double>(ready) / static_cast<double>(count));
-        });
+        return clearanceAt(part_, request_, tip, within).value;
     }
 
     bool lay() {
@@ -80,11 +81,6 @@ private:
         return true;
     }
 
-    glm::ivec3 brickOf(std::size_t number) const noexcept {
-        const auto nx = static_cast<std::size_t>(field_.bricks.x), ny = static_cast<std::size_t>(field_.bricks.y);
-        return {static_cast<int>(number % nx), static_cast<int>(number / nx % ny), static_cast<int>(number / nx / ny)};
-    }
-
     static float roundedDown(double value) noexcept {
         const auto nearest = static_cast<float>(value);
         return static_cast<double>(nearest) > value ? std::nextafter(nearest, -std::numeric_limits<float>::infinity())
@@ -93,10 +89,10 @@ private:
 
     void sampleCorners() {
         const int rows = field_.bricks.y + 1;
-        spread(static_cast<std::size_t>(rows) * static_cast<std::size_t>(field_.bricks.z + 1), 0.0, 0.1,
+        spread(static_cast<std::size_t>(rows) * static_cast<std::size_t>(field_.bricks.z + 1), 0.0, 0.1, progress_,
                [&](std::size_t row) {
                    const int j = static_cast<int>(row) % rows, k = static_cast<int>(row) / rows;
-                   double bound = farthest;
+                   double bound = farthestClearance;
                    for (int i = 0; i <= field_.bricks.x; ++i) {
                        const glm::ivec3 corner{i, j, k};
                        const double value = clearance(field_.brickLow(corner), bound);
@@ -107,7 +103,7 @@ private:
     }
 
     std::pair<double, double> cornerRange(const glm::ivec3& brick) const noexcept {
-        double low = farthest, high = -farthest;
+        double low = farthestClearance, high = -farthestClearance;
         for (int i = 0; i < 8; ++i) {
             const double value = field_.corners[field_.cornerAt(brick + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2))];
             low = std::min(low, value);
@@ -119,7 +115,7 @@ private:
     void boundCoarseBricks() {
         const double edge = field_.brickEdge();
         for (std::size_t number = 0; number < field_.brickCount(); ++number) {
-            const double least = cornerRange(brickOf(number)).first - halfDiagonal * edge;
+            const double least = cornerRange(field_.brickOf(number)).first - halfDiagonal * edge;
             double bound = halfDiagonal * edge; // the clearance changes no faster than the tip moves
             if (least > 0.0) bound = std::min(bound, 0.375 * edge * edge / least); // nor bends more than a ball's
             field_.coarseBound[number] = static_cast<float>(bound * (1.0 + 1e-6) + 1e-6);
@@ -142,8 +138,8 @@ private:
     bool choose() {
         const double edge = field_.brickEdge(), radius = halfDiagonal * edge;
         std::vector<std::uint8_t> wanted(field_.brickCount(), 0);
-        spread(field_.brickCount(), 0.1, 0.2, [&](std::size_t number) {
-            const glm::ivec3 brick = brickOf(number);
+        spread(field_.brickCount(), 0.1, 0.2, progress_, [&](std::size_t number) {
+            const glm::ivec3 brick = field_.brickOf(number);
             const auto [low, high] = cornerRange(brick);
             if (low - radius > resolution_.high || high + radius < resolution_.low) return;
             wanted[number] = inBand(field_.brickLow(brick) + 0.5 * edge, edge, 2) ? 1 : 0;
@@ -156,71 +152,6 @@ private:
         if (fine_.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) return false;
         field_.samples.assign(fine_.size() * BrickField::samplesPerBrick, 0);
         return true;
-    }
-
-    std::int16_t packed(double value) const noexcept {
-        const double units = std::floor((value - resolution_.interpolationBound) / field_.quantum);
-        return static_cast<std::int16_t>(std::clamp(units, -32767.0, 32767.0));
-    }
-
-    /// Each brick's own samples: all but those on its upper faces, which the next bricks own.
-    void sampleBricks() {
-        spread(fine_.size(), 0.2, 0.85, [&](std::size_t order) {
-            const glm::dvec3 low = field_.brickLow(brickOf(fine_[order]));
-            std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
-            const double step = field_.spacing + 1e-6;
-            double layerBound = farthest;
-            for (int k = 0; k < BrickField::cells; ++k) {
-                double rowBound = layerBound;
-                for (int j = 0; j < BrickField::cells; ++j) {
-                    double bound = rowBound;
-                    for (int i = 0; i < BrickField::cells; ++i) {
-                        const glm::ivec3 at{i, j, k};
-                        const double value = clearance(low + glm::dvec3(at) * field_.spacing, bound);
-                        first[BrickField::sampleAt(at)] = packed(value);
-                        bound = value + step;
-                        if (i == 0) rowBound = bound;
-                        if (i == 0 && j == 0) layerBound = bound;
-                    }
-                }
-            }
-        });
-    }
-
-    void sampleUpperFaces() {
-        spread(fine_.size(), 0.85, 1.0, [&](std::size_t order) {
-            const glm::ivec3 brick = brickOf(fine_[order]);
-            double bound = farthest;
-            glm::ivec3 last{0};
-            for (int k = 0; k <= BrickField::cells; ++k)
-                for (int j = 0; j <= BrickField::cells; ++j)
-                    for (int i = j == BrickField::cells || k == BrickField::cells ? 0 : BrickField::cells;
-                         i <= BrickField::cells; ++i) {
-                        const glm::ivec3 at{i, j, k};
-                        std::int16_t& sample =
-                            field_.samples[order * BrickField::samplesPerBrick + BrickField::sampleAt(at)];
-                        if (const std::int16_t* known = ownedByNext(brick, at)) {
-                            sample = *known;
-                            continue;
-                        }
-                        const double way = field_.spacing * glm::length(glm::dvec3(at - last));
-                        const double value =
-                            clearance(field_.brickLow(brick) + glm::dvec3(at) * field_.spacing, bound + way);
-                        sample = packed(value);
-                        bound = value + 1e-6;
-                        last = at;
-                    }
-        });
-    }
-
-    /// A sample on an upper face, where the brick that it is a lower one of is fine too.
-    const std::int16_t* ownedByNext(const glm::ivec3& brick, const glm::ivec3& at) const noexcept {
-        const glm::ivec3 step = at / BrickField::cells, owner = brick + step;
-        if (owner.x >= field_.bricks.x || owner.y >= field_.bricks.y || owner.z >= field_.bricks.z) return nullptr;
-        const std::int32_t place = field_.place[field_.brickAt(owner)];
-        if (place == BrickField::coarse) return nullptr;
-        return &field_.samples[static_cast<std::size_t>(place) * BrickField::samplesPerBrick +
-                               BrickField::sampleAt(at - step * BrickField::cells)];
     }
 
     const MeshDistance& part_;

@@ -152,16 +152,51 @@ private:
                 floor += piece.piece().cornerRadius;
                 meetBall(piece, i, tie, found);
             }
-            NearPiece near(tree_, piece, floor);
-            near.limit(found.distance - tie);
-            walk(tree_, near, [&](std::size_t slot) noexcept {
-                const auto least = minimumOverTriangle(piece, tree_.triangles()[slot], found.distance - tie);
-                if (!least) return;
-                found = {slot, least->point, least->feature, least->distance, i, true};
-                near.limit(found.distance - tie);
-            });
+            meetPiece(piece, i, floor, tie, found);
         }
         return found;
+    }
+
+    /// One look at each triangle first: most drop out before a minimum over a triangle has to be found.
+    void meetPiece(const PlacedPiece& piece, std::size_t number, double floor, double tie,
+                   Found& found) const noexcept {
+        struct Candidate {
+            double below;
+            std::size_t slot;
+        };
+        std::array<Candidate, 64> candidates;
+        std::size_t count = 0;
+        NearPiece near(tree_, piece, floor);
+        const auto take = [&](const Found& better) noexcept {
+            found = better;
+            near.limit(found.distance - tie);
+        };
+        const auto solve = [&](std::size_t slot) noexcept {
+            if (const auto least = minimumOverTriangle(piece, tree_.triangles()[slot], found.distance - tie))
+                take({slot, least->point, least->feature, least->distance, number, true});
+        };
+        near.limit(found.distance - tie);
+        walk(tree_, near, [&](std::size_t slot) noexcept {
+            const TriangleBounds bounds = boundsOverTriangle(piece, tree_.triangles()[slot]);
+            if (bounds.below >= found.distance - tie) return;
+            if (bounds.above < found.distance - tie)
+                take({slot, bounds.centroid, TriangleFeature::face, bounds.above, number, true});
+            if (count == candidates.size()) { // some will have dropped out by now
+                const auto end = std::remove_if(candidates.begin(), candidates.end(),
+                                                [&](const Candidate& c) { return c.below >= found.distance - tie; });
+                count = static_cast<std::size_t>(end - candidates.begin());
+            }
+            if (count < candidates.size())
+                candidates[count++] = {bounds.below, slot};
+            else
+                solve(slot);
+        });
+        const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(count);
+        std::sort(candidates.begin(), end, [](const Candidate& a, const Candidate& b) { return a.below < b.below; });
+        for (auto candidate = candidates.begin(); candidate != end; ++candidate) {
+            if (candidate->below >= found.distance - tie) break;
+            solve(candidate->slot);
+        }
     }
 
     /// What lies below a ball's centre is as near to the ball as it is to the centre, which is quicker to ask. What

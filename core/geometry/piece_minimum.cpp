@@ -80,25 +80,18 @@ std::optional<PieceMinimum> minimumToBall(const PlacedPiece& placed, const Trian
 
 } // namespace
 
-PlacedPiece::Value PlacedPiece::at(const glm::dvec3& point) const noexcept {
-    const glm::dvec3 q = point - pose_.tip;
-    const double height = glm::dot(q, pose_.axis);
-    const glm::dvec3 across = q - height * pose_.axis;
-    const double radius = glm::length(across);
-    const PieceDistance d = signedDistanceAndSlope(piece_, radius, height);
-    glm::dvec3 gradient = d.alongHeight * pose_.axis;
-    if (radius > 0.0) gradient += (d.alongRadius / radius) * across;
-    return {d.distance, gradient};
-}
-
-std::optional<PieceMinimum> minimumOverTriangle(const PlacedPiece& piece, const Triangle& triangle,
-                                                double cutoff) noexcept {
+TriangleBounds boundsOverTriangle(const PlacedPiece& piece, const Triangle& triangle) noexcept {
     const glm::dvec3 centroid = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
     const PlacedPiece::Value value = piece.at(centroid);
     const double fall =
         std::min({glm::dot(value.gradient, triangle[0] - centroid), glm::dot(value.gradient, triangle[1] - centroid),
                   glm::dot(value.gradient, triangle[2] - centroid)});
-    if (value.distance + fall >= cutoff) return std::nullopt; // its tangent plane, below the convex distance, is not
+    return {centroid, value.distance, value.distance + fall}; // a convex function stays above its tangents
+}
+
+std::optional<PieceMinimum> minimumOverTriangle(const PlacedPiece& piece, const Triangle& triangle,
+                                                double cutoff) noexcept {
+    if (boundsOverTriangle(piece, triangle).below >= cutoff) return std::nullopt;
 
     if (piece.ballEnd()) {
         if (const std::optional<PieceMinimum> ball = minimumToBall(piece, triangle))

@@ -39,10 +39,30 @@ struct PieceMinimum {
     TriangleFeature feature = TriangleFeature::face;
 };
 
+/// What one look at a triangle's middle tells of its least signed distance, mm: not above `above`, which is taken at
+/// `centroid`, and not below `below`.
+struct TriangleBounds {
+    glm::dvec3 centroid{0.0};
+    double above = 0.0;
+    double below = 0.0;
+};
+TriangleBounds boundsOverTriangle(const PlacedPiece& piece, const Triangle& triangle) noexcept;
+
 /// Least signed distance from the points of a triangle to a piece, exact to 1e-8 mm. None when it is not below
 /// `cutoff`, mm. The signed distance of a convex body is convex: its minimum over the triangle's plane is the one over
 /// the triangle when it lies in it, and otherwise the least on the edges that this point is beyond.
 std::optional<PieceMinimum> minimumOverTriangle(const PlacedPiece& piece, const Triangle& triangle,
                                                 double cutoff) noexcept;
+
+inline PlacedPiece::Value PlacedPiece::at(const glm::dvec3& point) const noexcept {
+    const glm::dvec3 q = point - pose_.tip;
+    const double height = glm::dot(q, pose_.axis);
+    const glm::dvec3 across = q - height * pose_.axis;
+    const double radius = glm::length(across);
+    const PieceDistance d = signedDistanceAndSlope(piece_, radius, height);
+    glm::dvec3 gradient = d.alongHeight * pose_.axis;
+    if (radius > 0.0) gradient += (d.alongRadius / radius) * across;
+    return {d.distance, gradient};
+}
 
 } // namespace burin

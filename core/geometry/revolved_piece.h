@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-#include <vector>
+#include <cmath>
 
 namespace burin {
 
@@ -29,9 +29,55 @@ struct PieceDistance {
 
 /// Signed distance, mm, from a point to the piece, negative inside; the point in cylinder coordinates of the tool
 /// frame: `radius` >= 0 from the axis, `height` above the tip. Exact outside and inside; convex; 1-Lipschitz.
-double signedDistance(const RevolvedPiece& piece, double radius, double height) noexcept;
+inline double signedDistance(const RevolvedPiece& piece, double radius, double height) noexcept;
 
 /// The same with its slopes.
-PieceDistance signedDistanceAndSlope(const RevolvedPiece& piece, double radius, double height) noexcept;
+inline PieceDistance signedDistanceAndSlope(const RevolvedPiece& piece, double radius, double height) noexcept;
+
+// Asked hundreds of times in one clearance: kept in sight of the compiler.
+namespace profile {
+
+/// Distance to a point of the profile. On the point itself the slope is `face`'s, which meets it.
+inline PieceDistance fromPoint(double radial, double axial, const PieceDistance& face) noexcept {
+    const double distance = std::sqrt(radial * radial + axial * axial);
+    if (distance > 0.0) return {distance, radial / distance, axial / distance};
+    return {0.0, face.alongRadius, face.alongHeight};
+}
+
+/// The nearest of the flat faces, for a point inside or with one face in its way.
+inline PieceDistance bottomOrTop(const RevolvedPiece& piece, double height) noexcept {
+    const double below = piece.bottom - height;
+    const double above = height - piece.top;
+    return below > above ? PieceDistance{below, 0.0, -1.0} : PieceDistance{above, 0.0, 1.0};
+}
+
+inline PieceDistance cylinder(const RevolvedPiece& piece, double radius, double height) noexcept {
+    const double corner = piece.cornerRadius;
+    const double fromRing = radius - (piece.bottomRadius - corner);
+    const double overRing = height - (piece.bottom + corner);
+    if (corner > 0.0 && fromRing > 0.0 && overRing < 0.0) {
+        PieceDistance rounding = fromPoint(fromRing, overRing, {});
+        rounding.distance -= corner;
+        const double above = height - piece.top;
+        return rounding.distance >= above ? rounding : PieceDistance{above, 0.0, 1.0};
+    }
+    const double beside = radius - piece.bottomRadius;
+    const PieceDistance flat = bottomOrTop(piece, height);
+    if (beside > 0.0 && flat.distance > 0.0) return fromPoint(beside, flat.alongHeight * flat.distance, flat);
+    return beside > flat.distance ? PieceDistance{beside, 1.0, 0.0} : flat;
+}
+
+PieceDistance frustum(const RevolvedPiece& piece, double radius, double height) noexcept;
+
+} // namespace profile
+
+inline PieceDistance signedDistanceAndSlope(const RevolvedPiece& piece, double radius, double height) noexcept {
+    return piece.bottomRadius == piece.topRadius ? profile::cylinder(piece, radius, height)
+                                                 : profile::frustum(piece, radius, height);
+}
+
+inline double signedDistance(const RevolvedPiece& piece, double radius, double height) noexcept {
+    return signedDistanceAndSlope(piece, radius, height).distance;
+}
 
 } // namespace burin

@@ -53,8 +53,12 @@ struct Range {
 
 class Builder {
 public:
-    Builder(std::vector<FloatBox> boxes, std::vector<std::uint32_t>& order, std::vector<TreeNode>& nodes)
-        : boxes_(std::move(boxes)), order_(order), nodes_(nodes) {}
+    Builder(const std::vector<Triangle>& source, const glm::dvec3& origin, std::vector<std::uint32_t>& order,
+            std::vector<TreeNode>& nodes)
+        : source_(source), origin_(origin), order_(order), nodes_(nodes) {
+        boxes_.reserve(source.size());
+        for (const Triangle& triangle : source) boxes_.push_back(boxOf(triangle, origin));
+    }
 
     std::uint32_t build(const Range& range, int depth) {
         std::array<Range, TreeNode::width> parts;
@@ -72,6 +76,7 @@ public:
                 node.low[static_cast<std::size_t>(axis)][child] = parts[child].box.low[axis];
                 node.high[static_cast<std::size_t>(axis)][child] = parts[child].box.high[axis];
             }
+            setPlate(node, child, parts[child]);
         }
         return self;
     }
@@ -98,6 +103,27 @@ private:
 
     glm::vec3 centre(std::uint32_t triangle) const noexcept {
         return 0.5F * (boxes_[triangle].low + boxes_[triangle].high);
+    }
+
+    void setPlate(TreeNode& node, std::size_t child, const Range& range) const noexcept {
+        glm::dvec3 sum(0.0);
+        for (std::uint32_t i = range.begin; i < range.end; ++i) sum += areaNormal(source_[order_[i]]);
+        const double length = glm::length(sum);
+        const glm::vec3 normal(length > 0.0 ? sum / length : glm::dvec3(0.0, 0.0, 1.0));
+        const glm::dvec3 centre = 0.5 * (glm::dvec3(range.box.low) + glm::dvec3(range.box.high));
+        double below = 0.0, above = 0.0, squared = 0.0;
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            for (const glm::dvec3& corner : source_[order_[i]]) {
+                const glm::dvec3 way = corner - origin_ - centre;
+                const double along = glm::dot(glm::dvec3(normal), way);
+                below = std::min(below, along);
+                above = std::max(above, along);
+                squared = std::max(squared, glm::dot(way, way));
+            }
+        node.below[child] = roundedDown(below);
+        node.above[child] = roundedUp(above);
+        node.radius[child] = roundedUp(std::sqrt(squared) * (1.0 + 1e-12));
+        for (int axis = 0; axis < 3; ++axis) node.normal[static_cast<std::size_t>(axis)][child] = normal[axis];
     }
 
     /// Splits the range whose walk costs most until there are four or only leaves are left.
@@ -187,6 +213,8 @@ private:
         }
     }
 
+    const std::vector<Triangle>& source_;
+    const glm::dvec3& origin_;
     std::vector<FloatBox> boxes_;
     std::vector<std::uint32_t>& order_;
     std::vector<TreeNode>& nodes_;
@@ -201,10 +229,7 @@ TriangleTree::TriangleTree(std::vector<Triangle> source) : order_(source.size())
     origin_ = bounds_.centre();
     std::iota(order_.begin(), order_.end(), 0U);
 
-    std::vector<FloatBox> boxes;
-    boxes.reserve(source.size());
-    for (const Triangle& triangle : source) boxes.push_back(boxOf(triangle, origin_));
-    Builder builder(std::move(boxes), order_, nodes_);
+    Builder builder(source, origin_, order_, nodes_);
     builder.build(builder.whole(), 0);
 
     triangles_.reserve(source.size());

@@ -14,13 +14,19 @@
 namespace burin {
 
 /// Four boxes side by side, single precision, relative to the tree's origin and rounded outwards, so that what is
-/// outside a box here is outside the true one.
+/// outside a box here is outside the true one. Beside each box a plate: what lies in the box is also between two planes
+/// and no farther from the box's centre than `radius`. Surfaces are thin in their own direction, not in the axes'.
 struct alignas(64) TreeNode {
     static constexpr std::size_t width = 4;
-    std::array<std::array<float, width>, 3> low; ///< [axis][child]
-    std::array<std::array<float, width>, 3> high;
+    using Floats = std::array<float, width>; ///< one a child
+
+    std::array<Floats, 3> low; ///< [axis][child]
+    std::array<Floats, 3> high;
     std::array<std::uint32_t, width> first; ///< a leaf's first triangle, or a node
     std::array<std::uint32_t, width> count; ///< a leaf's triangles; 0: `first` is a node. Unused children: empty box.
+    std::array<Floats, 3> normal;           ///< unit, [axis][child]
+    Floats below, above;                    ///< along the normal from the box's centre: below <= 0 <= above
+    Floats radius;
 };
 
 /// Bounding volume hierarchy over triangles, four children a node, at most four triangles a leaf, split by the surface

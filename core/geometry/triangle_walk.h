@@ -46,10 +46,28 @@ void walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noex
     }
 }
 
-/// Squared distances from a point to boxes.
+/// Middle of a child's box, relative to the tree's origin.
+inline glm::dvec3 boxCentre(const TreeNode& node, std::size_t child) noexcept {
+    glm::dvec3 centre;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        centre[static_cast<int>(axis)] =
+            0.5 * (static_cast<double>(node.low[axis][child]) + static_cast<double>(node.high[axis][child]));
+    return centre;
+}
+
+/// How far a slope can fall between the middle of a child's box and a point of its plate.
+inline double fallOverPlate(const TreeNode& node, std::size_t child, const glm::dvec3& slope) noexcept {
+    const glm::dvec3 normal(node.normal[0][child], node.normal[1][child], node.normal[2][child]);
+    const double along = glm::dot(slope, normal);
+    const double across = glm::length(slope - along * normal);
+    const double thickness = along > 0.0 ? node.below[child] : node.above[child];
+    return across * node.radius[child] - along * thickness;
+}
+
+/// Squared distances from a point to boxes and plates.
 class NearPoint {
 public:
-    NearPoint(const TriangleTree& tree, const glm::dvec3& point) noexcept : at_(point - tree.origin()) {
+    NearPoint(const TriangleTree& tree, const glm::dvec3& point) noexcept : point_(point - tree.origin()), at_(point_) {
         const glm::vec3 size = glm::abs(at_);
         slack_ = 2.4e-7F * std::max({size.x, size.y, size.z}); // what rounding the point may have hidden
     }
@@ -69,10 +87,22 @@ public:
                 squared[child] += gap * gap;
             }
         }
+        for (std::size_t child = 0; child < TreeNode::width; ++child)
+            if (squared[child] < limit_) squared[child] = std::max(squared[child], plateBound(node, child));
         return squared;
     }
 
 private:
+    /// The distance is convex: over a plate it stays above its tangent at the middle.
+    float plateBound(const TreeNode& node, std::size_t child) const noexcept {
+        const glm::dvec3 way = boxCentre(node, child) - point_;
+        const double distance = glm::length(way);
+        if (!(distance > 0.0)) return 0.0F;
+        const double bound = distance - fallOverPlate(node, child, way / distance) - 1e-12 * distance;
+        return bound > 0.0 ? static_cast<float>(bound * bound) : 0.0F;
+    }
+
+    glm::dvec3 point_;
     glm::vec3 at_;
     float slack_ = 0.0F;
     float limit_ = 0.0F;
@@ -83,8 +113,9 @@ private:
 class NearPiece {
 public:
     NearPiece(const TriangleTree& tree, const PlacedPiece& placed, double floor) noexcept
-        : placed_(&placed), origin_(tree.origin()),
-          floor_(floor > placed.piece().bottom ? floor : -std::numeric_limits<double>::infinity()) {
+        : placed_(&placed)
+        , origin_(tree.origin())
+        , floor_(floor > placed.piece().bottom ? floor : -std::numeric_limits<double>::infinity()) {
         const auto& [tip, axis] = placed.pose();
         const RevolvedPiece& piece = placed.piece();
         const glm::dvec3 bottom = tip + floor * axis - origin_, top = tip + piece.top * axis - origin_;
@@ -126,18 +157,16 @@ public:
 private:
     /// The signed distance is convex: over a box it stays above its tangent at the box's centre.
     float tangentBound(const TreeNode& node, std::size_t child) const noexcept {
-        glm::dvec3 centre, half;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double low = node.low[axis][child], high = node.high[axis][child];
-            centre[static_cast<int>(axis)] = 0.5 * (low + high);
-            half[static_cast<int>(axis)] = 0.5 * (high - low);
-        }
+        const glm::dvec3 centre = boxCentre(node, child);
+        const glm::dvec3 half = glm::dvec3(node.high[0][child], node.high[1][child], node.high[2][child]) - centre;
         const glm::dvec3& axis = placed_->pose().axis;
         const glm::dvec3 point = centre + origin_;
         const double highest = glm::dot(point - placed_->pose().tip, axis) + glm::dot(glm::abs(axis), half);
         if (highest < floor_) return std::numeric_limits<float>::infinity();
         const PlacedPiece::Value value = placed_->at(point);
-        const double bound = value.distance - glm::dot(glm::abs(value.gradient), half);
+        const double fall =
+            std::min(glm::dot(glm::abs(value.gradient), half), fallOverPlate(node, child, value.gradient));
+        const double bound = value.distance - fall;
         return static_cast<float>(bound - 1e-9 - 1.2e-7 * std::abs(bound));
     }
 

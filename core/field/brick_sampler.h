@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/field/brick_field.h"
+#include "core/field/field_builder.h"
+
+#include <optional>
+
+namespace burin {
+
+inline constexpr double farthestClearance = 1e6; ///< mm: what an empty part answers
+
+/// Clearance and its gradient with the tip at a place.
+struct ClearanceSample {
+    double value = 0.0;       ///< mm
+    glm::dvec3 gradient{0.0}; ///< not a number where the clearance was not found within the limit
+};
+
+/// @param within mm; more is answered as this
+ClearanceSample clearanceAt(const MeshDistance& part, const ToolFieldRequest& request, const glm::dvec3& tip,
+                            double within);
+
+/// Fills the fine bricks of a field. Every second sample along each axis is asked of the mesh, with its gradient; what
+/// lies between follows from those two by cubics (Hermite) where they say that the clearance is smooth there, and is
+/// asked of the mesh where they don't.
+class BrickSampler {
+public:
+    /// @param fine numbers of the fine bricks, in the order of their samples
+    BrickSampler(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
+                 BrickField& field, const std::vector<std::uint32_t>& fine);
+
+    /// The even samples that a brick owns: all but those on its upper faces. Any thread, each brick once.
+    void sampleEven(std::size_t order);
+    /// All of a brick's samples. Any thread, each brick once, when all bricks have their even ones.
+    void fill(std::size_t order);
+
+private:
+    static constexpr int evens = BrickField::cells / 2; ///< owned, along an axis
+    static constexpr int evensAlong = evens + 1;
+
+    struct Even {
+        float value = 0.0F;
+        glm::vec3 gradient{0.0F};
+    };
+    using Evens = std::array<ClearanceSample, evensAlong * evensAlong * evensAlong>;
+
+    glm::dvec3 place(std::size_t order, const glm::ivec3& sample) const noexcept;
+    Evens gather(std::size_t order) const;
+    std::optional<double> between(const Evens& all, const glm::ivec3& sample) const noexcept;
+    std::int16_t packed(double value) const noexcept;
+
+    const MeshDistance& part_;
+    const ToolFieldRequest& request_;
+    const FieldResolution resolution_;
+    BrickField& field_;
+    const std::vector<std::uint32_t>& fine_;
+    std::vector<Even> even_;
+};
+
+} // namespace burin
