@@ -15,14 +15,22 @@ namespace {
 
 using nlohmann::json;
 
-json jsonOf(const TakeInfo& take) {
+/// s from the start of a take to its last sample; a loop that misses ticks has fewer samples than periods.
+Result<double> duration(const Project& project, const TakeInfo& info) {
+    if (info.sampleCount == 0) return 0.0;
+    const Result<Take> take = project.take(info.id);
+    if (!take) return take.error();
+    return take->samples.empty() ? 0.0 : take->samples.back().time;
+}
+
+json jsonOf(const TakeInfo& take, double seconds) {
     return {{"id", take.id},
             {"name", take.name},
             {"tool", take.toolId},
             {"allowance_mm", take.allowance},
             {"samples", take.sampleCount},
             {"tick_period_s", take.tickPeriod},
-            {"duration_s", static_cast<double>(take.sampleCount) * take.tickPeriod},
+            {"duration_s", seconds},
             {"started_unix_s", take.startedUnixTime},
             {"stylus", take.stylus},
             {"complete", take.complete}};
@@ -61,11 +69,12 @@ int runInfo(const std::string& file, CommandContext& context) {
     if (model) text << "\n" << textOf(*model);
     if (setup) text << "\n  stock    " << setup->stockMaterial << ", voxel " << formatShortest(setup->voxel) << " mm";
     for (const TakeInfo& take : *takes) {
+        const Result<double> seconds = duration(*project, take);
+        if (!seconds) return context.fail(seconds.error());
         samples += take.sampleCount;
-        answer["takes"].push_back(jsonOf(take));
+        answer["takes"].push_back(jsonOf(take, *seconds));
         text << "\n  take     " << take.id << " " << take.name << ": " << take.sampleCount << " samples, "
-             << formatFixed(static_cast<double>(take.sampleCount) * take.tickPeriod, 3) << " s, tool " << take.toolId
-             << (take.complete ? "" : ", not ended properly");
+             << formatFixed(*seconds, 3) << " s, tool " << take.toolId << (take.complete ? "" : ", not ended properly");
     }
     answer["samples"] = samples;
     for (const StoredPath& path : *paths) {

@@ -42,16 +42,21 @@ double usableFlutes(const Cutter& cutter) noexcept {
     return cutter.fluteLength - std::min(shankMargin, 0.2 * cutter.fluteLength);
 }
 
+double lateralMargin(const Cutter& cutter) noexcept {
+    return std::min(0.3, 0.1 * cutter.radius());
+}
+
 WorkpieceHeights::WorkpieceHeights(const Box& stock, const Cutter& cutter) : stock_(stock), cutter_(cutter) {
     const glm::dvec3 size = stock.size();
     cell_ = std::max(std::min(largestRaster, cutter.radius() / 6.0), std::sqrt(size.x * size.y / mostCells));
     columns_ = std::max(1, static_cast<int>(std::ceil(size.x / cell_)));
     rows_ = std::max(1, static_cast<int>(std::ceil(size.y / cell_)));
     heights_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), stock.high.z);
-    reliefs_.push_back({usableFlutes(cutter), 0.5 * cutter.shankDiameter});
+    reliefs_.push_back({usableFlutes(cutter), 0.5 * cutter.shankDiameter + lateralMargin(cutter)});
     double height = cutter.stickOut;
     for (const HolderSegment& segment : cutter.holder) {
-        reliefs_.push_back({height, 0.5 * std::max(segment.lowerDiameter, segment.upperDiameter)});
+        reliefs_.push_back(
+            {height, 0.5 * std::max(segment.lowerDiameter, segment.upperDiameter) + lateralMargin(cutter)});
         height += segment.length;
     }
 }

@@ -21,6 +21,9 @@ double lowestFeasibleHeight(const ClearanceField& field, double x, double y, dou
 /// How deep below standing stock the operator takes a cutter, mm: the flutes less a margin.
 double usableFlutes(const Cutter& cutter) noexcept;
 
+/// How far beside standing stock the operator keeps shank and holder, mm: a hand trembles and rounds its corners.
+double lateralMargin(const Cutter& cutter) noexcept;
+
 /// What the operator sees of the workpiece while planning: how high the stock stands, on a raster. It knows no overhang
 /// and no part. Stock outside the raster does not exist.
 class WorkpieceHeights {
@@ -40,7 +43,8 @@ public:
     double highestWithin(double x, double y, double radius) const noexcept;
     /// Lowest tip at (x, y) at which the flutes touch no stock; `nothing` beside the stock.
     double freeTip(double x, double y) const noexcept;
-    /// Lowest height, not below the tip's, at which shank and holder keep above the stock.
+    /// Lowest height, not below the tip's, at which shank and holder, each with the lateral margin, keep above the
+    /// stock.
     double safeHeight(const glm::dvec3& tip) const noexcept;
     /// How far the cutter's surface rises above its tip at a distance from the axis within its radius, mm.
     double riseAt(double distance) const noexcept;

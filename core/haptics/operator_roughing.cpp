@@ -44,7 +44,7 @@ public:
     RoughingPlan plan() {
         RoughingPlan result;
         result.levels = levels();
-        layRows();
+        layRows(result.levels);
         double above = heights_.stock().high.z;
         for (const double level : result.levels) {
             millLevel(level, above);
@@ -70,14 +70,14 @@ private:
     /// Under a level the ball leaves stock that rises towards its rim; what stands within the shank must not reach it.
     double deepest() const {
         const Cutter& cutter = tool_.cutter;
-        const double shank = std::min(0.5 * cutter.shankDiameter, cutter.radius());
+        const double shank = std::min(0.5 * cutter.shankDiameter + lateralMargin(cutter), cutter.radius());
         const double flutes = usableFlutes(cutter);
         double depth = std::min(request_.levelDepth, std::max(flutes - heights_.riseAt(shank), 0.25 * flutes));
         if (tool_.maximumDepthOfCut > 0.0) depth = std::min(depth, tool_.maximumDepthOfCut);
         return depth;
     }
 
-    void layRows() {
+    void layRows(const std::vector<double>& levels) {
         const Box& stock = heights_.stock();
         const double reach = tool_.cutter.radius() + beyondStock;
         const int intervals = std::max(1, static_cast<int>(std::ceil(stock.size().y / request_.stepOver - tolerance)));
@@ -85,17 +85,50 @@ private:
         const double length = stock.size().x + 2.0 * reach;
         const int steps = static_cast<int>(std::ceil(length / heights_.raster()));
         for (int i = 0; i <= steps; ++i) places_.push_back(stock.low.x - reach + length * i / steps);
-        for (const double y : rows_)
-            for (const double x : places_)
-                reached_.push_back(lowestFeasibleHeight(field_, x, y, keep_, writer_.travelLevel(), request_.bottom));
+        reached_.resize(levels.empty() ? 1 : tier(levels.back()) + 1);
+        for (std::size_t i = 0; i < reached_.size(); ++i)
+            for (const double y : rows_)
+                for (const double x : places_)
+                    reached_[i].push_back(
+                        lowestFeasibleHeight(field_, x, y, keepAt(i), writer_.travelLevel(), request_.bottom));
+        findLowestNearby();
     }
 
+    /// How often the flutes' length fits between the top of the stock and a level.
+    std::size_t tier(double level) const {
+        const double depth = heights_.stock().high.z - level - tolerance;
+        return static_cast<std::size_t>(std::max(0.0, std::floor(depth / usableFlutes(tool_.cutter))));
+    }
+
+    /// Clearance from the part. Below a wall higher than the flutes the shank passes what the levels above have left
+    /// standing, so each such tier keeps a little further off.
+    double keepAt(std::size_t tier) const { return keep_ + static_cast<double>(tier) * lateralMargin(tool_.cutter); }
+
+    /// For each place, how deep the tool will go beside it: in its row and the rows next to it, within a cutter's
+    /// reach.
+    void findLowestNearby() {
+        const int around = static_cast<int>(std::ceil((tool_.cutter.radius() + beyondStock) / heights_.raster()));
+        const int rowCount = static_cast<int>(rows_.size()), placeCount = static_cast<int>(places_.size());
+        lowestNearby_.assign(reached_[0].size(), std::numeric_limits<double>::infinity());
+        for (int row = 0; row < rowCount; ++row)
+            for (int place = 0; place < placeCount; ++place)
+                for (int r = std::max(0, row - 1); r <= std::min(rowCount - 1, row + 1); ++r)
+                    for (int p = std::max(0, place - around); p <= std::min(placeCount - 1, place + around); ++p) {
+                        double& lowest = lowestNearby_[static_cast<std::size_t>(row * placeCount + place)];
+                        lowest = std::min(lowest, reached_[0][static_cast<std::size_t>(r * placeCount + p)]);
+                    }
+    }
+
+    /// Does a level cut at a place? Yes where the part lets the tool down to it, and the finishing passes could not
+    /// take what would be left, or the shank would meet it when the tool works beside it.
     bool cuts(std::size_t row, std::size_t place, double level, double above) const {
-        const double reached = reached_[row * places_.size() + place];
+        const std::size_t index = row * places_.size() + place;
+        const double reached = reached_[tier(level)][index];
         if (reached > level + tolerance) return false;
         const bool floor = reached <= request_.bottom + tolerance;
         const double finishingDepth = std::max(request_.finishingDepth, above - level - tolerance);
-        return floor || above - reached > finishingDepth;
+        const double tallest = usableFlutes(tool_.cutter) - tool_.cutter.cornerRadius;
+        return floor || above - reached > finishingDepth || above - lowestNearby_[index] > tallest;
     }
 
     std::vector<Piece> pieces(double level, double above) const {
@@ -199,7 +232,7 @@ private:
             const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / heights_.raster())));
             for (int i = 0; i <= steps; ++i) {
                 const glm::dvec3 tip = glm::mix(from, to, static_cast<double>(i) / steps);
-                if (!(field_.at(tip).clearance >= keep_ - 1e-3)) return false;
+                if (!(field_.at(tip).clearance >= keepAt(tier(tip.z)) - 1e-3)) return false;
                 if (heights_.safeHeight(tip) > tip.z + tolerance) return false;
             }
             from = to;
@@ -212,11 +245,12 @@ private:
     RoughingRequest request_;
     WorkpieceHeights& heights_;
     StrokeWriter writer_;
-    double keep_ = 0.0;           ///< mm of clearance
-    std::vector<double> rows_;    ///< y
-    std::vector<double> places_;  ///< x of the samples of a row
-    std::vector<double> reached_; ///< by row and place: how far down the tip may go
-    double cameFrom_ = 0.0;       ///< from the end of the last piece, the direction along x back into it
+    double keep_ = 0.0;                        ///< mm of clearance
+    std::vector<double> rows_;                 ///< y
+    std::vector<double> places_;               ///< x of the samples of a row
+    std::vector<std::vector<double>> reached_; ///< by tier, row and place: how far down the tip may go
+    std::vector<double> lowestNearby_;         ///< by row and place
+    double cameFrom_ = 0.0;                    ///< from the end of the last piece, the direction along x back into it
 };
 
 } // namespace

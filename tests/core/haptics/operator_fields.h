@@ -32,10 +32,12 @@ public:
     FieldSample at(const glm::dvec3& tip) const noexcept final {
         FieldSample sample;
         sample.clearance = distance(tip + glm::dvec3(0.0, 0.0, ballRadius_)) - ballRadius_;
-        sample.gradient = {0.0, 0.0, 1.0};
+        if (gradients_) sample.gradient = gradientAt(tip);
         sample.fine = true;
         return sample;
     }
+    /// Planning needs no gradients, and they take six more distances; the haptic step does.
+    void answerGradients() noexcept { gradients_ = true; }
     double errorBound() const noexcept final { return 0.0; }
     double spacing() const noexcept final { return 0.25; }
 
@@ -43,6 +45,20 @@ protected:
     /// Signed distance from the part to the half-line straight up from the ball's centre.
     virtual double distance(const glm::dvec3& centre) const noexcept = 0;
     double ballRadius_;
+
+private:
+    glm::dvec3 gradientAt(const glm::dvec3& tip) const noexcept {
+        constexpr double h = 1e-5;
+        const glm::dvec3 centre = tip + glm::dvec3(0.0, 0.0, ballRadius_);
+        glm::dvec3 gradient(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::dvec3 offset(0.0);
+            offset[axis] = h;
+            gradient[axis] = (distance(centre + offset) - distance(centre - offset)) / (2.0 * h);
+        }
+        return gradient;
+    }
+    bool gradients_ = false;
 };
 
 /// A capsule that lies along x, cut off at z = 0: its axis at `height`, as long and wide as a computer mouse.
@@ -56,6 +72,12 @@ public:
         const double reach = radius_ + ballRadius_;
         const double square = reach * reach - along * along - y * y;
         return square < 0.0 ? 0.0 : std::max(0.0, height_ + std::sqrt(square) - ballRadius_);
+    }
+    /// Top of the part over (x, y), closed formula; 0 beside it.
+    double top(double x, double y) const {
+        const double along = std::max(0.0, std::abs(x) - halfLength_);
+        const double square = radius_ * radius_ - along * along - y * y;
+        return square < 0.0 ? 0.0 : height_ + std::sqrt(square);
     }
     Box box() const {
         return {{-halfLength_ - radius_, -radius_, 0.0}, {halfLength_ + radius_, radius_, height_ + radius_}};
