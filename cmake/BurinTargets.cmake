@@ -3,6 +3,7 @@
 # The few functions that declare every target of Burin. What a target does not name, it can't link.
 
 set(BURIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code, as for -fsanitize=")
+option(BURIN_FUZZ "Build the fuzzers; needs clang" OFF)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
@@ -13,9 +14,11 @@ endif()
 add_library(burin_warnings INTERFACE)
 target_compile_options(burin_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
     -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wcast-align -Wformat=2
-    -Wimplicit-fallthrough -Werror)
-# g++ 12 sees overlapping copies inside its own std::string (bug 105329).
-target_compile_options(burin_warnings INTERFACE -Wno-restrict)
+    -Wimplicit-fallthrough)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # g++ 12 sees overlapping copies inside its own std::string (bug 105329).
+    target_compile_options(burin_warnings INTERFACE -Werror -Wno-restrict)
+endif()
 
 add_library(burin_options INTERFACE)
 target_include_directories(burin_options INTERFACE ${CMAKE_SOURCE_DIR})

@@ -24,6 +24,8 @@ public:
     double fraction() const noexcept { return fraction_.load(std::memory_order_relaxed); }
 
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+    /// For loops that know only a flag.
+    const std::atomic<bool>& cancelFlag() const noexcept { return cancelled_; }
     bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
 
 private:

@@ -13,7 +13,7 @@ namespace burin {
 
 /// One solid of an imported model, in mm and in the model's own frame (placements of an assembly applied).
 struct Body {
-    std::string name;   ///< as in the file; "Body 1" … where it has none
+    std::string name;                                  ///< as in the file; "Body 1" … where it has none
     std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB, where the file has one
     double volume = 0.0; ///< mm³: of the B-rep, tolerance 1e-6; of the mesh where there is no B-rep
     double area = 0.0;   ///< mm²
@@ -31,14 +31,14 @@ struct ImportNote {
 
 /// An imported CAD model.
 struct Model {
-    std::string sourceFile;    ///< absolute path
-    std::string format;        ///< "STEP AP214", "IGES", "BREP", "STL binary", "STL ASCII"
-    std::string lengthUnit;    ///< of the file: "mm", "inch", "m", …; "none" for STL
-    double unitScale = 1.0;    ///< mm per unit of the file
-    double meshChord = 0.0;    ///< mm, chord of the bodies' meshes; 0 for a mesh file
+    std::string sourceFile; ///< absolute path
+    std::string format;     ///< "STEP AP214", "IGES", "BREP", "STL binary", "STL ASCII"
+    std::string lengthUnit; ///< of the file: "mm", "inch", "m", …; "none" for STL
+    double unitScale = 1.0; ///< mm per unit of the file
+    double meshChord = 0.0; ///< mm, chord of the bodies' meshes; 0 for a mesh file
     std::vector<Body> bodies;
     std::vector<ImportNote> notes;
-    std::string brep;          ///< healed B-rep, OpenCASCADE binary form; empty for a mesh file
+    std::string brep; ///< healed B-rep, OpenCASCADE binary form; empty for a mesh file
 
     Box box() const;
     double volume() const;

@@ -3,11 +3,14 @@
 #pragma once
 
 #include "core/tool/swept_span.h"
-#include "core/volume/grid.h"
+#include "core/volume/run_volume.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
 
 namespace burin {
 
@@ -33,6 +36,8 @@ void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexc
     assert(grid.axis() == RunAxis::z);
     const Box reach = swept.bounds(), box = grid.box();
     if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
+    double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at one height
+    RunPosition to = 0;
     const LineRange rows = linesWithin({reach.low.y, reach.high.y}, grid.low().y, grid.edge(), grid.lineCountV());
     for (std::int32_t v = rows.first; v <= rows.last; ++v) {
         const double y = grid.lineCentre({0, v}).y;
@@ -43,19 +48,22 @@ void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexc
             const LineIndex line{u, v};
             const std::optional<Span> span = swept.along(grid.lineCentre(line).x, y);
             if (!span) continue;
-            const RunPosition from = grid.toRunPosition(span->low), to = grid.toRunPosition(span->high);
+            // Ends beyond the grid need no arithmetic: most flutes reach out of the stock.
+            const RunPosition from = span->low <= box.low.z ? 0 : grid.toRunPosition(span->low);
+            if (span->high != top) to = span->high >= box.high.z ? grid.lineEnd() : grid.toRunPosition(span->high);
+            top = span->high;
             if (from < to && !visit(line, from, to)) return;
         }
     }
 }
 
 /// Calls `visit(property, start, end)` for every piece of a line's segments between `from` and `to` that is not air.
-template <class Segments, class Visit>
-void forEachPiece(const Segments& segments, std::uint32_t from, std::uint32_t to, Visit&& visit) noexcept {
-    std::uint32_t start = 0;
-    for (const auto& segment : segments) {
-        const std::uint32_t low = std::max(start, from), high = std::min(segment.end(), to);
-        if (low < high && segment.property() != 0) visit(segment.property(), low, high);
+template <class Visit>
+void forEachPiece(std::span<const Segment> segments, RunPosition from, RunPosition to, Visit&& visit) noexcept {
+    RunPosition start = 0;
+    for (const Segment segment : segments) {
+        const RunPosition low = std::max(start, from), high = std::min(segment.end(), to);
+        if (low < high && segment.property() != airProperty) visit(segment.property(), low, high);
         start = segment.end();
         if (start >= to) return;
     }

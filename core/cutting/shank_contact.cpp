@@ -5,6 +5,7 @@
 #include "core/geometry/pose.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace burin {
 

@@ -11,6 +11,8 @@
 
 namespace burin {
 
+struct BrickField;
+
 /// What to build a tool's configuration-space field for.
 struct ToolFieldRequest {
     std::vector<RevolvedPiece> tool; ///< flutes, shank, holder; axis +Z
@@ -20,9 +22,9 @@ struct ToolFieldRequest {
 };
 
 struct FieldSample {
-    double clearance = 0.0;       ///< mm, never above the true clearance by more than `errorBound`
-    glm::dvec3 gradient{0.0};     ///< of the clearance, about unit length
-    bool fine = false;            ///< inside the fine band, where errorBound() holds
+    double clearance = 0.0;   ///< mm, never above the true clearance by more than `errorBound`
+    glm::dvec3 gradient{0.0}; ///< of the clearance, about unit length
+    bool fine = false;        ///< inside the fine band, where errorBound() holds
 };
 
 /// How far a tool, its tip at a point, keeps from what it must not enter. The proxy of the haptic loop moves in it as a
@@ -39,25 +41,27 @@ public:
 };
 
 /// How far a tool with axis +Z, its tip at a point, keeps from the part: the part grown by flutes, shank and holder, as
-/// one field over tips. Fine bricks near the surface, coarse ones beyond. Immutable.
+/// one field over tips. Fine bricks of 8 x 8 x 8 cells from 3 voxels inside to maximumAllowance + 4 voxels outside,
+/// coarse ones beyond, whose value is a length that the tip can travel safely. Immutable. How fine, and what the bound
+/// rests on: README.md beside this header.
 class ToolField final : public ClearanceField {
 public:
-    /// Cost: seconds; parallel. Errors: cancelled, outOfMemory.
+    /// Cost: seconds; parallel. Errors: cancelled, outOfMemory, argumentInvalid (a voxel that is not > 0, a box of tips
+    /// that is empty or not finite, no tool).
     static Result<ToolField> build(const MeshDistance& part, const ToolFieldRequest& request, Progress& progress);
     ~ToolField() override;
     ToolField(ToolField&&) noexcept;
     ToolField& operator=(ToolField&&) noexcept;
 
-    /// Trilinear value and gradient. Outside the box of tips the coarse value of its nearest point.
+    /// Trilinear value and gradient. Outside the box of tips the value of its nearest point, and not fine.
     FieldSample at(const glm::dvec3& tip) const noexcept override;
     double errorBound() const noexcept override;
     double spacing() const noexcept override;
     std::size_t memoryBytes() const noexcept;
 
 private:
-    class Impl;
-    explicit ToolField(std::unique_ptr<const Impl> impl);
-    std::unique_ptr<const Impl> impl_;
+    explicit ToolField(std::unique_ptr<const BrickField> bricks);
+    std::unique_ptr<const BrickField> bricks_;
 };
 
 } // namespace burin

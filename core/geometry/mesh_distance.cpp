@@ -147,7 +147,12 @@ private:
         found.distance = within;
         for (std::size_t i = 0; i < tool.size(); ++i) {
             const PlacedPiece piece(tool[i], pose);
-            NearPiece near(tree_, piece);
+            double floor = piece.piece().bottom;
+            if (piece.ballEnd() && piece.piece().top >= floor + 2.0 * piece.piece().cornerRadius) {
+                floor += piece.piece().cornerRadius;
+                meetBall(piece, i, tie, found);
+            }
+            NearPiece near(tree_, piece, floor);
             near.limit(found.distance - tie);
             walk(tree_, near, [&](std::size_t slot) noexcept {
                 const auto least = minimumOverTriangle(piece, tree_.triangles()[slot], found.distance - tie);
@@ -157,6 +162,19 @@ private:
             });
         }
         return found;
+    }
+
+    /// What lies below a ball's centre is as near to the ball as it is to the centre, which is quicker to ask. What
+    /// lies above is not nearer to the ball than to the piece: it is left to the piece.
+    void meetBall(const PlacedPiece& piece, std::size_t number, double tie, Found& found) const noexcept {
+        const double radius = piece.piece().cornerRadius;
+        const double reach = found.distance - tie + radius;
+        if (!(reach > 0.0)) return;
+        Found ball = nearest(piece.pose().tip + (piece.piece().bottom + radius) * piece.pose().axis, reach);
+        if (!ball.any) return;
+        ball.distance = piece.at(ball.point).distance;
+        ball.piece = number;
+        if (ball.distance < found.distance - tie) found = ball;
     }
 
     /// Whether some point of the tool's axis lies outside the mesh's box, or else outside the mesh.

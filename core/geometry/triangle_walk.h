@@ -78,13 +78,16 @@ private:
     float limit_ = 0.0F;
 };
 
-/// Lower bounds of the signed distance from a piece to the points of boxes.
+/// Lower bounds of the signed distance from a piece to the points of boxes, as far as they lie above `floor` (height
+/// above the tip, mm): from the piece's bottom up, or from a ball's centre when what is below is known already.
 class NearPiece {
 public:
-    NearPiece(const TriangleTree& tree, const PlacedPiece& placed) noexcept : placed_(&placed), origin_(tree.origin()) {
+    NearPiece(const TriangleTree& tree, const PlacedPiece& placed, double floor) noexcept
+        : placed_(&placed), origin_(tree.origin()),
+          floor_(floor > placed.piece().bottom ? floor : -std::numeric_limits<double>::infinity()) {
         const auto& [tip, axis] = placed.pose();
         const RevolvedPiece& piece = placed.piece();
-        const glm::dvec3 bottom = tip + piece.bottom * axis - origin_, top = tip + piece.top * axis - origin_;
+        const glm::dvec3 bottom = tip + floor * axis - origin_, top = tip + piece.top * axis - origin_;
         for (int i = 0; i < 3; ++i) {
             const double across = std::sqrt(std::max(0.0, 1.0 - axis[i] * axis[i]));
             const double low = std::min(bottom[i] - piece.bottomRadius * across, top[i] - piece.topRadius * across);
@@ -129,13 +132,18 @@ private:
             centre[static_cast<int>(axis)] = 0.5 * (low + high);
             half[static_cast<int>(axis)] = 0.5 * (high - low);
         }
-        const PlacedPiece::Value value = placed_->at(centre + origin_);
+        const glm::dvec3& axis = placed_->pose().axis;
+        const glm::dvec3 point = centre + origin_;
+        const double highest = glm::dot(point - placed_->pose().tip, axis) + glm::dot(glm::abs(axis), half);
+        if (highest < floor_) return std::numeric_limits<float>::infinity();
+        const PlacedPiece::Value value = placed_->at(point);
         const double bound = value.distance - glm::dot(glm::abs(value.gradient), half);
         return static_cast<float>(bound - 1e-9 - 1.2e-7 * std::abs(bound));
     }
 
     const PlacedPiece* placed_;
     glm::dvec3 origin_;
+    double floor_;
     glm::vec3 low_{0.0F}, high_{0.0F};
     double distance_ = 0.0;
     float squared_ = 0.0F;

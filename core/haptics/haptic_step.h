@@ -5,33 +5,31 @@
 #include "core/cutting/cutting_force.h"
 #include "core/cutting/removal.h"
 #include "core/device/stylus.h"
+#include "core/haptics/allowance_follower.h"
+#include "core/haptics/brake_on_contact.h"
+#include "core/haptics/coupling.h"
+#include "core/haptics/cutting_force_rendering.h"
+#include "core/haptics/force_limiter.h"
+#include "core/haptics/passivity_controller.h"
 #include "core/haptics/proxy.h"
+#include "core/haptics/reading_guard.h"
+#include "core/haptics/velocity_window.h"
+#include "core/haptics/workspace_mapping.h"
 #include "core/recording/sample.h"
 
 namespace burin {
 
-/// From the device frame to the setup frame: tip = origin + scale · (rotation · device position).
-struct WorkspaceMapping {
-    glm::dvec3 origin{0.0};                                ///< mm, setup frame: where the device's zero lies
-    glm::dquat rotation = glm::dquat(1.0, 0.0, 0.0, 0.0);
-    double scale = 1.0;                                    ///< mm of setup per mm of device, > 0
-
-    glm::dvec3 toSetup(const glm::dvec3& device) const noexcept { return origin + rotation * device * scale; }
-    glm::dvec3 toDevice(const glm::dvec3& setup) const noexcept {
-        return glm::conjugate(rotation) * (setup - origin) / scale;
-    }
-};
-
 /// Gains and limits of one session.
 struct HapticSettings {
     WorkspaceMapping mapping;
-    StylusDescription stylus;          ///< whose limits bound everything that is sent
-    double allowance = 0.0;            ///< mm left on the part
-    double cuttingSpeed = 1000.0;      ///< mm/s of the flutes' edge
-    double cuttingForceScale = 0.01;   ///< rendered / real cutting force
-    double couplingShare = 0.8;        ///< of the stylus' maximum stiffness
-    double forceShare = 0.6;           ///< of the stylus' maximum force
-    double rampSeconds = 1.5;          ///< forces fade in after start and after any fault
+    StylusDescription stylus;        ///< whose limits bound everything that is sent
+    double allowance = 0.0;          ///< mm left on the part
+    double cuttingSpeed = 1000.0;    ///< mm/s of the flutes' edge
+    double cuttingForceScale = 0.01; ///< rendered / real cutting force
+    double couplingShare = 0.8;      ///< of the stylus' maximum stiffness
+    double forceShare = 0.6;         ///< of the stylus' maximum force
+    double rampSeconds = 1.5;        ///< forces fade in after start and after any fault
+    double tickPeriod = 0.001;       ///< s that the loop intends; later ticks count as late
 };
 
 /// One tick of milling: mapping, proxy, swept cut, force, coupling, limits (design.md section 4). A function of its
@@ -39,23 +37,62 @@ struct HapticSettings {
 /// Thread: the one writer of the workpiece.
 class HapticStep {
 public:
-    /// All references must outlive the object.
+    /// All references but the settings must outlive the object; the tool is copied.
     HapticStep(RunVolume& workpiece, const ClearanceField& field, const Tool& tool, const HapticSettings& settings);
 
     /// @param state what the stylus read; @param period s since the tick before, > 0.
     /// @return the tick's record; `Sample::force` is what goes to the device, in the device frame via `deviceForce`.
+    /// Until `started`, the record's proxy is parked clear above the hand, and nothing is cut.
     Sample operator()(const StylusState& state, double period) noexcept;
 
     /// Force of the last tick in the device frame, N.
     glm::dvec3 deviceForce() const noexcept { return deviceForce_; }
     /// True once the tool has been clear of the part; forces stay off until then.
     bool started() const noexcept { return started_; }
-    void setAllowance(double allowance) noexcept;
+    /// Takes effect over some ticks (5 mm/s), without a kick. @param allowance mm, >= 0
+    void setAllowance(double allowance) noexcept { allowance_.want(allowance); }
+    /// Cuts again after the reserved memory had run out and the owner has made room.
+    void resumeCutting() noexcept { memoryFull_ = false; }
+
+    /// What the limits were made from, for meters and tests.
+    double couplingStiffness() const noexcept { return coupling_.stiffness(); } ///< N/m, device space
+    const ForceLimiter& limiter() const noexcept { return limiter_; }
 
 private:
+    struct Motion;
+    Sample beginSample(double period) noexcept;
+    bool start(const glm::dvec3& hand) noexcept;
+    glm::dvec3 parkedAbove(const glm::dvec3& hand) const noexcept;
+    Motion moveTool(const glm::dvec3& hand, double period) noexcept;
+    CuttingForce cut(Motion& motion, double period, Sample& sample) noexcept;
+    glm::dvec3 wantedForce(const Motion& motion, const CuttingForce& cutting, const glm::dvec3& hand,
+                           double period) noexcept;
+    void send(const glm::dvec3& wanted, const Pose& device, double period, Sample& sample) noexcept;
+    void noForce(bool fadeIn, Sample& sample) noexcept;
+
     RunVolume* workpiece_;
+    HapticSettings settings_;
+    CuttingCoefficients coefficients_;
+    double topOfWorkpiece_, spacing_, travelPerSecond_;
+    MaterialRemoval removal_;
+    BrakeOnContact brake_;
+    Proxy proxy_;
+    AllowanceFollower allowance_;
+    ReadingGuard guard_;
+    Coupling coupling_;
+    CuttingForceRendering cuttingRendering_;
+    PassivityController passivity_;
+    ForceLimiter limiter_;
+    ForceRamp ramp_;
+    VelocityWindow deviceVelocity_, proxyVelocity_;
+
+    std::uint64_t tick_ = 0;
+    double time_ = 0.0;
+    glm::dvec3 tip_{0.0};
+    double travelSinceRemoval_ = 0.0; ///< mm
     glm::dvec3 deviceForce_{0.0};
     bool started_ = false;
+    bool memoryFull_ = false;
 };
 
 } // namespace burin

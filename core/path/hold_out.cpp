@@ -96,10 +96,11 @@ private:
 
     /// Up, across and down.
     bool leadOver(const Held& from, const Held& to, std::vector<Held>& between) const {
-        const double last = std::max({guard_.top() + aim_ + surplus, from.point.tip.z, to.point.tip.z});
-        double height = std::max(from.point.tip.z, to.point.tip.z);
-        for (double step = 0.01; height < last; step *= 1.5) {
-            height = std::min(last, height + step);
+        const double low = std::max(from.point.tip.z, to.point.tip.z);
+        const double last = std::max(guard_.top() + aim_ + surplus, low);
+        double height = low;
+        for (double step = 0.01; height <= last; step *= 1.5) {
+            height = height < last ? std::min(last, height + step) : height + step;
             Held up = from, across = to;
             up.point.removes = up.point.onBoundary = false;
             across.point.removes = across.point.onBoundary = false;

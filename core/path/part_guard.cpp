@@ -25,25 +25,83 @@ std::optional<PartGuard::Dip> PartGuard::deepestDip(const glm::dvec3& from, cons
     return scan(from, to, required, sampling, false);
 }
 
+namespace {
+
+/// Between two samples both edges of tool and part may be sharp, and a corner is cut. It is looked for down to this,
+/// mm.
+constexpr double finestGap = 0.001;
+constexpr double cornerTolerance = 2e-5; // mm
+
+} // namespace
+
+/// Walks along one move.
+class PartGuard::Scan {
+public:
+    Scan(const PartGuard& guard, const glm::dvec3& from, const glm::dvec3& to, double required, bool firstIsEnough)
+        : guard_(guard)
+        , from_(from)
+        , way_(to - from)
+        , length_(glm::length(way_))
+        , required_(required)
+        , firstIsEnough_(firstIsEnough) {}
+
+    std::optional<Dip> run(double sampling) {
+        const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(length_ / sampling)));
+        const double step = length_ / static_cast<double>(steps);
+        Place before;
+        for (std::size_t i = 0; i <= steps;) {
+            const Place here = look(length_ * static_cast<double>(i) / static_cast<double>(steps));
+            if (i > 0) between(before, here);
+            if (dip_ && firstIsEnough_) break;
+            const double left = length_ - here.at, spare = here.clearance - required_;
+            if (spare >= left && spare > 0.0) break;
+            before = here;
+            i += spare > step && step > 0.0 ? static_cast<std::size_t>(spare / step) : 1;
+        }
+        return dip_;
+    }
+
+private:
+    struct Place {
+        double at = 0.0;        // mm from the start
+        double clearance = 0.0; // mm
+        double slope = 0.0;     // of the clearance along the move
+    };
+
+    Place look(double at) {
+        const double part = length_ > 0.0 ? at / length_ : 0.0;
+        const ToolClearance found = guard_.clearance(from_ + part * way_, required_ + length_);
+        if (found.clearance < required_ && (!dip_ || found.clearance < dip_->clearance))
+            dip_ = Dip{part, found.clearance};
+        return {at, found.clearance, length_ > 0.0 ? glm::dot(found.away, way_) / length_ : 0.0};
+    }
+
+    /// Distance from a convex body is a convex function, so it lies above its tangents: where they meet is the least
+    /// that it can be. Only where that is too little a place between is looked at.
+    void between(const Place& a, const Place& b) {
+        const double gap = b.at - a.at;
+        if (gap < finestGap || (dip_ && firstIsEnough_)) return;
+        if (a.clearance < required_ || b.clearance < required_) return; // known already
+        if (a.clearance + b.clearance - 2.0 * required_ >= gap) return; // by the way alone
+        if (a.slope >= b.slope) return;                                 // no valley between
+        const double meeting = (b.clearance - a.clearance + a.slope * a.at - b.slope * b.at) / (a.slope - b.slope);
+        const double least = a.clearance + a.slope * (std::clamp(meeting, a.at, b.at) - a.at);
+        if (least >= required_ - cornerTolerance) return;
+        const Place middle = look(0.5 * (a.at + b.at));
+        between(a, middle);
+        between(middle, b);
+    }
+
+    const PartGuard& guard_;
+    glm::dvec3 from_, way_;
+    double length_, required_; // mm
+    bool firstIsEnough_;
+    std::optional<Dip> dip_;
+};
+
 std::optional<PartGuard::Dip> PartGuard::scan(const glm::dvec3& from, const glm::dvec3& to, double required,
                                               double sampling, bool firstIsEnough) const {
-    const double length = glm::distance(from, to);
-    const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(length / sampling)));
-    const double step = length / static_cast<double>(steps);
-    std::optional<Dip> dip;
-    for (std::size_t i = 0; i <= steps;) {
-        const double part = static_cast<double>(i) / static_cast<double>(steps);
-        const double left = length - part * length;
-        const double clearance = this->clearance(from + part * (to - from), required + left + step).clearance;
-        if (clearance < required) {
-            if (!dip || clearance < dip->clearance) dip = Dip{part, clearance};
-            if (firstIsEnough) return dip;
-        }
-        const double spare = clearance - required;
-        if (spare >= left && spare > 0.0) break;
-        i += spare > step && step > 0.0 ? static_cast<std::size_t>(spare / step) : 1;
-    }
-    return dip;
+    return Scan(*this, from, to, required, firstIsEnough).run(sampling);
 }
 
 } // namespace burin

@@ -28,6 +28,7 @@ public:
     };
     /// Looks at both ends and every `sampling` mm or less between them. Places that can't be nearer than `required`
     /// because the tool was far enough away a little before are skipped: clearance changes by no more than the way.
+    /// Corners that a move may cut between two samples are looked at more closely.
     std::optional<Dip> deepestDip(const glm::dvec3& from, const glm::dvec3& to, double required, double sampling) const;
     bool isClear(const glm::dvec3& from, const glm::dvec3& to, double required, double sampling) const {
         return !scan(from, to, required, sampling, true);
@@ -38,6 +39,7 @@ public:
     const std::vector<RevolvedPiece>& pieces() const noexcept { return pieces_; }
 
 private:
+    class Scan;
     std::optional<Dip> scan(const glm::dvec3& from, const glm::dvec3& to, double required, double sampling,
                             bool firstIsEnough) const;
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 
@@ -55,7 +56,11 @@ double restingOffset(const CornerLine& line) noexcept {
 } // namespace
 
 SweptPiece::SweptPiece(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept
-    : piece_(piece), from_(fromTip), to_(toTip), outline_(std::max(piece.bottomRadius, piece.topRadius)) {
+    : piece_(piece)
+    , from_(fromTip)
+    , to_(toTip)
+    , outline_(std::max(piece.bottomRadius, piece.topRadius))
+    , outlineSquare_(outline_ * outline_) {
     const glm::dvec2 way(to_.x - from_.x, to_.y - from_.y);
     const double length = std::hypot(way.x, way.y);
     if (length > leastReach) {
@@ -65,6 +70,7 @@ SweptPiece::SweptPiece(const RevolvedPiece& piece, const glm::dvec3& fromTip, co
     const double widening = piece.topRadius - piece.bottomRadius;
     const double height = piece.top - piece.bottom;
     const double rise = to_.z - from_.z;
+    if (reach_ > 0.0) sineSquare_ = rise * rise / (rise * rise + reach_ * reach_);
     lower_ = {piece.bottom,
               piece.bottomRadius - piece.cornerRadius,
               piece.cornerRadius,
@@ -76,71 +82,87 @@ SweptPiece::SweptPiece(const RevolvedPiece& piece, const glm::dvec3& fromTip, co
 }
 
 double SweptPiece::heightAt(const Face& face, double square) const noexcept {
-    if (face.cornerRadius == outline_) return face.height + outline_ - rootOf(outline_ * outline_ - square); // ball
     if (square <= face.flatRadius * face.flatRadius) return face.height;
+    if (face.cornerRadius == outline_) return face.height + (outline_ - rootOf(outlineSquare_ - square)); // ball
     const double outside = std::sqrt(square) - face.flatRadius;
     if (face.cornerRadius > 0.0)
-        return face.height + face.cornerRadius - rootOf(face.cornerRadius * face.cornerRadius - outside * outside);
+        return face.height + (face.cornerRadius - rootOf(face.cornerRadius * face.cornerRadius - outside * outside));
     return face.height + face.slope * outside;
 }
 
 /// Least height of a face over the part of the way on which the line is inside the piece's outline. The height is
 /// convex in the place on the way, so that the best place of an unbounded way, held within bounds, is the best.
+/// Ends count by their own coordinates even where rounding puts the best place elsewhere: see the class.
 double SweptPiece::least(const Face& face, const Line& line) const noexcept {
-    const double atFrom = face.from + heightAt(face, line.squareAtFrom);
-    const double atTo = face.to + heightAt(face, line.squareAtTo);
-    const double square = outline_ * outline_;
-    const bool insideAtFrom = line.squareAtFrom < square, insideAtTo = line.squareAtTo < square;
-    double best = std::numeric_limits<double>::infinity();
-    if (insideAtFrom) best = atFrom;
-    if (insideAtTo) best = std::min(best, atTo);
-    if (reach_ == 0.0) return best;
-
-    // Offsets are from the axis to the line, along the way: high at its start, low at its end.
-    const double high = insideAtFrom ? line.ahead : std::min(line.ahead, line.halfChord);
-    const double low = insideAtTo ? line.ahead - reach_ : std::max(line.ahead - reach_, -line.halfChord);
-    const double offset = bestOffset(face, line, low, high);
-    if ((offset >= high && insideAtFrom) || (offset <= low && insideAtTo)) return best; // an end, seen above
-    const double part = std::clamp((line.ahead - offset) / reach_, 0.0, 1.0);
-    const double inner =
-        face.from + part * face.rise + heightAt(face, std::min(line.aside * line.aside + offset * offset, square));
-    return std::min(best, inner);
-}
-
-double SweptPiece::bestOffset(const Face& face, const Line& line, double low, double high) const noexcept {
-    const double towards = face.rise < 0.0 ? -1.0 : 1.0; // a face that rises was lowest early, with the line ahead
-    const double rise = std::abs(face.rise);
-    const double chord = line.halfChord;
-    if (face.cornerRadius == outline_) // a ball
-        return std::clamp(towards * chord * rise / std::hypot(reach_, rise), low, high);
-    if (rise == 0.0) return std::clamp(0.0, low, high);
-    if (face.cornerRadius > 0.0) return bestOffsetOnCorner(face, line, low, high);
-    const double flatEdge = std::min(rootOf(face.flatRadius * face.flatRadius - line.aside * line.aside), chord);
-    const double steep = face.slope * reach_;
-    double best = chord; // a flat face, or a cone less steep than the way: as far out as the outline goes
-    if (steep > rise)
-        best = std::clamp(line.aside * rise / std::sqrt((steep - rise) * (steep + rise)), flatEdge, chord);
-    return std::clamp(towards * best, low, high);
-}
-
-/// Rounded corner of a bull nose. Where the way rises, the best offset is not negative; a way that falls is its mirror
-/// image.
-double SweptPiece::bestOffsetOnCorner(const Face& face, const Line& line, double low, double high) const noexcept {
-    if (face.rise < 0.0) {
-        Face mirrored = face;
-        mirrored.rise = -face.rise;
-        return -bestOffsetOnCorner(mirrored, line, -high, -low);
+    if (face.rise == 0.0) { // the height grows with the distance from the axis, to the last bit
+        double square = std::min(line.squareAtFrom, line.squareAtTo);
+        if (line.passes) square = std::min(square, line.aside * line.aside);
+        return face.from + heightAt(face, square);
     }
+    const bool flat = face.flatRadius >= outline_;
+    if (flat && line.insideAtFrom && face.rise > 0.0) return face.from + face.height;
+    if (flat && line.insideAtTo && face.rise < 0.0) return face.to + face.height;
+    double best = std::numeric_limits<double>::infinity();
+    if (line.insideAtFrom) best = face.from + heightAt(face, line.squareAtFrom);
+    if (line.insideAtTo) best = std::min(best, face.to + heightAt(face, line.squareAtTo));
+    return reach_ == 0.0 ? best : std::min(best, leastBetween(face, line));
+}
+
+/// As `least`, but between the ends; infinite where an end is best.
+double SweptPiece::leastBetween(const Face& face, const Line& line) const noexcept {
+    constexpr double nowhere = std::numeric_limits<double>::infinity();
+    const double chord = line.insideAtFrom && line.insideAtTo ? 0.0 : chordOf(line);
+    // Offsets are from the axis to the line, along the way: high at its start, low at its end.
+    const double high = line.insideAtFrom ? line.ahead : std::min(line.ahead, chord);
+    const double low = line.insideAtTo ? line.ahead - reach_ : std::max(line.ahead - reach_, -chord);
+    if (low > high) return nowhere; // touching, to rounding
+    // A face that rises was lowest early, with the line ahead of the axis; one that falls is its mirror image.
+    const double offset = face.rise > 0.0 ? bestOffset(face, line, low, high) : -bestOffset(face, line, -high, -low);
+    if ((offset >= high && line.insideAtFrom) || (offset <= low && line.insideAtTo)) return nowhere;
+    const double part = std::clamp((line.ahead - offset) / reach_, 0.0, 1.0);
+    return face.from + part * face.rise +
+           heightAt(face, std::min(line.aside * line.aside + offset * offset, outlineSquare_));
+}
+
+double SweptPiece::chordOf(const Line& line) const noexcept {
+    return rootOf((outline_ - line.aside) * (outline_ + line.aside));
+}
+
+/// Offset between `low` and `high` at which the height is least, for a face that rises by `face.rise` or, mirrored,
+/// falls by it. The best offset is not negative then.
+double SweptPiece::bestOffset(const Face& face, const Line& line, double low, double high) const noexcept {
+    if (high <= 0.0) return high;
+    const double rise = std::abs(face.rise);
+    if (face.cornerRadius == outline_) { // a ball: chord · sine of the way's slope, squared until it is needed
+        const double square = (outline_ - line.aside) * (outline_ + line.aside) * sineSquare_;
+        if (square >= high * high) return high;
+        if (low > 0.0 && square <= low * low) return low;
+        return std::clamp(rootOf(square), low, high);
+    }
+    if (face.cornerRadius > 0.0) return bestOffsetOnCorner(face, line, low, high);
+    const double chord = chordOf(line), steep = face.slope * reach_;
+    double best = chord; // a flat face, or a cone less steep than the way: as far out as the outline goes
+    if (steep > rise) {
+        const double flatEdge = std::min(rootOf(face.flatRadius * face.flatRadius - line.aside * line.aside), chord);
+        best = std::clamp(line.aside * rise / std::sqrt((steep - rise) * (steep + rise)), flatEdge, chord);
+    }
+    return std::clamp(best, low, high);
+}
+
+/// As `bestOffset`, on the rounded corner of a bull nose.
+double SweptPiece::bestOffsetOnCorner(const Face& face, const Line& line, double low, double high) const noexcept {
+    const double rise = std::abs(face.rise);
     // Above 0 where the height over `offset` has begun to rise, the way counted in.
     const auto excess = [&](double offset) {
-        const double radius = std::hypot(line.aside, offset);
-        const double sine = std::clamp((radius - face.flatRadius) / face.cornerRadius, 0.0, 1.0);
-        return reach_ * sine * offset - face.rise * rootOf((1.0 - sine) * (1.0 + sine)) * radius;
+        const double square = line.aside * line.aside + offset * offset;
+        if (square <= face.flatRadius * face.flatRadius) return -1.0;
+        const double radius = std::sqrt(square);
+        const double sine = std::min((radius - face.flatRadius) / face.cornerRadius, 1.0);
+        return reach_ * sine * offset - rise * rootOf((1.0 - sine) * (1.0 + sine)) * radius;
     };
-    if (high <= 0.0 || excess(high) <= 0.0) return high;
+    if (excess(high) <= 0.0) return high;
     if (low > 0.0 && excess(low) >= 0.0) return low;
-    const double best = restingOffset({face.flatRadius, face.cornerRadius, line.aside, reach_, face.rise});
-    return std::clamp(best, low, high);
+    return std::clamp(restingOffset({face.flatRadius, face.cornerRadius, line.aside, reach_, rise}), low, high);
 }
 
 std::optional<Span> SweptPiece::along(double x, double y) const noexcept {
@@ -148,15 +170,14 @@ std::optional<Span> SweptPiece::along(double x, double y) const noexcept {
     Line line;
     line.squareAtFrom = first.x * first.x + first.y * first.y;
     line.squareAtTo = last.x * last.x + last.y * last.y;
-    if (reach_ == 0.0) {
-        if (!(std::min(line.squareAtFrom, line.squareAtTo) < outline_ * outline_)) return std::nullopt;
-    } else {
+    line.insideAtFrom = line.squareAtFrom < outlineSquare_;
+    line.insideAtTo = line.squareAtTo < outlineSquare_;
+    if (reach_ > 0.0) {
         line.ahead = first.x * direction_.x + first.y * direction_.y;
         line.aside = std::abs(first.y * direction_.x - first.x * direction_.y);
-        line.halfChord = rootOf((outline_ - line.aside) * (outline_ + line.aside));
-        if (!(line.aside < outline_) || !(line.ahead > -line.halfChord) || !(line.ahead - reach_ < line.halfChord))
-            return std::nullopt;
+        line.passes = line.ahead > 0.0 && line.ahead < reach_ && line.aside < outline_;
     }
+    if (!line.insideAtFrom && !line.insideAtTo && !line.passes) return std::nullopt;
     const Span span{least(lower_, line), -least(upper_, line)};
     if (!(span.low < span.high)) return std::nullopt;
     return span;

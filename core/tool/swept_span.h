@@ -45,13 +45,16 @@ private:
     };
     /// A line seen from the piece.
     struct Line {
-        double squareAtFrom = 0.0, squareAtTo = 0.0; ///< mm², of its distance from the axis at both ends
-        double ahead = 0.0;                          ///< mm, along the way in the plane, from the first axis
-        double aside = 0.0;                          ///< mm, across it, >= 0
-        double halfChord = 0.0;                      ///< mm, of the piece's outline at that distance across
+        double squareAtFrom = 0.0, squareAtTo = 0.0;   ///< mm², of its distance from the axis at both ends
+        bool insideAtFrom = false, insideAtTo = false; ///< the outline, at both ends
+        bool passes = false;                           ///< the axis comes closest between the ends, line inside
+        double ahead = 0.0;                            ///< mm, along the way in the plane, from the first axis
+        double aside = 0.0;                            ///< mm, across it, >= 0
     };
     double heightAt(const Face& face, double square) const noexcept;
     double least(const Face& face, const Line& line) const noexcept;
+    double leastBetween(const Face& face, const Line& line) const noexcept;
+    double chordOf(const Line& line) const noexcept;
     double bestOffset(const Face& face, const Line& line, double low, double high) const noexcept;
     double bestOffsetOnCorner(const Face& face, const Line& line, double low, double high) const noexcept;
 
@@ -60,6 +63,8 @@ private:
     glm::dvec2 direction_{1.0, 0.0}; ///< unit, of the way in the plane
     double reach_ = 0.0;             ///< mm, length of the way in the plane
     double outline_ = 0.0;           ///< mm, largest radius
+    double outlineSquare_ = 0.0;     ///< mm²
+    double sineSquare_ = 0.0;        ///< of the way's slope
     Face lower_, upper_;
 };
 

@@ -11,51 +11,78 @@
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
 
+#include <vector>
+
 namespace burin {
 
+/// A program, and all that it is judged against. Frames: the program's coordinates are those of the work offset; the
+/// rest is in the setup frame.
 struct VerifyRequest {
     const ParsedProgram* program = nullptr;
     const Model* model = nullptr;
-    const MeshDistance* part = nullptr;  ///< of the model's meshes, chord <= 0.005 mm
+    const MeshDistance* part = nullptr; ///< of the model's meshes, chord <= 0.005 mm
     Setup setup;
     Tool tool;
     MachineProfile machine;
     double gougeTolerance = 0.02;   ///< mm
     double sampling = 0.1;          ///< mm along moves
-    std::size_t exactSamples = 500; ///< of the worst samples are judged on the exact B-rep; 0: mesh only
+    std::size_t exactSamples = 500; ///< of the worst samples are judged on the exact B-rep; 0, or no B-rep: mesh only
     ImportOptions import;           ///< worker and limits for the exact distances
 };
 
 enum class FindingKind : std::uint8_t {
-    gouge, rapidInStock, shankCollision, holderCollision, spindleOff, travelLimit, feedLimit, unknownStart
+    gouge,           ///< amount: mm of depth
+    rapidInStock,    ///< amount: mm³ that the rapid would tear off
+    shankCollision,  ///< amount: mm³ of overlap
+    holderCollision, ///< amount: mm³ of overlap
+    spindleOff,      ///< amount: mm³ removed with the spindle standing still
+    travelLimit,     ///< amount: mm of way that one axis would have to have
+    feedLimit,       ///< amount: mm/min
+    spindleLimit,    ///< amount: 1/min
+    unknownStart,    ///< a feed move from a place that the program has not set; amount: 0
 };
+/// Stable id of a kind, for JSON: "gouge", "rapid_in_stock", …
+const char* idOf(FindingKind kind);
 
 struct Finding {
     FindingKind kind = FindingKind::gouge;
-    std::uint32_t line = 0;    ///< of the program
-    glm::dvec3 place{0.0};     ///< mm, setup frame
-    double amount = 0.0;       ///< mm of depth, or the value that breaks the limit in its own unit
+    std::uint32_t line = 0; ///< of the program's text, from 1
+    glm::dvec3 place{0.0};  ///< mm, setup frame
+    double amount = 0.0;    ///< in the unit that the kind states
+};
+
+/// Signed distance from the part's surface to what the program leaves there.
+struct DeviationSample {
+    glm::dvec3 place{0.0}; ///< on the part, mm, setup frame
+    double excess = 0.0;   ///< mm of stock along the normal; 0: bare
+    bool reachable = true; ///< the tool could touch the part here without entering it or going below it
 };
 
 /// What re-simulating a program on its setup found.
 struct VerifyReport {
-    double gougeMax = 0.0;        ///< mm, >= 0: the larger of the mesh's and the exact judgement where both exist
-    double gougeMaxMesh = 0.0;    ///< mm
-    std::size_t samples = 0;      ///< along the moves
+    double gougeMax = 0.0;     ///< mm, >= 0: the exact judgement where there is one, the mesh's elsewhere
+    double gougeMaxMesh = 0.0; ///< mm, >= 0
+    std::size_t samples = 0;   ///< places along the moves that were judged
     std::size_t exactSamples = 0;
-    double excessMax = 0.0;       ///< mm of material left above the part where the tool could have reached, see README
-    double excessMean = 0.0;      ///< mm
-    double removed = 0.0;         ///< mm³
-    double onPartShare = 0.0;     ///< of cutting samples over the part's outline shrunk by the radius: share within 0.1 mm of the part
-    double machiningSeconds = 0.0;///< at the programmed feeds, without acceleration
-    std::vector<Finding> findings;///< worst of each kind and block, in program order
-    bool passed(double gougeTolerance) const;
+    double excessMax = 0.0;      ///< mm of stock left over reachable places of the part, along its normal
+    double excessMean = 0.0;     ///< mm, over reachable places
+    double reachableShare = 0.0; ///< of the part's surface, 0 … 1
+    double removed = 0.0;        ///< mm³
+    double onPartShare = 0.0; ///< of cutting samples over the part's outline shrunk by the radius: within 0.1 mm of it
+    std::size_t onPartSamples = 0; ///< how many those samples are
+    double machiningSeconds = 0.0; ///< at the programmed feeds and the machine's rapids, without acceleration
+    std::vector<Finding> findings; ///< the worst of each kind on each line, in program order
+    std::vector<DeviationSample> deviations;
+
+    /// True when nothing was found; a gouge within the tolerance is not a finding.
+    bool passed() const noexcept { return findings.empty(); }
 };
 
 /// Re-simulates a program on a fresh workpiece and judges it: flutes, shank and holder against stock and part, rapids,
-/// limits, gouges on the fine mesh and, at the worst samples, on exact geometry. The workpiece as the program leaves it
-/// goes to `machined` when that is not null.
-/// Errors: those of embed and exactSignedDistances, cancelled.
+/// limits, gouges on the fine mesh and, at the worst samples, on exact geometry. core/verify/README.md states the
+/// rules.
+/// @param machined  the workpiece as the program leaves it, where not null
+/// Errors: those of embed and exactSignedDistances, notSupported (more than one tool), cancelled.
 Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined = nullptr);
 
 } // namespace burin

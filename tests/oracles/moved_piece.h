@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace burin::oracle {
+namespace burin::oracles {
 
 /// Height of the end faces of a piece at a distance below its outline from the axis, mm above the tip.
 struct Faces {
@@ -84,4 +84,4 @@ inline SampledSpan sampledSpan(const RevolvedPiece& piece, const glm::dvec3& fro
     return span;
 }
 
-} // namespace burin::oracle
+} // namespace burin::oracles

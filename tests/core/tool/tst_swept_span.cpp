@@ -73,8 +73,8 @@ private slots:
             const Box box = swept.bounds();
             for (int line = 0; line < 40; ++line) {
                 const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
-                const oracle::SampledSpan expected = oracle::sampledSpan(piece, from, to, x, y);
-                const double room = oracle::outlineOf(piece) - expected.closest;
+                const oracles::SampledSpan expected = oracles::sampledSpan(piece, from, to, x, y);
+                const double room = oracles::outlineOf(piece) - expected.closest;
                 if (std::abs(room) < 1e-9) continue; // touching to rounding: either answer
                 const std::optional<Span> found = swept.along(x, y);
                 RC_ASSERT(found.has_value() == (room > 0.0));
@@ -99,7 +99,7 @@ private slots:
             const glm::dvec2 place = glm::dvec2(to) * t + glm::dvec2(-ahead.y, ahead.x) * across;
             const std::optional<Span> found = swept.along(place.x, place.y);
             RC_ASSERT(found.has_value());
-            const oracle::SampledSpan expected = oracle::sampledSpan(piece, glm::dvec3(0.0), to, place.x, place.y);
+            const oracles::SampledSpan expected = oracles::sampledSpan(piece, glm::dvec3(0.0), to, place.x, place.y);
             RC_ASSERT(near(found->low, expected.low, 1e-9));
         });
         QVERIFY(held);
@@ -150,7 +150,7 @@ private slots:
             const glm::dvec3 tip(real(-5.0, 5.0), real(-5.0, 5.0), real(-5.0, 5.0));
             const SweptPiece standing(piece, tip, tip), arriving(piece, tip - randomMove(), tip);
             const SweptPiece leaving(piece, tip, tip + randomMove());
-            const double reach = oracle::outlineOf(piece);
+            const double reach = oracles::outlineOf(piece);
             const double x = tip.x + real(-reach, reach), y = tip.y + real(-reach, reach);
             const std::optional<Span> still = standing.along(x, y);
             if (!still) return;

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace burin {
+
+/// What every command of the command line gets: where its answer and its messages go, and the wish to stop it.
+/// One object a run; the main thread alone, but for `progress()`.
+class CommandContext {
+public:
+    CommandContext();
+    ~CommandContext();
+    CommandContext(const CommandContext&) = delete;
+    CommandContext& operator=(const CommandContext&) = delete;
+
+    bool json = false; ///< one JSON object on standard output instead of text
+
+    /// Cancelled by SIGINT and SIGTERM.
+    Progress& progress() noexcept;
+    /// Begins a stage of work, named on a terminal together with its progress.
+    void stage(const std::string& title);
+    /// The answer: `object` with --json, `text` without.
+    void answer(const nlohmann::json& object, const std::string& text);
+    /// A line on standard error.
+    void message(const std::string& text);
+    /// Words an error on standard error, as {"error": …} with --json, and gives the exit status.
+    int fail(const Error& error);
+
+private:
+    class ProgressLine;
+    std::unique_ptr<ProgressLine> line_;
+};
+
+/// Adds one subcommand; its callback stores the exit status.
+using Register = void (*)(CLI::App& program, CommandContext& context, int& status);
+void registerImport(CLI::App& program, CommandContext& context, int& status);
+void registerEmbed(CLI::App& program, CommandContext& context, int& status);
+void registerMill(CLI::App& program, CommandContext& context, int& status);
+void registerPath(CLI::App& program, CommandContext& context, int& status);
+void registerPost(CLI::App& program, CommandContext& context, int& status);
+void registerVerify(CLI::App& program, CommandContext& context, int& status);
+void registerInfo(CLI::App& program, CommandContext& context, int& status);
+void registerDemo(CLI::App& program, CommandContext& context, int& status);
+
+/// Declares --json for a subcommand.
+void addJsonFlag(CLI::App& command, CommandContext& context);
+
+} // namespace burin

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.h"
+#include "app/report.h"
+#include "core/base/file.h"
+#include "core/base/numbers.h"
+#include "core/cad/import.h"
+#include "core/project/milling.h"
+#include "core/project/program_job.h"
+#include "ui/scene/picture.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+namespace burin {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct DemoArguments {
+    std::string model, tool, output = "out", machine = "linuxcnc-mill", material = "aluminium-6061";
+    double seconds = 0.0, voxel = 0.0, margin = 5.0, tolerance = 0.02;
+    std::uint64_t seed = 1;
+    bool block = false;
+};
+
+/// What the demo leaves behind, for the answer and the report.
+struct DemoResult {
+    Bench bench;
+    OperatorOutcome milling;
+    EvaluatedPath path;
+    CheckedProgram program;
+};
+
+/// The paper's figure 13 b: a block of 40 × 32 × 40 voxels and a ball of radius 0.5; we read the voxel as 0.1 mm.
+Result<Setup> blockSetup(const DemoArguments& arguments) {
+    Setup setup;
+    setup.voxel = arguments.voxel > 0.0 ? arguments.voxel : 0.1;
+    setup.marginLow = setup.marginHigh = glm::dvec3(0.0);
+    setup.stockMaterial = arguments.material;
+    setup.stock = {glm::dvec3(0.0), glm::dvec3(40.0, 32.0, 40.0) * setup.voxel};
+    setup.workOffset = {setup.stock.centre().x, setup.stock.centre().y, setup.stock.high.z};
+    return setup;
+}
+
+Result<Setup> partSetup(const DemoArguments& arguments, const Model& model) {
+    Setup setup;
+    setup.voxel = arguments.voxel > 0.0 ? arguments.voxel : 0.5;
+    setup.marginLow = setup.marginHigh = glm::dvec3(arguments.margin);
+    setup.stockMaterial = arguments.material;
+    setup.bodyMaterials.assign(model.bodies.size(), {});
+    return placeStock(model, setup);
+}
+
+/// A new project with part, stock, material and tool. Errors: those of importing, placing and storing.
+Result<Project> makeProject(const DemoArguments& arguments, const Tool& tool, CommandContext& context) {
+    Model model;
+    if (!arguments.block) {
+        context.stage("Importing");
+        const fs::path file =
+            arguments.model.empty() ? resourceDirectory() / "samples/mouse.step" : fs::path(arguments.model);
+        Result<Model> imported = importModel(file, ImportOptions{}, context.progress());
+        if (!imported) return std::move(imported).error();
+        model = std::move(*imported);
+    }
+    const Result<Setup> setup = arguments.block ? blockSetup(arguments) : partSetup(arguments, model);
+    if (!setup) return setup.error();
+    const Result<Property> material = loadMaterial(arguments.material);
+    if (!material) return material.error();
+    context.stage("Making the project");
+    Result<Project> project = Project::create(fs::path(arguments.output) / "demo.burin");
+    if (!project) return project;
+    for (const auto& step : {project->setModel(model), project->setSetup(*setup), project->setMaterials({*material}),
+                             project->setTool(tool), project->save()})
+        if (!step) return step.error();
+    return project;
+}
+
+/// The whole job on a project. Errors: those of its stages.
+Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments& arguments, CommandContext& context) {
+    context.stage("Embedding");
+    Result<Bench> bench = makeBench(project, tool, arguments.machine, context.progress());
+    if (!bench) return std::move(bench).error();
+    context.stage("Building the tool's field");
+    OperatorRequest request;
+    request.timeLimit = arguments.seconds;
+    request.seed = arguments.seed;
+    const auto field = clearanceField(*bench, request.allowance, context.progress());
+    if (!field) return field.error();
+    context.stage("Milling");
+    Result<OperatorOutcome> milling =
+        millWithOperator(project, *bench, **field, request, context.progress().cancelFlag());
+    if (!milling) return std::move(milling).error();
+
+    context.stage("Editing");
+    Result<StoredPath> stored = standardPath(project);
+    if (!stored) return std::move(stored).error();
+    const Result<std::int64_t> id = project.addPath(*stored);
+    if (!id) return id.error();
+    Result<EvaluatedPath> path = evaluateStored(project, *bench, *stored, context.progress());
+    if (!path) return std::move(path).error();
+
+    context.stage("Posting and checking");
+    ProgramRequest post;
+    post.name = "demo.ngc";
+    post.gougeTolerance = arguments.tolerance;
+    Result<CheckedProgram> program = makeProgram(*bench, path->path, post, context.progress());
+    if (!program) return std::move(program).error();
+    return DemoResult{std::move(*bench), std::move(*milling), std::move(*path), std::move(*program)};
+}
+
+json jsonOf(const DemoResult& result) {
+    json answer = burin::jsonOf(result.program.report);
+    std::uint64_t ticks = 0, samples = 0, shank = 0;
+    double removed = 0.0, drop = 0.0, p50 = 0.0, p999 = 0.0, wall = 0.0, simulated = 0.0;
+    for (const TakeOutcome& take : result.milling.takes) {
+        ticks += take.loop.ticks;
+        samples += take.samples;
+        shank += take.shankTicks;
+        removed += take.removed;
+        drop += take.drop;
+        wall += take.loop.wallSeconds;
+        simulated += take.loop.simulatedSeconds;
+        p50 = std::max(p50, take.loop.workP50);
+        p999 = std::max(p999, take.loop.workP999);
+    }
+    answer["program_removed_mm3"] = answer["removed_mm3"];
+    answer["removed_mm3"] = removed;
+    answer["workpiece_drop_mm3"] = drop;
+    answer["ticks"] = ticks;
+    answer["samples"] = samples;
+    answer["shank_contact_ticks"] = shank;
+    answer["tick_us_p50"] = p50;
+    answer["tick_us_p999"] = p999;
+    answer["milling_s"] = simulated;
+    answer["milling_wall_s"] = wall;
+    answer["blocks"] = result.program.blocks;
+    answer["edits"] = burin::jsonOf(result.path.reports);
+    answer["error_budget_mm"] = result.path.errorBudget;
+    answer["work_offset_mm"] = burin::jsonOf(result.bench.setup.workOffset);
+    answer["tool"] = burin::jsonOf(result.bench.tool);
+    answer["voxel_mm"] = result.bench.setup.voxel;
+    answer["part_volume_mm3"] = result.bench.embedded.partVolume;
+    answer["model_volume_mm3"] = result.bench.model.volume();
+    answer["stock_volume_mm3"] = result.bench.embedded.stockVolume;
+    answer["levels_mm"] = result.milling.plan.levels;
+    answer["step_over_mm"] = result.milling.plan.finishingStepOver;
+    answer["truncated"] = result.milling.plan.truncated;
+    return answer;
+}
+
+Result<void> drawResult(const DemoResult& result, const fs::path& file) {
+    PictureContent content;
+    content.workpiece = result.program.machined;
+    content.tool = result.bench.tool;
+    content.path = result.path.path;
+    // The tool stands where it cut last, so that its tip tells the scale of what it did.
+    for (const PathPoint& point : result.path.path.points)
+        if (point.kind == MoveKind::cut) content.tip = point.tip;
+    const Result<std::string> png = drawPicture(content);
+    if (!png) return png.error();
+    return writeFileAtomically(file, *png);
+}
+
+int runDemo(const DemoArguments& arguments, CommandContext& context) {
+    std::error_code failed;
+    fs::create_directories(arguments.output, failed);
+    if (failed) return context.fail(writeError(arguments.output, failed.value()));
+    const Result<Tool> tool = loadTool(!arguments.tool.empty() ? arguments.tool
+                                       : arguments.block       ? "ball-1"
+                                                               : "ball-6");
+    if (!tool) return context.fail(tool.error());
+    Result<Project> project = makeProject(arguments, *tool, context);
+    if (!project) return context.fail(project.error());
+    const Result<DemoResult> result = work(*project, *tool, arguments, context);
+    if (!result) return context.fail(result.error());
+
+    context.stage("Writing");
+    const fs::path folder = fs::absolute(arguments.output).lexically_normal();
+    json answer = jsonOf(*result);
+    answer["project"] = (folder / "demo.burin").string();
+    answer["program"] = nullptr;
+    const bool passed = result->program.report.passed();
+    if (passed) {
+        answer["program"] = (folder / "demo.ngc").string();
+        if (const Result<void> written = writeFileAtomically(folder / "demo.ngc", result->program.text); !written)
+            return context.fail(written.error());
+        const StoredProgram kept{"demo.ngc", "linuxcnc", arguments.machine, result->program.text,
+                                 burin::jsonOf(result->program.report).dump()};
+        if (const Result<void> added = project->addProgram(kept); !added) return context.fail(added.error());
+    }
+    if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
+    if (const Result<void> drawn = drawResult(*result, folder / "demo.png"); !drawn) return context.fail(drawn.error());
+    answer["picture"] = (folder / "demo.png").string();
+    answer["report"] = (folder / "demo.json").string();
+    if (const Result<void> written = writeFileAtomically(folder / "demo.json", answer.dump(2) + "\n"); !written)
+        return context.fail(written.error());
+    context.answer(answer, "project  " + answer["project"].get<std::string>() + "\nprogram  " +
+                               (passed ? answer["program"].get<std::string>() : std::string("refused")) + ", " +
+                               std::to_string(result->program.blocks) + " blocks\npicture  " +
+                               answer["picture"].get<std::string>() + "\nreport   " +
+                               answer["report"].get<std::string>() + "\n" +
+                               textOf(result->program.report, arguments.tolerance));
+    return passed ? 0 : static_cast<int>(ErrorClass::checkFailed);
+}
+
+} // namespace
+
+void registerDemo(CLI::App& program, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<DemoArguments>();
+    CLI::App* command = program.add_subcommand("demo", "Do the whole job on the sample part with a virtual operator");
+    CLI::Option* block =
+        command->add_flag("--block", arguments->block, "Mill the block of the paper's figure 13 (b) instead");
+    command->add_option("--model", arguments->model, "Another part: STEP, IGES, BREP or STL")->excludes(block);
+    command->add_option("--tool", arguments->tool, "Tool (ball-6; ball-1 with --block)");
+    command->add_option("--voxel", arguments->voxel, "Edge of a voxel, mm (0.5; 0.1 with --block)")
+        ->check(CLI::Range(1e-3, 100.0));
+    command->add_option("--seconds", arguments->seconds, "Time that the operator has, s; 0: as long as the job takes")
+        ->check(CLI::Range(0.0, 1e6));
+    command->add_option("--margin", arguments->margin, "Stock around the part, mm")->capture_default_str();
+    command->add_option("--material", arguments->material, "Material of the stock")->capture_default_str();
+    command->add_option("--seed", arguments->seed, "Of the operator's tremor")->capture_default_str();
+    command->add_option("--output", arguments->output, "Folder for project, program, picture and report")
+        ->capture_default_str();
+    addJsonFlag(*command, context);
+    command->callback([arguments, &context, &status] { status = runDemo(*arguments, context); });
+}
+
+} // namespace burin

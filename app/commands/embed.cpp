@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.h"
+#include "app/report.h"
+#include "core/base/numbers.h"
+#include "core/cad/import.h"
+#include "core/project/project.h"
+#include "core/setup/setup.h"
+
+#include <CLI/CLI.hpp>
+
+namespace burin {
+
+namespace {
+
+struct EmbedArguments {
+    std::string model, output;
+    double voxel = 0.5, margin = 5.0, stlUnit = 1.0;
+    std::string stock = "box", material = "aluminium-6061";
+    std::vector<std::string> bodyMaterials;
+};
+
+/// "BODY=NAME" for each body that differs. Errors: argumentInvalid, nameUnknown.
+Result<std::vector<std::string>> bodyMaterials(const EmbedArguments& arguments, const Model& model) {
+    std::vector<std::string> materials(model.bodies.size());
+    for (const std::string& pair : arguments.bodyMaterials) {
+        const std::size_t equals = pair.rfind('=');
+        if (equals == std::string::npos) return Error{ErrorCode::argumentInvalid, "--body-material", pair, "BODY=NAME"};
+        const std::string name = pair.substr(0, equals);
+        bool found = false;
+        std::string known;
+        for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+            known += (known.empty() ? "" : ", ") + model.bodies[i].name;
+            if (model.bodies[i].name != name) continue;
+            materials[i] = pair.substr(equals + 1);
+            found = true;
+        }
+        if (!found) return Error{ErrorCode::nameUnknown, "body", name, known};
+    }
+    return materials;
+}
+
+Result<std::vector<Property>> materialsOf(const Setup& setup) {
+    std::vector<Property> materials;
+    std::vector<std::string> ids{setup.stockMaterial};
+    for (const std::string& id : setup.bodyMaterials)
+        if (!id.empty() && std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    for (const std::string& id : ids) {
+        Result<Property> material = loadMaterial(id);
+        if (!material) return std::move(material).error();
+        materials.push_back(std::move(*material));
+    }
+    return materials;
+}
+
+int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
+    if (arguments.stock != "box")
+        return context.fail({ErrorCode::notSupported, "--stock " + arguments.stock, "--stock box", {}});
+    ImportOptions options;
+    options.stlUnit = arguments.stlUnit;
+    context.stage("Importing");
+    const Result<Model> model = importModel(arguments.model, options, context.progress());
+    if (!model) return context.fail(model.error());
+
+    Setup wanted;
+    wanted.voxel = arguments.voxel;
+    wanted.marginLow = wanted.marginHigh = glm::dvec3(arguments.margin);
+    wanted.stockMaterial = arguments.material;
+    Result<std::vector<std::string>> perBody = bodyMaterials(arguments, *model);
+    if (!perBody) return context.fail(perBody.error());
+    wanted.bodyMaterials = std::move(*perBody);
+    const Result<Setup> setup = placeStock(*model, wanted);
+    if (!setup) return context.fail(setup.error());
+    const Result<std::vector<Property>> materials = materialsOf(*setup);
+    if (!materials) return context.fail(materials.error());
+
+    context.stage("Embedding");
+    const Result<EmbeddedSetup> embedded = embed(*model, *setup, context.progress());
+    if (!embedded) return context.fail(embedded.error());
+
+    context.stage("Saving");
+    Result<Project> project = Project::create(arguments.output);
+    if (!project) return context.fail(project.error());
+    for (const auto& step :
+         {project->setModel(*model), project->setSetup(*setup), project->setMaterials(*materials), project->save()})
+        if (!step) return context.fail(step.error());
+
+    const glm::ivec3 voxels = embedded->workpiece.grid().count();
+    const nlohmann::json answer{{"project", std::filesystem::absolute(arguments.output).lexically_normal().string()},
+                                {"stock_box_mm", jsonOf(setup->stock)},
+                                {"voxel_mm", setup->voxel},
+                                {"voxels", {voxels.x, voxels.y, voxels.z}},
+                                {"memory_mb", static_cast<double>(embedded->workpiece.reservedBytes()) / 1e6},
+                                {"part_volume_mm3", embedded->partVolume},
+                                {"model_volume_mm3", model->volume()},
+                                {"stock_volume_mm3", embedded->stockVolume},
+                                {"work_offset_mm", jsonOf(setup->workOffset)},
+                                {"material", setup->stockMaterial},
+                                {"warnings", embedded->warnings}};
+    std::string text = "part " + formatFixed(embedded->partVolume, 1) + " mm^3 in stock " +
+                       formatFixed(embedded->stockVolume, 1) + " mm^3, " + std::to_string(voxels.x) + " x " +
+                       std::to_string(voxels.y) + " x " + std::to_string(voxels.z) + " voxels of " +
+                       formatShortest(setup->voxel) + " mm";
+    for (const std::string& warning : embedded->warnings) text += "\nwarning: " + warning;
+    context.answer(answer, text);
+    return 0;
+}
+
+} // namespace
+
+void registerEmbed(CLI::App& program, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<EmbedArguments>();
+    CLI::App* command = program.add_subcommand("embed", "Put a CAD model into stock and make a project of it");
+    command->add_option("MODEL", arguments->model, "STEP, IGES, BREP or STL file")->required();
+    command->add_option("-o,--output", arguments->output, "Project file to write (.burin)")->required();
+    command->add_option("--voxel", arguments->voxel, "Edge of a voxel, mm")->capture_default_str();
+    command->add_option("--stock", arguments->stock, "Shape of the stock: box")->capture_default_str();
+    command->add_option("--margin", arguments->margin, "Stock around the part on every side, mm")
+        ->capture_default_str();
+    command->add_option("--material", arguments->material, "Material of the stock")->capture_default_str();
+    command->add_option("--body-material", arguments->bodyMaterials, "Material of a body: BODY=NAME; may be repeated");
+    command->add_option("--stl-unit", arguments->stlUnit, "Millimetres per unit of an STL file")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->capture_default_str();
+    addJsonFlag(*command, context);
+    command->callback([arguments, &context, &status] { status = runEmbed(*arguments, context); });
+}
+
+} // namespace burin

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.h"
+#include "app/report.h"
+#include "core/base/numbers.h"
+#include "core/haptics/operator.h"
+#include "core/haptics/trace_stylus.h"
+#include "core/project/milling.h"
+#include "core/recording/trace_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+
+namespace burin {
+
+namespace {
+
+using nlohmann::json;
+
+struct MillArguments {
+    std::string project, stylus = "operator", tool = "ball-6", machine = "linuxcnc-mill", output;
+    bool realtime = false, fast = false;
+    double seconds = 0.0;
+    std::optional<double> allowance;
+    OperatorRequest hand;
+};
+
+json jsonOf(const TakeOutcome& outcome) {
+    return {{"take", outcome.take},
+            {"samples", outcome.samples},
+            {"ticks", outcome.loop.ticks},
+            {"rate_hz", outcome.loop.rateHz},
+            {"tick_us_p50", outcome.loop.workP50},
+            {"tick_us_p999", outcome.loop.workP999},
+            {"tick_cpu_us_p50", outcome.loop.cpuP50},
+            {"tick_cpu_us_p999", outcome.loop.cpuP999},
+            {"missed", outcome.loop.missed},
+            {"scheduling", outcome.loop.scheduling == SchedulingClass::fifo ? "fifo" : "normal"},
+            {"duration_s", outcome.loop.simulatedSeconds},
+            {"removed_mm3", outcome.removed},
+            {"workpiece_drop_mm3", outcome.drop},
+            {"shank_contact_ticks", outcome.shankTicks},
+            {"force_max_n", outcome.largestForce},
+            {"cutting_force_max_n", outcome.largestCuttingForce}};
+}
+
+std::string textOf(const TakeOutcome& outcome) {
+    return "take " + std::to_string(outcome.take) + ": " + std::to_string(outcome.samples) + " samples, " +
+           formatFixed(outcome.loop.simulatedSeconds, 1) + " s, removed " + formatFixed(outcome.removed, 1) +
+           " mm^3; tick " + formatFixed(outcome.loop.workP50, 1) + " us (p50), " +
+           formatFixed(outcome.loop.workP999, 1) + " us (p99.9), " + formatFixed(outcome.loop.rateHz, 0) + " Hz" +
+           (outcome.shankTicks > 0 ? "; shank or holder touched in " + std::to_string(outcome.shankTicks) + " ticks"
+                                   : "");
+}
+
+/// Plays a trace; its end, or the time given, ends the take.
+Result<std::vector<TakeOutcome>> millWithTrace(const std::string& file, const MillArguments& arguments, Pace pace,
+                                               Project& project, Bench& bench, const ClearanceField& field,
+                                               const std::atomic<bool>& stop) {
+    Result<std::vector<StylusState>> states = readTrace(file);
+    if (!states) return std::move(states).error();
+    const StylusDescription description = touchLikeStylus();
+    TraceStylus stylus(std::move(*states), description);
+    TakeRequest request;
+    request.name = std::filesystem::path(file).stem().string();
+    request.allowance = arguments.allowance.value_or(0.0);
+    request.mapping = mappingFor(bench, description);
+    request.pace = pace;
+    if (arguments.seconds > 0.0) request.maximumSeconds = arguments.seconds;
+    Result<TakeOutcome> outcome = recordTake(project, bench, field, stylus, request, stop);
+    if (!outcome) return std::move(outcome).error();
+    return std::vector<TakeOutcome>{std::move(*outcome)};
+}
+
+Result<std::vector<TakeOutcome>> millAsAsked(const MillArguments& arguments, Project& project, Bench& bench,
+                                             const ClearanceField& field, const std::atomic<bool>& stop) {
+    const Pace pace = arguments.realtime ? Pace::realtime : Pace::fast;
+    constexpr std::string_view trace = "trace:", device = "device:";
+    if (arguments.stylus.starts_with(trace))
+        return millWithTrace(arguments.stylus.substr(trace.size()), arguments, pace, project, bench, field, stop);
+    if (arguments.stylus.starts_with(device))
+        return Error{ErrorCode::deviceNotFound, arguments.stylus.substr(device.size()), {}, {}};
+    if (arguments.stylus != "operator")
+        return Error{ErrorCode::nameUnknown, "stylus", arguments.stylus, "operator, trace:FILE, device:NAME"};
+    OperatorRequest request = arguments.hand;
+    request.allowance = arguments.allowance.value_or(request.allowance);
+    request.timeLimit = arguments.seconds;
+    request.pace = pace;
+    Result<OperatorOutcome> outcome = millWithOperator(project, bench, field, request, stop);
+    if (!outcome) return std::move(outcome).error();
+    return std::move(outcome->takes);
+}
+
+int runMill(const MillArguments& arguments, CommandContext& context) {
+    context.stage("Opening");
+    Result<Project> project = Project::open(arguments.project);
+    if (!project) return context.fail(project.error());
+    const Result<Tool> tool = toolFor(*project, arguments.tool);
+    if (!tool) return context.fail(tool.error());
+    Result<Bench> bench = makeBench(*project, *tool, arguments.machine, context.progress());
+    if (!bench) return context.fail(bench.error());
+    if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
+        return context.fail(replayed.error());
+    if (const Result<void> kept = project->setTool(*tool); !kept) return context.fail(kept.error());
+
+    context.stage("Building the tool's field");
+    const double allowance = arguments.allowance.value_or(arguments.hand.allowance);
+    const auto field = clearanceField(*bench, std::max(allowance, 0.5), context.progress());
+    if (!field) return context.fail(field.error());
+
+    context.stage("Milling");
+    const auto outcome = millAsAsked(arguments, *project, *bench, **field, context.progress().cancelFlag());
+    if (!outcome) return context.fail(outcome.error());
+
+    json answer{{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
+                {"tool", jsonOf(bench->tool)},
+                {"takes", json::array()}};
+    double removed = 0.0;
+    std::uint64_t samples = 0;
+    std::string text;
+    for (const TakeOutcome& take : *outcome) {
+        answer["takes"].push_back(jsonOf(take));
+        removed += take.removed;
+        samples += take.samples;
+        text += (text.empty() ? "" : "\n") + textOf(take);
+    }
+    answer["samples"] = samples;
+    answer["removed_mm3"] = removed;
+    context.answer(answer, text);
+    return context.progress().cancelled() ? static_cast<int>(ErrorClass::cancelled) : 0;
+}
+
+} // namespace
+
+void registerMill(CLI::App& program, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<MillArguments>();
+    CLI::App* command = program.add_subcommand("mill", "Mill a project's workpiece with a stylus and record it");
+    command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
+    command->add_option("--stylus", arguments->stylus, "operator, trace:FILE or device:NAME")->capture_default_str();
+    command->add_option("--tool", arguments->tool, "Tool")->capture_default_str();
+    command->add_option("--machine", arguments->machine, "Machine, for the spindle speed")->capture_default_str();
+    CLI::Option* realtime = command->add_flag("--realtime", arguments->realtime, "One tick a millisecond of the clock");
+    command->add_flag("--fast", arguments->fast, "As fast as the machine can (the default)")->excludes(realtime);
+    command->add_option("--seconds", arguments->seconds, "Length of the session, s; 0: as long as the job takes")
+        ->check(CLI::Range(0.0, 1e6));
+    command
+        ->add_option("--allowance", arguments->allowance,
+                     "Stock left on the part, mm; the operator roughs with it (0.5)")
+        ->check(CLI::Range(0.0, 10.0));
+    command
+        ->add_option("--press", arguments->hand.press, "How far the operator presses into the part when finishing, mm")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
+    command
+        ->add_option("--step-over", arguments->hand.finishingStepOver, "Between finishing passes, mm; 0: by the tool")
+        ->check(CLI::Range(0.0, 100.0));
+    command->add_option("--seed", arguments->hand.seed, "Of the operator's tremor")->capture_default_str();
+    addJsonFlag(*command, context);
+    command->callback([arguments, &context, &status] { status = runMill(*arguments, context); });
+}
+
+} // namespace burin

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.h"
+#include "app/report.h"
+#include "core/base/file.h"
+#include "core/base/numbers.h"
+#include "core/project/program_job.h"
+#include "core/recording/take_csv.h"
+#include "core/recording/trace_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace burin {
+
+namespace {
+
+using nlohmann::json;
+
+struct PathArguments {
+    std::string project, machine = "linuxcnc-mill", output, edit, name = "path";
+    std::int64_t path = 0, take = 0;
+    std::vector<std::int64_t> takes;
+    std::size_t place = 0;
+};
+
+json jsonOf(const StoredPath& path) {
+    json edits = json::array();
+    for (const Edit& edit : path.edits) edits.push_back(json::parse(toJson(edit)));
+    return {{"id", path.id}, {"name", path.name}, {"takes", path.takes}, {"edits", edits}};
+}
+
+std::string textOf(const StoredPath& path) {
+    std::ostringstream text;
+    text << "path " << path.id << " " << path.name << ", takes";
+    for (const std::int64_t take : path.takes) text << " " << take;
+    for (std::size_t i = 0; i < path.edits.size(); ++i) text << "\n  " << i << "  " << toJson(path.edits[i]);
+    return text.str();
+}
+
+Result<StoredPath> pathWithId(const Project& project, std::int64_t id) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    std::string known;
+    for (const StoredPath& path : *paths) {
+        if (path.id == id) return path;
+        known += (known.empty() ? "" : ", ") + std::to_string(path.id);
+    }
+    return Error{ErrorCode::nameUnknown, "path", std::to_string(id), known};
+}
+
+int list(const PathArguments& arguments, CommandContext& context) {
+    const Result<Project> project = Project::open(arguments.project);
+    if (!project) return context.fail(project.error());
+    const Result<std::vector<StoredPath>> paths = project->paths();
+    if (!paths) return context.fail(paths.error());
+    json answer{{"paths", json::array()}};
+    std::string text = paths->empty() ? "no paths" : "";
+    for (const StoredPath& path : *paths) {
+        answer["paths"].push_back(jsonOf(path));
+        text += (text.empty() ? "" : "\n") + textOf(path);
+    }
+    context.answer(answer, text);
+    return 0;
+}
+
+int create(const PathArguments& arguments, CommandContext& context) {
+    Result<Project> project = Project::open(arguments.project);
+    if (!project) return context.fail(project.error());
+    Result<StoredPath> path = standardPath(*project);
+    if (!path) return context.fail(path.error());
+    path->name = arguments.name;
+    for (const std::int64_t take : arguments.takes)
+        if (std::find(path->takes.begin(), path->takes.end(), take) == path->takes.end())
+            return context.fail({ErrorCode::nameUnknown, "take", std::to_string(take), {}});
+    if (!arguments.takes.empty()) path->takes = arguments.takes;
+    const Result<std::int64_t> id = project->addPath(*path);
+    if (!id) return context.fail(id.error());
+    path->id = *id;
+    if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
+    context.answer(jsonOf(*path), textOf(*path));
+    return 0;
+}
+
+/// Changes the edits of one path and saves.
+int change(const PathArguments& arguments, CommandContext& context,
+           const std::function<Result<void>(StoredPath&)>& changeEdits) {
+    Result<Project> project = Project::open(arguments.project);
+    if (!project) return context.fail(project.error());
+    Result<StoredPath> path = pathWithId(*project, arguments.path);
+    if (!path) return context.fail(path.error());
+    if (const Result<void> changed = changeEdits(*path); !changed) return context.fail(changed.error());
+    if (const Result<void> stored = project->setPath(*path); !stored) return context.fail(stored.error());
+    if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
+    context.answer(jsonOf(*path), textOf(*path));
+    return 0;
+}
+
+Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
+    const Result<Edit> edit = editFromJson(arguments.edit);
+    if (!edit) return edit.error();
+    if (arguments.place > path.edits.size())
+        return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
+                     "0 to " + std::to_string(path.edits.size())};
+    path.edits.insert(path.edits.begin() + static_cast<std::ptrdiff_t>(arguments.place), *edit);
+    return {};
+}
+
+Result<void> removeEdit(StoredPath& path, const PathArguments& arguments) {
+    if (arguments.place >= path.edits.size())
+        return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
+                     "0 to " + std::to_string(path.edits.size()) + " (exclusive)"};
+    path.edits.erase(path.edits.begin() + static_cast<std::ptrdiff_t>(arguments.place));
+    return {};
+}
+
+std::string csvOf(const Path& path) {
+    constexpr const char* kinds[] = {"rapid", "plunge", "cut", "retract"};
+    std::string text = "kind,x_mm,y_mm,z_mm,feed_mm_min,take,sample\n";
+    for (const PathPoint& point : path.points) {
+        text += kinds[static_cast<std::size_t>(point.kind)];
+        for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.tip[axis]);
+        text += "," + formatShortest(point.feed) + "," + std::to_string(point.take) + "," +
+                std::to_string(point.sample) + "\n";
+    }
+    return text;
+}
+
+/// Evaluates a path, reports its edits and, with an output, writes its points.
+int show(const PathArguments& arguments, CommandContext& context) {
+    context.stage("Opening");
+    const Result<Project> project = Project::open(arguments.project);
+    if (!project) return context.fail(project.error());
+    const Result<StoredPath> stored = pathWithId(*project, arguments.path);
+    if (!stored) return context.fail(stored.error());
+    const Result<std::vector<TakeInfo>> takes = project->takes();
+    if (!takes) return context.fail(takes.error());
+    std::string toolId;
+    for (const TakeInfo& take : *takes)
+        if (!stored->takes.empty() && take.id == stored->takes.front()) toolId = take.toolId;
+    const Result<Tool> tool = toolFor(*project, toolId);
+    if (!tool) return context.fail(tool.error());
+    const Result<Bench> bench = makeBench(*project, *tool, arguments.machine, context.progress());
+    if (!bench) return context.fail(bench.error());
+    context.stage("Editing");
+    const Result<EvaluatedPath> path = evaluateStored(*project, *bench, *stored, context.progress());
+    if (!path) return context.fail(path.error());
+    json answer = jsonOf(*stored);
+    answer["reports"] = burin::jsonOf(path->reports);
+    answer["points"] = path->path.points.size();
+    answer["error_budget_mm"] = path->errorBudget;
+    std::string text = textOf(*stored) + "\n" + std::to_string(path->path.points.size()) + " points, error budget " +
+                       formatFixed(path->errorBudget, 4) + " mm";
+    for (const EditReport& report : path->reports)
+        text += "\n  " + report.edit + ": " + std::to_string(report.pointsBefore) + " -> " +
+                std::to_string(report.pointsAfter) + " points, at most " + formatFixed(report.largestDeviation, 4) +
+                " mm";
+    if (!arguments.output.empty()) {
+        if (const Result<void> written = writeFileAtomically(arguments.output, csvOf(path->path)); !written)
+            return context.fail(written.error());
+        answer["csv"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
+    }
+    context.answer(answer, text);
+    return 0;
+}
+
+/// Writes a take as CSV: all that was recorded, or the stylus alone as a trace that `burin mill` plays.
+int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& context) {
+    const Result<Project> project = Project::open(arguments.project);
+    if (!project) return context.fail(project.error());
+    const Result<Take> take = project->take(arguments.take);
+    if (!take) return context.fail(take.error());
+    const Result<void> written =
+        asTrace ? writeTrace(arguments.output, traceOf(take->samples)) : writeTakeCsv(arguments.output, take->samples);
+    if (!written) return context.fail(written.error());
+    context.answer({{"csv", std::filesystem::absolute(arguments.output).lexically_normal().string()},
+                    {"samples", take->samples.size()}},
+                   arguments.output + ": " + std::to_string(take->samples.size()) + " samples");
+    return 0;
+}
+
+} // namespace
+
+void registerPath(CLI::App& program, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<PathArguments>();
+    CLI::App* command = program.add_subcommand("path", "List, make, edit and export paths");
+    command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
+    command->require_subcommand(0, 1);
+    addJsonFlag(*command, context);
+    const auto add = [&](const char* name, const char* help, auto action) {
+        CLI::App* part = command->add_subcommand(name, help);
+        addJsonFlag(*part, context);
+        part->callback([arguments, action, &context, &status] { status = action(*arguments, context); });
+        return part;
+    };
+    const auto withPath = [&](CLI::App* part) {
+        part->add_option("PATH", arguments->path, "Number of the path")->required();
+        return part;
+    };
+    command->callback([command, arguments, &context, &status] {
+        if (command->get_subcommands().empty()) status = list(*arguments, context);
+    });
+    add("list", "The paths and their edits", list);
+    CLI::App* make = add("new", "Make a path of takes with the edits of the main job", create);
+    make->add_option("--takes", arguments->takes, "Takes in order; without it all")->delimiter(',');
+    make->add_option("--name", arguments->name, "Its name")->capture_default_str();
+    CLI::App* evaluateOne = withPath(add("show", "Evaluate a path and report what each edit did", show));
+    evaluateOne->add_option("-o,--csv", arguments->output, "Write the points as CSV");
+    evaluateOne->add_option("--machine", arguments->machine, "Machine")->capture_default_str();
+    CLI::App* apply =
+        withPath(add("apply", "Add an edit to a path", [](const PathArguments& given, CommandContext& where) {
+            return change(given, where, [&](StoredPath& path) { return applyEdit(path, given); });
+        }));
+    apply->add_option("--edit", arguments->edit, "The edit as JSON, as \"burin path P list --json\" shows them")
+        ->required();
+    apply->add_option("--place", arguments->place, "Before which edit, from 0")->required();
+    CLI::App* undo =
+        withPath(add("undo", "Take an edit out of a path", [](const PathArguments& given, CommandContext& where) {
+            return change(given, where, [&](StoredPath& path) { return removeEdit(path, given); });
+        }));
+    undo->add_option("--place", arguments->place, "Which edit, from 0")->required();
+    for (const bool asTrace : {false, true}) {
+        CLI::App* part = add(
+            asTrace ? "trace" : "take",
+            asTrace ? "Write a take's stylus as a trace that \"burin mill\" plays" : "Write a take as CSV",
+            [asTrace](const PathArguments& given, CommandContext& where) { return exportTake(given, asTrace, where); });
+        part->add_option("TAKE", arguments->take, "Number of the take")->required();
+        part->add_option("-o,--output", arguments->output, "File to write")->required();
+    }
+}
+
+} // namespace burin

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.h"
+#include "app/report.h"
+#include "core/base/file.h"
+#include "core/project/program_job.h"
+#include "ui/scene/deviation_map.h"
+
+#include <CLI/CLI.hpp>
+
+namespace burin {
+
+namespace {
+
+struct VerifyArguments {
+    std::string program, project, tool, map, machine = "linuxcnc-mill";
+    double tolerance = 0.02;
+    std::size_t exactSamples = 500;
+};
+
+/// The tool asked for, or that of the first take.
+Result<Tool> chosenTool(const Project& project, const std::string& id) {
+    if (!id.empty()) return toolFor(project, id);
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    if (takes->empty()) return Error{ErrorCode::projectIncomplete, "a tool", "--tool NAME", {}};
+    return toolFor(project, takes->front().toolId);
+}
+
+int runVerify(const VerifyArguments& arguments, CommandContext& context) {
+    Result<std::string> text = readFile(arguments.program);
+    if (!text) return context.fail(text.error());
+    if (text->empty()) return context.fail({ErrorCode::fileEmpty, arguments.program, {}, {}});
+    context.stage("Opening");
+    const Result<Project> project = Project::open(arguments.project);
+    if (!project) return context.fail(project.error());
+    const Result<Tool> tool = chosenTool(*project, arguments.tool);
+    if (!tool) return context.fail(tool.error());
+    const Result<Bench> bench = makeBench(*project, *tool, arguments.machine, context.progress());
+    if (!bench) return context.fail(bench.error());
+
+    context.stage("Checking");
+    ProgramRequest request;
+    request.gougeTolerance = arguments.tolerance;
+    request.exactSamples = arguments.exactSamples;
+    const Result<CheckedProgram> checked =
+        checkProgram(*bench, std::move(*text), arguments.program, request, context.progress());
+    if (!checked) return context.fail(checked.error());
+
+    nlohmann::json answer = jsonOf(checked->report);
+    answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
+    answer["blocks"] = checked->blocks;
+    answer["tool"] = jsonOf(bench->tool);
+    answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
+    if (!arguments.map.empty()) {
+        if (const Result<void> written = writeDeviationMap(checked->report.deviations, arguments.map); !written)
+            return context.fail(written.error());
+        answer["map"] = std::filesystem::absolute(arguments.map).lexically_normal().string();
+    }
+    context.answer(answer, textOf(checked->report, arguments.tolerance));
+    return checked->report.passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
+}
+
+} // namespace
+
+void registerVerify(CLI::App& program, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<VerifyArguments>();
+    CLI::App* command = program.add_subcommand("verify", "Re-simulate a program on a project's setup and judge it");
+    command->add_option("PROGRAM", arguments->program, "NC program")->required();
+    command->add_option("--project", arguments->project, "Project file (.burin)")->required();
+    command->add_option("--tool", arguments->tool, "Tool; without it that of the first take");
+    command->add_option("--machine", arguments->machine, "Machine")->capture_default_str();
+    command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
+        ->check(CLI::Range(0.0, 10.0))
+        ->capture_default_str();
+    command->add_option("--exact", arguments->exactSamples, "Worst places that are judged on exact geometry")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    command->add_option("--map", arguments->map, "Write the deviation map as a VTK file (.vtp)");
+    addJsonFlag(*command, context);
+    command->callback([arguments, &context, &status] { status = runVerify(*arguments, context); });
+}
+
+} // namespace burin

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// burin-import: the child process in which Burin reads CAD files. It takes one request on standard input and answers on
+// standard output, both in the form of core/cad/worker_message.h; Burin sets its limits.
+#include "core/cad/reader/reader.h"
+#include "core/cad/worker_message.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <iostream>
+#include <new>
+#include <string>
+#include <string_view>
+#include <sys/prctl.h>
+#include <unistd.h>
+#include <utility>
+
+namespace {
+
+int channel = -1; // where answers go; a plain number, because the handler of exhausted memory needs it
+
+void send(std::string_view bytes) noexcept {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(channel, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) ::_exit(EXIT_FAILURE); // nobody listens any more
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+/// Keeps standard output for answers: whatever OpenCASCADE prints goes nowhere.
+void takeOutput() {
+    channel = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+}
+
+/// When memory runs out there is none left to say so: the answer stands ready from the start.
+void answerWhenMemoryRunsOut() {
+    static const std::string answer =
+        burin::encodeFrame(burin::WorkerAnswer(burin::Error{burin::ErrorCode::importOutOfMemory, {}, {}, {}}));
+    std::set_new_handler([] {
+        send(answer);
+        ::_exit(EXIT_FAILURE);
+    });
+}
+
+std::string readInput() {
+    std::string content;
+    std::array<char, 1 << 16> buffer; // NOLINT: filled by read
+    while (true) {
+        const ssize_t size = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+        if (size < 0 && errno == EINTR) continue;
+        if (size <= 0) return content;
+        content.append(buffer.data(), static_cast<std::size_t>(size));
+    }
+}
+
+void reportFraction(double fraction) {
+    static double last = -1.0;
+    if (fraction < last + 0.01) return; // a hundred messages are enough
+    last = fraction;
+    send(burin::encodeFrame(burin::WorkerProgress{fraction}));
+}
+
+template <class T>
+burin::WorkerAnswer toAnswer(burin::Result<T> result) {
+    if (result) return std::move(*result);
+    return std::move(result).error();
+}
+
+burin::WorkerAnswer answerTo(const burin::WorkerRequest& request) {
+    if (const auto* read = std::get_if<burin::ReadRequest>(&request))
+        return toAnswer(burin::readModel(*read, reportFraction));
+    return toAnswer(burin::measureDistances(*std::get_if<burin::DistanceRequest>(&request), reportFraction));
+}
+
+} // namespace
+
+int main() {
+    if (::isatty(STDIN_FILENO) != 0) {
+        std::cerr << "burin-import is started by Burin to read CAD files; use: burin import MODEL\n";
+        return 2;
+    }
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // never outlives the Burin that asked
+    takeOutput();
+    answerWhenMemoryRunsOut();
+    const auto request = burin::decodeRequest(readInput());
+    if (!request) return 2;
+    send(burin::encodeFrame(answerTo(*request)));
+    ::_exit(EXIT_SUCCESS); // past OpenCASCADE's own cleaning up, which nobody needs
+}

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/report.h"
+
+#include "core/base/numbers.h"
+
+#include <sstream>
+
+namespace burin {
+
+using nlohmann::json;
+
+json jsonOf(const glm::dvec3& v) {
+    return json::array({v.x, v.y, v.z});
+}
+
+json jsonOf(const Box& box) {
+    return json::array({jsonOf(box.low), jsonOf(box.high)});
+}
+
+json jsonOf(const Model& model) {
+    json bodies = json::array();
+    for (const Body& body : model.bodies) {
+        json entry{{"name", body.name},           {"volume_mm3", body.volume},
+                   {"area_mm2", body.area},       {"bounding_box_mm", jsonOf(body.box)},
+                   {"faces", body.faceCount},     {"triangles", body.mesh.triangles.size()},
+                   {"open_edges", body.openEdges}};
+        entry["colour"] = body.colour ? json(*body.colour) : json(nullptr);
+        bodies.push_back(std::move(entry));
+    }
+    json healing = json::array(), warnings = json::array();
+    for (const ImportNote& note : model.notes)
+        (note.kind == ImportNote::Kind::warning ? warnings : healing).push_back(note.text);
+    return {{"file", model.sourceFile},
+            {"format", model.format},
+            {"unit", model.lengthUnit},
+            {"unit_scale_mm", model.unitScale},
+            {"mesh_chord_mm", model.meshChord},
+            {"volume_mm3", model.volume()},
+            {"bounding_box_mm", jsonOf(model.box())},
+            {"bodies", bodies},
+            {"healing", healing},
+            {"warnings", warnings}};
+}
+
+json jsonOf(const Tool& tool) {
+    constexpr const char* types[] = {"ball", "flat", "bull_nose"};
+    return {{"id", tool.id},
+            {"name", tool.name},
+            {"number", tool.number},
+            {"type", types[static_cast<std::size_t>(tool.cutter.type)]},
+            {"diameter_mm", tool.cutter.diameter},
+            {"corner_radius_mm", tool.cutter.cornerRadius},
+            {"flute_length_mm", tool.cutter.fluteLength},
+            {"shank_diameter_mm", tool.cutter.shankDiameter},
+            {"stick_out_mm", tool.cutter.stickOut}};
+}
+
+json jsonOf(const VerifyReport& report) {
+    json findings = json::array();
+    for (const Finding& finding : report.findings)
+        findings.push_back({{"kind", idOf(finding.kind)},
+                            {"line", finding.line},
+                            {"place_mm", jsonOf(finding.place)},
+                            {"amount", finding.amount}});
+    return {{"passed", report.passed()},
+            {"gouge_max_mm", report.gougeMax},
+            {"gouge_max_mesh_mm", report.gougeMaxMesh},
+            {"excess_max_mm", report.excessMax},
+            {"excess_mean_mm", report.excessMean},
+            {"reachable_share", report.reachableShare},
+            {"removed_mm3", report.removed},
+            {"on_part_share", report.onPartShare},
+            {"on_part_samples", report.onPartSamples},
+            {"samples_checked", report.samples},
+            {"samples_exact", report.exactSamples},
+            {"machining_s", report.machiningSeconds},
+            {"findings", findings}};
+}
+
+json jsonOf(const std::vector<EditReport>& reports) {
+    json list = json::array();
+    for (const EditReport& report : reports)
+        list.push_back({{"edit", report.edit},
+                        {"points_before", report.pointsBefore},
+                        {"points_after", report.pointsAfter},
+                        {"largest_deviation_mm", report.largestDeviation},
+                        {"worst_place_mm", jsonOf(report.worstPlace)}});
+    return list;
+}
+
+std::string textOf(const Model& model) {
+    std::ostringstream text;
+    const glm::dvec3 size = model.box().size();
+    text << model.sourceFile << "\n"
+         << "  format   " << model.format << ", unit " << model.lengthUnit << "\n"
+         << "  size     " << formatFixed(size.x, 3) << " x " << formatFixed(size.y, 3) << " x "
+         << formatFixed(size.z, 3) << " mm\n"
+         << "  volume   " << formatFixed(model.volume(), 3) << " mm^3";
+    for (const Body& body : model.bodies)
+        text << "\n  body     " << body.name << ": " << formatFixed(body.volume, 3) << " mm^3, "
+             << formatFixed(body.area, 3) << " mm^2, " << body.faceCount << " faces, " << body.mesh.triangles.size()
+             << " triangles" << (body.openEdges > 0 ? ", open" : "");
+    for (const ImportNote& note : model.notes)
+        text << "\n  " << (note.kind == ImportNote::Kind::warning ? "warning  " : "note     ") << note.text;
+    return text.str();
+}
+
+std::string textOf(const VerifyReport& report, double gougeTolerance) {
+    std::ostringstream text;
+    text << (report.passed() ? "passed" : "refused") << ": gouge " << formatFixed(report.gougeMax, 4)
+         << " mm (tolerance " << formatFixed(gougeTolerance, 3) << " mm, " << report.samples << " places, "
+         << report.exactSamples << " of them on exact geometry)\n"
+         << "  excess   " << formatFixed(report.excessMax, 3) << " mm at most, " << formatFixed(report.excessMean, 3)
+         << " mm in the mean, where the tool can reach\n"
+         << "  removed  " << formatFixed(report.removed, 1) << " mm^3 in "
+         << formatFixed(report.machiningSeconds / 60.0, 1) << " min at the programmed feeds";
+    for (std::size_t i = 0; i < report.findings.size() && i < 20; ++i) {
+        const Finding& finding = report.findings[i];
+        text << "\n  line " << finding.line << ": " << idOf(finding.kind) << " " << formatFixed(finding.amount, 4)
+             << " at (" << formatFixed(finding.place.x, 3) << ", " << formatFixed(finding.place.y, 3) << ", "
+             << formatFixed(finding.place.z, 3) << ") mm";
+    }
+    if (report.findings.size() > 20) text << "\n  and " << report.findings.size() - 20 << " more";
+    return text.str();
+}
+
+} // namespace burin

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/model.h"
+#include "core/path/edit.h"
+#include "core/tool/tool.h"
+#include "core/verify/verify.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace burin {
+
+// JSON of things that several commands report. Keys carry their unit (design.md section 6).
+
+nlohmann::json jsonOf(const glm::dvec3& v);
+nlohmann::json jsonOf(const Box& box); ///< [[x, y, z], [x, y, z]]
+nlohmann::json jsonOf(const Model& model);
+nlohmann::json jsonOf(const Tool& tool); ///< {"type", "diameter_mm", "corner_radius_mm", …}
+nlohmann::json jsonOf(const VerifyReport& report);
+nlohmann::json jsonOf(const std::vector<EditReport>& reports);
+
+/// The same for people, several lines.
+std::string textOf(const Model& model);
+std::string textOf(const VerifyReport& report, double gougeTolerance);
+
+} // namespace burin

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/import.h"
+
+#include "core/base/file.h"
+#include "core/cad/worker_process.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <unistd.h>
+
+namespace burin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isPositive(double value) {
+    return std::isfinite(value) && value > 0.0;
+}
+
+Result<void> checkOptions(const ImportOptions& options) {
+    if (!isPositive(options.meshChord))
+        return Error{ErrorCode::argumentInvalid, "meshChord", std::to_string(options.meshChord), "> 0 mm"};
+    if (!isPositive(options.stlUnit))
+        return Error{ErrorCode::argumentInvalid, "stlUnit", std::to_string(options.stlUnit), "> 0 mm"};
+    return {};
+}
+
+/// Finds the plain faults of a file without starting anything.
+Result<void> checkFile(const fs::path& file) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(file, failed);
+    if (status.type() == fs::file_type::not_found) return Error{ErrorCode::fileNotFound, file.string(), {}, {}};
+    if (fs::is_directory(status)) return Error{ErrorCode::fileNotReadable, file.string(), {}, "is a folder"};
+    // A pipe or a device could block for ever.
+    if (!fs::is_regular_file(status)) return Error{ErrorCode::fileNotReadable, file.string(), {}, "is no plain file"};
+    if (::access(file.c_str(), R_OK) != 0)
+        return Error{ErrorCode::fileNotReadable, file.string(), {}, std::strerror(errno)};
+    if (fs::file_size(file, failed) == 0) return Error{ErrorCode::fileEmpty, file.string(), {}, {}};
+    return {};
+}
+
+/// One share for each process; a process takes about as long to start as a few points take to measure.
+std::vector<WorkerRequest> shares(const std::string& brep, std::span<const glm::dvec3> points) {
+    constexpr std::size_t processes = 2, leastShare = 16;
+    const std::size_t count = std::clamp<std::size_t>(points.size() / leastShare, 1, processes);
+    std::vector<WorkerRequest> requests;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t first = points.size() * i / count, last = points.size() * (i + 1) / count;
+        const auto share = points.subspan(first, last - first);
+        requests.emplace_back(DistanceRequest{brep, {share.begin(), share.end()}});
+    }
+    return requests;
+}
+
+} // namespace
+
+Result<Model> importModel(const fs::path& file, const ImportOptions& options, Progress& progress) try {
+    if (Result<void> valid = checkOptions(options); !valid) return std::move(valid).error();
+    if (Result<void> valid = checkFile(file); !valid) return std::move(valid).error();
+    std::error_code ignored;
+    const fs::path whole = fs::absolute(file, ignored).lexically_normal();
+    auto answers = runWorkers({ReadRequest{whole.string(), options.meshChord, options.stlUnit}}, options,
+                              whole.string(), progress);
+    if (!answers) return std::move(answers).error();
+    auto* model = std::get_if<Model>(&answers->front());
+    if (!model) return Error{ErrorCode::importCrashed, whole.string(), {}, "it answered something else"};
+    model->sourceFile = whole.string();
+    return std::move(*model);
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, file.string(), {}, "for the imported model"};
+}
+
+Result<std::vector<double>> exactSignedDistances(const std::string& brep, std::span<const glm::dvec3> points,
+                                                 const ImportOptions& options, Progress& progress) try {
+    const std::string subject = "B-rep";
+    if (brep.empty()) return Error{ErrorCode::argumentInvalid, subject, "", "a model with a B-rep"};
+    if (points.empty()) return std::vector<double>{};
+    auto answers = runWorkers(shares(brep, points), options, subject, progress);
+    if (!answers) return std::move(answers).error();
+    std::vector<double> distances;
+    for (const WorkerAnswer& answer : *answers)
+        if (const auto* share = std::get_if<std::vector<double>>(&answer))
+            distances.insert(distances.end(), share->begin(), share->end());
+    if (distances.size() != points.size())
+        return Error{ErrorCode::importCrashed, subject, {}, "it answered something else"};
+    return distances;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "exact distances", {}, std::to_string(points.size()) + " points"};
+}
+
+} // namespace burin

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/reader/body_mesh.h"
+
+#include "core/cad/reader/shape_mesh.h"
+
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
+#include <IMeshTools_Parameters.hxx>
+
+#include <array>
+
+namespace burin {
+
+namespace {
+
+void runMesher(const TopoDS_Solid& solid, double chord, double angle, const ReportFraction& report) {
+    BRepTools::Clean(solid);
+    IMeshTools_Parameters parameters;
+    parameters.Deflection = chord;
+    parameters.Angle = angle;
+    parameters.Relative = Standard_False;
+    parameters.InParallel = Standard_False; // one process, one thread: its time limit is what it says
+    parameters.MinSize = 0.1 * chord;
+    parameters.ControlSurfaceDeflection = Standard_True;
+    parameters.InternalVerticesMode = Standard_True;
+    const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.0, 1.0);
+    BRepMesh_IncrementalMesh mesher(solid, parameters, progress->Start());
+}
+
+BodyMesh collect(const TopoDS_Solid& solid, double chord) {
+    ShapeMesh shape(solid, chord);
+    BodyMesh result;
+    for (const std::size_t face : shape.emptyFaces())
+        if (shape.fillPlaneFace(face))
+            ++result.facesFilled;
+        else
+            ++result.facesWithoutTriangles;
+    if (result.facesWithoutTriangles == 0) {
+        // A face that is there but torn: from its boundary it closes.
+        for (const std::size_t face : shape.facesAtOpenEdges())
+            if (shape.fillPlaneFace(face)) ++result.facesFilled;
+        shape.refine();
+        shape.partSharedChords();
+    }
+    result.mesh = shape.mesh();
+    result.openEdges = countOpenEdges(result.mesh);
+    return result;
+}
+
+bool isBetter(const BodyMesh& a, const BodyMesh& b) {
+    if (a.facesWithoutTriangles != b.facesWithoutTriangles) return a.facesWithoutTriangles < b.facesWithoutTriangles;
+    return a.openEdges < b.openEdges;
+}
+
+} // namespace
+
+BodyMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report) {
+    struct Attempt {
+        double part, angle; // of the chord; rad
+    };
+    constexpr std::array<Attempt, 4> attempts{{{1.0, 0.5}, {0.7, 0.35}, {0.9, 0.2}, {0.4, 0.5}}};
+    BodyMesh best;
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+        runMesher(solid, attempts[i].part * chord, attempts[i].angle, report);
+        BodyMesh result = collect(solid, attempts[i].part * chord);
+        result.attempts = i + 1;
+        if (i == 0 || isBetter(result, best)) best = std::move(result);
+        if (best.facesWithoutTriangles == 0 && best.openEdges == 0) break;
+    }
+    return best;
+}
+
+} // namespace burin

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/reader/reader_progress.h"
+#include "core/geometry/triangle_mesh.h"
+
+#include <TopoDS_Solid.hxx>
+
+#include <cstddef>
+
+namespace burin {
+
+/// The mesh of one solid and how it came about.
+struct BodyMesh {
+    TriangleMesh mesh;
+    std::size_t openEdges = 0;
+    std::size_t facesWithoutTriangles = 0;
+    std::size_t facesFilled = 0; ///< plane faces that OpenCASCADE left empty and that were filled from their boundary
+    std::size_t attempts = 1;
+};
+
+/// Meshes a solid with a chord of at most `chord` mm. OpenCASCADE's mesher may leave faces of a valid solid empty; its
+/// status is not trusted but the result looked at, and what is missing is filled or tried again with a finer chord.
+/// The solid carries the triangulation afterwards.
+BodyMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report);
+
+} // namespace burin

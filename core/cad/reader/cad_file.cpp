@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/reader/cad_file.h"
+
+#include "core/base/numbers.h"
+#include "core/cad/reader/document_shapes.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <IFSelect_ReturnStatus.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <STEPConstruct_UnitContext.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
+#include <StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext.hxx>
+#include <StepRepr_GlobalUnitAssignedContext.hxx>
+#include <TDocStd_Document.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+Error damaged(std::string place) {
+    return {ErrorCode::fileDamaged, {}, std::move(place), {}};
+}
+
+/// OpenCASCADE's settings are process-wide; every one that matters is stated, whatever its default.
+void stateSettings() {
+    STEPCAFControl_Controller::Init();
+    IGESControl_Controller::Init();
+    Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+    Interface_Static::SetIVal("read.precision.mode", 0);         // the file's own precision
+    Interface_Static::SetIVal("read.step.product.mode", 1);      // structure from the products
+    Interface_Static::SetIVal("read.step.assembly.level", 1);    // all levels
+    Interface_Static::SetIVal("read.step.shape.repr", 1);        // all representations
+    Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1); // solids of one part have names of their own
+    Interface_Static::SetIVal("read.iges.bspline.continuity", 1);
+    Interface_Static::SetIVal("read.surfacecurve.mode", 0);
+}
+
+Handle(TDocStd_Document) newDocument() {
+    Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
+    XCAFDoc_ShapeTool::SetAutoNaming(Standard_False); // "COMPOUND" is no name that a user gave
+    XCAFDoc_DocumentTool::Set(document->Main(), Standard_False);
+    return document;
+}
+
+Handle(StepRepr_GlobalUnitAssignedContext) unitsOf(const Handle(Standard_Transient) & entity) {
+    const auto with = Handle(StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx)::DownCast(entity);
+    if (!with.IsNull()) return with->GlobalUnitAssignedContext();
+    const auto without = Handle(StepGeom_GeometricRepresentationContextAndGlobalUnitAssignedContext)::DownCast(entity);
+    return without.IsNull() ? Handle(StepRepr_GlobalUnitAssignedContext)() : without->GlobalUnitAssignedContext();
+}
+
+/// Every length unit that a representation of the file is written in, mm.
+std::set<double> stepUnits(const Handle(StepData_StepModel) & model) {
+    std::set<double> units;
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const Handle(StepRepr_GlobalUnitAssignedContext) context = unitsOf(model->Value(i));
+        if (context.IsNull()) continue;
+        STEPConstruct_UnitContext factors;
+        factors.ComputeFactors(context);
+        if (factors.LengthDone()) units.insert(factors.LengthFactor());
+    }
+    return units;
+}
+
+void stateUnit(CadFile& file, double scale, const std::string& name) {
+    file.unitScale = scale;
+    file.lengthUnit = unitName(scale, name);
+    if (std::abs(scale - 1.0) > 1e-12)
+        file.notes.push_back({ImportNote::Kind::unit, "Lengths in " + file.lengthUnit + " were converted: 1 " +
+                                                          file.lengthUnit + " = " + formatShortest(scale) + " mm."});
+}
+
+void stateStepUnit(CadFile& file, STEPControl_Reader& reader) {
+    const std::set<double> units = stepUnits(reader.StepModel());
+    TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
+    reader.FileUnits(lengths, angles, solidAngles);
+    const std::string name = lengths.IsEmpty() ? "mm" : lengths.First().ToCString();
+    stateUnit(file, units.empty() ? 1.0 : *units.rbegin(), name);
+    if (units.size() > 1)
+        file.notes.push_back({ImportNote::Kind::unit, "The file mixes " + std::to_string(units.size()) +
+                                                          " length units; each part was converted by its own."});
+}
+
+} // namespace
+
+std::string unitName(double millimetres, const std::string& otherwise) {
+    constexpr std::array<std::pair<double, const char*>, 10> known{{{1.0, "mm"},
+                                                                    {10.0, "cm"},
+                                                                    {100.0, "dm"},
+                                                                    {1000.0, "m"},
+                                                                    {1e6, "km"},
+                                                                    {1e-3, "µm"},
+                                                                    {25.4, "inch"},
+                                                                    {304.8, "foot"},
+                                                                    {914.4, "yard"},
+                                                                    {0.0254, "mil"}}};
+    for (const auto& [scale, name] : known)
+        if (std::abs(millimetres / scale - 1.0) < 1e-9) return name;
+    return otherwise;
+}
+
+Result<CadFile> readStepFile(const std::string& file, const std::string& protocol, const ReportFraction& report) {
+    stateSettings();
+    STEPCAFControl_Reader reader;
+    reader.SetNameMode(Standard_True);
+    reader.SetColorMode(Standard_True);
+    if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return damaged("");
+    CadFile read;
+    read.format = protocol;
+    stateStepUnit(read, reader.ChangeReader());
+    Handle(TDocStd_Document) document = newDocument();
+    const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.1, 0.4);
+    if (reader.NbRootsForTransfer() == 0) return Error{ErrorCode::modelHasNoSolid, {}, "no shape", {}};
+    if (!reader.Transfer(document, progress->Start())) return damaged("");
+    read.shapes = documentShapes(document);
+    return read;
+}
+
+Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& report) {
+    stateSettings();
+    IGESCAFControl_Reader reader;
+    reader.SetNameMode(Standard_True);
+    reader.SetColorMode(Standard_True);
+    if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return damaged("");
+    CadFile read;
+    read.format = "IGES";
+    const IGESData_GlobalSection& head = reader.IGESModel()->GlobalSection();
+    stateUnit(read, head.UnitValue(), head.UnitName().IsNull() ? "mm" : head.UnitName()->ToCString());
+    Handle(TDocStd_Document) document = newDocument();
+    const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.1, 0.4);
+    if (!reader.Transfer(document, progress->Start())) return damaged("");
+    read.shapes = documentShapes(document);
+    return read;
+}
+
+Result<CadFile> readBrepFile(const std::string& content, bool binary) {
+    TopoDS_Shape shape;
+    std::istringstream stream(content);
+    if (binary) {
+        BinTools::Read(shape, stream);
+    } else {
+        BRep_Builder builder;
+        BRepTools::Read(shape, stream, builder);
+    }
+    if (shape.IsNull() || stream.fail()) return damaged("");
+    CadFile read{"BREP", "mm", 1.0, {}, {}};
+    read.notes.push_back({ImportNote::Kind::unit, "A BREP file states no unit; millimetres were taken."});
+    read.shapes = explodedShapes(shape, {}, std::nullopt);
+    return read;
+}
+
+} // namespace burin

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+#include "core/cad/model.h"
+#include "core/cad/reader/reader_progress.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// A shape of a file with what the file says about it; placed in the model's frame, mm.
+struct NamedShape {
+    TopoDS_Shape shape;                                ///< one solid, or all that is no solid of one part
+    std::string name;                                  ///< may be empty
+    std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB
+};
+
+/// A B-rep file as it was read, before any healing.
+struct CadFile {
+    std::string format;
+    std::string lengthUnit;
+    double unitScale = 1.0; ///< mm per unit
+    std::vector<NamedShape> shapes;
+    std::vector<ImportNote> notes;
+};
+
+/// @param protocol what to call the format. Errors, with an empty subject: fileDamaged, modelHasNoSolid.
+Result<CadFile> readStepFile(const std::string& file, const std::string& protocol, const ReportFraction& report);
+Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& report);
+Result<CadFile> readBrepFile(const std::string& content, bool binary);
+
+/// Short name of a unit of so many millimetres ("mm", "inch", …); `otherwise` for an unusual one.
+std::string unitName(double millimetres, const std::string& otherwise);
+
+} // namespace burin

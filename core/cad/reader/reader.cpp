@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/reader/reader.h"
+
+#include "core/base/file.h"
+#include "core/base/numbers.h"
+#include "core/cad/reader/body_mesh.h"
+#include "core/cad/reader/cad_file.h"
+#include "core/cad/reader/exact_distance.h"
+#include "core/cad/reader/file_format.h"
+#include "core/cad/reader/measure.h"
+#include "core/cad/reader/solids.h"
+#include "core/cad/reader/stl_model.h"
+
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <new>
+#include <sstream>
+#include <sys/resource.h>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+std::string encodeShape(const TopoDS_Shape& shape) {
+    std::ostringstream stream;
+    BinTools::Write(shape, stream, Standard_False, Standard_False, BinTools_FormatVersion_CURRENT);
+    return std::move(stream).str();
+}
+
+std::size_t countFaces(const TopoDS_Shape& shape) {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    return static_cast<std::size_t>(faces.Extent());
+}
+
+void noteMesh(Model& model, const Body& body, const BodyMesh& mesh) {
+    const std::string title = "\"" + body.name + "\"";
+    const auto note = [&](ImportNote::Kind kind, const std::string& text) {
+        model.notes.push_back({kind, title + text});
+    };
+    if (mesh.facesFilled > 0)
+        note(ImportNote::Kind::healing,
+             ": " + std::to_string(mesh.facesFilled) + " plane faces that the mesher left incomplete were filled.");
+    if (mesh.openEdges > 0)
+        note(ImportNote::Kind::warning,
+             " is not closed: " + std::to_string(mesh.openEdges) + " open edges. Its inside is not certain.");
+    // A mesh within its chord encloses a volume that differs by less than the chord times the area.
+    if (const double meshed = signedVolume(body.mesh); std::abs(meshed - body.volume) > model.meshChord * body.area)
+        note(ImportNote::Kind::warning, ": its mesh encloses " + formatFixed(meshed, 2) + " mm³, its exact surface " +
+                                            formatFixed(body.volume, 2) + " mm³.");
+}
+
+Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, const ReportFraction& report) {
+    Body body;
+    body.name = solid.name.empty() ? "Body " + std::to_string(model.bodies.size() + 1) : solid.name;
+    body.colour = solid.colour;
+    body.box = exactBox(solid.solid); // before meshing, so that no triangle has a say
+    body.volume = exactVolume(solid.solid);
+    body.area = exactArea(solid.solid);
+    body.faceCount = countFaces(solid.solid);
+    BodyMesh mesh = meshSolid(solid.solid, chord, report);
+    if (mesh.facesWithoutTriangles > 0)
+        return Error{ErrorCode::meshIncomplete,
+                     {},
+                     std::to_string(mesh.facesWithoutTriangles) + " of " + std::to_string(body.faceCount) +
+                         " faces of \"" + body.name + "\"",
+                     {}};
+    body.mesh = std::move(mesh.mesh);
+    body.openEdges = mesh.openEdges;
+    noteMesh(model, body, mesh);
+    return body;
+}
+
+Result<Model> makeModel(CadFile file, double chord, const ReportFraction& report) {
+    Result<std::vector<NamedSolid>> solids = makeSolids(file);
+    if (!solids) return std::move(solids).error();
+    Model model;
+    model.format = file.format;
+    model.lengthUnit = file.lengthUnit;
+    model.unitScale = file.unitScale;
+    model.meshChord = chord;
+    model.notes = std::move(file.notes);
+    TopoDS_Compound whole;
+    BRep_Builder builder;
+    builder.MakeCompound(whole);
+    for (const NamedSolid& solid : *solids) builder.Add(whole, solid.solid);
+    model.brep = encodeShape(whole);
+    const auto count = static_cast<double>(solids->size());
+    for (std::size_t i = 0; i < solids->size(); ++i) {
+        const auto part = [&](double fraction) { report(0.5 + 0.5 * (static_cast<double>(i) + fraction) / count); };
+        Result<Body> body = makeBody(model, (*solids)[i], chord, part);
+        if (!body) return std::move(body).error();
+        model.bodies.push_back(std::move(*body));
+    }
+    return model;
+}
+
+Result<CadFile> readCadFile(const std::string& file, FileFormat format, const std::string& content,
+                            const ReportFraction& report) {
+    switch (format) {
+    case FileFormat::step:
+        return readStepFile(file, stepProtocol(content), report);
+    case FileFormat::iges:
+        return readIgesFile(file, report);
+    default:
+        return readBrepFile(content, format == FileFormat::brepBinary);
+    }
+}
+
+Result<Model> readAnyModel(const ReadRequest& request, const ReportFraction& report) {
+    Result<std::string> content = readFile(request.file);
+    if (!content) return std::move(content).error();
+    Result<FileFormat> format = detectFormat(*content);
+    if (!format) return std::move(format).error();
+    if (*format == FileFormat::stlText || *format == FileFormat::stlBinary)
+        return readStlModel(*content, *format == FileFormat::stlBinary, request.stlUnit);
+    Result<CadFile> file = readCadFile(request.file, *format, *content, report);
+    if (!file) return std::move(file).error();
+    *content = std::string();
+    return makeModel(std::move(*file), request.meshChord, report);
+}
+
+/// Whether this process came near its limit of memory. OpenCASCADE's mesher swallows a refused allocation and leaves
+/// faces empty: the fault is then not the model's.
+bool memoryWasShort() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+    std::ifstream status("/proc/self/status");
+    std::string key;
+    for (double kibibytes = 0.0; status >> key; status.ignore(1000, '\n'))
+        if (key == "VmPeak:" && status >> kibibytes)
+            return kibibytes * 1024.0 > 0.9 * static_cast<double>(limit.rlim_cur);
+    return false;
+}
+
+/// Runs work of OpenCASCADE and turns what it throws into an Error.
+template <class T, class Work>
+Result<T> guarded(Work work) {
+    try {
+        Result<T> result = work();
+        if (!result && result.error().code == ErrorCode::meshIncomplete && memoryWasShort())
+            return Error{ErrorCode::importOutOfMemory, {}, {}, {}};
+        return result;
+    } catch (const Standard_OutOfMemory&) {
+        return Error{ErrorCode::importOutOfMemory, {}, {}, {}};
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::importOutOfMemory, {}, {}, {}};
+    } catch (const Standard_Failure& failure) {
+        return Error{ErrorCode::fileDamaged,
+                     {},
+                     {},
+                     std::string(failure.DynamicType()->Name()) + ": " + failure.GetMessageString()};
+    } catch (const std::exception& failure) {
+        return Error{ErrorCode::fileDamaged, {}, {}, failure.what()};
+    }
+}
+
+} // namespace
+
+Result<Model> readModel(const ReadRequest& request, const std::function<void(double)>& report) {
+    return guarded<Model>([&] { return readAnyModel(request, report); });
+}
+
+Result<std::vector<double>> measureDistances(const DistanceRequest& request,
+                                             const std::function<void(double)>& report) {
+    return guarded<std::vector<double>>([&]() -> Result<std::vector<double>> {
+        TopoDS_Shape shape;
+        std::istringstream stream(request.brep);
+        BinTools::Read(shape, stream);
+        if (shape.IsNull() || countFaces(shape) == 0) return Error{ErrorCode::fileDamaged, {}, {}, "no faces"};
+        ExactDistance measure(shape);
+        std::vector<double> distances;
+        for (const glm::dvec3& point : request.points) {
+            distances.push_back(measure.signedDistance(point));
+            report(static_cast<double>(distances.size()) / static_cast<double>(request.points.size()));
+        }
+        return distances;
+    });
+}
+
+} // namespace burin

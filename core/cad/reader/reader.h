@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+#include "core/cad/worker_message.h"
+
+#include <functional>
+
+namespace burin {
+
+// The half of importing that may hang, abort or eat memory: it runs in the import program alone.
+
+/// Reads, heals, meshes and measures a model file. Errors, with an empty subject: as importModel.
+Result<Model> readModel(const ReadRequest& request, const std::function<void(double)>& report);
+
+/// Exact signed distances of the points, in order. Errors, with an empty subject: fileDamaged, importOutOfMemory.
+Result<std::vector<double>> measureDistances(const DistanceRequest& request, const std::function<void(double)>& report);
+
+} // namespace burin

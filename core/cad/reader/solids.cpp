@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/reader/solids.h"
+
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Tool.hxx>
+#include <ShapeFix_Shape.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include <string_view>
+
+namespace burin {
+
+namespace {
+
+constexpr double sewingTolerance = 1e-3; // mm; design figure for IGES, whose faces arrive loose
+
+int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+    TopTools_IndexedMapOfShape parts;
+    TopExp::MapShapes(shape, kind, parts);
+    return parts.Extent();
+}
+
+std::string counted(int number, std::string_view singular) {
+    return std::to_string(number) + " " + std::string(singular) + (number == 1 ? "" : "s");
+}
+
+std::string quoted(const std::string& name, std::size_t number) {
+    return name.empty() ? "Solid " + std::to_string(number) : "\"" + name + "\"";
+}
+
+void note(CadFile& file, ImportNote::Kind kind, std::string text) {
+    file.notes.push_back({kind, std::move(text)});
+}
+
+/// The closed shells among loose faces, as solids.
+std::vector<TopoDS_Solid> sewn(const TopoDS_Shape& loose, int& openEdges) {
+    BRepBuilderAPI_Sewing sewing(sewingTolerance);
+    sewing.Add(loose);
+    sewing.Perform();
+    openEdges += sewing.NbFreeEdges();
+    std::vector<TopoDS_Solid> solids;
+    for (TopExp_Explorer shells(sewing.SewedShape(), TopAbs_SHELL); shells.More(); shells.Next()) {
+        const TopoDS_Shell shell = TopoDS::Shell(shells.Current());
+        if (!BRep_Tool::IsClosed(shell)) continue;
+        BRepBuilderAPI_MakeSolid solid(shell);
+        if (solid.IsDone()) solids.push_back(solid.Solid());
+    }
+    return solids;
+}
+
+/// Repairs one solid where it needs it, and turns it so that its material is inside.
+void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& solids) {
+    const std::string title = quoted(from.name, solids.size() + 1);
+    TopoDS_Shape shape = from.shape;
+    if (!BRepCheck_Analyzer(shape).IsValid()) {
+        shape = healed(shape);
+        if (BRepCheck_Analyzer(shape).IsValid())
+            note(file, ImportNote::Kind::healing, title + " was invalid and was repaired.");
+        else
+            note(file, ImportNote::Kind::warning, title + " is not fully valid, even after repair.");
+    }
+    for (TopExp_Explorer parts(shape, TopAbs_SOLID); parts.More(); parts.Next()) {
+        TopoDS_Solid solid = TopoDS::Solid(parts.Current());
+        const TopAbs_Orientation before = solid.Orientation();
+        if (!BRepLib::OrientClosedSolid(solid))
+            note(file, ImportNote::Kind::warning, title + " does not close, so its inside is not certain.");
+        else if (solid.Orientation() != before)
+            note(file, ImportNote::Kind::healing, title + " was inside out and was turned.");
+        solids.push_back({solid, from.name, from.colour});
+    }
+}
+
+/// What a file without a solid holds instead.
+std::string contents(const CadFile& file, int openEdges) {
+    int faces = 0, edges = 0;
+    for (const NamedShape& entry : file.shapes) {
+        faces += count(entry.shape, TopAbs_FACE);
+        edges += count(entry.shape, TopAbs_EDGE);
+    }
+    if (faces > 0) return counted(faces, "face") + " with " + counted(openEdges, "open edge");
+    return edges > 0 ? counted(edges, "edge") : std::string("no shape");
+}
+
+} // namespace
+
+TopoDS_Shape healed(const TopoDS_Shape& shape) {
+    const Handle(ShapeFix_Shape) fix = new ShapeFix_Shape(shape);
+    fix->Perform();
+    return fix->Shape();
+}
+
+Result<std::vector<NamedSolid>> makeSolids(CadFile& file) {
+    std::vector<NamedSolid> solids;
+    int looseFaces = 0, looseEdges = 0, openEdges = 0;
+    for (const NamedShape& entry : file.shapes) {
+        if (count(entry.shape, TopAbs_SOLID) > 0) {
+            addHealed(file, entry, solids);
+            continue;
+        }
+        const int faces = count(entry.shape, TopAbs_FACE);
+        if (faces == 0) ++looseEdges;
+        const std::vector<TopoDS_Solid> closed = sewn(entry.shape, openEdges);
+        for (const TopoDS_Solid& solid : closed) {
+            note(file, ImportNote::Kind::healing,
+                 counted(count(solid, TopAbs_FACE), "loose face") + " were sewn to a solid.");
+            addHealed(file, {solid, entry.name, entry.colour}, solids);
+        }
+        if (closed.empty()) looseFaces += faces;
+    }
+    if (solids.empty()) return Error{ErrorCode::modelHasNoSolid, {}, contents(file, openEdges), {}};
+    if (looseFaces > 0)
+        note(file, ImportNote::Kind::warning, counted(looseFaces, "face") + " outside of every solid were left out.");
+    if (looseEdges > 0) note(file, ImportNote::Kind::warning, "Curves outside of every solid were left out.");
+    return solids;
+}
+
+} // namespace burin

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/reader/stl_model.h"
+
+#include "core/base/numbers.h"
+#include "core/cad/reader/mesh_repair.h"
+#include "core/cad/reader/stl_file.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// With more of its edges open than this part, a mesh is a heap of triangles and no surface of a solid.
+constexpr double mostOpen = 1.0 / 3.0;
+
+void note(Model& model, ImportNote::Kind kind, std::string text) {
+    model.notes.push_back({kind, std::move(text)});
+}
+
+std::string title(const Body& body) {
+    return "\"" + body.name + "\"";
+}
+
+void notePieces(Model& model, const Body& body, std::size_t pieces) {
+    if (pieces > 1)
+        note(model, ImportNote::Kind::warning,
+             title(body) + " consists of " + std::to_string(pieces) +
+                 " pieces that are not connected. Where they overlap, its volume counts twice.");
+}
+
+Body makeBody(Model& model, StlSolid solid, MeshConnection& connection) {
+    Body body;
+    body.name = solid.name.empty() ? "Body " + std::to_string(model.bodies.size() + 1) : solid.name;
+    body.mesh = std::move(solid.mesh);
+    for (glm::dvec3& vertex : body.mesh.vertices) vertex *= model.unitScale;
+    connection = separatePieces(body.mesh);
+    if (const std::size_t turned = orientConsistently(body.mesh); turned > 0)
+        note(model, ImportNote::Kind::healing, title(body) + ": " + std::to_string(turned) + " triangles were turned.");
+    body.volume = signedVolume(body.mesh);
+    body.area = surfaceArea(body.mesh);
+    body.box = boundingBox(body.mesh);
+    body.openEdges = countOpenEdges(body.mesh);
+    if (body.openEdges > 0)
+        note(model, ImportNote::Kind::warning,
+             title(body) + " is not closed: " + std::to_string(body.openEdges) +
+                 " open edges. Its inside and volume are not certain.");
+    notePieces(model, body, connection.pieces);
+    return body;
+}
+
+} // namespace
+
+Result<Model> readStlModel(std::string_view content, bool binary, double unit) {
+    Result<std::vector<StlSolid>> solids = binary ? readBinaryStl(content) : readTextStl(content);
+    if (!solids) return std::move(solids).error();
+    Model model;
+    model.format = binary ? "STL binary" : "STL ASCII";
+    model.lengthUnit = "none";
+    model.unitScale = unit;
+    note(model, ImportNote::Kind::unit,
+         "An STL file states no unit; 1 unit = " + formatShortest(unit) + " mm was taken.");
+    if (binary && !hasLengthOfBinaryStl(content))
+        note(model, ImportNote::Kind::warning, "What follows behind the last triangle was left out.");
+    std::size_t triangles = 0, edges = 0, boundary = 0;
+    for (StlSolid& solid : *solids) {
+        MeshConnection connection;
+        triangles += solid.mesh.triangles.size();
+        model.bodies.push_back(makeBody(model, std::move(solid), connection));
+        edges += connection.edges;
+        boundary += connection.boundaryEdges;
+    }
+    if (triangles == 0) return Error{ErrorCode::modelHasNoSolid, {}, "no triangles", {}};
+    if (static_cast<double>(boundary) > mostOpen * static_cast<double>(edges))
+        return Error{ErrorCode::modelHasNoSolid,
+                     {},
+                     std::to_string(triangles) + " triangles with " + std::to_string(boundary) + " open edges",
+                     {}};
+    return model;
+}
+
+} // namespace burin

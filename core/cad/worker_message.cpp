@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/worker_message.h"
+
+#include "core/cad/byte_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+constexpr std::uint32_t requestMark = 0x51525542; // "BURQ"
+constexpr std::uint32_t frameMark = 0x46525542;   // "BURF"
+constexpr std::uint32_t messageVersion = 1;
+
+enum class FrameKind : std::uint32_t { progress, error, model, distances };
+
+struct FrameHead {
+    std::uint32_t mark = frameMark;
+    std::uint32_t version = messageVersion;
+    FrameKind kind = FrameKind::progress;
+    std::uint32_t reserved = 0;
+    std::uint64_t size = 0;     // bytes behind the head
+    std::uint64_t checksum = 0; // of those bytes
+};
+
+/// FNV-1a over words of eight bytes: finds a cut or overwritten answer, no attack.
+std::uint64_t checksum(std::string_view bytes) noexcept {
+    std::uint64_t hash = 14695981039346656037ULL;
+    while (!bytes.empty()) {
+        std::uint64_t word = 0;
+        const std::size_t size = std::min(bytes.size(), sizeof word);
+        std::memcpy(&word, bytes.data(), size);
+        hash = (hash ^ word) * 1099511628211ULL;
+        hash ^= hash >> 32;
+        bytes.remove_prefix(size);
+    }
+    return hash;
+}
+
+void write(ByteWriter& to, const Error& error) {
+    to.value(error.code);
+    to.text(error.subject);
+    to.text(error.place);
+    to.text(error.detail);
+}
+
+void write(ByteWriter& to, const Body& body) {
+    to.text(body.name);
+    to.value(static_cast<std::uint8_t>(body.colour.has_value()));
+    to.value(body.colour.value_or(std::array<std::uint8_t, 3>{}));
+    to.value(body.volume);
+    to.value(body.area);
+    to.value(body.box);
+    to.list(body.mesh.vertices);
+    to.list(body.mesh.triangles);
+    to.value(static_cast<std::uint64_t>(body.openEdges));
+    to.value(static_cast<std::uint64_t>(body.faceCount));
+}
+
+void write(ByteWriter& to, const Model& model) {
+    to.text(model.sourceFile);
+    to.text(model.format);
+    to.text(model.lengthUnit);
+    to.value(model.unitScale);
+    to.value(model.meshChord);
+    to.value(static_cast<std::uint64_t>(model.bodies.size()));
+    for (const Body& body : model.bodies) write(to, body);
+    to.value(static_cast<std::uint64_t>(model.notes.size()));
+    for (const ImportNote& note : model.notes) {
+        to.value(static_cast<std::uint8_t>(note.kind));
+        to.text(note.text);
+    }
+    to.text(model.brep);
+}
+
+bool isFinite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool isSound(const Body& body) {
+    const std::size_t count = body.mesh.vertices.size();
+    return std::isfinite(body.volume) && std::isfinite(body.area) && isFinite(body.box.low) &&
+           isFinite(body.box.high) && std::all_of(body.mesh.vertices.begin(), body.mesh.vertices.end(), isFinite) &&
+           std::all_of(body.mesh.triangles.begin(), body.mesh.triangles.end(),
+                       [count](const auto& t) { return t[0] < count && t[1] < count && t[2] < count; });
+}
+
+Error readError(ByteReader& from) {
+    Error error;
+    error.code = from.value<ErrorCode>();
+    error.subject = from.text();
+    error.place = from.text();
+    error.detail = from.text();
+    return error;
+}
+
+Body readBody(ByteReader& from) {
+    Body body;
+    body.name = from.text();
+    const bool coloured = from.value<std::uint8_t>() != 0;
+    const auto colour = from.value<std::array<std::uint8_t, 3>>();
+    if (coloured) body.colour = colour;
+    body.volume = from.value<double>();
+    body.area = from.value<double>();
+    body.box = from.value<Box>();
+    body.mesh.vertices = from.list<glm::dvec3>();
+    body.mesh.triangles = from.list<std::array<std::uint32_t, 3>>();
+    body.openEdges = from.value<std::uint64_t>();
+    body.faceCount = from.value<std::uint64_t>();
+    return body;
+}
+
+std::optional<Model> readModel(ByteReader& from) {
+    Model model;
+    model.sourceFile = from.text();
+    model.format = from.text();
+    model.lengthUnit = from.text();
+    model.unitScale = from.value<double>();
+    model.meshChord = from.value<double>();
+    constexpr std::size_t leastBody = 64, leastNote = 9; // bytes
+    for (std::uint64_t left = from.count(leastBody); left > 0; --left) {
+        model.bodies.push_back(readBody(from));
+        if (!from.good() || !isSound(model.bodies.back())) return std::nullopt;
+    }
+    for (std::uint64_t left = from.count(leastNote); left > 0; --left) {
+        const auto kind = std::min<std::uint8_t>(from.value<std::uint8_t>(), 2);
+        model.notes.push_back({static_cast<ImportNote::Kind>(kind), from.text()});
+    }
+    model.brep = from.text();
+    if (!from.finished()) return std::nullopt;
+    return model;
+}
+
+std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
+    ByteReader from(bytes);
+    switch (kind) {
+    case FrameKind::progress: {
+        const WorkerProgress progress{from.value<double>()};
+        if (from.finished() && std::isfinite(progress.fraction)) return progress;
+        return std::nullopt;
+    }
+    case FrameKind::error: {
+        Error error = readError(from);
+        if (from.finished()) return WorkerAnswer(std::move(error));
+        return std::nullopt;
+    }
+    case FrameKind::model: {
+        std::optional<Model> model = readModel(from);
+        if (model) return WorkerAnswer(std::move(*model));
+        return std::nullopt;
+    }
+    case FrameKind::distances: {
+        std::vector<double> distances = from.list<double>();
+        const bool finite = std::all_of(distances.begin(), distances.end(), [](double d) { return std::isfinite(d); });
+        if (from.finished() && finite) return WorkerAnswer(std::move(distances));
+        return std::nullopt;
+    }
+    }
+    return std::nullopt;
+}
+
+FrameKind writeFrame(ByteWriter& to, const WorkerFrame& frame) {
+    if (const auto* progress = std::get_if<WorkerProgress>(&frame)) {
+        to.value(progress->fraction);
+        return FrameKind::progress;
+    }
+    const auto& answer = *std::get_if<WorkerAnswer>(&frame);
+    if (const auto* error = std::get_if<Error>(&answer)) {
+        write(to, *error);
+        return FrameKind::error;
+    }
+    if (const auto* model = std::get_if<Model>(&answer)) {
+        write(to, *model);
+        return FrameKind::model;
+    }
+    to.list(*std::get_if<std::vector<double>>(&answer));
+    return FrameKind::distances;
+}
+
+} // namespace
+
+std::string encodeRequest(const WorkerRequest& request) {
+    ByteWriter to;
+    to.value(requestMark);
+    to.value(messageVersion);
+    to.value(static_cast<std::uint8_t>(request.index()));
+    if (const auto* read = std::get_if<ReadRequest>(&request)) {
+        to.text(read->file);
+        to.value(read->meshChord);
+        to.value(read->stlUnit);
+    } else if (const auto* distance = std::get_if<DistanceRequest>(&request)) {
+        to.text(distance->brep);
+        to.list(distance->points);
+    }
+    return to.take();
+}
+
+std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
+    ByteReader from(bytes);
+    if (from.value<std::uint32_t>() != requestMark || from.value<std::uint32_t>() != messageVersion)
+        return std::nullopt;
+    WorkerRequest request;
+    if (from.value<std::uint8_t>() == 0) {
+        ReadRequest read;
+        read.file = from.text();
+        read.meshChord = from.value<double>();
+        read.stlUnit = from.value<double>();
+        request = std::move(read);
+    } else {
+        DistanceRequest distance;
+        distance.brep = from.text();
+        distance.points = from.list<glm::dvec3>();
+        request = std::move(distance);
+    }
+    if (!from.finished()) return std::nullopt;
+    return request;
+}
+
+std::string encodeFrame(const WorkerFrame& frame) {
+    ByteWriter payload;
+    FrameHead head;
+    head.kind = writeFrame(payload, frame);
+    const std::string bytes = payload.take();
+    head.size = bytes.size();
+    head.checksum = checksum(bytes);
+    ByteWriter whole;
+    whole.value(head);
+    return whole.take() + bytes;
+}
+
+std::optional<WorkerFrame> FrameReader::next() {
+    if (damaged_ || waiting_.size() < sizeof(FrameHead)) return std::nullopt;
+    FrameHead head;
+    std::memcpy(&head, waiting_.data(), sizeof head);
+    if (head.mark != frameMark || head.version != messageVersion || head.kind > FrameKind::distances) {
+        damaged_ = true;
+        return std::nullopt;
+    }
+    const std::string_view bytes = std::string_view(waiting_).substr(sizeof head);
+    if (bytes.size() < head.size) return std::nullopt;
+    const std::string_view payload = bytes.substr(0, head.size);
+    std::optional<WorkerFrame> frame;
+    if (checksum(payload) == head.checksum) frame = readFrame(head.kind, payload);
+    damaged_ = !frame;
+    waiting_.erase(0, sizeof head + head.size);
+    return frame;
+}
+
+} // namespace burin

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/error.h"
+#include "core/cad/model.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace burin {
+
+// What Burin and its import program say to each other. The request stands on the program's standard input; the program
+// writes frames to its standard output: any number of progress frames, then one with an answer.
+
+/// Read this model file.
+struct ReadRequest {
+    std::string file;         ///< absolute path
+    double meshChord = 0.005; ///< mm
+    double stlUnit = 1.0;     ///< mm per unit of an STL file
+};
+
+/// Measure these points.
+struct DistanceRequest {
+    std::string brep;               ///< `Model::brep`
+    std::vector<glm::dvec3> points; ///< mm
+};
+
+using WorkerRequest = std::variant<ReadRequest, DistanceRequest>;
+
+/// The end of the program's work.
+using WorkerAnswer = std::variant<Error, Model, std::vector<double>>;
+
+/// How far the program is, 0 … 1.
+struct WorkerProgress {
+    double fraction = 0.0;
+};
+
+using WorkerFrame = std::variant<WorkerProgress, WorkerAnswer>;
+
+std::string encodeRequest(const WorkerRequest& request);
+/// Nothing when the bytes are not a request of this version.
+std::optional<WorkerRequest> decodeRequest(std::string_view bytes);
+
+/// Bytes of one frame, with version, length and checksum.
+std::string encodeFrame(const WorkerFrame& frame);
+
+/// Cuts a stream of bytes into frames. Survives anything that the stream may hold.
+class FrameReader {
+public:
+    void append(std::string_view bytes) { waiting_.append(bytes); }
+    /// The next whole frame; nothing while more bytes are needed, or when the stream is damaged.
+    std::optional<WorkerFrame> next();
+    bool damaged() const noexcept { return damaged_; }
+    std::size_t waitingBytes() const noexcept { return waiting_.size(); }
+
+private:
+    std::string waiting_;
+    bool damaged_ = false;
+};
+
+} // namespace burin

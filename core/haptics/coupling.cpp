@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/coupling.h"
+
+#include "core/base/units.h"
+#include "core/haptics/velocity_window.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+constexpr double ratedPeriod = 0.001; // s, that a stylus states its stiffness for
+constexpr double dampingShare = 0.3;
+constexpr double lightHandle = 0.1; // kg
+constexpr double lagMargin = 0.6;   // of handle mass over lag; from 1 on the damper oscillates
+
+} // namespace
+
+double usableDamping(const StylusDescription& stylus) noexcept {
+    if (!stylus.actuated) return 0.0;
+    return std::min(stylus.maximumDamping, lagMargin * lightHandle / (0.5 * VelocityWindow::length));
+}
+
+CouplingGains couplingGains(const StylusDescription& stylus, double share, double period) noexcept {
+    if (!stylus.actuated) return {};
+    const double slower = std::min(1.0, ratedPeriod / period);
+    return {share * stylus.maximumStiffness * slower, dampingShare * usableDamping(stylus)};
+}
+
+glm::dvec3 Coupling::force(const State& state) const noexcept {
+    const double metresOfDevice = 1.0 / (scale_ * millimetresPerMetre);
+    const glm::dvec3 spring = gains_.stiffness * metresOfDevice * (state.proxy - state.hand);
+    const double closing = glm::dot(state.proxyVelocity - state.handVelocity, state.normal);
+    return spring + gains_.damping * metresOfDevice * closing * state.normal;
+}
+
+} // namespace burin

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/stylus.h"
+
+namespace burin {
+
+/// Gains of the virtual coupling in device space.
+struct CouplingGains {
+    double stiffness = 0.0; ///< N/m
+    double damping = 0.0;   ///< N·s/m
+};
+
+/// N·s/m that a damper on the hand may have: the stylus' figure, but no more than the velocity's lag (half of its
+/// window) bears with a light handle of 0.1 kg. A damper that comes too late drives instead of damping.
+double usableDamping(const StylusDescription& stylus) noexcept;
+
+/// From the stylus' own figures, which hold for 1 kHz without delay: the stiffness that stays passive goes with one
+/// over the period (Colgate & Schenkel), and is not raised above `share` of the figure for faster loops. Damping: 0.3
+/// of the device's, as more helps stability but costs passivity. Zero for a stylus without motors.
+CouplingGains couplingGains(const StylusDescription& stylus, double share, double period) noexcept;
+
+/// The only spring that the hand feels at the boundary: between the hand and the proxy, in device space (Colgate 1995;
+/// Adams & Hannaford 1999), so that its stiffness does not depend on the scale of the workspace.
+class Coupling {
+public:
+    /// @param scale mm of setup per mm of device
+    Coupling(CouplingGains gains, double scale) noexcept : gains_(gains), scale_(scale) {}
+
+    /// What is felt of the distance between hand and proxy. All in the setup frame.
+    struct State {
+        glm::dvec3 proxy{0.0}, hand{0.0};                 ///< mm
+        glm::dvec3 proxyVelocity{0.0}, handVelocity{0.0}; ///< mm/s
+        glm::dvec3 normal{0.0}; ///< unit, of what holds the proxy; zero when it is free: no damping then
+    };
+    /// N, axes of the setup frame, magnitude as in device space.
+    glm::dvec3 force(const State& state) const noexcept;
+
+    double stiffness() const noexcept { return gains_.stiffness; }
+
+private:
+    CouplingGains gains_;
+    double scale_;
+};
+
+} // namespace burin

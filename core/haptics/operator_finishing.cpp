@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/numbers.h"
+#include "core/haptics/operator_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr double tolerance = 1e-3; // mm: what lowestFeasibleHeight resolves
+
+/// A place of a pass: where the hand aims and where the part stops the tool.
+struct Touch {
+    double x = 0.0;
+    double reached = 0.0; ///< mm, lowest tip
+};
+
+class Finishing {
+public:
+    Finishing(const ClearanceField& field, const Tool& tool, const FinishingRequest& request, WorkpieceHeights& heights)
+        : field_(field), tool_(tool), request_(request), heights_(heights), writer_(heights, request.speeds) {
+        if (request_.stepOver <= 0.0) request_.stepOver = tool.cutter.diameter / 15.0;
+        // Fine enough for walls and fillets, no finer than the field can say.
+        sampling_ = std::clamp(0.125 * tool.cutter.radius(), 0.02, 0.4);
+    }
+
+    std::vector<IntentPoint> plan() {
+        const double reach = tool_.cutter.radius() + request_.floorMargin;
+        const double low = request_.part.low.y - reach;
+        const double width = request_.part.size().y + 2.0 * reach;
+        const int intervals = std::max(1, static_cast<int>(std::ceil(width / request_.stepOver - 1e-6)));
+        bool forward = true;
+        for (int i = 0; i <= intervals; ++i) {
+            std::vector<std::vector<Touch>> stretches = pass(low + width * i / intervals);
+            if (stretches.empty()) continue;
+            if (!forward) {
+                std::reverse(stretches.begin(), stretches.end());
+                for (std::vector<Touch>& stretch : stretches) std::reverse(stretch.begin(), stretch.end());
+            }
+            for (const std::vector<Touch>& stretch : stretches) mill(stretch, low + width * i / intervals);
+            forward = !forward;
+        }
+        writer_.finish();
+        return writer_.take();
+    }
+
+private:
+    double reachedAt(double x, double y) const {
+        return lowestFeasibleHeight(field_, x, y, 0.0, writer_.travelLevel(), request_.floor);
+    }
+
+    /// The stretches of the pass at y that lie over the part or close beside it.
+    std::vector<std::vector<Touch>> pass(double y) const {
+        const double reach = tool_.cutter.radius() + request_.floorMargin;
+        const double low = request_.part.low.x - reach;
+        const double length = request_.part.size().x + 2.0 * reach;
+        const int steps = static_cast<int>(std::ceil(length / sampling_));
+        std::vector<std::vector<Touch>> stretches;
+        std::vector<Touch> gap; // floor since the part was near; crossed where it is short
+        bool touchesPart = false;
+        const std::size_t longestGap = static_cast<std::size_t>(4.0 * tool_.cutter.radius() / sampling_);
+        for (int i = 0; i <= steps; ++i) {
+            const Touch touch{low + length * i / steps, reachedAt(low + length * i / steps, y)};
+            const bool over = touch.reached > request_.floor + tolerance;
+            const double beside = over ? 0.0 : field_.at({touch.x, y, request_.floor}).clearance;
+            touchesPart = touchesPart || beside < request_.stepOver;
+            if (beside > request_.floorMargin || !std::isfinite(touch.reached)) {
+                gap.push_back(touch);
+                continue;
+            }
+            if (stretches.empty() || gap.size() > longestGap)
+                stretches.emplace_back();
+            else
+                stretches.back().insert(stretches.back().end(), gap.begin(), gap.end());
+            stretches.back().push_back(touch);
+            gap.clear();
+        }
+        if (!touchesPart) stretches.clear(); // a pass over floor alone
+        return stretches;
+    }
+
+    void mill(const std::vector<Touch>& stretch, double y) {
+        const glm::dvec2 start(stretch.front().x, y);
+        if (writer_.empty() || glm::distance(glm::dvec2(writer_.tip()), start) > 4.0 * tool_.cutter.radius())
+            enter(start, stretch.front().reached);
+        else
+            cross(start);
+        for (const Touch& touch : stretch)
+            if (std::isfinite(touch.reached)) touchAt({touch.x, y}, touch.reached);
+    }
+
+    /// From the end of one pass to the start of the next, along the surface.
+    void cross(const glm::dvec2& to) {
+        const glm::dvec2 from(writer_.tip());
+        const int steps = static_cast<int>(std::ceil(glm::distance(from, to) / sampling_));
+        for (int i = 1; i < steps; ++i) {
+            const glm::dvec2 place = glm::mix(from, to, static_cast<double>(i) / steps);
+            const double reached = reachedAt(place.x, place.y);
+            if (std::isfinite(reached)) touchAt(place, reached);
+        }
+    }
+
+    /// Where the hand aims over a place at which the part stops the tip at `reached`.
+    glm::dvec3 aimAt(const glm::dvec2& place, double reached) {
+        const double pressed = std::max(reached - request_.press, request_.floor);
+        const double safe = heights_.safeHeight({place, pressed});
+        heldUp_ = safe > pressed;
+        return {place, safe};
+    }
+
+    void enter(const glm::dvec2& place, double reached) {
+        aim_ = aimAt(place, reached);
+        writer_.enterAt(aim_, {place, std::max(aim_.z, reached)});
+    }
+
+    void touchAt(const glm::dvec2& place, double reached) {
+        const glm::dvec3 from = aim_;
+        const bool wasHeldUp = heldUp_;
+        aim_ = aimAt(place, reached);
+        // Where standing stock keeps the shank up, the tool rises before it comes there and sinks after it has left.
+        if (heldUp_ && aim_.z > from.z)
+            writer_.cutTo({from.x, from.y, aim_.z}, liftedTo(aim_.z));
+        else if (wasHeldUp && aim_.z < from.z)
+            writer_.cutTo({place, from.z}, {place, std::max(from.z, reached)});
+        writer_.cutTo(aim_, {place, std::max(aim_.z, reached)});
+    }
+
+    glm::dvec3 liftedTo(double height) const {
+        const glm::dvec3& tip = writer_.tip();
+        return {tip.x, tip.y, std::max(tip.z, height)};
+    }
+
+    const ClearanceField& field_;
+    const Tool& tool_;
+    FinishingRequest request_;
+    WorkpieceHeights& heights_;
+    StrokeWriter writer_;
+    double sampling_ = 0.4; ///< mm along a pass
+    glm::dvec3 aim_{0.0};   ///< of the last stroke
+    bool heldUp_ = false;   ///< it was kept above where the hand would have pressed
+};
+
+} // namespace
+
+Result<std::vector<IntentPoint>> planFinishing(const ClearanceField& field, const Tool& tool,
+                                               const FinishingRequest& request, WorkpieceHeights& heights) {
+    if (Result<void> valid = checkSpeeds(request.speeds); !valid) return valid.error();
+    const Cutter& cutter = tool.cutter;
+    if (Result<void> valid = checkAbove({{"cutter diameter", cutter.diameter}, {"flute length", cutter.fluteLength}});
+        !valid)
+        return valid.error();
+    if (Result<void> valid = checkNotBelow(
+            {{"step-over", request.stepOver}, {"press", request.press}, {"floor margin", request.floorMargin}});
+        !valid)
+        return valid.error();
+    if (request.part.empty() || !isFinite(request.part.size()) || !std::isfinite(request.floor))
+        return Error{ErrorCode::argumentInvalid, "part", "", "a box that is not empty, and a finite floor"};
+    return Finishing(field, tool, request, heights).plan();
+}
+
+} // namespace burin

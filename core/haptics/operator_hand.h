@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace burin {
+
+/// A hand that holds a device's handle: mass, damper and spring to where the hand means to be.
+struct HandImpedance {
+    double mass = 0.3;        ///< kg
+    double damping = 10.0;    ///< N·s/m
+    double stiffness = 600.0; ///< N/m
+};
+
+// Engineering estimates in the range of published arm and hand measurements (Fu & Cavusoglu 2012; Hasser & Cutkosky
+// 2002 report mass, damping and stiffness that rise with the grip).
+inline constexpr HandImpedance lightHand{0.05, 2.0, 100.0};
+inline constexpr HandImpedance middleHand{0.15, 5.0, 300.0};
+inline constexpr HandImpedance firmHand{0.3, 10.0, 600.0};
+
+/// The moving part of the device that the hand carries along. Engineering estimate for a desktop stylus.
+struct HandleInertia {
+    double mass = 0.08;   ///< kg
+    double damping = 0.5; ///< N·s/m
+};
+
+/// How a hand answers a force that stays: it leans against it, a reaction time later.
+struct HandReaction {
+    double share = 0.8;   ///< of the force that is answered, 0 … 1
+    double seconds = 0.1; ///< time constant, s; our estimate between reflex (0.05 s) and reaction time (0.2 s)
+};
+
+/// Hand and handle as one mass, held by the hand's spring and damper, pushed by the device. What is integrated is the
+/// deviation from where the hand means to be: a practised hand moves the mass it holds without thinking (it applies
+/// mass · acceleration + handle damping · velocity by itself), so the intended motion drops out of the equation
+///     (m + M) e" + (b + B) e' + k e = F + leaning
+/// and what remains is what the device's force does to the hand.
+class HandArm {
+public:
+    HandArm(const HandImpedance& hand, const HandleInertia& handle, const HandReaction& reaction) noexcept;
+
+    /// Integrates with Runge-Kutta steps of at most 50 µs; the force is held, as a device's amplifier holds it.
+    /// @param force N. @param seconds > 0. No allocation.
+    void advance(const glm::dvec3& force, double seconds) noexcept;
+    /// A mechanical stop: moves the deviation and takes away the velocity along `outward` (unit length).
+    void stopAt(const glm::dvec3& deviation, const glm::dvec3& outward) noexcept;
+    void reset() noexcept;
+
+    glm::dvec3 deviation() const noexcept { return deviation_; } ///< mm
+    glm::dvec3 velocity() const noexcept { return velocity_; }   ///< mm/s, of the deviation
+
+private:
+    glm::dvec3 accelerationAt(const glm::dvec3& deviation, const glm::dvec3& velocity,
+                              const glm::dvec3& force) const noexcept;
+    void step(const glm::dvec3& force, double seconds) noexcept;
+
+    double mass_, damping_, stiffness_;
+    HandReaction reaction_;
+    glm::dvec3 deviation_{0.0};
+    glm::dvec3 velocity_{0.0};
+    glm::dvec3 leaning_{0.0}; ///< N
+};
+
+/// Physiological tremor: the hand's place wanders by some hundredths of a millimetre at 8 to 12 Hz. A sum of sines with
+/// frequencies and phases from a seeded generator with our own distribution: the same seed gives the same motion.
+class Tremor {
+public:
+    /// @param rms mm along each axis; 0: none.
+    Tremor(double rms, std::uint64_t seed) noexcept;
+    glm::dvec3 at(double time) const noexcept; ///< mm
+
+    static constexpr double lowestFrequency = 8.0;   ///< Hz
+    static constexpr double highestFrequency = 12.0; ///< Hz
+
+private:
+    struct Wave {
+        double angularFrequency = 0.0; ///< rad/s
+        double phase = 0.0;            ///< rad
+    };
+    static constexpr int wavesPerAxis = 6;
+    double amplitude_ = 0.0; ///< mm, of each wave
+    std::array<std::array<Wave, wavesPerAxis>, 3> waves_{};
+};
+
+} // namespace burin

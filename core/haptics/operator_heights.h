@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/field/tool_field.h"
+#include "core/geometry/box.h"
+#include "core/tool/tool.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace burin {
+
+/// Where a tip that comes straight down at (x, y) is stopped by the part, mm: the lowest height from which everything
+/// up to `top` has clearance >= allowance. `bottom` where nothing stops it, +infinity where it can't even be at `top`.
+/// Marches by the clearance itself, so that it passes no wall, and ends within 1 µm.
+double lowestFeasibleHeight(const ClearanceField& field, double x, double y, double allowance, double top,
+                            double bottom) noexcept;
+
+/// How deep below standing stock the operator takes a cutter, mm: the flutes less a margin.
+double usableFlutes(const Cutter& cutter) noexcept;
+
+/// What the operator sees of the workpiece while planning: how high the stock stands, on a raster. It knows no overhang
+/// and no part. Stock outside the raster does not exist.
+class WorkpieceHeights {
+public:
+    static constexpr double nothing = -1e300; ///< height where there is no stock
+
+    /// A box of stock, not empty. The raster is a sixth of the cutter's radius wide, at most 0.5 mm; wider where the
+    /// stock is so large that it would take more than four million cells.
+    WorkpieceHeights(const Box& stock, const Cutter& cutter);
+
+    /// The flutes at this tip take away what stands in them.
+    void cut(const glm::dvec3& tip) noexcept;
+    /// A straight move, by tips no further apart than the raster.
+    void cut(const glm::dvec3& from, const glm::dvec3& to) noexcept;
+
+    /// Highest stock within `radius` of (x, y), mm; `nothing` where there is none.
+    double highestWithin(double x, double y, double radius) const noexcept;
+    /// Lowest tip at (x, y) at which the flutes touch no stock; `nothing` beside the stock.
+    double freeTip(double x, double y) const noexcept;
+    /// Lowest height, not below the tip's, at which shank and holder keep above the stock.
+    double safeHeight(const glm::dvec3& tip) const noexcept;
+    /// How far the cutter's surface rises above its tip at a distance from the axis within its radius, mm.
+    double riseAt(double distance) const noexcept;
+
+    const Box& stock() const noexcept { return stock_; }
+    double raster() const noexcept { return cell_; } ///< mm
+
+private:
+    /// A part of the tool that must not touch stock: its lower face.
+    struct Relief {
+        double height = 0.0; ///< mm above the tip
+        double radius = 0.0; ///< mm
+    };
+    template <class Visit>
+    void visitDisc(double x, double y, double radius, Visit&& visit) const noexcept;
+
+    Box stock_;
+    Cutter cutter_;
+    std::vector<Relief> reliefs_;
+    double cell_ = 0.5;
+    int columns_ = 0, rows_ = 0;
+    std::vector<double> heights_;
+};
+
+} // namespace burin

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/operator_plan.h"
+
+#include "core/base/numbers.h"
+#include "core/geometry/pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr double mostWidening = 3.0; // of the finishing step-over
+constexpr int mostReplans = 3;
+constexpr double longestLift = 1.0; // s, kept for the lift at the end of what was truncated
+
+HandSpeeds raised(const HandSpeeds& speeds, double factor) {
+    const auto raise = [factor](double speed, double fastest) {
+        return std::max(speed, std::min(speed * factor, fastest));
+    };
+    return {raise(speeds.cutting, fastestHand.cutting), raise(speeds.plunging, fastestHand.plunging),
+            raise(speeds.travelling, fastestHand.travelling)};
+}
+
+/// One attempt with the request as it stands.
+Result<MillingPlan> attempt(const ClearanceField& field, const Tool& tool, const MillingRequest& request) {
+    WorkpieceHeights heights(request.stock, tool.cutter);
+    Result<RoughingPlan> roughing = planRoughing(field, tool, request.roughing, heights);
+    if (!roughing) return roughing.error();
+    Result<std::vector<IntentPoint>> finishing = planFinishing(field, tool, request.finishing, heights);
+    if (!finishing) return finishing.error();
+    MillingPlan plan;
+    plan.roughing = std::move(roughing->points);
+    plan.levels = std::move(roughing->levels);
+    plan.finishing = std::move(*finishing);
+    plan.roughingSeconds = estimateSeconds(plan.roughing, request.motion);
+    plan.finishingSeconds = estimateSeconds(plan.finishing, request.motion);
+    plan.finishingStepOver = request.finishing.stepOver;
+    return plan;
+}
+
+double seconds(const MillingPlan& plan) {
+    return plan.roughingSeconds + plan.finishingSeconds;
+}
+
+/// Cuts the intent off so that it ends, lifted, within `limit`; its new duration.
+double truncate(std::vector<IntentPoint>& points, double limit, double travelLevel, double travelSpeed,
+                const MotionLimits& motion) {
+    const double kept = std::max(0.0, limit - longestLift);
+    std::size_t fits = 0, tooMany = points.size() + 1;
+    while (tooMany - fits > 1) {
+        const std::size_t middle = (fits + tooMany) / 2;
+        const bool within = estimateSeconds(std::span(points).first(middle), motion) <= kept;
+        (within ? fits : tooMany) = middle;
+    }
+    if (fits == points.size()) return estimateSeconds(points, motion);
+    points.resize(fits < 2 ? 0 : fits); // a single point is no motion
+    if (!points.empty() && points.back().tip.z < travelLevel)
+        points.push_back({{points.back().tip.x, points.back().tip.y, travelLevel}, travelSpeed});
+    return estimateSeconds(points, motion);
+}
+
+void truncateBoth(MillingPlan& plan, const MillingRequest& request) {
+    const double travelLevel = request.stock.high.z + travelHeight;
+    plan.truncated = true;
+    plan.finishingSeconds = truncate(plan.finishing, request.timeLimit - plan.roughingSeconds, travelLevel,
+                                     request.finishing.speeds.travelling, request.motion);
+    if (plan.roughingSeconds > request.timeLimit)
+        plan.roughingSeconds =
+            truncate(plan.roughing, request.timeLimit, travelLevel, request.roughing.speeds.travelling, request.motion);
+}
+
+} // namespace
+
+double estimateSeconds(std::span<const IntentPoint> points, const MotionLimits& limits) {
+    const Result<IntentMotion> motion = IntentMotion::make(points, limits);
+    return motion ? motion->duration() : 0.0;
+}
+
+MotionLimits inSetup(MotionLimits device, double scale) {
+    device.acceleration *= scale;
+    device.maximumSpeed *= scale;
+    return device;
+}
+
+Result<MillingPlan> planMilling(const ClearanceField& field, const Tool& tool, const MillingRequest& request) {
+    if (!(std::isfinite(request.timeLimit) && request.timeLimit >= 0.0))
+        return Error{ErrorCode::argumentInvalid, "time limit", formatShortest(request.timeLimit), "s, not below 0"};
+    if (request.stock.empty() || !isFinite(request.stock.size()))
+        return Error{ErrorCode::argumentInvalid, "stock", "", "a box that is not empty"};
+    MillingRequest now = request;
+    if (now.finishing.stepOver <= 0.0) now.finishing.stepOver = tool.cutter.diameter / 15.0;
+    const double widest = mostWidening * now.finishing.stepOver;
+    Result<MillingPlan> plan = attempt(field, tool, now);
+    if (!plan || request.timeLimit == 0.0 || seconds(*plan) <= request.timeLimit) return plan;
+
+    double factor = 1.0;
+    for (int i = 0; i < mostReplans && plan && seconds(*plan) > request.timeLimit; ++i) {
+        // A little more than in proportion: corners and short strokes don't get faster.
+        factor *= 1.1 * seconds(*plan) / request.timeLimit;
+        now.roughing.speeds = raised(request.roughing.speeds, factor);
+        now.finishing.speeds = raised(request.finishing.speeds, factor);
+        plan = attempt(field, tool, now);
+    }
+    for (int i = 0; i < mostReplans && plan && seconds(*plan) > request.timeLimit; ++i) {
+        const double left = std::max(request.timeLimit - plan->roughingSeconds, 1e-3);
+        now.finishing.stepOver = std::min(widest, 1.02 * now.finishing.stepOver * plan->finishingSeconds / left);
+        plan = attempt(field, tool, now);
+        if (now.finishing.stepOver >= widest) break;
+    }
+    if (!plan) return plan;
+    plan->speedFactor = std::max(now.finishing.speeds.cutting / request.finishing.speeds.cutting,
+                                 now.roughing.speeds.cutting / request.roughing.speeds.cutting);
+    if (seconds(*plan) > request.timeLimit) truncateBoth(*plan, now);
+    return plan;
+}
+
+} // namespace burin

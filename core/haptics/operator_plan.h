@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/haptics/operator_heights.h"
+#include "core/haptics/operator_motion.h"
+
+#include <vector>
+
+namespace burin {
+
+/// Speeds of a hand, mm/s, setup frame.
+struct HandSpeeds {
+    double cutting = 100.0;
+    double plunging = 30.0;    ///< down into stock
+    double travelling = 250.0; ///< in the air
+};
+/// As fast as an operator is asked to work when the time is short: brisk sanding strokes. Our estimate.
+inline constexpr HandSpeeds fastestHand{250.0, 50.0, 400.0};
+
+/// How far above the stock the tip travels.
+inline constexpr double travelHeight = 3.0; // mm
+
+/// Roughing in levels. Lengths in mm, setup frame.
+struct RoughingRequest {
+    double bottom = 0.0;     ///< height of the last level: the part's lowest point
+    double allowance = 0.5;  ///< left on the part
+    double stepOver = 0.0;   ///< between rows; 0: 0.75 of the diameter
+    double levelDepth = 0.0; ///< 0: 1.25 of the diameter; always cut down to what the tool can
+    /// Stock that the finishing passes may take at once: roughing keeps out of places where no more is left above the
+    /// part. 0: no such place. Ignored below the distance of the levels.
+    double finishingDepth = 0.0;
+    HandSpeeds speeds;
+};
+
+struct RoughingPlan {
+    std::vector<IntentPoint> points; ///< begins and ends above the stock; empty: nothing to rough
+    std::vector<double> levels;      ///< heights, falling; the last is the bottom
+};
+
+/// Levels from the top of the stock to the bottom, in zig-zag rows along x over the stock and a radius beyond, so that
+/// the cutter enters from the side. Rows end where the part with its allowance begins. Neighbouring pieces are joined
+/// within the level where part and shank allow it; else the tool lifts and comes down where the level above is cleared.
+/// @param field clearance of this tool from the part. @param heights the stock; afterwards as the plan leaves it.
+/// Errors: argumentInvalid.
+Result<RoughingPlan> planRoughing(const ClearanceField& field, const Tool& tool, const RoughingRequest& request,
+                                  WorkpieceHeights& heights);
+
+/// Finishing in parallel passes. Lengths in mm, setup frame.
+struct FinishingRequest {
+    Box part;                 ///< the part's bounding box
+    double floor = 0.0;       ///< the passes don't go below: the part's lowest point
+    double stepOver = 0.0;    ///< 0: a fifteenth of the diameter
+    double press = 2.0;       ///< how far below the part's surface the hand aims
+    double floorMargin = 1.5; ///< how far a pass runs on beside the part
+    HandSpeeds speeds;
+};
+
+/// Zig-zag passes along x over the part and a radius beyond. The hand aims `press` below where the part stops the tool,
+/// never below the floor, and never so deep that shank or holder reach the stock that still stands around the tool.
+/// Parameters and errors as planRoughing.
+Result<std::vector<IntentPoint>> planFinishing(const ClearanceField& field, const Tool& tool,
+                                               const FinishingRequest& request, WorkpieceHeights& heights);
+
+/// What the motion along an intent takes, s, without the time to settle; 0 for an invalid one.
+/// @param limits in the frame of the points: see inSetup.
+double estimateSeconds(std::span<const IntentPoint> points, const MotionLimits& limits);
+
+/// A hand's limits, which hold in the device frame, as they appear through a mapping's scale.
+MotionLimits inSetup(MotionLimits device, double scale);
+
+/// A whole session.
+struct MillingRequest {
+    Box stock; ///< mm
+    RoughingRequest roughing;
+    FinishingRequest finishing;
+    MotionLimits motion;    ///< setup frame
+    double timeLimit = 0.0; ///< s for both together; 0: none
+};
+
+struct MillingPlan {
+    std::vector<IntentPoint> roughing;
+    std::vector<IntentPoint> finishing;
+    std::vector<double> levels; ///< heights of the roughing levels
+    double roughingSeconds = 0.0;
+    double finishingSeconds = 0.0;
+    double speedFactor = 1.0;       ///< by which the asked speeds were raised at most
+    double finishingStepOver = 0.0; ///< mm, as planned
+    bool truncated = false;         ///< the end was left out: the limit is too short
+};
+
+/// Plans both. Where the time limit is shorter, raises the speeds up to `fastestHand`, then widens the finishing passes
+/// up to three times, and at last leaves out the end. Errors: argumentInvalid.
+Result<MillingPlan> planMilling(const ClearanceField& field, const Tool& tool, const MillingRequest& request);
+
+} // namespace burin

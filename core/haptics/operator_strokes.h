@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/haptics/operator_plan.h"
+
+#include <initializer_list>
+#include <utility>
+
+namespace burin {
+
+/// Writes an intent stroke by stroke and keeps the heights of the workpiece up to date with it.
+class StrokeWriter {
+public:
+    /// @param heights must outlive the writer.
+    StrokeWriter(WorkpieceHeights& heights, const HandSpeeds& speeds) : heights_(&heights), speeds_(speeds) {}
+
+    /// Aims at `aim`, cutting; the part holds the tip back at `tip`.
+    void cutTo(const glm::dvec3& aim, const glm::dvec3& tip);
+    void cutTo(const glm::dvec3& tip) { cutTo(tip, tip); }
+    /// Lifts, travels above the stock, comes down: fast in the air, slowly in stock. Without a point so far: begins
+    /// there.
+    void enterAt(const glm::dvec3& aim, const glm::dvec3& tip);
+    /// Lifts above the stock, where anything was done.
+    void finish();
+
+    bool empty() const noexcept { return points_.empty(); }
+    const glm::dvec3& tip() const noexcept { return tip_; } ///< where the last stroke ended
+    double travelLevel() const noexcept { return heights_->stock().high.z + travelHeight; }
+    std::vector<IntentPoint> take() { return std::move(points_); }
+
+private:
+    WorkpieceHeights* heights_;
+    HandSpeeds speeds_;
+    std::vector<IntentPoint> points_;
+    glm::dvec3 tip_{0.0};
+};
+
+using NamedNumbers = std::initializer_list<std::pair<const char*, double>>;
+/// Errors: argumentInvalid where a number is not finite or not above 0.
+Result<void> checkAbove(NamedNumbers numbers);
+/// Errors: argumentInvalid where a number is not finite or below 0.
+Result<void> checkNotBelow(NamedNumbers numbers);
+Result<void> checkSpeeds(const HandSpeeds& speeds);
+
+} // namespace burin

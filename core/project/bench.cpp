@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/bench.h"
+
+#include "core/cutting/removal.h"
+#include "core/machine/machine_library.h"
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+constexpr double travelAboveStock = 5.0; // mm
+
+/// A part that is not there holds nothing back.
+class OpenField final : public ClearanceField {
+public:
+    explicit OpenField(double voxel) noexcept : voxel_(voxel) {}
+    FieldSample at(const glm::dvec3&) const noexcept override { return {1e6, {0.0, 0.0, 0.0}, false}; }
+    double errorBound() const noexcept override { return 0.0; }
+    double spacing() const noexcept override { return voxel_; }
+
+private:
+    double voxel_;
+};
+
+MeshDistance wholePart(const Model& model) {
+    TriangleMesh mesh;
+    for (const Body& body : model.bodies) append(mesh, body.mesh);
+    return MeshDistance(mesh);
+}
+
+} // namespace
+
+double Bench::safeHeight() const {
+    return setup.stock.high.z + travelAboveStock;
+}
+
+Box Bench::tipRegion() const {
+    Box region = setup.stock.grown(2.0 * tool.cutter.diameter + travelAboveStock);
+    region.high.z = safeHeight() + 2.0 * travelAboveStock;
+    return region;
+}
+
+double Bench::workpieceVolume() const {
+    const RunVolume& workpiece = embedded.workpiece;
+    std::uint64_t units = 0;
+    for (int property = 1; property < workpiece.properties().size(); ++property)
+        if (!workpiece.properties().isProtected(static_cast<PropertyIndex>(property)))
+            units += workpiece.amounts().units[static_cast<std::size_t>(property)];
+    return static_cast<double>(units) * workpiece.grid().unitVolume();
+}
+
+Result<Tool> toolFor(const Project& project, const std::string& id) {
+    Result<std::vector<Tool>> own = project.tools();
+    if (!own) return std::move(own).error();
+    for (Tool& tool : *own)
+        if (tool.id == id) return std::move(tool);
+    return loadTool(id);
+}
+
+Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress) {
+    progress.stage(0.0, 0.3);
+    Result<Model> model = project.model();
+    if (!model) return std::move(model).error();
+    Result<Setup> setup = project.setup();
+    if (!setup) return std::move(setup).error();
+    Result<MachineProfile> machine = loadMachine(machineId);
+    if (!machine) return std::move(machine).error();
+    MeshDistance part = wholePart(*model);
+    progress.stage(0.3, 1.0);
+    Result<EmbeddedSetup> embedded = embed(*model, *setup, progress);
+    if (!embedded) return std::move(embedded).error();
+    const Property& material = embedded->workpiece.properties()[embedded->stockProperty];
+    const Result<CuttingConditions> conditions =
+        cuttingConditions(tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
+    if (!conditions) return conditions.error();
+    return Bench{std::move(*model), std::move(*setup),   tool, std::move(*machine), *conditions,
+                 std::move(part),   std::move(*embedded)};
+}
+
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
+                                                             Progress& progress) {
+    using Field = std::unique_ptr<const ClearanceField>;
+    if (bench.model.bodies.empty()) return Field(std::make_unique<OpenField>(bench.setup.voxel));
+    ToolFieldRequest request;
+    request.tool = pieces(bench.tool.cutter);
+    request.tips = bench.tipRegion();
+    request.voxel = bench.setup.voxel;
+    request.maximumAllowance = maximumAllowance;
+    Result<ToolField> field = ToolField::build(bench.part, request, progress);
+    if (!field) return std::move(field).error();
+    return Field(std::make_unique<ToolField>(std::move(*field)));
+}
+
+Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    for (std::size_t index = 0; index < takes->size(); ++index) {
+        const Result<Take> take = project.take((*takes)[index].id);
+        if (!take) return take.error();
+        const Result<Tool> tool = toolFor(project, take->info.toolId);
+        if (!tool) return tool.error();
+        MaterialRemoval removal(tool->cutter, bench.embedded.workpiece.grid());
+        for (std::size_t i = 1; i < take->samples.size(); ++i) {
+            if (progress.cancelled()) return Error{ErrorCode::cancelled, "replaying takes", {}, {}};
+            const Sample& sample = take->samples[i];
+            // Where the hand's tick removed nothing, replaying must not either: braking, forces off, memory full.
+            const bool cut = std::any_of(sample.removed.begin(), sample.removed.end(),
+                                         [](const RemovedMaterial& removed) { return removed.units > 0; });
+            if (!cut) continue;
+            const CutResult result =
+                removal.cut(bench.embedded.workpiece, take->samples[i - 1].proxy.tip, sample.proxy.tip);
+            if (result.outOfMemory)
+                return Error{
+                    ErrorCode::volumeOutOfMemory, std::to_string(bench.embedded.workpiece.reservedBytes()), {}, {}};
+        }
+        progress.report(static_cast<double>(index + 1) / static_cast<double>(takes->size()));
+    }
+    return {};
+}
+
+} // namespace burin

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/cutting_force.h"
+#include "core/field/tool_field.h"
+#include "core/geometry/mesh_distance.h"
+#include "core/machine/machine_profile.h"
+#include "core/project/project.h"
+#include "core/setup/setup.h"
+
+namespace burin {
+
+/// What a project is worked on with: its part on a fine mesh, its workpiece as the takes so far left it, one tool in
+/// one machine. Made from a project in seconds; the project stays the truth.
+/// Thread: one at a time; the haptic loop while it mills.
+struct Bench {
+    Model model;
+    Setup setup;
+    Tool tool;
+    MachineProfile machine;
+    CuttingConditions conditions; ///< of the tool in the stock's material
+    MeshDistance part;            ///< all bodies
+    EmbeddedSetup embedded;
+
+    Box tipRegion() const;          ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
+    double safeHeight() const;      ///< mm, setup frame: travel is free above it
+    double workpieceVolume() const; ///< mm³ of machinable material
+};
+
+/// Errors: projectIncomplete, those of loadMaterial, loadMachine, embed, cuttingConditions, cancelled.
+Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress);
+
+/// The tool of a project by id, or of the library where the project has none of that name.
+Result<Tool> toolFor(const Project& project, const std::string& id);
+
+/// The field that a tool's proxy moves in; a field without walls where the model has no body.
+/// Errors: cancelled, outOfMemory.
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
+                                                             Progress& progress);
+
+/// Cuts again what the takes of a project cut, in order: the workpiece as it stands. Errors: fileDamaged,
+/// volumeOutOfMemory, cancelled.
+Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress);
+
+} // namespace burin

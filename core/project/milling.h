@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/stylus.h"
+#include "core/haptics/haptic_step.h"
+#include "core/haptics/operator_plan.h"
+#include "core/haptics/servo_loop.h"
+#include "core/project/bench.h"
+
+#include <atomic>
+#include <string>
+
+namespace burin {
+
+/// One recording to make.
+struct TakeRequest {
+    std::string name;
+    double allowance = 0.0; ///< mm of stock that the boundary leaves on the part
+    WorkspaceMapping mapping;
+    Pace pace = Pace::fast;
+    double maximumSeconds = 1e9; ///< s of the session
+};
+
+/// What a recording came to, read back from the project.
+struct TakeOutcome {
+    std::int64_t take = 0;
+    std::uint64_t samples = 0;
+    LoopStatistics loop;
+    double removed = 0.0;             ///< mm³, sum over the recorded samples
+    double drop = 0.0;                ///< mm³ that the workpiece's machinable runs lost meanwhile
+    std::uint64_t shankTicks = 0;     ///< ticks in which shank or holder touched something
+    double largestForce = 0.0;        ///< N, rendered
+    double largestCuttingForce = 0.0; ///< N, unscaled
+};
+
+/// Mills with a stylus and records every tick into the project while it is made; saves the project at the end.
+/// Errors: those of the stylus, the servo loop, the recorder and Project::save. What was recorded until then is kept.
+Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceField& field, Stylus& stylus,
+                               const TakeRequest& request, const std::atomic<bool>& stop);
+
+/// What the virtual operator is asked to do.
+struct OperatorRequest {
+    double allowance = 0.5;         ///< mm, roughing
+    double press = 2.0;             ///< mm into the part, finishing
+    double roughingStepOver = 0.0;  ///< mm; 0: the plan's own rule
+    double finishingStepOver = 0.0; ///< mm; 0: the plan's own rule
+    double timeLimit = 0.0;         ///< s for both; 0: none
+    std::uint64_t seed = 1;         ///< of the hand's tremor
+    Pace pace = Pace::fast;
+};
+
+struct OperatorOutcome {
+    MillingPlan plan;
+    std::vector<TakeOutcome> takes; ///< roughing, then finishing; one that has nothing to do is left out
+};
+
+/// Roughs in levels and finishes in parallel passes with a virtual hand, a take each. A model without bodies is cut in
+/// free-hand grooves instead (paper, figure 13 b). Errors: those of planMilling and recordTake; cancelled.
+Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ClearanceField& field,
+                                         const OperatorRequest& request, const std::atomic<bool>& stop);
+
+/// The mapping that fits where a bench's tip may go into the workspace of a stylus; the same for the same project and
+/// tool, so that a trace means the same in every run.
+WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus);
+
+} // namespace burin

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/program_job.h"
+
+#include "core/base/numbers.h"
+#include "core/nc/dialect_library.h"
+
+#include <filesystem>
+
+namespace burin {
+
+namespace {
+
+std::vector<std::string> headerLines(const Bench& bench) {
+    const auto length = [](double value) { return formatFixed(value, 3); };
+    const auto place = [&](const glm::dvec3& v) { return "X" + length(v.x) + " Y" + length(v.y) + " Z" + length(v.z); };
+    const Box& stock = bench.setup.stock;
+    std::vector<std::string> lines;
+    lines.push_back("Burin: path authored by hand, checked by re-simulation before export");
+    if (!bench.model.sourceFile.empty())
+        lines.push_back("Part: " + std::filesystem::path(bench.model.sourceFile).filename().string());
+    lines.push_back("Stock: " + bench.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
+    lines.push_back("Program zero: centre of the stock's top face; in the model's frame " +
+                    place(bench.setup.workOffset));
+    lines.push_back("Stock in program coordinates: " + place(stock.low - bench.setup.workOffset) + " to " +
+                    place(stock.high - bench.setup.workOffset));
+    lines.push_back("Tool: " + bench.tool.name + ", stick-out at least " + length(bench.tool.cutter.stickOut) + " mm");
+    return lines;
+}
+
+} // namespace
+
+Result<StoredPath> standardPath(const Project& project) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    if (takes->empty()) return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
+    StoredPath path;
+    path.name = "path 1";
+    for (const TakeInfo& take : *takes) path.takes.push_back(take.id);
+    path.edits = standardEdits();
+    return path;
+}
+
+Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
+                                     Progress& progress) {
+    std::vector<Take> takes;
+    for (const std::int64_t id : path.takes) {
+        Result<Take> take = project.take(id);
+        if (!take) return std::move(take).error();
+        takes.push_back(std::move(*take));
+    }
+    PathContext context;
+    context.part = &bench.part;
+    context.tool = bench.tool;
+    context.conditions = bench.conditions;
+    context.machine = bench.machine;
+    context.stock = bench.setup.stock;
+    if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
+    return evaluate(path.name, takes, path.edits, context, progress);
+}
+
+Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
+                                   Progress& progress) {
+    PostRequest post;
+    post.programName = request.name;
+    post.header = headerLines(bench);
+    post.workOffset = bench.setup.workOffset;
+    post.toolNumber = bench.tool.number;
+    post.toolName = bench.tool.name;
+    post.safeHeight = bench.safeHeight() - bench.setup.workOffset.z;
+    const Result<NcProgram> program = toProgram({path}, post, bench.machine);
+    if (!program) return program.error();
+    const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request.dialect);
+    if (!dialect) return dialect.error();
+    progress.stage(0.0, 0.1);
+    Result<std::string> text = writeProgram(*program, bench.machine, **dialect, progress);
+    if (!text) return std::move(text).error();
+    return checkProgram(bench, std::move(*text), request.name, request, progress);
+}
+
+Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,
+                                    const ProgramRequest& request, Progress& progress) {
+    const Result<ParsedProgram> parsed = parseProgram(text, origin);
+    if (!parsed) return parsed.error();
+    VerifyRequest verification;
+    verification.program = &*parsed;
+    verification.model = &bench.model;
+    verification.part = &bench.part;
+    verification.setup = bench.setup;
+    verification.tool = bench.tool;
+    verification.machine = bench.machine;
+    verification.gougeTolerance = request.gougeTolerance;
+    verification.exactSamples = request.exactSamples;
+    verification.import = request.import;
+    CheckedProgram checked;
+    Result<VerifyReport> report = verify(verification, progress, &checked.machined);
+    if (!report) return std::move(report).error();
+    checked.text = std::move(text);
+    checked.blocks = parsed->blocks;
+    checked.report = std::move(*report);
+    return checked;
+}
+
+} // namespace burin

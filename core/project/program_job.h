@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/nc/post.h"
+#include "core/project/bench.h"
+#include "core/verify/verify.h"
+
+#include <string>
+
+namespace burin {
+
+/// Takes and edits of a stored path, evaluated on a bench. Errors: those of Project::take and evaluate.
+Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
+                                     Progress& progress);
+
+/// A path of all takes with the edits of the main job. Errors: projectIncomplete (no take).
+Result<StoredPath> standardPath(const Project& project);
+
+struct ProgramRequest {
+    std::string name; ///< of the program
+    std::string dialect = "linuxcnc";
+    double gougeTolerance = 0.02; ///< mm
+    std::size_t exactSamples = 500;
+    ImportOptions import; ///< worker for the exact distances
+};
+
+/// A program that was posted, read back from its text and judged.
+struct CheckedProgram {
+    std::string text;
+    std::size_t blocks = 0;
+    VerifyReport report;
+    VolumeSnapshot machined; ///< the workpiece as the program leaves it
+};
+
+/// Posts a path, reads the text back with Burin's own parser and re-simulates it. What `report` refuses must not reach
+/// a machine. Errors: those of toProgram, the dialect, parseProgram and verify.
+Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
+                                   Progress& progress);
+
+/// Judges the text of a program on a bench. @param origin file name for messages
+Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,
+                                    const ProgramRequest& request, Progress& progress);
+
+} // namespace burin

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/recording/trace_file.h"
+
+#include "core/base/file.h"
+#include "core/base/numbers.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace burin {
+
+namespace {
+
+constexpr std::size_t fieldCount = 9;
+// A quaternion that was rounded to four digits still passes; one that was never normalised does not.
+constexpr double unitTolerance = 1e-3;
+
+using Fields = std::array<std::string_view, fieldCount>;
+
+Error invalid(const std::string& origin, std::size_t line, std::string detail) {
+    return {ErrorCode::traceInvalid, origin, "line " + std::to_string(line), std::move(detail)};
+}
+
+/// Takes the first line off `rest`.
+std::string_view takeLine(std::string_view& rest) {
+    const std::size_t end = rest.find('\n');
+    std::string_view line = rest.substr(0, end);
+    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+}
+
+std::optional<Fields> split(std::string_view line) {
+    Fields fields;
+    for (std::size_t i = 0; i < fieldCount; ++i) {
+        const std::size_t comma = line.find(',');
+        if ((comma == std::string_view::npos) != (i + 1 == fieldCount)) return std::nullopt;
+        fields[i] = line.substr(0, comma);
+        line.remove_prefix(i + 1 == fieldCount ? line.size() : comma + 1);
+    }
+    return fields;
+}
+
+std::optional<std::uint32_t> parseButtons(std::string_view text) {
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+Result<StylusState> parseReading(std::string_view line, const std::string& origin, std::size_t number) {
+    const std::optional<Fields> fields = split(line);
+    if (!fields) return invalid(origin, number, "not 9 values between commas");
+    std::array<double, fieldCount - 1> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::optional<double> value = parseNumber((*fields)[i]);
+        if (!value) return invalid(origin, number, "value " + std::to_string(i + 1) + " is not a number");
+        values[i] = *value;
+    }
+    const std::optional<std::uint32_t> buttons = parseButtons(fields->back());
+    if (!buttons) return invalid(origin, number, "buttons is not a whole number from 0 to 4294967295");
+
+    StylusState state;
+    state.time = values[0];
+    state.pose.position = {values[1], values[2], values[3]};
+    state.pose.rotation = glm::dquat(values[4], values[5], values[6], values[7]);
+    state.buttons = *buttons;
+    state.valid = true;
+    if (!(std::abs(glm::length(state.pose.rotation) - 1.0) <= unitTolerance))
+        return invalid(origin, number, "the quaternion's length is not 1");
+    return state;
+}
+
+void appendReading(std::string& text, const StylusState& state) {
+    const glm::dvec3& p = state.pose.position;
+    const glm::dquat& q = state.pose.rotation;
+    for (const double value : {state.time, p.x, p.y, p.z, q.w, q.x, q.y, q.z}) {
+        text += formatShortest(value);
+        text += ',';
+    }
+    text += std::to_string(state.buttons);
+    text += '\n';
+}
+
+} // namespace
+
+std::string formatTrace(std::span<const StylusState> states) {
+    std::string text(traceHeader);
+    text += '\n';
+    for (const StylusState& state : states)
+        if (state.valid) appendReading(text, state);
+    return text;
+}
+
+Result<std::vector<StylusState>> parseTrace(std::string_view text, const std::string& origin) {
+    if (text.empty()) return Error{ErrorCode::fileEmpty, origin, "", ""};
+    if (takeLine(text) != traceHeader) return invalid(origin, 1, "the first line must be " + std::string(traceHeader));
+    std::vector<StylusState> states;
+    for (std::size_t number = 2; !text.empty(); ++number) {
+        const Result<StylusState> state = parseReading(takeLine(text), origin, number);
+        if (!state) return state.error();
+        if (!states.empty() && !(state->time > states.back().time))
+            return invalid(origin, number, "the time is not later than in the line before");
+        states.push_back(*state);
+    }
+    if (states.empty()) return invalid(origin, 2, "no reading follows the first line");
+    return states;
+}
+
+Result<std::vector<StylusState>> readTrace(const std::filesystem::path& file) {
+    const Result<std::string> text = readFile(file);
+    if (!text) return text.error();
+    return parseTrace(*text, file.string());
+}
+
+Result<void> writeTrace(const std::filesystem::path& file, std::span<const StylusState> states) {
+    return writeFileAtomically(file, formatTrace(states));
+}
+
+std::vector<StylusState> traceOf(std::span<const Sample> samples) {
+    std::vector<StylusState> states;
+    states.reserve(samples.size());
+    for (const Sample& sample : samples)
+        states.push_back({sample.time, sample.device, sample.buttons, (sample.flags & sampleStylusInvalid) == 0});
+    return states;
+}
+
+} // namespace burin

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/excess.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace burin {
+
+namespace {
+
+constexpr double longestExcess = 20.0;       // mm; beyond it the stock was simply never touched
+constexpr double reachableClearance = -0.01; // mm: what the mesh's chord may cost
+
+struct SurfacePoint {
+    glm::dvec3 place{0.0}, normal{0.0};
+};
+
+/// One point for about every `spacing`² of surface: each triangle in turn gives as many as its share of area asks for.
+std::vector<SurfacePoint> pointsOver(const TriangleMesh& mesh, double spacing) {
+    std::vector<SurfacePoint> points;
+    double due = 0.0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const glm::dvec3 &pa = mesh.vertices[a], &pb = mesh.vertices[b], &pc = mesh.vertices[c];
+        const glm::dvec3 twice = glm::cross(pb - pa, pc - pa);
+        const double area = 0.5 * glm::length(twice);
+        if (!(area > 0.0)) continue;
+        const glm::dvec3 normal = twice / (2.0 * area);
+        due += area / (spacing * spacing);
+        // Additive recurrence over the triangle: even, and the same in every run (Roberts 2018, "R2 sequence").
+        const auto count = static_cast<std::size_t>(due);
+        for (std::size_t i = 0; i < count; ++i) {
+            double s = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(i + 1), 1.0);
+            double t = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(i + 1), 1.0);
+            if (s + t > 1.0) {
+                s = 1.0 - s;
+                t = 1.0 - t;
+            }
+            points.push_back({pa + s * (pb - pa) + t * (pc - pa), normal});
+        }
+        due -= static_cast<double>(count);
+    }
+    return points;
+}
+
+PropertyIndex propertyAt(const RunVolume& workpiece, const glm::dvec3& place) {
+    const Grid& grid = workpiece.grid();
+    const glm::dvec3 index = (place - grid.low()) / grid.edge();
+    const LineIndex line{static_cast<std::int32_t>(std::floor(index.x)),
+                         static_cast<std::int32_t>(std::floor(index.y))};
+    if (!grid.contains(line) || index.z < 0.0 || index.z >= grid.voxelsPerLine()) return airProperty;
+    const auto position = static_cast<RunPosition>(index.z * unitsPerVoxel);
+    for (const Segment segment : workpiece.line(line))
+        if (position < segment.end()) return segment.property();
+    return airProperty;
+}
+
+/// Length along the normal until the stock ends. Starts half a voxel's diagonal out, where a scanline's centre can no
+/// longer lie inside the part, and goes on in eighths of a voxel.
+double excessAt(const RunVolume& workpiece, const SurfacePoint& point) {
+    const double step = workpiece.grid().edge() / 8.0;
+    double thickness = 0.0;
+    for (double way = step; way <= longestExcess; way += step) {
+        const PropertyIndex property = propertyAt(workpiece, point.place + way * point.normal);
+        if (property == airProperty) break;
+        if (!workpiece.properties().isProtected(property)) thickness = way;
+    }
+    return thickness;
+}
+
+/// Tip of the cutter when it touches the part at a place with this normal.
+glm::dvec3 touchingTip(const Cutter& cutter, const SurfacePoint& point) {
+    const glm::dvec2 flat(point.normal);
+    const double sine = glm::length(flat);
+    const glm::dvec2 outward = sine > 1e-9 ? flat / sine : glm::dvec2(0.0);
+    const double corner = cutter.cornerRadius;
+    // Centre of the corner's arc is (radius − corner) out from the axis and `corner` above the tip.
+    const glm::dvec2 axis = glm::dvec2(point.place) + corner * flat + (cutter.radius() - corner) * outward;
+    return {axis, point.place.z + corner * point.normal.z - corner};
+}
+
+bool isReachable(const VerifyRequest& request, std::span<const RevolvedPiece> stack, const SurfacePoint& point,
+                 double lowest) {
+    if (point.normal.z < -1e-6) return false;
+    const glm::dvec3 tip = touchingTip(request.tool.cutter, point);
+    if (tip.z < lowest - 1e-6) return false;
+    return request.part->clearance(stack, ToolPose{tip, {0.0, 0.0, 1.0}}, 0.1).clearance >= reachableClearance;
+}
+
+} // namespace
+
+Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,
+                                                   Progress& progress) {
+    std::vector<SurfacePoint> points;
+    for (const Body& body : request.model->bodies) {
+        const std::vector<SurfacePoint> more = pointsOver(body.mesh, workpiece.grid().edge());
+        points.insert(points.end(), more.begin(), more.end());
+    }
+    const std::vector<RevolvedPiece> stack = pieces(request.tool.cutter);
+    const double lowest = request.model->box().low.z;
+    std::vector<DeviationSample> samples(points.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256), [&](const auto& range) {
+        if (progress.cancelled()) return;
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+            samples[i] = {points[i].place, excessAt(workpiece, points[i]),
+                          isReachable(request, stack, points[i], lowest)};
+    });
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
+    return samples;
+}
+
+} // namespace burin

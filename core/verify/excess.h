@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/verify/verify.h"
+
+namespace burin {
+
+/// How much stock a workpiece leaves over the part, at places spread over the part's surface about a voxel apart: the
+/// length along the outward normal until the stock ends. Reachable are places that the cutter can touch from above
+/// (tip not below the part's lowest point) without entering the part elsewhere.
+/// Errors: cancelled.
+Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,
+                                                   Progress& progress);
+
+} // namespace burin

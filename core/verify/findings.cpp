@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/findings.h"
+
+namespace burin {
+
+void Findings::add(FindingKind kind, std::uint32_t line, const glm::dvec3& place, double amount) {
+    const auto [entry, isNew] = worst_.try_emplace({line, kind}, Finding{kind, line, place, amount});
+    if (!isNew && amount > entry->second.amount) entry->second = {kind, line, place, amount};
+}
+
+std::vector<Finding> Findings::inProgramOrder() const {
+    std::vector<Finding> list;
+    list.reserve(worst_.size());
+    for (const auto& [key, finding] : worst_) list.push_back(finding);
+    return list;
+}
+
+const char* idOf(FindingKind kind) {
+    switch (kind) {
+    case FindingKind::gouge:
+        return "gouge";
+    case FindingKind::rapidInStock:
+        return "rapid_in_stock";
+    case FindingKind::shankCollision:
+        return "shank_collision";
+    case FindingKind::holderCollision:
+        return "holder_collision";
+    case FindingKind::spindleOff:
+        return "spindle_off";
+    case FindingKind::travelLimit:
+        return "travel_limit";
+    case FindingKind::feedLimit:
+        return "feed_limit";
+    case FindingKind::spindleLimit:
+        return "spindle_limit";
+    case FindingKind::unknownStart:
+        return "unknown_start";
+    }
+    return "unknown";
+}
+
+} // namespace burin

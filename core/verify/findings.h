@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/verify/verify.h"
+
+#include <map>
+#include <utility>
+
+namespace burin {
+
+/// Collects findings; of each kind and program line only the worst is kept.
+class Findings {
+public:
+    void add(FindingKind kind, std::uint32_t line, const glm::dvec3& place, double amount);
+    std::vector<Finding> inProgramOrder() const;
+
+private:
+    std::map<std::pair<std::uint32_t, FindingKind>, Finding> worst_;
+};
+
+} // namespace burin

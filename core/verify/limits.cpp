@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/limits.h"
+
+#include "core/base/units.h"
+
+namespace burin {
+
+void judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const MachineProfile& machine,
+                 Findings& findings) {
+    Box used;
+    for (const ToolMove& move : moves) {
+        used.include(move.to);
+        if (!move.rapid && !move.startKnown) findings.add(FindingKind::unknownStart, move.line, move.to, 0.0);
+        if (!move.rapid && move.feed > machine.maximumFeed)
+            findings.add(FindingKind::feedLimit, move.line, move.to, move.feed);
+        // Where the work offset lies on the table is the operator's choice: only the way itself can be too long.
+        for (int axis = 0; axis < 3; ++axis)
+            if (used.size()[axis] > machine.travel[axis])
+                findings.add(FindingKind::travelLimit, move.line, move.to, used.size()[axis]);
+    }
+    if (!moves.empty() && (spindleSpeed > machine.maximumSpindleSpeed ||
+                           (spindleSpeed > 0.0 && spindleSpeed < machine.minimumSpindleSpeed)))
+        findings.add(FindingKind::spindleLimit, moves.front().line, moves.front().to, spindleSpeed);
+}
+
+double machiningSeconds(const std::vector<ToolMove>& moves, const MachineProfile& machine) {
+    double seconds = 0.0;
+    for (const ToolMove& move : moves) {
+        const double feed = move.rapid ? machine.rapidFeed : move.feed;
+        if (move.startKnown && feed > 0.0) seconds += glm::length(move.to - move.from) / feed * secondsPerMinute;
+    }
+    return seconds;
+}
+
+} // namespace burin

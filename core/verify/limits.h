@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/verify/findings.h"
+#include "core/verify/tool_moves.h"
+
+namespace burin {
+
+/// Travel, feeds and spindle speed of a program against the machine; feed moves from nowhere.
+void judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const MachineProfile& machine,
+                 Findings& findings);
+
+/// s that the moves take at their feeds and at the machine's rapid feed, without acceleration.
+double machiningSeconds(const std::vector<ToolMove>& moves, const MachineProfile& machine);
+
+} // namespace burin

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/outline.h"
+
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+std::vector<bool> linesThatHoldThePart(const RunVolume& workpiece) {
+    const Grid& grid = workpiece.grid();
+    std::vector<bool> held(static_cast<std::size_t>(grid.lineCountU()) * static_cast<std::size_t>(grid.lineCountV()));
+    std::size_t place = 0;
+    for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
+        for (std::int32_t u = 0; u < grid.lineCountU(); ++u, ++place)
+            for (const Segment segment : workpiece.line({u, v}))
+                if (workpiece.properties().isProtected(segment.property())) held[place] = true;
+    return held;
+}
+
+/// Squares of the distances, in lines, to the nearest line outside, after Felzenszwalb & Huttenlocher (2012): one
+/// lower envelope of parabolas a row, then a column. What lies beyond the grid counts as outside.
+void envelope(std::vector<double>& values) {
+    const auto count = static_cast<int>(values.size());
+    std::vector<int> vertex(values.size());
+    std::vector<double> border(values.size() + 1);
+    const auto meet = [&](int p, int q) {
+        return (values[static_cast<std::size_t>(q)] + q * q - values[static_cast<std::size_t>(p)] - p * p) /
+               (2.0 * (q - p));
+    };
+    int last = 0;
+    vertex[0] = 0;
+    border[0] = -1e300;
+    border[1] = 1e300;
+    for (int q = 1; q < count; ++q) {
+        double at = meet(vertex[static_cast<std::size_t>(last)], q);
+        while (last > 0 && at <= border[static_cast<std::size_t>(last)])
+            at = meet(vertex[static_cast<std::size_t>(--last)], q);
+        if (at <= border[static_cast<std::size_t>(last)]) { // the new parabola is lowest everywhere
+            vertex[0] = q;
+            last = 0;
+            border[1] = 1e300;
+            continue;
+        }
+        vertex[static_cast<std::size_t>(++last)] = q;
+        border[static_cast<std::size_t>(last)] = at;
+        border[static_cast<std::size_t>(last) + 1] = 1e300;
+    }
+    std::vector<double> result(values.size());
+    int segment = 0;
+    for (int q = 0; q < count; ++q) {
+        while (border[static_cast<std::size_t>(segment) + 1] < q) ++segment;
+        const int p = vertex[static_cast<std::size_t>(segment)];
+        result[static_cast<std::size_t>(q)] = (q - p) * (q - p) + values[static_cast<std::size_t>(p)];
+    }
+    values = std::move(result);
+}
+
+} // namespace
+
+ShrunkOutline::ShrunkOutline(const RunVolume& workpiece, double distance) : grid_(workpiece.grid()) {
+    const auto width = static_cast<std::size_t>(grid_.lineCountU()),
+               height = static_cast<std::size_t>(grid_.lineCountV());
+    const std::vector<bool> held = linesThatHoldThePart(workpiece);
+    constexpr double far = 1e12;
+    std::vector<double> squares((width + 2) * (height + 2), 0.0); // a rim of outside around the grid
+    for (std::size_t v = 0; v < height; ++v)
+        for (std::size_t u = 0; u < width; ++u)
+            squares[(v + 1) * (width + 2) + u + 1] = held[v * width + u] ? far : 0.0;
+    std::vector<double> row(width + 2), column(height + 2);
+    for (std::size_t v = 0; v < height + 2; ++v) {
+        for (std::size_t u = 0; u < width + 2; ++u) row[u] = squares[v * (width + 2) + u];
+        envelope(row);
+        for (std::size_t u = 0; u < width + 2; ++u) squares[v * (width + 2) + u] = row[u];
+    }
+    const double limit = distance / grid_.edge();
+    inside_.resize(width * height);
+    for (std::size_t u = 0; u < width + 2; ++u) {
+        for (std::size_t v = 0; v < height + 2; ++v) column[v] = squares[v * (width + 2) + u];
+        envelope(column);
+        if (u == 0 || u == width + 1) continue;
+        for (std::size_t v = 1; v <= height; ++v) inside_[(v - 1) * width + u - 1] = column[v] > limit * limit;
+    }
+}
+
+bool ShrunkOutline::contains(double x, double y) const noexcept {
+    const glm::dvec2 place = (glm::dvec2(x, y) - glm::dvec2(grid_.low())) / grid_.edge();
+    const LineIndex line{static_cast<std::int32_t>(std::floor(place.x)),
+                         static_cast<std::int32_t>(std::floor(place.y))};
+    if (!grid_.contains(line)) return false;
+    return inside_[static_cast<std::size_t>(line.v) * static_cast<std::size_t>(grid_.lineCountU()) +
+                   static_cast<std::size_t>(line.u)];
+}
+
+} // namespace burin

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/run_volume.h"
+
+#include <vector>
+
+namespace burin {
+
+/// The part's outline seen along z, shrunk by a distance: scanlines all of whose neighbours within it hold the part.
+class ShrunkOutline {
+public:
+    /// @param distance mm
+    ShrunkOutline(const RunVolume& workpiece, double distance);
+    bool contains(double x, double y) const noexcept; ///< mm, setup frame
+
+private:
+    Grid grid_;
+    std::vector<bool> inside_; ///< by v, then u
+};
+
+} // namespace burin

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/json_object.h"
+
+#include <QtTest>
+
+#include <clocale>
+
+using namespace burin;
+
+namespace {
+
+std::string faultyKey(const std::string& text, const std::function<void(JsonObject&)>& read) {
+    Result<JsonObject> object = JsonObject::parse(text, "file.json");
+    if (!object) return object.error().place;
+    read(*object);
+    const Result<void> finished = object->finish();
+    return finished ? "none" : finished.error().place;
+}
+
+} // namespace
+
+class JsonObjectTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void readsEachKind() {
+        const std::string text = R"({"n": 2.5, "i": 3, "b": true, "t": "word", "c": "two", "l": [1, 2, 3],
+                                     "o": {"x": 1}, "s": [{"x": 1}, {"x": 2}], "m": {"k": {"x": 4}}})";
+        Result<JsonObject> object = JsonObject::parse(text, "file.json");
+        QVERIFY(object.hasValue());
+        QCOMPARE(object->number("n", {0.0, 3.0}), 2.5);
+        QCOMPARE(object->integer("i", 0, 5), 3);
+        QVERIFY(object->boolean("b"));
+        QCOMPARE(object->text("t"), std::string("word"));
+        QCOMPARE(object->choice("c", {"one", "two"}), std::size_t{1});
+        QCOMPARE(object->numbers("l", 3), (std::vector<double>{1.0, 2.0, 3.0}));
+        double sum = 0.0;
+        const auto add = [&](JsonObject& nested) { sum += nested.number("x"); };
+        object->object("o", add);
+        object->objects("s", add);
+        object->objectsByName("m", [&](const std::string& name, JsonObject& nested) {
+            QCOMPARE(name, std::string("k"));
+            add(nested);
+        });
+        QCOMPARE(sum, 8.0);
+        QCOMPARE(object->numberOr("absent", 7.0), 7.0);
+        QVERIFY(object->booleanOr("absent", true));
+        QVERIFY(object->finish().hasValue());
+    }
+
+    void keepsTheFirstFaultWithItsWayFromTheTop() {
+        const std::string text = R"({"list": [{"x": 1}, {"x": "no"}], "late": "no"})";
+        const std::string key = faultyKey(text, [](JsonObject& object) {
+            object.objects("list", [](JsonObject& nested) { (void)nested.number("x"); });
+            (void)object.number("late");
+        });
+        QCOMPARE(key, std::string("list[1].x"));
+    }
+
+    void findsWhatNobodyAskedFor() {
+        QCOMPARE(faultyKey(R"({"a": 1, "b": 2})", [](JsonObject& object) { (void)object.number("a"); }),
+                 std::string("b"));
+        QCOMPARE(faultyKey(R"({"a": {"b": 2}})", [](JsonObject& object) { object.object("a", [](JsonObject&) {}); }),
+                 std::string("a.b"));
+    }
+
+    void refusesWhatIsNotAnObject_data() {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("empty") << "";
+        QTest::newRow("list") << "[1]";
+        QTest::newRow("cut off") << R"({"a": 1)";
+        QTest::newRow("comment") << R"({"a": 1} // no)";
+        QTest::newRow("key twice") << R"({"a": 1, "a": 2})";
+        QTest::newRow("not a number") << R"({"a": NaN})";
+        QTest::newRow("broken UTF-8") << QString::fromLatin1("{\"a\": \"\xff\"}");
+    }
+    void refusesWhatIsNotAnObject() {
+        QFETCH(QString, text);
+        const Result<JsonObject> object = JsonObject::parse(text.toLatin1().toStdString(), "file.json");
+        QVERIFY(!object.hasValue());
+        QVERIFY(object.error().code == ErrorCode::resourceInvalid);
+        QCOMPARE(object.error().subject, std::string("file.json"));
+    }
+
+    /// Where the decimal point is a comma, files still have a point.
+    void numbersDoNotDependOnTheLocale() {
+        for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
+            if (std::setlocale(LC_ALL, name) != nullptr) break;
+        Result<JsonObject> object = JsonObject::parse(R"({"a": 1.25})", "file.json");
+        QCOMPARE(object->number("a"), 1.25);
+        std::setlocale(LC_ALL, "C");
+    }
+};
+
+QTEST_APPLESS_MAIN(JsonObjectTest)
+#include "tst_json_object.moc"

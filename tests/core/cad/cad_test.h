@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/import.h"
+
+#include <QString>
+
+#include <filesystem>
+#include <string>
+
+namespace burin::test {
+
+inline std::filesystem::path worker() {
+    return std::filesystem::path(BURIN_BUILD_DIRECTORY) / "burin-import";
+}
+
+inline std::filesystem::path modelFile(const std::string& name) {
+    return std::filesystem::path(BURIN_FIXTURES) / "models" / name;
+}
+
+inline std::filesystem::path sampleFile() {
+    return std::filesystem::path(BURIN_SOURCE_DIRECTORY) / "resources/samples/mouse.step";
+}
+
+inline ImportOptions options() {
+    ImportOptions options;
+    options.worker = worker();
+    return options;
+}
+
+inline Result<Model> import(const std::filesystem::path& file) {
+    Progress progress;
+    return importModel(file, options(), progress);
+}
+
+/// For the message of a failing check.
+inline std::string describe(const Error& error) {
+    return "error " + std::to_string(static_cast<int>(error.code)) + ": " + error.subject + " | " + error.place +
+           " | " + error.detail;
+}
+
+inline bool hasNote(const Model& model, ImportNote::Kind kind) {
+    for (const ImportNote& note : model.notes)
+        if (note.kind == kind) return true;
+    return false;
+}
+
+} // namespace burin::test

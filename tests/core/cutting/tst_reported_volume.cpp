@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cutting/removal.h"
+#include "tests/core/cutting/workpieces.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numeric>
+
+using namespace burin;
+using namespace burin::tests;
+
+namespace {
+
+constexpr double edge = 0.2, radius = 3.0; // mm
+
+/// Standard deviation over mean, the straight trend taken out.
+double variation(const std::vector<double>& values) {
+    const auto count = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    double spread = 0.0, rise = 0.0, square = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double place = static_cast<double>(i) - 0.5 * (count - 1.0);
+        spread += place * place;
+        rise += place * (values[i] - mean);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double place = static_cast<double>(i) - 0.5 * (count - 1.0);
+        square += std::pow(values[i] - mean - rise / spread * place, 2);
+    }
+    return std::sqrt(square / count) / mean;
+}
+
+Cutter cutterCalled(const QString& name) {
+    if (name == "ball") return ball(2.0 * radius, 20.0);
+    return name == "flat" ? flat(2.0 * radius, 20.0) : bullNose(2.0 * radius, 1.0, 20.0);
+}
+
+struct Series {
+    std::vector<double> reported, exact;
+};
+
+/// A slot through solid stock, or along the edge of stock that stands on one side of the path only.
+Series mill(const Cutter& cutter, bool half, const glm::dvec3& direction, double depth, double step) {
+    const Grid fine = grid({-15.0, -15.0, -7.0}, edge, {150, 150, 35});
+    RunVolume workpiece = block(fine);
+    const glm::dvec2 aside(-direction.y, direction.x);
+    for (LineIndex line; half && line.v < fine.lineCountV(); ++line.v)
+        for (line.u = 0; line.u < fine.lineCountU(); ++line.u)
+            if (glm::dot(fine.lineCentre(line), aside) < 0.0)
+                (void)workpiece.fillSpan(line, 0, fine.lineEnd(), airProperty);
+    MaterialRemoval removal(cutter, fine);
+    glm::dvec3 tip = glm::dvec3(0.034, 0.062, -depth) - direction * 6.0;
+    removal.cut(workpiece, tip + glm::dvec3(0.0, 0.0, 8.0), tip);
+    Series series;
+    const int ticks = std::min(900, static_cast<int>(15.0 / step)); // the end of the grid stays out of reach
+    for (int tick = 0; tick < ticks; ++tick) {
+        const glm::dvec3 next = tip + direction * step;
+        const CutResult cut = removal.cut(workpiece, tip, next);
+        tip = next;
+        if (tick < ticks / 3) continue; // until the feedback has settled
+        series.reported.push_back(cut.reported);
+        series.exact.push_back(cut.volume);
+    }
+    return series;
+}
+
+} // namespace
+
+class ReportedVolumeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theForceDoesNotRattle_data() {
+        QTest::addColumn<QString>("cutter");
+        QTest::addColumn<bool>("half");
+        QTest::addColumn<double>("depth");
+        QTest::addColumn<double>("degrees");
+        for (const char* cutter : {"ball", "flat", "bull nose"})
+            for (const bool half : {false, true})
+                for (const double depth : {0.5 * radius, 1.5 * radius})
+                    for (const double degrees : {0.0, 90.0, 53.0})
+                        QTest::addRow("%s, %s, depth %.1f, %.0f degrees", cutter, half ? "half" : "slot", depth,
+                                      degrees)
+                            << QString(cutter) << half << depth << degrees;
+    }
+    void theForceDoesNotRattle() {
+        QFETCH(QString, cutter);
+        QFETCH(bool, half);
+        QFETCH(double, depth);
+        QFETCH(double, degrees);
+        const double angle = degrees * 3.14159265358979 / 180.0;
+        const Series series =
+            mill(cutterCalled(cutter), half, {std::cos(angle), std::sin(angle), 0.0}, depth, 0.05 * edge);
+        const double found = variation(series.reported);
+        QVERIFY2(found <= (cutter == "ball" ? 0.05 : 0.16), qPrintable(QString::number(found)));
+        const double reported = std::accumulate(series.reported.begin(), series.reported.end(), 0.0);
+        const double exact = std::accumulate(series.exact.begin(), series.exact.end(), 0.0);
+        QVERIFY2(std::abs(reported / exact - 1.0) < 0.03, qPrintable(QString::number(reported / exact)));
+    }
+
+    /// Above the flux's range the volume itself is reported, and what was pending with it: sums agree.
+    void longStepsReportTheVolumeItself() {
+        const Series series = mill(cutterCalled("ball"), false, {1.0, 0.0, 0.0}, 1.5, 0.05);
+        const Series small = mill(cutterCalled("ball"), false, {1.0, 0.0, 0.0}, 1.5, 0.01);
+        for (const Series* each : {&series, &small}) {
+            const double reported = std::accumulate(each->reported.begin(), each->reported.end(), 0.0);
+            const double exact = std::accumulate(each->exact.begin(), each->exact.end(), 0.0);
+            QVERIFY(std::abs(reported / exact - 1.0) < 0.005);
+        }
+    }
+
+    /// In the long run nothing is lost: after the cut, moves in air report what was still pending.
+    void whatIsPendingComesOutInTheEnd() {
+        const Grid fine = grid({-15.0, -15.0, -7.0}, edge, {150, 150, 35});
+        RunVolume workpiece = block(fine);
+        MaterialRemoval removal(flat(6.0, 20.0), fine);
+        double reported = 0.0, exact = 0.0;
+        glm::dvec3 tip(-8.0, 0.0, -2.0);
+        const auto go = [&](const glm::dvec3& step, int ticks) {
+            for (int tick = 0; tick < ticks; ++tick) {
+                const CutResult cut = removal.cut(workpiece, tip, tip + step);
+                QVERIFY(cut.reported >= 0.0);
+                reported += cut.reported;
+                exact += cut.volume;
+                tip += step;
+            }
+        };
+        go({0.01, 0.003, 0.0}, 777);
+        go({0.0, 0.0, 0.1}, 1000);
+        QVERIFY(exact > 10.0);
+        QVERIFY2(std::abs(reported / exact - 1.0) < 1e-6, qPrintable(QString::number(reported / exact - 1.0)));
+    }
+
+    /// Each material reports its own share.
+    void layersReportApart() {
+        const Grid fine = grid({-15.0, -15.0, -7.0}, edge, {150, 150, 35});
+        RunVolume workpiece = block(fine, softStock);
+        for (LineIndex line; line.v < fine.lineCountV(); ++line.v)
+            for (line.u = 0; line.u < fine.lineCountU(); ++line.u)
+                (void)workpiece.fillSpan(line, fine.toRunPosition(-1.0), fine.lineEnd(), hardStock);
+        MaterialRemoval removal(flat(6.0, 20.0), fine);
+        glm::dvec3 tip(-8.0, 0.0, -4.0);
+        removal.cut(workpiece, tip + glm::dvec3(0.0, 0.0, 8.0), tip);
+        std::array<double, 4> sum{};
+        for (int tick = 0; tick < 800; ++tick) {
+            for (const MaterialVolume& material : removal.cut(workpiece, tip, tip + glm::dvec3(0.01, 0.0, 0.0)).removed)
+                sum[material.property] += material.reported;
+            tip.x += 0.01;
+        }
+        QCOMPARE(sum[part], 0.0);
+        // One of four millimetres of depth is hard; 6 mm wide, 8 mm long.
+        QVERIFY2(std::abs(sum[hardStock] / 48.0 - 1.0) < 0.03, qPrintable(QString::number(sum[hardStock])));
+        QVERIFY2(std::abs(sum[softStock] / 144.0 - 1.0) < 0.03, qPrintable(QString::number(sum[softStock])));
+    }
+
+    /// Sliding along a wall that stands reports next to nothing: no phantom force in a finishing pass.
+    void slidingAlongAWallReportsNothing() {
+        const Grid fine = grid({-15.0, -15.0, -7.0}, edge, {150, 150, 35});
+        RunVolume workpiece = block(fine);
+        for (LineIndex line; line.v < fine.lineCountV(); ++line.v)
+            for (line.u = 0; line.u < fine.lineCountU(); ++line.u)
+                if (fine.lineCentre(line).y < radius) (void)workpiece.fillSpan(line, 0, fine.lineEnd(), airProperty);
+        MaterialRemoval removal(flat(6.0, 20.0), fine);
+        glm::dvec3 tip(-6.0, 0.0, -4.0);
+        double reported = 0.0;
+        for (int tick = 0; tick < 600; ++tick) {
+            reported += removal.cut(workpiece, tip, tip + glm::dvec3(0.01, 0.0, 0.0)).reported;
+            tip.x += 0.01;
+        }
+        QVERIFY2(reported < 0.02 * (4.0 * edge * 6.0), qPrintable(QString::number(reported)));
+    }
+
+    void theReportedPlaceLiesAheadOfTheTool() {
+        const Grid fine = grid({-15.0, -15.0, -7.0}, edge, {150, 150, 35});
+        RunVolume workpiece = block(fine);
+        MaterialRemoval removal(flat(6.0, 20.0), fine);
+        glm::dvec3 tip(-8.0, 0.0, -2.0);
+        removal.cut(workpiece, tip + glm::dvec3(0.0, 0.0, 8.0), tip);
+        for (int tick = 0; tick < 300; ++tick) {
+            const glm::dvec3 next = tip + glm::dvec3(0.01, 0.0, 0.0);
+            const CutResult cut = removal.cut(workpiece, tip, next);
+            const glm::dvec3 place = cut.reportedCentroid - next;
+            // Flux over the front half circle: its mean lies at pi R / 4 ahead, at half the depth.
+            if (tick > 100)
+                QVERIFY2(glm::length(place - glm::dvec3(0.785398 * radius, 0.0, 1.0)) < 0.1,
+                         qPrintable(QString::number(place.x)));
+            tip = next;
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(ReportedVolumeTest)
+#include "tst_reported_volume.moc"

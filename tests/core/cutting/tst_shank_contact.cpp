@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
+#include "core/cutting/removal.h"
+#include "tests/core/cutting/workpieces.h"
+
+#include <QtTest>
+
+using namespace burin;
+using namespace burin::tests;
+
+namespace {
+
+/// Ball of 6 with 8 mm of flutes, a shank of 6, and a holder of 20 at 20 mm above the tip.
+std::vector<RevolvedPiece> tool() {
+    Cutter cutter = ball(6.0, 8.0);
+    cutter.shankDiameter = 6.0;
+    cutter.stickOut = 20.0;
+    cutter.holder = {{20.0, 20.0, 10.0}, {20.0, 30.0, 10.0}};
+    return pieces(cutter);
+}
+
+/// A block with a shaft of 10 × 10 mm right through it about the origin.
+RunVolume shaft(const Grid& grid) {
+    RunVolume volume = block(grid);
+    for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
+        for (line.u = 0; line.u < grid.lineCountU(); ++line.u) {
+            const glm::dvec2 centre = grid.lineCentre(line);
+            if (std::abs(centre.x) < 5.0 && std::abs(centre.y) < 5.0)
+                (void)volume.fillSpan(line, 0, grid.lineEnd(), airProperty);
+        }
+    return volume;
+}
+
+const Grid& workGrid() {
+    static const Grid grid = tests::grid({-20.0, -20.0, -30.0}, 0.25, {160, 160, 120});
+    return grid;
+}
+
+} // namespace
+
+class ShankContactTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFreeToolTouchesNothing() {
+        const RunVolume workpiece = shaft(workGrid());
+        QVERIFY(!shankContact(workpiece, tool(), {0.0, 0.0, -18.0}).touches);
+        QVERIFY(!shankContact(workpiece, tool(), {0.0, 0.0, 5.0}).touches);
+        QVERIFY(!shankContact(workpiece, tool(), {500.0, 0.0, -18.0}).touches);
+    }
+
+    /// Flutes inside solid material are cutting, not colliding.
+    void flutesMayTouch() {
+        const RunVolume workpiece = block(workGrid());
+        QVERIFY(!shankContact(workpiece, tool(), {0.0, 0.0, -7.9}).touches);
+    }
+
+    /// The shank's whole cross-section 2 mm deep in the block.
+    void theShankTouchesWhenTheToolGoesDeeperThanItsFlutes() {
+        const RunVolume workpiece = block(workGrid());
+        const ShankContact contact = shankContact(workpiece, tool(), {0.3, -0.2, -10.0});
+        QVERIFY(contact.touches);
+        QCOMPARE(int(contact.piece), 1);
+        QCOMPARE(int(contact.property), int(softStock));
+        QVERIFY(std::abs(contact.volume / (pi * 9.0 * 2.0) - 1.0) < 0.02);
+        QVERIFY(glm::length(contact.place - glm::dvec3(0.3, -0.2, -1.0)) < 0.05);
+    }
+
+    void theHolderTouchesTheRim() {
+        const RunVolume workpiece = shaft(workGrid());
+        const ShankContact contact = shankContact(workpiece, tool(), {0.0, 0.0, -21.0}); // holder 1 mm below the rim
+        QVERIFY(contact.touches);
+        QCOMPARE(int(contact.piece), 2);
+        QVERIFY(std::abs(contact.volume / (pi * 100.0 - 100.0) - 1.0) < 0.02);
+        QVERIFY(std::abs(contact.place.z + 0.5) < 1e-6);
+        QVERIFY(std::abs(contact.place.x) < 1e-6 && std::abs(contact.place.y) < 1e-6);
+    }
+
+    void aQuarterOfAVoxelCountsAsTouchingAir() {
+        const RunVolume workpiece = shaft(workGrid());
+        QVERIFY(!shankContact(workpiece, tool(), {0.0, 0.0, -20.0 - 0.25 * 0.25}).touches);
+        QVERIFY(shankContact(workpiece, tool(), {0.0, 0.0, -20.0 - 0.27 * 0.25}).touches);
+    }
+
+    /// The part is touched as stock is; what is touched most is named.
+    void namesWhatIsTouchedMost() {
+        RunVolume workpiece = shaft(workGrid());
+        const Grid& grid = workGrid();
+        for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
+            for (line.u = 0; line.u < grid.lineCountU(); ++line.u)
+                if (grid.lineCentre(line).x > 5.0) (void)workpiece.fillSpan(line, 0, grid.lineEnd(), part);
+        const ShankContact contact = shankContact(workpiece, tool(), {3.0, 0.0, -18.0}); // shank 1 mm into the wall
+        QVERIFY(contact.touches);
+        QCOMPARE(int(contact.property), int(part));
+        QCOMPARE(int(contact.piece), 1);
+        QVERIFY(contact.place.x > 5.0 && contact.place.x < 6.0);
+    }
+
+    /// A cone is met where it is wide enough: dense sampling of its overlap gives the same volume.
+    void aConicalHolderIsMetExactly() {
+        const RunVolume workpiece = shaft(workGrid());
+        const glm::dvec3 tip(0.0, 0.0, -38.0); // cone from r 10 at -8 to r 15 at 2: both holder pieces in
+        const ShankContact contact = shankContact(workpiece, tool(), tip);
+        const Grid& grid = workGrid();
+        double expected = 0.0;
+        for (int i = 0; i < 160; ++i)
+            for (int j = 0; j < 160; ++j) {
+                const glm::dvec2 centre = grid.lineCentre({i, j});
+                if (std::abs(centre.x) < 5.0 && std::abs(centre.y) < 5.0) continue;
+                const double r = std::hypot(centre.x, centre.y);
+                for (double z = -18.0 + 0.005; z < 0.0; z += 0.01)
+                    if (r < (z < -8.0 ? 10.0 : 10.0 + 0.5 * (z + 8.0))) expected += 0.01 * 0.25 * 0.25;
+            }
+        QVERIFY2(std::abs(contact.volume / expected - 1.0) < 1e-3,
+                 qPrintable(QString::number(contact.volume / expected)));
+    }
+};
+
+QTEST_APPLESS_MAIN(ShankContactTest)
+#include "tst_shank_contact.moc"

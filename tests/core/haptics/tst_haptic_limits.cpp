@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/core/haptics/haptic_bench.h"
+
+#include <QtTest>
+
+#include <limits>
+#include <new>
+#include <random>
+
+namespace {
+std::size_t allocations = 0;
+void* counted(std::size_t size) {
+    ++allocations;
+    void* memory = std::malloc(size > 0 ? size : 1);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+} // namespace
+void* operator new(std::size_t size) {
+    return counted(size);
+}
+void* operator new[](std::size_t size) {
+    return counted(size);
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+constexpr int contacts = 10;
+
+/// Energy that a handle gets from the loop while a light hand drives it into the floor and out again, J; device and
+/// hand as a mass on a spring and a damper, the position read in encoder steps.
+double energyGivenToTheHand(double maximumDamping, double stiffness) {
+    HapticSettings settings = Bench::settings();
+    settings.stylus.maximumStiffness = stiffness;
+    settings.stylus.maximumDamping = maximumDamping;
+    settings.stylus.maximumForce = 100.0;
+    Bench bench(settings, ballTool(), stockOnPart(0, false));
+    constexpr double mass = 0.1, handStiffness = 100.0, handDamping = 0.5, encoder = 0.055; // kg, N/m, N·s/m, mm
+    constexpr int substeps = 20;
+    double position = floorHeight + 2.0, velocity = 0.0, energy = 0.0; // mm, mm/s
+    bench.begin({0, 0, position});
+    for (int tick = 0; tick < contacts * 1000; ++tick) {
+        bench.feed({0, 0, std::round(position / encoder) * encoder});
+        const double force = bench.step.deviceForce().z;
+        const double wish = floorHeight + 2.0 * std::cos(2.0 * pi * tick * period); // one contact a second
+        const double before = position;
+        for (int i = 0; i < substeps; ++i) {
+            const double hand = (handStiffness * (wish - position) - handDamping * velocity) / 1000.0; // N
+            velocity += (force + hand) / mass * 1000.0 * period / substeps;
+            position += velocity * period / substeps;
+        }
+        energy += force * (position - before) / 1000.0;
+    }
+    return energy;
+}
+
+} // namespace
+
+class TestHapticLimits : public QObject {
+    Q_OBJECT
+private slots:
+    void hostileTicksNeverBreakTheLimits() {
+        HapticSettings settings = Bench::settings();
+        settings.rampSeconds = 0.05;
+        settings.cuttingForceScale = 1.0;
+        Bench bench(settings, ballTool(5.0, 12.0));
+        std::mt19937_64 random(20260725);
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        std::uniform_int_distribution<int> kind(0, 999);
+        const double largest = settings.forceShare * settings.stylus.maximumForce;
+        // The ramp's own slope comes on top of the slew limit: at most 1.5 of its share of a tick.
+        const double slope = 1.5 * period / settings.rampSeconds * largest;
+        const double rise = std::max(0.15, 320.0 * 0.5 * period) + slope, fall = 3.0 * rise;
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        glm::dvec3 hand(0, 0, 5), velocity(0.0), before(0.0);
+        int bad = 0, pressed = 0;
+        for (int tick = 0; tick < 200'000; ++tick) {
+            velocity = 0.98 * velocity + 0.01 * glm::dvec3(unit(random), unit(random), unit(random));
+            hand = glm::clamp(hand + velocity, glm::dvec3(-15, -15, -16), glm::dvec3(15, 15, 9));
+            StylusState state;
+            state.pose.position = hand;
+            state.valid = true;
+            double elapsed = period;
+            bool mustBeZero = true;
+            switch (kind(random)) {
+            case 0:
+                state.pose.position.y = nan;
+                break;
+            case 1:
+                state.pose.position.z = -std::numeric_limits<double>::infinity();
+                break;
+            case 2:
+                state.pose.rotation.w = nan;
+                break;
+            case 3:
+                state.valid = false;
+                break;
+            case 4:
+                state.pose.position += glm::dvec3(0, 50, 0);
+                break;
+            case 5:
+                elapsed = 0.004;
+                break;
+            case 6:
+                elapsed = 0.3;
+                break;
+            case 7:
+                elapsed = tick % 2 == 0 ? nan : -0.001;
+                break;
+            case 8:
+                state.pose.position *= 1e300;
+                break;
+            case 9:
+                bench.step.setAllowance(unit(random));
+                [[fallthrough]];
+            default:
+                mustBeZero = false;
+            }
+            const Sample sample = bench.step(state, elapsed);
+            const glm::dvec3 force = bench.step.deviceForce();
+            QVERIFY(isFinite(force) && isFinite(sample.proxy.tip) && isFinite(sample.cuttingForce));
+            QVERIFY(isFinite(sample.device.position) && std::isfinite(sample.time));
+            QVERIFY(glm::length(force) <= largest + 1e-12);
+            if (mustBeZero) {
+                QCOMPARE(force, glm::dvec3(0.0));
+                QVERIFY(sample.flags & sampleForcesOff);
+                ++bad;
+            } else if (glm::length(force) > 0.0) {
+                QVERIFY(glm::length(force - before) <= fall + 1e-12);
+                QVERIFY(glm::length(force) - glm::length(before) <= rise + 1e-12);
+                ++pressed;
+            }
+            before = force;
+        }
+        QVERIFY(bad > 1000);
+        QVERIFY(pressed > 15'000);
+        QCOMPARE(bench.volume.amounts().units[2], stockOnPart().amounts().units[2]);
+    }
+
+    void aBadSampleEndsTheForceAtOnceAndItFadesInAgain() {
+        HapticSettings settings = Bench::settings();
+        settings.rampSeconds = 0.5;
+        Bench bench(settings, ballTool(), stockOnPart(0, false));
+        bench.begin({0, 0, 3});
+        bench.moveTo({0, 0, floorHeight - 3.0}, 50.0);
+        const double full = bench.rest(1000).force.z;
+        QVERIFY(full > 0.9);
+        QCOMPARE(bench.step(StylusState{}, period).force, glm::dvec3(0.0));
+        double before = 0.0;
+        for (int tick = 0; tick < 490; ++tick) {
+            const Sample sample = bench.rest(1);
+            QVERIFY(sample.flags & sampleForcesOff);
+            QVERIFY(sample.force.z >= before && sample.force.z - before < 0.01);
+            before = sample.force.z;
+        }
+        QVERIFY(std::abs(bench.rest(200).force.z - full) < 1e-6);
+    }
+
+    void aLateTickIsForceFreeAndAStallFadesInAgain() {
+        HapticSettings settings = Bench::settings();
+        settings.rampSeconds = 0.5;
+        Bench bench(settings, ballTool(), stockOnPart(0, false));
+        bench.begin({0, 0, 3});
+        bench.moveTo({0, 0, floorHeight - 3.0}, 50.0);
+        bench.rest(1000);
+        StylusState state;
+        state.pose.position = bench.hand;
+        state.valid = true;
+        QCOMPARE(bench.step(state, 0.005).force, glm::dvec3(0.0));
+        QVERIFY(bench.rest(20).force.z > 0.9);
+        QCOMPARE(bench.step(state, 0.02).force, glm::dvec3(0.0));
+        QVERIFY(bench.rest(20).force.z < 0.1);
+    }
+
+    void aStylusWithoutMotorsGetsNoForce() {
+        HapticSettings settings = Bench::settings();
+        settings.stylus = StylusDescription{};
+        Bench bench(settings);
+        bench.onTick = [](const Sample& sample) {
+            QCOMPARE(sample.force, glm::dvec3(0.0));
+            QVERIFY(!(sample.flags & sampleForceSaturated));
+        };
+        bench.begin({0, 0, 3});
+        const Sample sample = bench.moveTo({0, 0, floorHeight - 3.0}, 50.0);
+        QVERIFY(std::abs(sample.proxy.tip.z - floorHeight) < 1e-3);
+    }
+
+    void aTickAllocatesNothing() {
+        Bench bench(Bench::settings(), ballTool(5.0, 12.0));
+        bench.begin({-12, 0, 2});
+        const std::size_t before = allocations;
+        bench.moveTo({-12, 0, -4}, 30.0);
+        bench.moveTo({12, 3, -4}, 40.0);
+        bench.moveTo({10, -3, -14}, 40.0);
+        bench.step.setAllowance(0.3);
+        bench.moveTo({-12, -3, -14}, 60.0);
+        bench.step(StylusState{}, period);
+        bench.moveTo({-12, -3, 5}, 60.0);
+        QCOMPARE(allocations, before);
+        ::operator delete(::operator new(1)); // the counter counts
+        QVERIFY(allocations > before);
+    }
+
+    void contactGivesTheHandNoEnergy_data() {
+        QTest::addColumn<double>("stiffness");
+        QTest::addColumn<double>("damping");
+        QTest::newRow("desktop device") << 400.0 << 4.0;
+        QTest::newRow("stiff device") << 1500.0 << 4.0;
+        QTest::newRow("device that claims a strong damper") << 1500.0 << 30.0;
+        QTest::newRow("ten times stiffer than its damping allows") << 4000.0 << 8.0;
+    }
+    void contactGivesTheHandNoEnergy() {
+        QFETCH(double, stiffness);
+        QFETCH(double, damping);
+        const double perContact = energyGivenToTheHand(damping, stiffness) / contacts;
+        QVERIFY2(perContact <= 0.02e-3, qPrintable(QString::number(perContact)));
+    }
+    void withoutAControllerContactWouldGiveEnergy() { QVERIFY(energyGivenToTheHand(0.0, 4000.0) / contacts > 0.1e-3); }
+};
+
+QTEST_APPLESS_MAIN(TestHapticLimits)
+#include "tst_haptic_limits.moc"

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/core/haptics/haptic_bench.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+double number(double low, double high) {
+    return low + (high - low) * static_cast<double>(*rc::gen::inRange(0, 1'000'001)) * 1e-6;
+}
+
+std::uint64_t removedUnits(const Sample& sample) {
+    std::uint64_t units = 0;
+    for (const RemovedMaterial& removed : sample.removed) units += removed.units;
+    return units;
+}
+
+/// Overlap of a shank (a cylinder) with everything but air, mm of line, by asking the voxels' lines one by one.
+double shankOverlap(const RunVolume& volume, const Tool& tool, const glm::dvec3& tip) {
+    const Grid& grid = volume.grid();
+    const double low = tip.z + tool.cutter.fluteLength, high = tip.z + tool.cutter.stickOut;
+    double overlap = 0.0;
+    for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
+        for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {
+            const glm::dvec2 centre = grid.lineCentre({u, v});
+            if (glm::length(centre - glm::dvec2(tip)) >= 0.5 * tool.cutter.shankDiameter) continue;
+            RunPosition from = 0;
+            for (const Segment& segment : volume.line({u, v})) {
+                const double a = std::max(low, grid.toMillimetres(from));
+                const double b = std::min(high, grid.toMillimetres(segment.end()));
+                if (segment.property() != airProperty) overlap = std::max(overlap, b - a);
+                from = segment.end();
+            }
+        }
+    return overlap;
+}
+
+} // namespace
+
+class TestHapticStep : public QObject {
+    Q_OBJECT
+private slots:
+    void mappingGoesThereAndBack() {
+        QVERIFY(rc::check([] {
+            WorkspaceMapping mapping;
+            mapping.origin = {number(-99, 99), number(-99, 99), number(-99, 99)};
+            mapping.rotation =
+                glm::angleAxis(number(-3, 3), glm::normalize(glm::dvec3(number(-1, 1), 1, number(-1, 1))));
+            mapping.scale = number(0.1, 10.0);
+            const glm::dvec3 device(number(-200, 200), number(-200, 200), number(-200, 200));
+            RC_ASSERT(glm::length(mapping.toDevice(mapping.toSetup(device)) - device) < 1e-9);
+            const glm::dvec3 moved = mapping.toSetup(device + glm::dvec3(1, 0, 0)) - mapping.toSetup(device);
+            RC_ASSERT(std::abs(glm::length(moved) - mapping.scale) < 1e-9);
+        }));
+    }
+
+    void steadyPressFeelsTheSpring_data() {
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<double>("turn");
+        QTest::addColumn<double>("depth");
+        QTest::newRow("one to one") << 1.0 << 0.0 << 2.0;
+        QTest::newRow("workpiece three times as large as the hand's space") << 3.0 << 0.0 << 4.0;
+        QTest::newRow("small workpiece, device turned over") << 0.5 << 2.1 << 3.0;
+        QTest::newRow("light touch") << 1.0 << -0.7 << 0.3;
+    }
+    void steadyPressFeelsTheSpring() {
+        QFETCH(double, scale);
+        QFETCH(double, turn);
+        QFETCH(double, depth);
+        HapticSettings settings = Bench::settings();
+        settings.mapping.origin = {3.0, -2.0, 5.0};
+        settings.mapping.rotation = glm::angleAxis(turn, glm::normalize(glm::dvec3(1, 2, -1)));
+        settings.mapping.scale = scale;
+        Bench bench(settings, ballTool(), stockOnPart(0, false));
+        bench.begin(settings.mapping.toDevice({0, 0, 3}));
+        bench.moveTo(settings.mapping.toDevice({0, 0, floorHeight - depth * scale}), 100.0);
+        const Sample sample = bench.rest(400);
+        // 0.8 of 400 N/m at 1 kHz; the ball's centre stays one radius above the floor, so the tip on it.
+        const double expected = 0.8 * 400.0 * depth / 1000.0;
+        QVERIFY(sample.flags & sampleOnBoundary);
+        QVERIFY(std::abs(sample.force.z - expected) <= 0.01 * expected);
+        QVERIFY(glm::length(glm::dvec2(sample.force)) <= 0.01 * expected);
+        const glm::dvec3 felt = settings.mapping.rotation * bench.step.deviceForce();
+        QVERIFY(glm::length(felt - sample.force) < 1e-12);
+        QVERIFY(std::abs(sample.proxy.tip.z - floorHeight) <= 1e-3);
+    }
+
+    void steadyContactDoesNotTremble() {
+        Bench bench(Bench::settings(), ballTool(), stockOnPart(0, false));
+        bench.begin({0, 0, 3});
+        bench.moveTo({0, 0, floorHeight - 2.0}, 50.0);
+        glm::dvec3 before = bench.rest(400).force;
+        bench.onTick = [&](const Sample& sample) {
+            QVERIFY(glm::length(sample.force - before) <= 1e-9);
+            before = sample.force;
+        };
+        bench.rest(1000);
+    }
+
+    void freeMotionIsWithoutForceAndRemovesNothing() {
+        QVERIFY(rc::check([] {
+            Bench bench;
+            const RunAmounts before = bench.volume.amounts();
+            bench.onTick = [](const Sample& sample) {
+                RC_ASSERT(glm::length(sample.force) <= 0.01);
+                RC_ASSERT(sample.cuttingForce == glm::dvec3(0.0));
+                RC_ASSERT(removedUnits(sample) == 0u);
+                if (sample.proxy.tip.z > voxel) RC_ASSERT(sample.reportedRemoval == 0.0); // it looks a voxel ahead
+            };
+            bench.begin({0, 0, 5});
+            for (int i = 0; i < 5; ++i)
+                bench.moveTo({number(-30, 30), number(-30, 30), number(0.01, 20)}, number(5.0, 900.0));
+            RC_ASSERT(bench.volume.amounts() == before);
+        }));
+    }
+
+    void recordsExactlyWhatTheWorkpieceLost() {
+        Bench bench;
+        const RunAmounts before = bench.volume.amounts();
+        std::array<std::uint64_t, 256> recorded{};
+        double reported = 0.0;
+        bench.onTick = [&](const Sample& sample) {
+            for (const RemovedMaterial& removed : sample.removed) recorded[removed.property] += removed.units;
+            reported += sample.reportedRemoval;
+            QVERIFY(sample.proxy.tip.z >= floorHeight);
+        };
+        bench.begin({-12, 0, 2});
+        bench.moveTo({-12, 0, -4}, 30.0);
+        bench.moveTo({12, 3, -4}, 40.0);
+        bench.moveTo({10, -3, -14}, 40.0);
+        bench.moveTo({-12, -3, -14}, 60.0); // 4 mm into the part
+        bench.moveTo({-12, -3, 5}, 60.0);
+        const RunAmounts after = bench.volume.amounts();
+        QCOMPARE(after.units[2], before.units[2]);
+        QCOMPARE(recorded[1], before.units[1] - after.units[1]);
+        QCOMPARE(recorded[2], std::uint64_t{0});
+        const double removed = static_cast<double>(recorded[1]) * bench.volume.grid().unitVolume();
+        QVERIFY(removed > 500.0);
+        QVERIFY(std::abs(reported - removed) < 0.05 * removed);
+    }
+
+    void cuttingIsFeltAgainstTheMotionWithinItsShare() {
+        HapticSettings settings = Bench::settings();
+        settings.cuttingForceScale = 0.001;
+        Bench bench(settings);
+        bench.begin({-30, 0, -3});
+        bench.moveTo({-10, 0, -3}, 30.0);
+        double rendered = 0.0, unscaled = 0.0;
+        int ticks = 0;
+        bench.onTick = [&](const Sample& sample) {
+            rendered -= sample.force.x;
+            unscaled -= sample.cuttingForce.x;
+            ++ticks;
+            QVERIFY(glm::length(sample.force) <= 0.6 * 0.6 * 4.0 + 1e-9);
+        };
+        bench.moveTo({10, 0, -3}, 30.0);
+        // Slot of a ball, 3 mm deep: half a disc of radius 3 moves through the stock. All of it lies ahead, so the
+        // radial part, 0.3 of the tangential one, points back as well.
+        const double area = 0.5 * pi * 9.0;
+        const double expected = 1.3 * 1000.0 * 0.7 * area * 30.0 / 1000.0;
+        QVERIFY2(std::abs(unscaled / ticks - expected) <= 0.05 * expected,
+                 qPrintable(QString::number(unscaled / ticks)));
+        QVERIFY2(std::abs(rendered / ticks - 0.001 * expected) <= 0.05 * 0.001 * expected,
+                 qPrintable(QString::number(rendered / ticks)));
+        // At rest nothing pushes on.
+        bench.onTick = [](const Sample&) {};
+        QVERIFY(glm::length(bench.rest(300).force) < 0.01);
+    }
+
+    void startInsideThePartKeepsTheForceOffUntilClear() {
+        HapticSettings settings = Bench::settings();
+        settings.rampSeconds = 0.2;
+        Bench bench(settings);
+        const RunAmounts before = bench.volume.amounts();
+        bench.onTick = [&](const Sample& sample) {
+            if (bench.step.started()) return;
+            QCOMPARE(sample.force, glm::dvec3(0.0));
+            QVERIFY(sample.flags & sampleForcesOff);
+            QVERIFY(bench.field.clearance(sample.proxy.tip) >= 0.0);
+        };
+        bench.begin({0, 0, floorHeight - 5.0});
+        bench.moveTo({5, 0, floorHeight - 0.1}, 20.0);
+        QVERIFY(!bench.step.started());
+        QVERIFY(bench.volume.amounts() == before);
+        // Clear of the part: picked up where the hand is, and forces fade in from nothing.
+        bench.moveTo({5, 0, floorHeight + 0.05}, 20.0);
+        QVERIFY(bench.step.started());
+        glm::dvec3 last(0.0);
+        bench.onTick = [&](const Sample& sample) {
+            QVERIFY(glm::length(sample.force - last) < 0.2);
+            last = sample.force;
+        };
+        bench.moveTo({5, 0, floorHeight - 3.0}, 200.0);
+        QVERIFY(glm::length(last) < 0.1);
+        bench.rest(400);
+        QVERIFY(last.z > 0.9);
+    }
+
+    void shankContactBrakesAndNeverDamagesTheWorkpiece() {
+        const Tool tool = ballTool(5.0, 12.0); // a shank wider than the flutes, 5 mm above the tip
+        Bench bench(Bench::settings(), tool);
+        int firstFlagged = -1, tick = 0;
+        double handAtFirst = 0.0;
+        bench.onTick = [&](const Sample& sample) {
+            const bool braking = sample.flags & sampleShankContact;
+            if (braking && firstFlagged < 0) {
+                firstFlagged = tick;
+                handAtFirst = sample.stylusTip.z;
+            }
+            if (braking) {
+                QCOMPARE(removedUnits(sample), std::uint64_t{0});
+                QCOMPARE(sample.cuttingForce, glm::dvec3(0.0));
+            }
+            QVERIFY(shankOverlap(bench.volume, tool, sample.proxy.tip) <= 0.25 * voxel + 1e-6);
+            ++tick;
+        };
+        bench.begin({0.1, 0.2, 3});
+        bench.moveTo({0.1, 0.2, -9}, 20.0);
+        // The shank's face meets the top of the stock at a tip of -5 mm; a quarter of a voxel is not looked at.
+        QVERIFY(firstFlagged > 0);
+        QVERIFY(std::abs(handAtFirst - (-5.0 - 0.25 * voxel)) <= 0.021);
+        const Sample held = bench.rest(400);
+        QVERIFY(held.flags & sampleShankContact);
+        const double expected = std::min(0.32 * (held.proxy.tip.z + 9.0), 0.6 * 4.0);
+        QVERIFY(std::abs(held.force.z - expected) <= 0.01 * expected);
+        QVERIFY(std::abs(held.proxy.tip.z + 5.125) < 0.03);
+
+        // Sideways does not free it, up does, and then it cuts again.
+        bench.moveTo({4.0, 0.2, -9}, 20.0);
+        QCOMPARE(bench.rest(1).proxy.tip.x, 0.1);
+        bench.moveTo({4.0, 0.2, -4}, 20.0);
+        const RunAmounts before = bench.volume.amounts();
+        const Sample free = bench.moveTo({9.0, 0.2, -4}, 20.0);
+        QVERIFY(!(free.flags & sampleShankContact));
+        QVERIFY(glm::length(free.proxy.tip - glm::dvec3(9.0, 0.2, -4)) < 1e-6);
+        QVERIFY(bench.volume.amounts().units[1] < before.units[1]);
+    }
+
+    void changedAllowanceGivesNoKick() {
+        Bench bench(Bench::settings(), ballTool(), stockOnPart(0, false));
+        bench.begin({0, 0, 3});
+        bench.moveTo({0, 0, floorHeight - 1.0}, 50.0);
+        glm::dvec3 before = bench.rest(400).force;
+        double largestChange = 0.0;
+        bench.onTick = [&](const Sample& sample) {
+            largestChange = std::max(largestChange, glm::length(sample.force - before));
+            before = sample.force;
+        };
+        bench.step.setAllowance(0.5);
+        Sample sample = bench.rest(400);
+        QVERIFY(sample.proxy.tip.z >= floorHeight + 0.5);
+        QVERIFY(sample.proxy.tip.z <= floorHeight + 0.5 + 1e-3);
+        QVERIFY(std::abs(before.z - 0.32 * 1.5) < 0.01 * 0.48);
+        bench.step.setAllowance(0.1);
+        sample = bench.rest(400);
+        QVERIFY(sample.proxy.tip.z >= floorHeight + 0.1);
+        QVERIFY(sample.proxy.tip.z <= floorHeight + 0.1 + 1e-3);
+        QVERIFY2(largestChange <= 0.02, qPrintable(QString::number(largestChange)));
+    }
+
+    void withoutMemoryItStopsCuttingAndHolds() {
+        // Milled to dust, a small reserve runs out somewhere; where does not matter.
+        Bench bench(Bench::settings(), ballTool(), stockOnPart(400'000));
+        std::vector<VolumeSnapshot> held; // as undo would: nothing is given back
+        std::uint64_t before = 0;
+        bool full = false;
+        bench.onTick = [&](const Sample& sample) {
+            const std::uint64_t now = bench.volume.amounts().units[1];
+            if (full) {
+                QVERIFY(sample.flags & sampleMemoryFull);
+                QCOMPARE(removedUnits(sample), std::uint64_t{0});
+                QCOMPARE(now, before);
+            }
+            full = full || (sample.flags & sampleMemoryFull);
+            before = now;
+        };
+        bench.begin({-15, -15, -2});
+        for (int i = 0; i < 200 && !full; ++i) {
+            held.push_back(bench.volume.snapshot());
+            bench.moveTo({i % 2 == 0 ? 15.0 : -15.0, -15.0 + 0.4 * i, -2.0 - 0.05 * i}, 200.0);
+        }
+        QVERIFY(full);
+        const glm::dvec3 stuck = bench.rest(1).proxy.tip;
+        bench.moveTo({stuck.x, stuck.y, stuck.z - 4.0}, 50.0);
+        const Sample deeper = bench.rest(200);
+        QVERIFY(deeper.proxy.tip.z >= stuck.z - 0.3);
+        QVERIFY(deeper.force.z > 1.0);
+        bench.moveTo({stuck.x, stuck.y, 8.0}, 50.0);
+        QVERIFY(glm::length(bench.rest(1).proxy.tip - glm::dvec3(stuck.x, stuck.y, 8.0)) < 1e-6);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestHapticStep)
+#include "tst_haptic_step.moc"

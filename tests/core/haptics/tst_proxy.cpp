@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/proxy.h"
+#include "tests/core/haptics/analytic_fields.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+#include <functional>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+constexpr double radius = 3.0;
+constexpr double noLimit = 1e9;
+using Nearest = std::function<glm::dvec3(const glm::dvec3&)>;
+
+glm::dvec3 up(double z) {
+    return {0.0, 0.0, z};
+}
+
+/// Nearest point of the ball's centre on a surface grown by `radius`, as a tip.
+Nearest nearestOnSphere(double solid, double allowance) {
+    return [=](const glm::dvec3& tip) {
+        const glm::dvec3 centre = tip + up(radius);
+        return centre / glm::length(centre) * (solid + radius + allowance) - up(radius);
+    };
+}
+Nearest nearestOnTorus(const TorusSolid& torus, double allowance) {
+    return [=](const glm::dvec3& tip) {
+        const glm::dvec3 centre = tip + up(radius);
+        const glm::dvec3 ring = glm::dvec3(glm::normalize(glm::dvec2(centre)) * torus.major, 0.0);
+        return ring + glm::normalize(centre - ring) * (torus.minor + radius + allowance) - up(radius);
+    };
+}
+
+double random(double low, double high) {
+    return low + (high - low) * static_cast<double>(*rc::gen::inRange(0, 1'000'001)) * 1e-6;
+}
+glm::dvec3 randomPoint(double half) {
+    return {random(-half, half), random(-half, half), random(-half, half)};
+}
+
+/// Least clearance on the straight way between two tips, by fine sampling.
+template <class Field>
+double leastClearance(const Field& field, const glm::dvec3& a, const glm::dvec3& b) {
+    double least = 1e300;
+    const int count = 1 + static_cast<int>(glm::length(b - a) / 0.01);
+    for (int i = 0; i <= count; ++i)
+        least = std::min(least, field.clearance(glm::mix(a, b, static_cast<double>(i) / count)));
+    return least;
+}
+
+/// Drags the goal along `goalAt` (parameter 0 … 1) and compares the proxy with the closed formula on every tick.
+template <class Field>
+void dragAndCompare(const Field& field, double allowance, const std::function<glm::dvec3(double)>& goalAt,
+                    const Nearest& nearest, double maximumLag) {
+    const Proxy proxy(field);
+    glm::dvec3 tip = nearest(goalAt(0.0));
+    tip += field.at(tip).gradient * 1e-3;
+    QVERIFY(proxy.feasible(tip, allowance));
+    double worstGap = 0.0, worstLag = 0.0;
+    constexpr int ticks = 2000;
+    for (int i = 0; i <= ticks; ++i) {
+        const glm::dvec3 goal = goalAt(static_cast<double>(i) / ticks);
+        const ProxyStep step = proxy.advance(tip, goal, allowance, noLimit);
+        QVERIFY(field.clearance(step.tip) >= allowance);
+        QVERIFY(step.onBoundary);
+        tip = step.tip;
+        worstGap = std::max(worstGap, field.clearance(tip) - allowance);
+        worstLag = std::max(worstLag, glm::length(tip - nearest(goal)));
+    }
+    QVERIFY2(worstGap <= 1e-3, qPrintable(QString::number(worstGap)));
+    QVERIFY2(worstLag <= maximumLag, qPrintable(QString::number(worstLag)));
+}
+
+/// Random goals, far and near: the proxy stays allowed, so does the straight way, and the goal never gets farther.
+template <class Field>
+bool neverEnters(const Field& field, const glm::dvec3& start, double extent) {
+    return rc::check([&] {
+        const double allowance = random(0.0, 0.5);
+        const Proxy proxy(field);
+        glm::dvec3 tip = start;
+        RC_PRE(proxy.feasible(tip, allowance));
+        for (int i = 0; i < 60; ++i) {
+            glm::dvec3 goal = randomPoint(extent);
+            if (*rc::gen::arbitrary<bool>()) goal = tip + randomPoint(1.0);
+            const double travel = random(0.05, 6.0);
+            for (int tick = 0; tick < 4; ++tick) {
+                const ProxyStep step = proxy.advance(tip, goal, allowance, travel);
+                RC_ASSERT(field.clearance(step.tip) >= allowance);
+                RC_ASSERT(leastClearance(field, tip, step.tip) >= allowance - proxy.chordTolerance());
+                RC_ASSERT(glm::length(step.tip - tip) <= travel + 1e-9);
+                RC_ASSERT(glm::length(goal - step.tip) <= glm::length(goal - tip));
+                RC_ASSERT(step.iterations <= Proxy::maximumIterations);
+                tip = step.tip;
+            }
+        }
+    });
+}
+
+} // namespace
+
+class TestProxy : public QObject {
+    Q_OBJECT
+private slots:
+    void isAtTheGoalWhereNothingIsInTheWay() {
+        const BallField field(PlaneSolid{}, radius, 0.25, 1.0);
+        const Proxy proxy(field);
+        const ProxyStep step = proxy.advance({0, 0, 20}, {15, -3, 4}, 0.2, noLimit);
+        QCOMPARE(step.tip, glm::dvec3(15, -3, 4));
+        QVERIFY(!step.onBoundary);
+        QCOMPARE(step.normal, glm::dvec3(0.0));
+    }
+
+    void pressedTwoMillimetresDeepItSlidesOnAPlane() {
+        const double allowance = 0.3;
+        const BallField field(PlaneSolid{}, radius);
+        dragAndCompare(
+            field, allowance, [](double t) { return glm::dvec3(100.0 * t, 10.0 * std::sin(9.0 * t), -1.7); },
+            [&](const glm::dvec3& goal) { return glm::dvec3(goal.x, goal.y, allowance); }, 1e-3);
+    }
+
+    void pressedTwoMillimetresDeepItSlidesOnASphere() {
+        const double allowance = 0.1, reach = 10.0 + radius + allowance - 2.0;
+        const BallField field(SphereSolid{10.0}, radius);
+        dragAndCompare(
+            field, allowance,
+            [&](double t) {
+                const double a = 6.0 * t, b = 1.2 * std::cos(4.0 * t);
+                return reach * glm::dvec3(std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)) -
+                       up(radius);
+            },
+            nearestOnSphere(10.0, allowance), 0.01);
+    }
+
+    void pressedTwoMillimetresDeepItSlidesAroundATorus() {
+        const TorusSolid torus;
+        const double grown = torus.minor + radius - 2.0;
+        const BallField field(torus, radius);
+        dragAndCompare(
+            field, 0.0,
+            [&](double t) {
+                const double around = 3.0 * t, about = 20.0 * t; // outside, top, inside of the ring, bottom, …
+                const double r = torus.major + grown * std::cos(about);
+                return glm::dvec3(r * std::cos(around), r * std::sin(around), grown * std::sin(about)) - up(radius);
+            },
+            nearestOnTorus(torus, 0.0), 0.02);
+    }
+
+    void settlesInTheCornersOfAPocket() {
+        const PocketSolid pocket;
+        const BallField field(pocket, radius);
+        const Proxy proxy(field);
+        const double allowance = 0.2;
+        const glm::dvec3 limit(pocket.half.x - radius - allowance, pocket.half.y - radius - allowance,
+                               -pocket.depth + allowance);
+        for (const glm::dvec3& goal : {glm::dvec3(20, 20, -30), glm::dvec3(-20, 15, -12), glm::dvec3(7, -30, -11),
+                                       glm::dvec3(-9, -7, -10.5), glm::dvec3(1, 9, -14), glm::dvec3(8, 1, -5)}) {
+            const glm::dvec3 expected(std::clamp(goal.x, -limit.x, limit.x), std::clamp(goal.y, -limit.y, limit.y),
+                                      std::max(goal.z, limit.z));
+            glm::dvec3 tip(0, 0, -4);
+            for (int tick = 0; tick < 10; ++tick) tip = proxy.advance(tip, goal, allowance, noLimit).tip;
+            QVERIFY2(glm::length(tip - expected) < 1e-3, qPrintable(QString::number(glm::length(tip - expected))));
+            // Steady contact: not the last bit moves.
+            for (int tick = 0; tick < 100; ++tick) {
+                const ProxyStep step = proxy.advance(tip, goal, allowance, noLimit);
+                QCOMPARE(step.tip, tip);
+                QVERIFY(step.onBoundary);
+            }
+        }
+    }
+
+    void handTremorInSteadyContactGivesNoMoreThanItself() {
+        const BallField field(TorusSolid{}, radius);
+        const Proxy proxy(field);
+        glm::dvec3 tip(12, 0, 10);
+        const glm::dvec3 goal(12.5, 0.5, 1.0);
+        for (int tick = 0; tick < 20; ++tick) tip = proxy.advance(tip, goal, 0.0, noLimit).tip;
+        const glm::dvec3 rest = tip;
+        for (int tick = 0; tick < 1000; ++tick) {
+            const glm::dvec3 tremor =
+                0.01 * glm::dvec3(std::sin(0.7 * tick), std::cos(1.1 * tick), std::sin(2.3 * tick));
+            tip = proxy.advance(tip, goal + tremor, 0.0, noLimit).tip;
+            QVERIFY(glm::length(tip - rest) < 0.05);
+        }
+        for (int tick = 0; tick < 20; ++tick) tip = proxy.advance(tip, goal, 0.0, noLimit).tip;
+        QVERIFY(glm::length(tip - rest) < 1e-3);
+    }
+
+    void neverPassesAThinWall() {
+        for (double spacing : {0.05, 0.25, 0.5}) {
+            const BallField field(WallSolid{1.0}, 0.0, spacing);
+            QVERIFY(rc::check([&] {
+                const Proxy proxy(field);
+                glm::dvec3 tip(random(0.5, 15.0), 0, 0);
+                for (int tick = 0; tick < 200; ++tick) {
+                    const glm::dvec3 goal = tip + glm::dvec3(random(-20.0, 5.0), random(-9.0, 9.0), random(-9.0, 9.0));
+                    tip = proxy.advance(tip, goal, 0.0, noLimit).tip;
+                    RC_ASSERT(tip.x >= 0.5);
+                }
+            }));
+        }
+    }
+
+    void neverEntersAPlane() {
+        QVERIFY(neverEnters(BallField(PlaneSolid{glm::normalize(glm::dvec3(1, 2, 3))}, radius, 0.25, 1.0), {0, 0, 9},
+                            12.0));
+    }
+    void neverEntersASphere() { QVERIFY(neverEnters(BallField(SphereSolid{}, 0.5, 0.25, 1.0), {0, 0, 14}, 16.0)); }
+    void neverEntersATorus() { QVERIFY(neverEnters(BallField(TorusSolid{}, 0.5, 0.25, 1.0), {0, 0, 0}, 18.0)); }
+    void neverEntersABox() { QVERIFY(neverEnters(BallField(BoxSolid{{6, 5, 4}}, 0.5, 0.25, 1.0), {0, 0, 9}, 10.0)); }
+    void neverEntersThePocketsWalls() {
+        QVERIFY(neverEnters(BallField(PocketSolid{}, 0.5, 0.25, 1.0), {0, 0, 5}, 12.0));
+    }
+
+    void reachesTheOtherSideAroundAConvexPart() {
+        const BallField field(SphereSolid{10.0}, radius, 0.25, 1.0);
+        const Proxy proxy(field);
+        glm::dvec3 tip(20, 0, 0);
+        // A goal on the other side, off the line through the centre: a local minimum holds it nowhere.
+        for (int tick = 0; tick < 200; ++tick) tip = proxy.advance(tip, {-20, 6, 0}, 0.0, noLimit).tip;
+        QVERIFY(glm::length(tip - glm::dvec3(-20, 6, 0)) < 1e-6);
+    }
+
+    void retreatsUntilTheAllowanceIsKept() {
+        const BallField field(SphereSolid{10.0}, radius);
+        const Proxy proxy(field);
+        const glm::dvec3 touching = glm::normalize(glm::dvec3(1, 2, 3)) * 13.0 - up(radius);
+        const glm::dvec3 a = proxy.retreat(touching, 0.5, 0.1);
+        QVERIFY(std::abs(glm::length(a - touching) - 0.1) < 1e-9);
+        const glm::dvec3 b = proxy.retreat(a, 0.5, noLimit);
+        QVERIFY(proxy.feasible(b, 0.5));
+        QVERIFY(field.clearance(b) < 0.5 + 1e-3);
+    }
+    void retreatInANarrowPocketStaysInTheMiddle() {
+        const PocketSolid narrow{{8.0, 3.2}, 10.0};
+        const BallField field(narrow, radius);
+        const Proxy proxy(field);
+        glm::dvec3 tip(0, -0.1, -5);
+        for (int tick = 0; tick < 100; ++tick) tip = proxy.retreat(tip, 0.5, 0.01);
+        QVERIFY(field.clearance(tip) >= 0.1);
+        QVERIFY(std::abs(tip.y) < 0.05);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestProxy)
+#include "tst_proxy.moc"

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/edit.h"
+
+#include <functional>
+
+/// Hand-made takes and parts for the tests of paths.
+namespace burin::test {
+
+inline Tool ballTool(double diameter = 6.0) {
+    Tool tool;
+    tool.id = "ball";
+    tool.cutter.type = CutterType::ball;
+    tool.cutter.diameter = diameter;
+    tool.cutter.cornerRadius = 0.5 * diameter;
+    tool.cutter.fluteLength = 22.0;
+    tool.cutter.shankDiameter = diameter - 0.2;
+    tool.cutter.stickOut = 50.0;
+    tool.cutter.holder = {{28.0, 28.0, 18.0}};
+    return tool;
+}
+
+inline Tool flatTool(double diameter = 6.0) {
+    Tool tool = ballTool(diameter);
+    tool.id = "flat";
+    tool.cutter.type = CutterType::flat;
+    tool.cutter.cornerRadius = 0.0;
+    return tool;
+}
+
+/// What a tick of a made-up take says besides where the tip is.
+struct Tick {
+    glm::dvec3 tip{0.0};
+    bool removes = true;
+    std::uint32_t flags = 0;
+};
+
+inline Take takeOf(const std::vector<Tick>& ticks, double allowance = 0.0) {
+    Take take;
+    take.info.id = 1;
+    take.info.allowance = allowance;
+    take.info.tickPeriod = 0.001;
+    for (const Tick& tick : ticks) {
+        Sample sample;
+        sample.tick = take.samples.size();
+        sample.time = 0.001 * static_cast<double>(sample.tick);
+        sample.proxy.tip = tick.tip;
+        sample.flags = tick.flags;
+        if (tick.removes) sample.removed[0] = {100, 2};
+        take.samples.push_back(sample);
+    }
+    return take;
+}
+
+/// Ticks of 1 ms along a polyline at a speed in mm/s.
+inline std::vector<Tick> along(const std::vector<glm::dvec3>& corners, double speed, bool removes = true,
+                               std::uint32_t flags = 0) {
+    std::vector<Tick> ticks;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const double length = glm::distance(corners[i - 1], corners[i]);
+        const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(length / (0.001 * speed))));
+        for (std::size_t k = 0; k < count; ++k)
+            ticks.push_back({glm::mix(corners[i - 1], corners[i], static_cast<double>(k) / static_cast<double>(count)),
+                             removes, flags});
+    }
+    ticks.push_back({corners.back(), removes, flags});
+    return ticks;
+}
+
+inline void append(std::vector<Tick>& ticks, const std::vector<Tick>& more) {
+    ticks.insert(ticks.end(), more.begin(), more.end());
+}
+
+inline TriangleMesh boxMesh(const Box& box) {
+    TriangleMesh mesh;
+    for (int i = 0; i < 8; ++i)
+        mesh.vertices.push_back({(i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
+                                 (i & 4) != 0 ? box.high.z : box.low.z});
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return mesh;
+}
+
+/// Vertices on the sphere, hence facets inside it.
+inline TriangleMesh sphereMesh(const glm::dvec3& centre, double radius, std::uint32_t rings) {
+    const double pi = std::acos(-1.0);
+    TriangleMesh mesh;
+    const std::uint32_t columns = 2 * rings;
+    for (std::uint32_t r = 0; r <= rings; ++r) {
+        for (std::uint32_t c = 0; c < columns; ++c) {
+            const double polar = pi * r / rings, around = 2.0 * pi * c / columns;
+            const bool pole = r == 0 || r == rings;
+            mesh.vertices.push_back(centre + radius * glm::dvec3(pole ? 0.0 : std::sin(polar) * std::cos(around),
+                                                                 pole ? 0.0 : std::sin(polar) * std::sin(around),
+                                                                 r == 0       ? 1.0
+                                                                 : r == rings ? -1.0
+                                                                              : std::cos(polar)));
+        }
+    }
+    const auto at = [&](std::uint32_t r, std::uint32_t c) { return r * columns + c % columns; };
+    for (std::uint32_t r = 0; r < rings; ++r) {
+        for (std::uint32_t c = 0; c < columns; ++c) {
+            mesh.triangles.push_back({at(r, c), at(r + 1, c), at(r + 1, c + 1)});
+            mesh.triangles.push_back({at(r, c), at(r + 1, c + 1), at(r, c + 1)});
+        }
+    }
+    return weldIdenticalVertices(mesh);
+}
+
+inline PathContext contextOf(const MeshDistance& part, const Tool& tool, const Box& stock) {
+    PathContext context;
+    context.part = &part;
+    context.tool = tool;
+    context.conditions.spindleSpeed = 10000.0;
+    context.conditions.feed = 900.0;
+    context.conditions.plungeFeed = 300.0;
+    context.machine.maximumFeed = 2000.0;
+    context.stock = stock;
+    return context;
+}
+
+inline Result<EvaluatedPath> run(const std::vector<Take>& takes, const std::vector<Edit>& edits,
+                                 const PathContext& context) {
+    Progress progress;
+    return evaluate("path", takes, edits, context, progress);
+}
+
+/// Calls `visit(from kind place)` at places no farther apart than `step` along all moves.
+inline void walk(const std::vector<PathPoint>& points, double step,
+                 const std::function<void(const PathPoint& end, const glm::dvec3& place)>& visit) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::dvec3 &from = points[i - 1].tip, &to = points[i].tip;
+        const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(glm::distance(from, to) / step)));
+        for (std::size_t k = 0; k <= count; ++k)
+            visit(points[i], glm::mix(from, to, static_cast<double>(k) / static_cast<double>(count)));
+    }
+}
+
+/// Distance from a point to a polyline; slow and obvious.
+inline double distanceToPolyline(const glm::dvec3& point, const std::vector<glm::dvec3>& line) {
+    double nearest = glm::distance(point, line.front());
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const glm::dvec3 way = line[i] - line[i - 1];
+        const double square = glm::dot(way, way);
+        const double part = square > 0.0 ? glm::clamp(glm::dot(point - line[i - 1], way) / square, 0.0, 1.0) : 0.0;
+        nearest = std::min(nearest, glm::distance(point, line[i - 1] + part * way));
+    }
+    return nearest;
+}
+
+inline std::vector<glm::dvec3> tipsOf(const std::vector<PathPoint>& points) {
+    std::vector<glm::dvec3> tips;
+    for (const PathPoint& point : points) tips.push_back(point.tip);
+    return tips;
+}
+
+} // namespace burin::test

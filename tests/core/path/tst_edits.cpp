@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "path_fixture.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace burin;
+using namespace burin::test;
+
+class TestEdits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyEditComesBackFromItsText() {
+        std::vector<Edit> edits = standardEdits();
+        std::get<Smooth>(edits[2].parameters).cutOff = 4.25;
+        edits[1].enabled = false;
+        for (const Edit& edit : edits) {
+            const auto back = editFromJson(toJson(edit));
+            QVERIFY2(back, toJson(edit).c_str());
+            QCOMPARE(QString::fromStdString(toJson(*back)), QString::fromStdString(toJson(edit)));
+            QVERIFY(back->parameters.index() == edit.parameters.index() && back->enabled == edit.enabled);
+            QVERIFY(titleOf(edit.parameters).text[0] != '\0');
+            QVERIFY(!idOf(edit.parameters).empty());
+        }
+        QCOMPARE(QString::fromStdString(toJson(edits[2])),
+                 R"({"edit":"smooth","enabled":true,"cut_off_hz":4.25,"tolerance_mm":0.02})");
+    }
+
+    void whatIsLeftOutHasItsFirstValue() {
+        const auto edit = editFromJson(R"({"edit": "hold-out", "clearance_mm": 0.01})");
+        QVERIFY(edit);
+        QCOMPARE(std::get<HoldOut>(edit->parameters).clearance, 0.01);
+        QCOMPARE(std::get<HoldOut>(edit->parameters).sampling, HoldOut{}.sampling);
+        QVERIFY(edit->enabled);
+    }
+
+    void strangeTextsAreRefused_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<ErrorCode>("code");
+        QTest::newRow("not JSON") << "smooth" << ErrorCode::argumentInvalid;
+        QTest::newRow("a list") << "[]" << ErrorCode::argumentInvalid;
+        QTest::newRow("no kind") << "{}" << ErrorCode::argumentInvalid;
+        QTest::newRow("unknown kind") << R"({"edit": "polish"})" << ErrorCode::nameUnknown;
+        QTest::newRow("unknown parameter") << R"({"edit": "smooth", "cutoff": 5})" << ErrorCode::argumentInvalid;
+        QTest::newRow("another kind's parameter")
+            << R"({"edit": "smooth", "approach_mm": 5})" << ErrorCode::argumentInvalid;
+        QTest::newRow("a text for a number")
+            << R"({"edit": "smooth", "cut_off_hz": "5"})" << ErrorCode::argumentInvalid;
+        QTest::newRow("out of range") << R"({"edit": "smooth", "tolerance_mm": -1})" << ErrorCode::argumentInvalid;
+        QTest::newRow("enabled is a number") << R"({"edit": "smooth", "enabled": 1})" << ErrorCode::argumentInvalid;
+    }
+    void strangeTextsAreRefused() {
+        QFETCH(QString, text);
+        QFETCH(ErrorCode, code);
+        const auto edit = editFromJson(text.toStdString());
+        QVERIFY(!edit);
+        QCOMPARE(edit.error().code, code);
+    }
+
+    void onlyOrdersThatKeepTheirPromiseAreTaken_data() {
+        QTest::addColumn<std::vector<Edit>>("edits");
+        QTest::newRow("smoothing behind the hold-out") << std::vector<Edit>{{HoldOut{}}, {Smooth{}}};
+        QTest::newRow("smoothing thinned points") << std::vector<Edit>{{Simplify{}}, {Smooth{}}};
+        QTest::newRow("simplifying links") << std::vector<Edit>{{Link{}}, {Simplify{}}};
+        QTest::newRow("linking twice") << std::vector<Edit>{{Link{}}, {Link{}}};
+        QTest::newRow("not a number") << std::vector<Edit>{{Smooth{std::numeric_limits<double>::quiet_NaN(), 0.1}}};
+        QTest::newRow("cut-off beyond the recording") << std::vector<Edit>{{Smooth{500.0, 0.1}}};
+    }
+    void onlyOrdersThatKeepTheirPromiseAreTaken() {
+        QFETCH(std::vector<Edit>, edits);
+        const auto path = run({cut()}, edits, context());
+        QVERIFY(!path);
+        QCOMPARE(path.error().code, ErrorCode::argumentInvalid);
+        for (Edit& edit : edits) edit.enabled = false; // what is off does not count
+        QVERIFY(run({cut()}, edits, context()));
+    }
+
+    void aPathWithoutWorkIsEmpty() {
+        const auto nothing = run({}, standardEdits(), context());
+        QVERIFY(!nothing);
+        QCOMPARE(nothing.error().code, ErrorCode::pathEmpty);
+        const auto air = run({takeOf(along({{0, 0, 5}, {10, 0, 5}}, 20.0, false))}, standardEdits(), context());
+        QVERIFY(!air);
+        QCOMPARE(air.error().code, ErrorCode::pathEmpty);
+    }
+
+    void aCancelledWorkSaysSo() {
+        Progress progress;
+        progress.cancel();
+        const auto path = evaluate("path", {cut()}, standardEdits(), context(), progress);
+        QVERIFY(!path);
+        QCOMPARE(path.error().code, ErrorCode::cancelled);
+    }
+
+    void anotherToolsTakeIsRefused() {
+        Take take = cut();
+        take.info.toolId = "flat-6";
+        const auto path = run({take}, standardEdits(), context());
+        QVERIFY(!path);
+        QCOMPARE(path.error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(QString::fromStdString(path.error().place), "flat-6");
+    }
+
+    void aTiltedToolIsRefused() {
+        Take take = cut();
+        take.samples[5].proxy.axis = glm::normalize(glm::dvec3(0.1, 0, 1));
+        const auto path = run({take}, {}, context());
+        QVERIFY(!path);
+        QCOMPARE(path.error().code, ErrorCode::notSupported);
+    }
+
+    void shankContactIsNeverPartOfThePath() {
+        Take take = cut();
+        for (std::size_t i = 100; i < 150; ++i) take.samples[i].flags |= sampleShankContact;
+        const auto path = run({take}, {}, context());
+        QVERIFY(path);
+        QCOMPARE(path->path.points.size(), take.samples.size() - 50);
+        std::size_t strokes = 0;
+        for (const PathPoint& point : path->path.points) {
+            QVERIFY(point.sample < 100 || point.sample >= 150);
+            strokes += point.kind == MoveKind::rapid ? 1 : 0;
+        }
+        QCOMPARE(strokes, std::size_t{2});
+    }
+
+    void editsThatNeedThePartSaySo() {
+        PathContext without = context();
+        without.part = nullptr;
+        for (const Edit& edit : std::vector<Edit>{{HoldOut{}}, {Simplify{}}, {Link{}}}) {
+            const auto path = run({cut()}, {edit}, without);
+            QVERIFY(!path);
+            QCOMPARE(path.error().code, ErrorCode::argumentInvalid);
+            QCOMPARE(QString::fromStdString(path.error().subject), "part");
+        }
+    }
+
+    void theBudgetIsTheSumOfWhatMovedThePath() {
+        const auto path = run({cut()}, standardEdits(), context());
+        QVERIFY(path);
+        QCOMPARE(path->reports.size(), std::size_t{7});
+        double sum = 0.0;
+        for (std::size_t i = 2; i < 5; ++i) sum += path->reports[i].largestDeviation;
+        QCOMPARE(path->errorBudget, sum);
+        QCOMPARE(path->path.spindleSpeed, 10000.0);
+        QCOMPARE(path->reports.back().pointsAfter, path->path.points.size());
+        for (std::size_t i = 1; i < path->reports.size(); ++i)
+            QCOMPARE(path->reports[i].pointsBefore, path->reports[i - 1].pointsAfter);
+    }
+
+private:
+    static Take cut() { return takeOf(along({{0, 0, -1}, {10, 0, -1}, {10, 10, -1}}, 20.0)); }
+    PathContext context() const { return contextOf(nothing_, ballTool(), {{-20, -20, -20}, {20, 20, 0}}); }
+    const MeshDistance nothing_{TriangleMesh{}};
+};
+
+QTEST_APPLESS_MAIN(TestEdits)
+#include "tst_edits.moc"

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "path_fixture.h"
+
+#include <rapidcheck.h>
+
+#include <QTest>
+
+#include <vector>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+/// Stock as points half a millimetre apart: what a move meets is found by looking at each point. Slow and obvious.
+class PointStock {
+public:
+    explicit PointStock(const Box& box) {
+        for (double z = box.low.z + 0.25; z < box.high.z; z += 0.5) {
+            for (double y = box.low.y + 0.25; y < box.high.y; y += 0.5) {
+                for (double x = box.low.x + 0.25; x < box.high.x; x += 0.5) points_.push_back({x, y, z});
+            }
+        }
+    }
+    bool meets(const RevolvedPiece& piece, const glm::dvec3& tip) const {
+        return std::ranges::any_of(points_, [&](const glm::dvec3& point) { return inside(piece, tip, point); });
+    }
+    void remove(const RevolvedPiece& piece, const glm::dvec3& tip) {
+        std::erase_if(points_, [&](const glm::dvec3& point) { return inside(piece, tip, point); });
+    }
+
+private:
+    static bool inside(const RevolvedPiece& piece, const glm::dvec3& tip, const glm::dvec3& point) {
+        const double height = point.z - tip.z, across = std::hypot(point.x - tip.x, point.y - tip.y);
+        if (height < piece.bottom || height > piece.top) return false;
+        const double part = (height - piece.bottom) / (piece.top - piece.bottom);
+        double radius = piece.bottomRadius + part * (piece.topRadius - piece.bottomRadius);
+        const double below = piece.cornerRadius - (height - piece.bottom);
+        if (below > 0.0)
+            radius += -piece.cornerRadius + std::sqrt(piece.cornerRadius * piece.cornerRadius - below * below);
+        return across < radius;
+    }
+    std::vector<glm::dvec3> points_;
+};
+
+/// Short, fat tool: shank and holder come into play in a small stock.
+Tool stubbyTool(CutterType type) {
+    Tool tool = type == CutterType::ball ? ballTool(4.0) : flatTool(4.0);
+    tool.cutter.fluteLength = 6.0;
+    tool.cutter.shankDiameter = 5.0;
+    tool.cutter.stickOut = 9.0;
+    tool.cutter.holder = {{10.0, 10.0, 20.0}};
+    return tool;
+}
+
+/// Strokes in layers of 2.5 mm with air between them, so that shank and holder stay clear in the recording.
+std::vector<Tick> layeredStrokes() {
+    std::vector<Tick> ticks;
+    for (int layer = 1; layer <= 2; ++layer) {
+        const double z = -2.0 * layer;
+        const int count = *rc::gen::inRange(1, 4);
+        for (int i = 0; i < count; ++i) {
+            const glm::dvec3 from(*rc::gen::inRange(-7, 8), *rc::gen::inRange(-7, 8), z);
+            const glm::dvec3 to(*rc::gen::inRange(-7, 8), *rc::gen::inRange(-7, 8), z);
+            append(ticks, along({{from.x, from.y, 8}, from}, 400.0, false));
+            append(ticks, along({from, to}, 400.0));
+            append(ticks, along({to, {to.x, to.y, 8}}, 400.0, false));
+        }
+    }
+    return ticks;
+}
+
+const std::vector<Edit> linkedEdits{{DropAirCuts{}}, {Simplify{}}, {Link{}}, {SetFeed{}}};
+
+} // namespace
+
+class TestLink : public QObject {
+    Q_OBJECT
+
+private slots:
+    void rapidsNeverMeetStock() {
+        const Box stock{{-8, -8, -5}, {8, 8, 0}};
+        QVERIFY(rc::check("neither rapids nor shank nor holder touch what is left", [&] {
+            const Tool tool = stubbyTool(*rc::gen::element(CutterType::ball, CutterType::flat));
+            const auto path = run({takeOf(layeredStrokes())}, linkedEdits, contextOf(nothing_, tool, stock));
+            RC_PRE(static_cast<bool>(path)); // strokes of no length give an empty path
+            PointStock left(stock);
+            const std::vector<RevolvedPiece> parts = pieces(tool.cutter);
+            bool clean = true;
+            walk(path->path.points, 0.5, [&](const PathPoint& end, const glm::dvec3& place) {
+                for (std::size_t i = 1; i < parts.size(); ++i) clean = clean && !left.meets(parts[i], place);
+                if (end.kind == MoveKind::rapid)
+                    clean = clean && !left.meets(parts.front(), place);
+                else
+                    left.remove(parts.front(), place);
+            });
+            RC_ASSERT(clean);
+            RC_ASSERT(path->path.points.front().tip.z >= 5.0 && path->path.points.back().tip.z >= 5.0);
+        }));
+    }
+
+    void everyMoveHasItsKindAndFeed() {
+        std::vector<Tick> ticks = along({{-10, 0, -2}, {10, 0, -2}}, 40.0);
+        append(ticks, along({{10, 0, -2}, {10, 0, 8}, {-10, 15, 8}, {-10, 15, -2}}, 40.0, false));
+        append(ticks, along({{-10, 15, -2}, {10, 15, -2}, {12, 15, -5}, {15, 15, -7}}, 40.0));
+        const auto path =
+            run({takeOf(ticks)}, linkedEdits, contextOf(nothing_, ballTool(), {{-30, -30, -20}, {30, 30, 0}}));
+        QVERIFY(path);
+        QString kinds;
+        for (const PathPoint& point : path->path.points) kinds += "rpcu"[static_cast<int>(point.kind)];
+        // Over the stock, down to a millimetre above it, in, along; out, up, over; and the second one with its slopes.
+        QCOMPARE(kinds, "rrpcurrrpcccur");
+        const std::vector<PathPoint>& p = path->path.points;
+        QVERIFY(p[0].tip == glm::dvec3(-10, 0, 5) && p[1].tip == glm::dvec3(-10, 0, 1));
+        QVERIFY(p[2].tip == glm::dvec3(-10, 0, -2));
+        for (const PathPoint& point : p) {
+            if (point.kind == MoveKind::rapid) QCOMPARE(point.feed, 0.0);
+            if (point.kind == MoveKind::plunge) QCOMPARE(point.feed, 300.0);
+            if (point.kind == MoveKind::retract) QCOMPARE(point.feed, 900.0);
+        }
+        QCOMPARE(p[9].feed, 900.0);
+        QCOMPARE(p[10].feed, 300.0);                // 3 mm down over 2 mm: steeper than 45°
+        QCOMPARE(p[11].feed, 900.0);                // 2 mm down over 3 mm
+        QVERIFY(p[3].take == 1 && p[3].sample > 0); // the hand's moment
+        QVERIFY(p[0].take == 0 && p[0].sample == -1);
+    }
+
+    void neighbouringRowsAreJoinedWithoutALift() {
+        const auto path =
+            run({takeOf(rows())}, linkedEdits, contextOf(nothing_, ballTool(), {{-30, -30, -20}, {30, 30, 0}}));
+        QVERIFY(path);
+        QCOMPARE(std::ranges::count(path->path.points, MoveKind::plunge, &PathPoint::kind), 1);
+    }
+
+    void aWallBetweenRowsForcesALift() {
+        const Box wall{{-20, 3.9, -10}, {20, 4.1, 0}};
+        const MeshDistance part(boxMesh(wall));
+        const auto path =
+            run({takeOf(rows(8.0))}, linkedEdits, contextOf(part, ballTool(10.0), {{-30, -30, -20}, {30, 30, 0}}));
+        QVERIFY(!path || std::ranges::count(path->path.points, MoveKind::plunge, &PathPoint::kind) == 2);
+        const auto narrow =
+            run({takeOf(rows(8.0))}, linkedEdits, contextOf(part, ballTool(), {{-30, -30, -20}, {30, 30, 0}}));
+        QVERIFY(narrow);
+        QCOMPARE(std::ranges::count(narrow->path.points, MoveKind::plunge, &PathPoint::kind), 2);
+    }
+
+    void aClearedPlaceIsReachedRapidly() {
+        // The same slot twice: the second time there is nothing left to plunge into.
+        std::vector<Tick> ticks = along({{-10, 0, -4}, {10, 0, -4}}, 40.0);
+        append(ticks, along({{10, 0, -4}, {10, 0, 8}, {-10, 0, 8}, {-10, 0, -4}}, 40.0, false));
+        append(ticks, along({{-10, 0, -4}, {0, 0, -4}, {0, 6, -4}}, 40.0));
+        const auto path =
+            run({takeOf(ticks)}, linkedEdits, contextOf(nothing_, flatTool(), {{-30, -30, -20}, {30, 30, 0}}));
+        QVERIFY(path);
+        double lowest = 1e9;
+        for (const PathPoint& point : path->path.points) {
+            if (point.kind == MoveKind::rapid) lowest = std::min(lowest, point.tip.z);
+        }
+        // At the slot's end the round of the cutter leaves nothing in the tool's own circle, but the map of squares is
+        // conservative there; so the rapid stops on the stock's top or lower, never below the slot's floor.
+        QVERIFY(lowest >= -4.0 && lowest <= 1.0);
+    }
+
+    void anOverhangIsLeftTheWayItWasEntered() {
+        // A slotting cutter with a thin neck under a ledge: straight up would be through the part.
+        Tool tool = flatTool(8.0);
+        tool.cutter.fluteLength = 3.0;
+        tool.cutter.shankDiameter = 3.0;
+        const Box ledge{{0, -20, -4}, {20, 20, 0}};
+        const MeshDistance part(boxMesh(ledge));
+        const PathContext context = contextOf(part, tool, {{-30, -30, -20}, {30, 30, 0}});
+        const auto path = run({takeOf(along({{-10, 0, -8}, {-2, 0, -8}}, 40.0))}, linkedEdits, context);
+        QVERIFY2(path, path ? "" : path.error().place.c_str());
+        walk(path->path.points, 0.1, [&](const PathPoint&, const glm::dvec3& place) {
+            // The flutes' disc below or beside the ledge, or above it.
+            const bool beside = place.x + 4.0 <= 1e-6;
+            QVERIFY(beside || place.z + 3.0 <= -4.0 + 1e-6 || place.z >= 0.0);
+        });
+        const auto enclosed = run({takeOf(along({{-3, 0, -8}, {-2, 0, -8}}, 40.0))}, linkedEdits, context);
+        QVERIFY(!enclosed);
+        QCOMPARE(enclosed.error().code, ErrorCode::pathGouges);
+    }
+
+private:
+    /// Two rows side by side with a lift of the hand between them.
+    static std::vector<Tick> rows(double apart = 2.0) {
+        std::vector<Tick> ticks = along({{-10, 0, -2}, {10, 0, -2}}, 40.0);
+        append(ticks, along({{10, 0, -2}, {10, 0, 4}, {10, apart, 4}, {10, apart, -2}}, 40.0, false));
+        append(ticks, along({{10, apart, -2}, {-10, apart, -2}}, 40.0));
+        return ticks;
+    }
+    const MeshDistance nothing_{TriangleMesh{}};
+};
+
+QTEST_APPLESS_MAIN(TestLink)
+#include "tst_link.moc"

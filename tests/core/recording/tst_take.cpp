@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/file.h"
+#include "core/recording/take_csv.h"
+#include "core/recording/take_statistics.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace burin;
+
+namespace {
+
+/// A tool that moves 1 mm along x each 2 ms tick, cuts two materials and rests on the part in the end.
+std::vector<Sample> samples() {
+    std::vector<Sample> list(4);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        list[i].tick = 10 + i;
+        list[i].time = 0.002 * static_cast<double>(i);
+        list[i].proxy.tip = {static_cast<double>(i), 0.0, 5.0};
+        list[i].stylusTip = {static_cast<double>(i), 0.0, 5.0};
+    }
+    list[1].removed[0] = {100, 3};
+    list[1].removed[1] = {7, 2};
+    list[2].removed[0] = {23, 3};
+    list[2].cuttingForce = {30.0, 40.0, 0.0};
+    list[2].reportedRemoval = 0.25;
+    list[3].stylusTip.z = 3.0;
+    list[3].force = {0.0, 0.0, 1.5};
+    list[3].flags = sampleOnBoundary | sampleForceSaturated;
+    list[3].tick = 15; // two ticks were lost
+    return list;
+}
+
+QList<QByteArray> lines(const std::string& text) {
+    QList<QByteArray> result = QByteArray::fromStdString(text).split('\n');
+    result.removeLast(); // the text ends with a line end
+    return result;
+}
+
+} // namespace
+
+class TakeTest final : public QObject {
+    Q_OBJECT
+private slots:
+    void figuresOfATake();
+    void figuresOfNothing();
+    void valuesStandUnderTheirNames();
+    void longTakesAreWrittenWhole();
+    void aFolderThatIsMissingIsNamed();
+};
+
+void TakeTest::figuresOfATake() {
+    const TakeStatistics figures = takeStatistics(samples());
+    QCOMPARE(figures.samples, std::uint64_t{4});
+    QCOMPARE(figures.missingTicks, std::uint64_t{2});
+    QCOMPARE(figures.seconds, 0.006);
+    QCOMPARE(figures.travelled, 3.0);
+    QVERIFY(std::abs(figures.greatestSpeed - 500.0) < 1e-9);
+    QCOMPARE(figures.greatestForce, 1.5);
+    QCOMPARE(figures.greatestCuttingForce, 50.0);
+    QCOMPARE(figures.greatestPress, 2.0);
+    QCOMPARE(figures.reportedRemoval, 0.25);
+    QCOMPARE(figures.removedUnits.size(), std::size_t{2});
+    QCOMPARE(figures.removedUnits.at(3), std::uint64_t{123});
+    QCOMPARE(figures.removedUnits.at(2), std::uint64_t{7});
+    QCOMPARE(figures.cutting, std::uint64_t{2});
+    QCOMPARE(figures.onBoundary, std::uint64_t{1});
+    QCOMPARE(figures.forceSaturated, std::uint64_t{1});
+    QCOMPARE(figures.shankContact, std::uint64_t{0});
+}
+
+void TakeTest::figuresOfNothing() {
+    QCOMPARE(takeStatistics({}).samples, std::uint64_t{0});
+    QCOMPARE(takeStatistics(std::vector<Sample>(1)).seconds, 0.0);
+}
+
+void TakeTest::valuesStandUnderTheirNames() {
+    const QTemporaryDir folder;
+    const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
+    QVERIFY(writeTakeCsv(file, samples()));
+    const QList<QByteArray> text = lines(*readFile(file));
+    QCOMPARE(text.size(), 5);
+    const QList<QByteArray> names = text[0].split(',');
+    for (const QByteArray& line : text) QCOMPARE(line.split(',').size(), names.size());
+    const auto value = [&](int row, const char* name) { return text[row].split(',').at(names.indexOf(name)); };
+    QCOMPARE(value(1, "tick"), QByteArray("10"));
+    QCOMPARE(value(2, "time_s"), QByteArray("0.002"));
+    QCOMPARE(value(2, "device_qw"), QByteArray("1"));
+    QCOMPARE(value(3, "tool_x_mm"), QByteArray("2"));
+    QCOMPARE(value(4, "stylus_z_mm"), QByteArray("3"));
+    QCOMPARE(value(4, "axis_z"), QByteArray("1"));
+    QCOMPARE(value(4, "force_z_n"), QByteArray("1.5"));
+    QCOMPARE(value(3, "cutting_force_y_n"), QByteArray("40"));
+    QCOMPARE(value(3, "reported_removal_mm3"), QByteArray("0.25"));
+    QCOMPARE(value(4, "flags"), QByteArray("6"));
+    QCOMPARE(value(2, "removed_units_property_2"), QByteArray("7"));
+    QCOMPARE(value(2, "removed_units_property_3"), QByteArray("100"));
+    QCOMPARE(value(3, "removed_units_property_2"), QByteArray("0"));
+}
+
+void TakeTest::longTakesAreWrittenWhole() {
+    std::vector<Sample> list(30000); // several pieces
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].tick = i;
+    const QTemporaryDir folder;
+    const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
+    QVERIFY(writeTakeCsv(file, list));
+    const QList<QByteArray> text = lines(*readFile(file));
+    QCOMPARE(text.size(), 30001);
+    for (int i = 1; i < text.size(); ++i) QVERIFY(text[i].startsWith(QByteArray::number(i - 1) + ","));
+}
+
+void TakeTest::aFolderThatIsMissingIsNamed() {
+    const auto written = writeTakeCsv("/nowhere/at/all/take.csv", samples());
+    QVERIFY(!written);
+    QCOMPARE(written.error().code, ErrorCode::fileNotWritable);
+    QCOMPARE(written.error().subject, std::string("/nowhere/at/all/take.csv"));
+}
+
+QTEST_APPLESS_MAIN(TakeTest)
+#include "tst_take.moc"

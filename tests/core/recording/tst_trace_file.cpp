@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/recording/trace_file.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cstring>
+#include <locale>
+#include <random>
+#include <rapidcheck.h>
+
+using namespace burin;
+
+namespace {
+
+const std::string header = std::string(traceHeader) + "\n";
+const std::string good = "0.001,1.5,-2,3e-3,1,0,0,0,0\n";
+
+double randomDouble(std::mt19937_64& generator) {
+    for (;;) { // any bits that are a finite number
+        const std::uint64_t bits = generator();
+        double value = 0.0;
+        std::memcpy(&value, &bits, sizeof value);
+        if (std::isfinite(value)) return value;
+    }
+}
+
+} // namespace
+
+class TraceFileTest final : public QObject {
+    Q_OBJECT
+private slots:
+    void anyDoubleComesBackBitByBit();
+    void readsWhatPeopleWrite_data();
+    void readsWhatPeopleWrite();
+    void namesTheLineThatIsWrong_data();
+    void namesTheLineThatIsWrong();
+    void noTextMakesItFail();
+    void doesNotDependOnTheLocale();
+    void namesAMissingFile();
+    void leavesOutReadingsThatAreNotValid();
+};
+
+void TraceFileTest::anyDoubleComesBackBitByBit() {
+    QVERIFY(rc::check([](std::uint64_t seed) {
+        std::mt19937_64 generator(seed);
+        std::vector<StylusState> states(20);
+        std::vector<double> times(states.size());
+        for (double& time : times) time = randomDouble(generator);
+        std::sort(times.begin(), times.end());
+        RC_PRE(std::adjacent_find(times.begin(), times.end()) == times.end());
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            states[i].time = times[i];
+            for (int axis = 0; axis < 3; ++axis) states[i].pose.position[axis] = randomDouble(generator);
+            const double angle = static_cast<double>(generator() >> 11);
+            states[i].pose.rotation = glm::angleAxis(angle, glm::normalize(glm::dvec3(1.0, std::sin(angle), 0.3)));
+            states[i].buttons = static_cast<std::uint32_t>(generator());
+            states[i].valid = true;
+        }
+        const auto read = parseTrace(formatTrace(states), "trace");
+        RC_ASSERT(read.hasValue());
+        RC_ASSERT(read->size() == states.size());
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            RC_ASSERT(std::memcmp(&(*read)[i].time, &states[i].time, sizeof(double)) == 0);
+            RC_ASSERT(std::memcmp(&(*read)[i].pose, &states[i].pose, sizeof(Pose)) == 0);
+            RC_ASSERT((*read)[i].buttons == states[i].buttons);
+        }
+    }));
+}
+
+void TraceFileTest::readsWhatPeopleWrite_data() {
+    QTest::addColumn<QByteArray>("text");
+    const auto row = [](const char* name, const std::string& text) {
+        QTest::newRow(name) << QByteArray::fromStdString(text);
+    };
+    row("one reading", header + good);
+    row("no last line end", header + "0,1,2,3,1,0,0,0,4294967295");
+    row("line ends of another system", std::string(traceHeader) + "\r\n0,1,2,3,1,0,0,0,1\r\n");
+    row("a rounded quaternion", header + "0,1,2,3,0.7071,0,0,0.7071,0\n");
+    row("times before the start", header + "-1,1,2,3,1,0,0,0,0\n" + good);
+}
+
+void TraceFileTest::readsWhatPeopleWrite() {
+    QFETCH(QByteArray, text);
+    const auto read = parseTrace(text.toStdString(), "trace");
+    QVERIFY(read);
+    QVERIFY(!read->empty() && read->front().valid);
+}
+
+void TraceFileTest::namesTheLineThatIsWrong_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("place");
+    const auto row = [](const char* name, const std::string& text, const char* place) {
+        QTest::newRow(name) << QByteArray::fromStdString(text) << QString(place);
+    };
+    row("another header", "t,x,y,z\n" + good, "line 1");
+    row("no header", good, "line 1");
+    row("nothing but the header", header, "line 2");
+    row("a value is missing", header + good + "0.002,1,2,3,1,0,0,0\n", "line 3");
+    row("a value too many", header + good + "0.002,1,2,3,1,0,0,0,0,0\n", "line 3");
+    row("a blank line", header + good + "\n" + good, "line 3");
+    row("a word", header + "0,1,2,three,1,0,0,0,0\n", "line 2");
+    row("a decimal comma", header + "0;1,5;2;3;1;0;0;0;0\n", "line 2");
+    row("a space", header + "0, 1,2,3,1,0,0,0,0\n", "line 2");
+    row("an empty value", header + "0,,2,3,1,0,0,0,0\n", "line 2");
+    row("not a number", header + "0,nan,2,3,1,0,0,0,0\n", "line 2");
+    row("endless", header + "0,inf,2,3,1,0,0,0,0\n", "line 2");
+    row("too large", header + "0,1e999,2,3,1,0,0,0,0\n", "line 2");
+    row("no unit quaternion", header + "0,1,2,3,1,1,0,0,0\n", "line 2");
+    row("zero quaternion", header + "0,1,2,3,0,0,0,0,0\n", "line 2");
+    row("negative buttons", header + "0,1,2,3,1,0,0,0,-1\n", "line 2");
+    row("buttons with a fraction", header + "0,1,2,3,1,0,0,0,1.0\n", "line 2");
+    row("too many buttons", header + "0,1,2,3,1,0,0,0,4294967296\n", "line 2");
+    row("time stands still", header + good + good, "line 3");
+    row("time goes back", header + good + "0,1,2,3,1,0,0,0,0\n", "line 3");
+    row("a zero byte", header + std::string("0,1,2,3,1,0,0,0,\0\n", 19), "line 2");
+}
+
+void TraceFileTest::namesTheLineThatIsWrong() {
+    QFETCH(QByteArray, text);
+    QFETCH(QString, place);
+    const auto read = parseTrace(text.toStdString(), "hand.csv");
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::traceInvalid);
+    QCOMPARE(read.error().subject, std::string("hand.csv"));
+    QCOMPARE(QString::fromStdString(read.error().place), place);
+    QVERIFY(!read.error().detail.empty());
+}
+
+void TraceFileTest::noTextMakesItFail() {
+    QVERIFY(rc::check("bytes of a good file changed at random: read, or refused with a line", [](std::uint64_t seed) {
+        std::mt19937_64 generator(seed);
+        std::string text = header + good + "0.002,1,2,3,1,0,0,0,7\n0.003,1,2,3,0,0,0,1,0\n";
+        for (int changes = 1 + static_cast<int>(generator() % 4); changes > 0; --changes) {
+            const std::size_t at = generator() % text.size();
+            switch (generator() % 3) {
+            case 0:
+                text[at] = static_cast<char>(generator());
+                break;
+            case 1:
+                text.erase(at, 1 + generator() % 5);
+                break;
+            default:
+                text.insert(at, 1, ",.-+e0\n\r "[generator() % 9]);
+            }
+        }
+        const auto read = parseTrace(text, "trace");
+        if (read) {
+            for (const StylusState& state : *read) RC_ASSERT(isFinite(state.pose.position));
+        } else {
+            RC_ASSERT(read.error().code == ErrorCode::traceInvalid);
+            RC_ASSERT(read.error().place.starts_with("line "));
+        }
+    }));
+    QCOMPARE(parseTrace("", "trace").error().code, ErrorCode::fileEmpty);
+}
+
+void TraceFileTest::doesNotDependOnTheLocale() {
+    struct DecimalComma : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\3"; }
+    };
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
+    const std::string text = formatTrace(*parseTrace(header + "1234.5,1.5,-2,3e-3,1,0,0,0,1000\n", "trace"));
+    std::locale::global(before);
+    QCOMPARE(text, header + "1234.5,1.5,-2,0.003,1,0,0,0,1000\n");
+}
+
+void TraceFileTest::namesAMissingFile() {
+    const QTemporaryDir folder;
+    const auto read = readTrace(std::filesystem::path(folder.path().toStdString()) / "none.csv");
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::fileNotFound);
+}
+
+void TraceFileTest::leavesOutReadingsThatAreNotValid() {
+    std::vector<Sample> samples(3);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i].time = 0.001 * static_cast<double>(i);
+        samples[i].device.position.x = static_cast<double>(i);
+        samples[i].buttons = 2;
+    }
+    samples[1].flags = sampleStylusInvalid | sampleForcesOff;
+    const std::vector<StylusState> states = traceOf(samples);
+    QVERIFY(states[0].valid && !states[1].valid && states[2].valid);
+    const auto read = parseTrace(formatTrace(states), "trace");
+    QVERIFY(read);
+    QCOMPARE(read->size(), std::size_t{2});
+    QCOMPARE(read->back().pose.position.x, 2.0);
+    QCOMPARE(read->back().buttons, 2u);
+}
+
+QTEST_APPLESS_MAIN(TraceFileTest)
+#include "tst_trace_file.moc"

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
+#include "core/verify/verify.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace burin;
+
+namespace {
+
+/// A box as a closed mesh with outward triangles.
+TriangleMesh boxMesh(const glm::dvec3& low, const glm::dvec3& high) {
+    TriangleMesh mesh;
+    for (int corner = 0; corner < 8; ++corner)
+        mesh.vertices.emplace_back(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
+                                   corner & 4 ? high.z : low.z);
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return mesh;
+}
+
+/// A part of 30 × 20 × 10 mm with its low corner at the origin.
+Model boxModel() {
+    Model model;
+    Body body;
+    body.name = "box";
+    body.mesh = boxMesh(glm::dvec3(0.0), {30.0, 20.0, 10.0});
+    body.volume = 6000.0;
+    body.box = boundingBox(body.mesh);
+    model.bodies.push_back(body);
+    return model;
+}
+
+MachineProfile machine() {
+    MachineProfile profile;
+    profile.id = "test";
+    profile.travel = {300.0, 300.0, 100.0};
+    profile.maximumFeed = 2000.0;
+    profile.rapidFeed = 6000.0;
+    profile.maximumSpindleSpeed = 20000.0;
+    return profile;
+}
+
+/// A ball of 6 mm with 8 mm of flutes, a shank as thick as the flutes and a holder 30 mm up.
+Tool ballTool() {
+    Tool tool;
+    tool.id = "ball";
+    tool.cutter = {CutterType::ball, 6.0, 3.0, 8.0, 6.0, 30.0, {{20.0, 20.0, 15.0}}};
+    tool.maximumDepthOfCut = 8.0;
+    return tool;
+}
+
+/// 20 mm of stock above the part, 5 mm around; 0.25 mm voxels. Program zero: centre of the stock's top, (15, 10, 30).
+struct Case {
+    Model model = boxModel();
+    MeshDistance part{model.bodies.front().mesh};
+    VerifyRequest request;
+
+    Case() {
+        Setup setup;
+        setup.voxel = 0.25;
+        setup.marginLow = glm::dvec3(5.0);
+        setup.marginHigh = {5.0, 5.0, 20.0};
+        request.setup = placeStock(model, setup).value();
+        request.model = &model;
+        request.part = &part;
+        request.tool = ballTool();
+        request.machine = machine();
+    }
+
+    VerifyReport judge(const std::string& moves, VolumeSnapshot* machined = nullptr) {
+        const ParsedProgram program = parseProgram(moves + "M2\n", "test.ngc").value();
+        request.program = &program;
+        Progress progress;
+        return burin::verify(request, progress, machined).value();
+    }
+};
+
+const std::string start = "G21 G90 G17 G54\nT1 M6\nS10000 M3\n";
+
+int countOf(const VerifyReport& report, FindingKind kind) {
+    return static_cast<int>(std::count_if(report.findings.begin(), report.findings.end(),
+                                          [&](const Finding& finding) { return finding.kind == kind; }));
+}
+
+} // namespace
+
+class VerifyTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aProgramInAirPasses();
+    void gougeIsTheDepthInThePart_data();
+    void gougeIsTheDepthInThePart();
+    void removedVolumeIsTheGroove();
+    void rapidThroughStockIsFound();
+    void spindleThatStandsStillIsFound();
+    void shankInADeepGrooveIsFound();
+    void limitsAreFound();
+    void feedFromNowhereIsFound();
+    void excessOverAFacedTopIsWhatWasLeft();
+    void finishingMovesLieOnThePart();
+};
+
+void VerifyTest::aProgramInAirPasses() {
+    Case job;
+    const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y0\nG1 X10 F600\nG0 Z10\n");
+    QVERIFY(report.passed());
+    QCOMPARE(report.removed, 0.0);
+    QCOMPARE(report.gougeMax, 0.0);
+    // 20 mm at 600 mm/min is 2 s; the rapids before it come from nowhere but for 5 mm up at 6000 mm/min.
+    QVERIFY(std::abs(report.machiningSeconds - (2.0 + 0.05)) < 1e-9);
+}
+
+void VerifyTest::gougeIsTheDepthInThePart_data() {
+    QTest::addColumn<double>("tip"); // program Z of the tip; the part's top is at Z = -20
+    QTest::addColumn<double>("depth");
+    QTest::newRow("a third of a millimetre in") << -20.3 << 0.3;
+    QTest::newRow("within the tolerance") << -20.015 << 0.015;
+    QTest::newRow("just on the part") << -20.0 << 0.0;
+    QTest::newRow("clear of the part") << -19.5 << 0.0;
+}
+
+void VerifyTest::gougeIsTheDepthInThePart() {
+    QFETCH(double, tip);
+    QFETCH(double, depth);
+    Case job;
+    job.request.tool.cutter.fluteLength = 28.0; // so that the depth under the stock's top is no matter
+    const std::string level = std::to_string(tip);
+    const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y0\nG1 Z" + level + " F300\nG1 X10 F600\nG1 Z5\n");
+    QVERIFY2(std::abs(report.gougeMax - depth) < 1e-6, qPrintable(QString::number(report.gougeMax)));
+    QCOMPARE(countOf(report, FindingKind::gouge) > 0, depth > 0.02);
+    QCOMPARE(report.passed(), depth <= 0.02);
+}
+
+void VerifyTest::removedVolumeIsTheGroove() {
+    Case job;
+    // A groove 3 mm deep in the middle of the stock's top: half a cylinder with a quarter sphere at either end.
+    VolumeSnapshot machined;
+    const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y0\nG1 Z-3 F300\nG1 X10 F600\nG1 Z5\n", &machined);
+    const double groove = 0.5 * pi * 9.0 * 20.0 + 2.0 / 3.0 * pi * 27.0;
+    QVERIFY2(std::abs(report.removed - groove) < 0.005 * groove, qPrintable(QString::number(report.removed)));
+    QVERIFY(report.passed());
+    const Grid& grid = machined.grid();
+    const double stock = 40.0 * 30.0 * 35.0 - 6000.0;
+    std::uint64_t left = 0;
+    const RunAmounts amounts = machined.amounts();
+    for (int i = 1; i < machined.properties().size(); ++i)
+        if (!machined.properties().isProtected(static_cast<PropertyIndex>(i)))
+            left += amounts.units[static_cast<std::size_t>(i)];
+    QVERIFY(std::abs(stock - static_cast<double>(left) * grid.unitVolume() - report.removed) < 1e-9 * stock);
+}
+
+void VerifyTest::rapidThroughStockIsFound() {
+    Case job;
+    const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y0\nG0 Z-3\nG0 X10\nG0 Z5\n");
+    QVERIFY(!report.passed());
+    QCOMPARE(countOf(report, FindingKind::rapidInStock), 2);
+    QCOMPARE(report.findings.front().line, 6U);
+}
+
+void VerifyTest::spindleThatStandsStillIsFound() {
+    Case job;
+    const VerifyReport report = job.judge("G21 G90 G17\nT1 M6\nG0 Z5\nG0 X-10 Y0\nG1 Z-2 F300\nG1 X10\nG1 Z5\n");
+    QCOMPARE(countOf(report, FindingKind::spindleOff), 2);
+}
+
+void VerifyTest::shankInADeepGrooveIsFound() {
+    Case job;
+    // 12 mm deep with 8 mm of flutes: the shank rubs along the groove's uncut walls.
+    const VerifyReport deep = job.judge(start + "G0 Z5\nG0 X-30 Y0\nG1 Z-12 F300\nG1 X0 F600\nG1 Z5\n");
+    QVERIFY(countOf(deep, FindingKind::shankCollision) > 0);
+    Case shallow;
+    const VerifyReport fine = shallow.judge(start + "G0 Z5\nG0 X-30 Y0\nG1 Z-7.5 F300\nG1 X0 F600\nG1 Z5\n");
+    QCOMPARE(countOf(fine, FindingKind::shankCollision), 0);
+}
+
+void VerifyTest::limitsAreFound() {
+    Case job;
+    const VerifyReport report = job.judge("G21 G90 G17\nT1 M6\nS30000 M3\nG0 Z5\nG0 X-200 Y0\nG1 X10 F5000\nG0 X150\n");
+    QCOMPARE(countOf(report, FindingKind::feedLimit), 1);
+    QCOMPARE(countOf(report, FindingKind::spindleLimit), 1);
+    QCOMPARE(countOf(report, FindingKind::travelLimit), 1);
+}
+
+void VerifyTest::feedFromNowhereIsFound() {
+    Case job;
+    QCOMPARE(countOf(job.judge(start + "G1 X0 Y0 Z5 F100\n"), FindingKind::unknownStart), 1);
+}
+
+void VerifyTest::excessOverAFacedTopIsWhatWasLeft() {
+    Case job;
+    job.request.tool.cutter = {CutterType::flat, 10.0, 0.0, 28.0, 9.0, 40.0, {}};
+    std::string rows = start + "G0 Z5\nG0 X-30 Y-20\nG1 Z-19.25 F1000\n"; // leaves 0.75 mm on the part
+    for (int row = 0; row <= 8; ++row)
+        rows += "G1 Y" + std::to_string(-20 + 5 * row) + "\nG1 X" + (row % 2 == 0 ? "30" : "-30") + "\n";
+    const VerifyReport report = job.judge(rows + "G1 Z5\n");
+    QVERIFY(report.passed());
+    double overTop = 0.0;
+    int places = 0;
+    for (const DeviationSample& sample : report.deviations)
+        if (sample.place.z == 10.0) {
+            QVERIFY(sample.reachable);
+            overTop = std::max(overTop, sample.excess);
+            ++places;
+        }
+    QVERIFY(places > 1000);
+    QVERIFY2(std::abs(overTop - 0.75) <= 0.25 / 8.0 + 1e-9, qPrintable(QString::number(overTop)));
+}
+
+void VerifyTest::finishingMovesLieOnThePart() {
+    Case job;
+    job.request.tool.cutter.fluteLength = 28.0;
+    // Two passes over the part at the cutting feed, one on it and one 1 mm above it, equally long.
+    const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y-3\nG1 Z-19 F300\nG1 X10 F600\nG1 Y3 F300\n"
+                                                  "G1 Z-20 F300\nG1 X-10 F600\nG1 Z5 F300\n");
+    QVERIFY(std::abs(report.onPartShare - 0.5) < 0.01);
+    QCOMPARE(report.onPartSamples, std::size_t(400));
+}
+
+QTEST_APPLESS_MAIN(VerifyTest)
+#include "tst_verify.moc"

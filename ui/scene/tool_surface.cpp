@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/tool_surface.h"
+
+#include "core/base/units.h"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkRotationalExtrusionFilter.h>
+
+#include <cmath>
+
+namespace burin {
+
+vtkSmartPointer<vtkPolyData> pieceSurface(const RevolvedPiece& piece) {
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(0.0, 0.0, piece.bottom);
+    constexpr int arcSteps = 16;
+    const double corner = piece.cornerRadius;
+    for (int i = 0; i <= arcSteps && corner > 0.0; ++i) {
+        const double angle = 0.5 * pi * i / arcSteps;
+        points->InsertNextPoint(piece.bottomRadius - corner + corner * std::sin(angle), 0.0,
+                                piece.bottom + corner - corner * std::cos(angle));
+    }
+    if (corner <= 0.0) points->InsertNextPoint(piece.bottomRadius, 0.0, piece.bottom);
+    points->InsertNextPoint(piece.topRadius, 0.0, piece.top);
+    points->InsertNextPoint(0.0, 0.0, piece.top);
+
+    vtkNew<vtkCellArray> line;
+    line->InsertNextCell(static_cast<int>(points->GetNumberOfPoints()));
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) line->InsertCellPoint(i);
+    vtkNew<vtkPolyData> profile;
+    profile->SetPoints(points);
+    profile->SetLines(line);
+
+    vtkNew<vtkRotationalExtrusionFilter> revolve;
+    revolve->SetInputData(profile);
+    revolve->SetResolution(64);
+    revolve->CappingOff();
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputConnection(revolve->GetOutputPort());
+    normals->SetFeatureAngle(40.0);
+    normals->FlipNormalsOn(); // the profile runs outwards and up, which revolves inside out
+    normals->Update();
+    return normals->GetOutput();
+}
+
+} // namespace burin
