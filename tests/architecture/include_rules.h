@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin::architecture {
+
+/// What the sources of a tree include that they may not, one sentence each; empty when all is well.
+/// Reads every #include line of core, ui, app and plugins.
+std::vector<std::string> forbiddenIncludes(const std::filesystem::path& root);
+
+/// Source files (C++, CMake, scripts) without the two SPDX lines at their top.
+std::vector<std::string> missingLicences(const std::filesystem::path& root, const std::vector<std::string>& files);
+
+/// Files that name a place which exists on one machine alone.
+std::vector<std::string> namedMachines(const std::filesystem::path& root, const std::vector<std::string>& files);
+
+/// Files of the project, relative to `root`: what git tracks, or in a tree without git everything but build results.
+std::vector<std::string> projectFiles(const std::filesystem::path& root);
+
+} // namespace burin::architecture

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/architecture/include_rules.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <filesystem>
+#include <fstream>
+
+using namespace burin::architecture;
+namespace fs = std::filesystem;
+
+namespace {
+
+QStringList listed(const std::vector<std::string>& faults) {
+    QStringList result;
+    for (const std::string& fault : faults) result.append(QString::fromStdString(fault));
+    return result;
+}
+
+/// All faults in one text, so that a failure shows each of them.
+QString told(const std::vector<std::string>& faults) {
+    return listed(faults).join(QLatin1Char('\n'));
+}
+
+void place(const QTemporaryDir& tree, const QString& file, const QString& content) {
+    const fs::path path = tree.filePath(file).toStdString();
+    fs::create_directories(path.parent_path());
+    std::ofstream(path) << content.toStdString();
+}
+
+const QString licence = QStringLiteral("// SPDX-FileCopyrightText: 2026 The Burin authors\n"
+                                       "// SPDX-License-Identifier: Apache-2.0\n");
+
+} // namespace
+
+class TestIncludes : public QObject {
+    Q_OBJECT
+private slots:
+    void ourSourcesKeepToTheDesign() { QCOMPARE(told(forbiddenIncludes(BURIN_SOURCE_DIRECTORY)), QString()); }
+
+    void ourSourcesStateTheirLicence() {
+        const std::vector<std::string> files = projectFiles(BURIN_SOURCE_DIRECTORY);
+        QVERIFY(files.size() > 100);
+        QCOMPARE(told(missingLicences(BURIN_SOURCE_DIRECTORY, files)), QString());
+    }
+
+    void ourFilesNameNoMachine() {
+        const std::vector<std::string> files = projectFiles(BURIN_SOURCE_DIRECTORY);
+        QCOMPARE(told(namedMachines(BURIN_SOURCE_DIRECTORY, files)), QString());
+    }
+
+    /// The rules themselves: a tree of one file with one include line.
+    void eachRuleIsWatched_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<QString>("fault");
+        const auto row = [](const char* name, const char* file, const char* line, const char* fault) {
+            QTest::newRow(name) << QString::fromLatin1(file) << QString::fromLatin1(line) << QString::fromLatin1(fault);
+        };
+        row("a library uses itself", "core/volume/a.cpp", "#include \"core/volume/b.h\"", "");
+        row("a library uses what it names", "core/volume/a.h", "#include \"core/geometry/box.h\"", "");
+        row("a library uses what those use", "core/project/a.cpp", "#include \"core/field/tool_field.h\"", "");
+        row("upwards", "core/volume/a.h", "#include \"core/setup/setup.h\"", "core/volume may not use core/setup");
+        row("sideways", "core/cutting/a.cpp", "#include \"core/cad/model.h\"", "core/cutting may not use core/cad");
+        row("spaces hide nothing", "core/base/a.cpp", "  #  include  \"core/geometry/box.h\"",
+            "core/base may not use core/geometry");
+        row("core uses the user interface", "core/nc/a.cpp", "#include \"ui/messages/messages.h\"",
+            "core/nc may not use ui/messages");
+        row("core uses the program", "core/nc/a.cpp", "#include \"app/command.h\"", "core/nc may not use app");
+        row("core uses tests", "core/nc/a.cpp", "#include \"tests/oracles/grid.h\"", "core/nc may not use tests");
+        row("core includes Qt", "core/verify/a.cpp", "#include <QString>", "core/verify may not include Qt");
+        row("core includes Qt by its module", "core/verify/a.h", "#include <QtCore/qstring.h>",
+            "core/verify may not include Qt");
+        row("core includes VTK", "core/volume/a.cpp", "#include <vtkPolyData.h>", "core/volume may not include VTK");
+        row("OpenCASCADE behind glass", "core/cad/a.cpp", "#include <BRep_Builder.hxx>", "");
+        row("OpenCASCADE elsewhere", "core/setup/a.cpp", "#include <gp_Pnt.hxx>",
+            "core/setup may not include OpenCASCADE");
+        row("SQLite elsewhere", "app/a.cpp", "#include <sqlite3.h>", "app may not include SQLite");
+        row("VTK in the scene", "ui/scene/a.cpp", "#include <vtkPolyData.h>", "");
+        row("VTK elsewhere", "ui/panels/a.cpp", "#include <vtkPolyData.h>", "ui/panels may not include VTK");
+        row("messages use the scene", "ui/messages/a.cpp", "#include \"ui/scene/picture.h\"",
+            "ui/messages may not use ui/scene");
+        row("the program uses everything", "app/a.cpp", "#include \"ui/scene/picture.h\"", "");
+        row("the program uses a plugin", "app/a.cpp", "#include \"plugins/dialects/linuxcnc/words.h\"",
+            "app may not use plugins");
+        row("a plugin uses its interface", "plugins/dialects/linuxcnc/a.cpp", "#include \"core/nc/dialect.h\"", "");
+        row("a plugin uses itself", "plugins/dialects/linuxcnc/a.cpp", "#include \"plugins/dialects/linuxcnc/words.h\"",
+            "");
+        row("a plugin uses another", "plugins/dialects/haas/a.cpp", "#include \"plugins/dialects/linuxcnc/words.h\"",
+            "plugins may not use plugins");
+        row("a plugin uses code of core", "plugins/dialects/haas/a.cpp", "#include \"core/nc/parser.h\"",
+            "plugins may not use core/nc");
+        row("a name from nowhere", "core/nc/a.cpp", "#include \"parser.h\"", "our headers are named from the root");
+        row("a library from nowhere", "core/utils/a.cpp", "#include <vector>", "core/utils is not in the design");
+        row("a comment includes nothing", "core/base/a.cpp", "// #include <QString>", "");
+    }
+    void eachRuleIsWatched() {
+        QFETCH(QString, file);
+        QFETCH(QString, line);
+        QFETCH(QString, fault);
+        const QTemporaryDir tree;
+        place(tree, file, licence + QStringLiteral("#include <vector>\n") + line + QStringLiteral("\n"));
+        const QStringList faults = listed(forbiddenIncludes(tree.path().toStdString()));
+        if (fault.isEmpty()) {
+            QCOMPARE(faults, QStringList());
+        } else {
+            QCOMPARE(faults.size(), 1);
+            QVERIFY2(faults.front().startsWith(file) && faults.front().endsWith(fault), qPrintable(faults.front()));
+        }
+    }
+
+    void aMissingLicenceIsSeen() {
+        const QTemporaryDir tree;
+        place(tree, QStringLiteral("with.cpp"), licence);
+        place(tree, QStringLiteral("without.h"), QStringLiteral("#pragma once\n"));
+        place(tree, QStringLiteral("script"), QStringLiteral("#!/bin/sh\n"));
+        place(tree, QStringLiteral("data.json"), QStringLiteral("{}\n"));
+        place(tree, QStringLiteral("build/made.cpp"), QStringLiteral("int made;\n"));
+        const std::string root = tree.path().toStdString();
+        QStringList faults = listed(missingLicences(root, projectFiles(root)));
+        faults.sort();
+        QCOMPARE(faults, (QStringList{QStringLiteral("script"), QStringLiteral("without.h")}));
+    }
+
+    void anotherMachinesPlaceIsSeen() {
+        const QTemporaryDir tree;
+        place(tree, QStringLiteral("a.md"), QStringLiteral("See /tmp/") + QStringLiteral("burin/a.\n"));
+        place(tree, QStringLiteral("b.md"), QStringLiteral("See /tmp and work/.\n"));
+        const std::string root = tree.path().toStdString();
+        QCOMPARE(namedMachines(root, projectFiles(root)).size(), std::size_t{1});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestIncludes)
+#include "tst_includes.moc"
