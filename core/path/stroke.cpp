@@ -9,7 +9,9 @@ namespace {
 
 /// A few ticks that the recorder lost don't tear a stroke apart.
 constexpr std::uint64_t longestGap = 5; // ticks
-constexpr double tiltTolerance = 1e-6;  // of a unit vector's components
+/// A tip that is faster than any hand was moved by something else (another mapping): the way between is not work.
+constexpr double fastestHand = 2000.0; // mm/s, estimate
+constexpr double tiltTolerance = 1e-6; // of a unit vector's components
 
 bool removes(const Sample& sample) noexcept {
     return std::ranges::any_of(sample.removed, [](const RemovedMaterial& m) { return m.property != 0 && m.units > 0; });
@@ -24,6 +26,7 @@ Result<void> append(std::vector<Stroke>& strokes, const Take& take, const PathCo
     if (!info.toolId.empty() && info.toolId != context.tool.id)
         return Error{ErrorCode::argumentInvalid, "tool", info.toolId,
                      "take " + std::to_string(info.id) + "; the path is for " + context.tool.id};
+    const double period = info.tickPeriod > 0.0 ? info.tickPeriod : context.tickPeriod;
     bool begins = true;
     std::uint64_t lastTick = 0;
     for (const Sample& sample : take.samples) {
@@ -34,8 +37,9 @@ Result<void> append(std::vector<Stroke>& strokes, const Take& take, const PathCo
         if (!isUpright(sample.proxy.axis))
             return Error{ErrorCode::notSupported, "tilted tool axis", "paths with the tool along Z",
                          "take " + std::to_string(info.id) + ", sample " + std::to_string(sample.tick)};
-        if (begins || sample.tick > lastTick + longestGap) {
-            const double period = info.tickPeriod > 0.0 ? info.tickPeriod : context.tickPeriod;
+        const double elapsed = period * static_cast<double>(sample.tick - lastTick);
+        if (begins || sample.tick > lastTick + longestGap ||
+            glm::distance(sample.proxy.tip, strokes.back().points.back().tip) > fastestHand * elapsed) {
             strokes.push_back({info.id, info.allowance, info.allowance, period, {}});
         }
         strokes.back().points.push_back({sample.proxy.tip, static_cast<std::int64_t>(sample.tick), removes(sample),

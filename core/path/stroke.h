@@ -42,7 +42,8 @@ struct PathState {
 };
 
 /// The strokes of takes, in order: the proxy's tip at every tick. A stretch in which shank or holder touched something
-/// is left out. A new stroke begins there, with each take, and where more than a few ticks are missing. Errors:
+/// is left out. A new stroke begins there, with each take, where more than a few ticks are
+/// missing, and where the tip went faster than a hand can. Errors:
 /// notSupported (an axis that is not +Z), argumentInvalid (a take of another tool).
 Result<PathState> strokesOf(const std::vector<Take>& takes, const PathContext& context);
 

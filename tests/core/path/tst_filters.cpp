@@ -109,6 +109,16 @@ private slots:
         QVERIFY(std::abs(path->errorBudget - largest) < 1e-12);
     }
 
+    void aJumpOfTheTipIsAGap() {
+        std::vector<Tick> ticks = along({{0, 0, 0}, {10, 0, 0}}, 20.0);
+        append(ticks, along({{10, 10, 0}, {0, 10, 0}}, 20.0));
+        const auto path = run({takeOf(ticks)}, {{Smooth{2.0, 5.0}}}, contextOf(nothing_, ballTool(), stock_));
+        QVERIFY(path);
+        for (const PathPoint& point : path->path.points)
+            QVERIFY(std::abs(point.tip.y) < 1e-9 || std::abs(point.tip.y - 10.0) < 1e-9);
+        QCOMPARE(std::ranges::count(path->path.points, MoveKind::rapid, &PathPoint::kind), 2);
+    }
+
     void smoothingDoesNotReachAcrossAGap() {
         std::vector<Tick> ticks = along({{0, 0, 0}, {10, 0, 0}}, 20.0);
         append(ticks, along({{10, 0, 0}, {10, 10, 0}}, 20.0, true, sampleShankContact));
@@ -153,7 +163,7 @@ private slots:
         append(ticks, along({{0, 0, 0}, {10, 0, 0}}, 25.0));                            // cut
         append(ticks, along({{10, 0, 0}, {12, 0, 0}}, 25.0, false));                    // a short gap stays
         append(ticks, along({{12, 0, 0}, {20, 0, 0}}, 25.0));                           // cut
-        append(ticks, along({{20, 0, 0}, {20, 10, 3}}, 25.0, false));                   // air
+        append(ticks, along({{20, 0, 0}, {20, 10, 3}, {20, 10, 0}}, 25.0, false));      // air
         append(ticks, along({{20, 10, 0}, {0, 10, 0}}, 25.0, false, sampleOnBoundary)); // a finishing pass
         append(ticks, along({{0, 10, 0}, {0, 10, 30}}, 25.0, false));                   // away
         const auto path = run({takeOf(ticks)}, {{DropAirCuts{3.0}}}, contextOf(nothing_, ballTool(), stock_));

@@ -109,8 +109,9 @@ private slots:
         const Box ridge{{-0.5, -10, 0}, {0.5, 10, 10}};
         const MeshDistance part(boxMesh(ridge));
         for (const Tool& tool : {ballTool(), flatTool()}) {
-            const auto path = run({takeOf({{{-8, 0, 8}}, {{8, 1, 8}}})}, heldEdits,
-                                  contextOf(part, tool, {{-30, -30, -5}, {30, 30, 15}}));
+            Take take = takeOf({{{-8, 0, 8}}, {{8, 1, 8}}});
+            take.info.tickPeriod = 0.02;
+            const auto path = run({take}, heldEdits, contextOf(part, tool, {{-30, -30, -5}, {30, 30, 15}}));
             QVERIFY2(path, path ? "" : path.error().place.c_str());
             double least = 1e9;
             walk(path->path.points, step, [&](const PathPoint&, const glm::dvec3& place) {
@@ -155,7 +156,8 @@ private slots:
                               contextOf(part, ballTool(), {{-25, -25, -25}, {25, 25, 22}}));
         QVERIFY2(path, path ? "" : path.error().place.c_str());
         double least = 1e9, most = -1e9;
-        walk(path->path.points, step, [&](const PathPoint&, const glm::dvec3& place) {
+        walk(path->path.points, step, [&](const PathPoint& end, const glm::dvec3& place) {
+            if (end.kind == MoveKind::rapid) return; // from row to row: no part of a stroke
             const double clearance = glm::length(place + glm::dvec3(0, 0, 3.0)) - 3.0 - radius;
             least = std::min(least, clearance);
             most = std::max(most, clearance);

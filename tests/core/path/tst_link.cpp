@@ -133,6 +133,17 @@ private slots:
         QCOMPARE(std::ranges::count(path->path.points, MoveKind::plunge, &PathPoint::kind), 1);
     }
 
+    void aShankThatWouldRubForcesALift() {
+        const PathContext slender = contextOf(nothing_, ballTool(4.0), {{-30, -30, -20}, {30, 30, 0}});
+        const PathContext stubby =
+            contextOf(nothing_, stubbyTool(CutterType::ball), slender.stock); // shank from 6 mm up
+        for (const auto& [context, plunges] : {std::pair{slender, 1}, std::pair{stubby, 2}}) {
+            const auto path = run({takeOf(rows(4.0, -8.0))}, linkedEdits, context);
+            QVERIFY(path);
+            QCOMPARE(std::ranges::count(path->path.points, MoveKind::plunge, &PathPoint::kind), plunges);
+        }
+    }
+
     void aWallBetweenRowsForcesALift() {
         const Box wall{{-20, 3.9, -10}, {20, 4.1, 0}};
         const MeshDistance part(boxMesh(wall));
@@ -184,10 +195,10 @@ private slots:
 
 private:
     /// Two rows side by side with a lift of the hand between them.
-    static std::vector<Tick> rows(double apart = 2.0) {
-        std::vector<Tick> ticks = along({{-10, 0, -2}, {10, 0, -2}}, 40.0);
-        append(ticks, along({{10, 0, -2}, {10, 0, 4}, {10, apart, 4}, {10, apart, -2}}, 40.0, false));
-        append(ticks, along({{10, apart, -2}, {-10, apart, -2}}, 40.0));
+    static std::vector<Tick> rows(double apart = 2.0, double z = -2.0) {
+        std::vector<Tick> ticks = along({{-10, 0, z}, {10, 0, z}}, 40.0);
+        append(ticks, along({{10, 0, z}, {10, 0, 4}, {10, apart, 4}, {10, apart, z}}, 40.0, false));
+        append(ticks, along({{10, apart, z}, {-10, apart, z}}, 40.0));
         return ticks;
     }
     const MeshDistance nothing_{TriangleMesh{}};
