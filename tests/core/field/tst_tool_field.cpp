@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/tool_field.h"
+
+#include "tests/core/geometry/shapes.h"
+
+#include <QtTest>
+
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <new>
+#include <random>
+#include <thread>
+
+using namespace burin;
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace {
+
+constexpr double voxel = 0.5;
+
+std::vector<RevolvedPiece> tool(double radius, double corner) {
+    return {{0.0, 20.0, radius, radius, corner}, {20.0, 40.0, radius, radius, 0.0}, {40.0, 60.0, 10.0, 16.0, 0.0}};
+}
+
+ToolField built(const MeshDistance& part, const std::vector<RevolvedPiece>& pieces, const Box& tips,
+                double edge = voxel) {
+    Progress progress;
+    Result<ToolField> field = ToolField::build(part, {pieces, tips, edge, 1.0}, progress);
+    if (!field) qFatal("no field");
+    return std::move(*field);
+}
+
+class Points {
+public:
+    glm::dvec3 in(const Box& box) {
+        std::uniform_real_distribution<double> part(0.0, 1.0);
+        const double x = part(engine_), y = part(engine_), z = part(engine_);
+        return box.low + glm::dvec3(x, y, z) * box.size();
+    }
+
+private:
+    std::mt19937_64 engine_{20260102};
+};
+
+/// How far a field is above and below a formula, where it says that it is fine and `counts` agrees; and above it
+/// elsewhere.
+struct Deviation {
+    double above = -1e9, below = 1e9, coarseAbove = -1e9;
+    int fine = 0, coarse = 0;
+};
+
+Deviation deviation(const ToolField& field, const Box& tips, const std::function<double(const glm::dvec3&)>& formula,
+                    const std::function<bool(const glm::dvec3&, double)>& counts, int samples = 60000) {
+    Points points;
+    Deviation found;
+    for (int i = 0; i < samples; ++i) {
+        const glm::dvec3 tip = points.in(tips);
+        const double wanted = formula(tip);
+        if (!counts(tip, wanted)) continue;
+        const FieldSample sample = field.at(tip);
+        const double error = sample.clearance - wanted;
+        if (sample.fine) {
+            ++found.fine;
+            found.above = std::max(found.above, error);
+            found.below = std::min(found.below, error);
+        } else {
+            ++found.coarse;
+            found.coarseAbove = std::max(found.coarseAbove, error);
+        }
+    }
+    qInfo("above %.4f below %.4f voxel in %d fine, above %.4f mm in %d coarse; spacing %.3f mm", found.above / voxel,
+          found.below / voxel, found.fine, found.coarseAbove, found.coarse, field.spacing());
+    return found;
+}
+
+bool always(const glm::dvec3&, double) {
+    return true;
+}
+
+} // namespace
+
+class ToolFieldTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void planeIsExactForEveryTool();
+    void ballOverTorus();
+    void ballOverBlock();
+    void flatOverBlock();
+    void flatInPocket();
+    void bullOverTorus();
+    void shankAndHolderAreInIt();
+    void farTipsAreNeverToldTooMuch();
+    void insideLeadsOut();
+    void outsideTheBoxIsItsNearestPoint();
+    void zeroIsOutsideThePart();
+    void emptyPartIsFree();
+    void askingDoesNotAllocate();
+    void canBeCancelled();
+    void refusesWhatMakesNoField();
+};
+
+void ToolFieldTest::planeIsExactForEveryTool() {
+    const MeshDistance part(shapes::box({-30, -30, -12}, {30, 30, 0}));
+    const Box tips{{-8, -8, -1.5}, {8, 8, 12}};
+    for (const double corner : {3.0, 0.0, 1.0}) {
+        const ToolField field = built(part, tool(3.0, corner), tips);
+        QVERIFY(field.errorBound() <= 0.05 * voxel);
+        const Deviation d = deviation(
+            field, tips, [](const glm::dvec3& p) { return p.z; }, always);
+        QVERIFY(d.above <= 1e-6 && d.below >= -field.errorBound() && d.coarseAbove <= 0.0);
+        QVERIFY(d.fine > 10000);
+        const FieldSample sample = field.at({0.3, 0.4, 0.6});
+        QVERIFY(sample.fine && glm::length(sample.gradient - glm::dvec3(0, 0, 1)) < 1e-2);
+    }
+}
+
+void ToolFieldTest::ballOverTorus() {
+    const double major = 12.0, minor = 4.0, radius = 3.0;
+    const MeshDistance part(shapes::torus(major, minor, 1200, 400));
+    const Box tips{{-20, 0, -2}, {20, 20, 9}};
+    const ToolField field = built(part, {tool(radius, radius)[0]}, tips);
+    const auto formula = [&](const glm::dvec3& tip) {
+        const glm::dvec3 centre = tip + glm::dvec3(0, 0, radius);
+        return std::hypot(std::hypot(centre.x, centre.y) - major, centre.z) - minor - radius;
+    };
+    // Above the ring's equator the flutes over the ball are never nearer than the ball.
+    const auto smooth = [&](const glm::dvec3& tip, double clearance) {
+        return tip.z + radius > 0.0 && clearance > -3.0 * voxel && std::hypot(tip.x, tip.y) > 5.0;
+    };
+    const Deviation d = deviation(field, tips, formula, smooth);
+    const double chord = 0.0005;
+    QVERIFY(d.above <= 0.02 * voxel + chord);
+    QVERIFY(d.below >= -field.errorBound() - chord);
+    QVERIFY(d.coarseAbove <= chord);
+    QVERIFY(d.fine > 10000 && d.coarse > 1000);
+}
+
+void ToolFieldTest::ballOverBlock() {
+    const glm::dvec3 low{-10, -10, -10}, high{10, 10, 0};
+    const MeshDistance part(shapes::box(low, high));
+    const Box tips{{-16, -16, -6}, {0, 0, 8}};
+    const ToolField field = built(part, {tool(3.0, 3.0)[0]}, tips);
+    const auto formula = [&](const glm::dvec3& tip) { // the flutes reach above the block: lift it to them
+        const glm::dvec3 centre = tip + glm::dvec3(0, 0, 3.0);
+        return shapes::boxDistance(low, high, {centre.x, centre.y, std::max(centre.z, -5.0)}) - 3.0;
+    };
+    const Deviation d = deviation(field, tips, formula, [](const glm::dvec3&, double c) { return c > -voxel; });
+    QVERIFY(d.above <= 0.05 * voxel); // even at edges and corners: a ball rounds them
+    QVERIFY(d.below >= -0.5 * voxel);
+    QVERIFY(d.coarseAbove <= 0.0);
+}
+
+void ToolFieldTest::flatOverBlock() {
+    const glm::dvec3 low{-10, -10, -10}, high{10, 10, 0};
+    const MeshDistance part(shapes::box(low, high));
+    const Box tips{{-16, -16, -6}, {0, 0, 8}};
+    const ToolField field = built(part, {tool(3.0, 0.0)[0]}, tips);
+    const auto formula = [&](const glm::dvec3& tip) { // across and along the axis, a cylinder against a box
+        const glm::dvec2 q = glm::abs(glm::dvec2(tip)) - 10.0;
+        const double across = glm::length(glm::max(q, 0.0)) + std::min(std::max(q.x, q.y), 0.0) - 3.0;
+        const double along = tip.z;
+        return across > 0.0 && along > 0.0 ? std::hypot(across, along) : std::max(across, along);
+    };
+    const auto faces = [&](const glm::dvec3& tip, double c) {
+        const glm::dvec2 q = glm::abs(glm::dvec2(tip)) - 10.0;
+        const double across = glm::length(glm::max(q, 0.0)) + std::min(std::max(q.x, q.y), 0.0) - 3.0;
+        return c > -voxel && (tip.z > across + 2.0 || across > tip.z + 2.0) && std::min(q.x, q.y) < -1.0;
+    };
+    const Deviation smooth = deviation(field, tips, formula, faces);
+    QVERIFY(smooth.above <= 1e-3 * voxel && smooth.below >= -field.errorBound());
+    const Deviation edges = deviation(field, tips, formula, [](const glm::dvec3&, double c) { return c > -voxel; });
+    QVERIFY(edges.above <= 0.5 * voxel && edges.below >= -0.5 * voxel);
+    QVERIFY(edges.coarseAbove <= 0.0);
+}
+
+void ToolFieldTest::flatInPocket() {
+    const double inner = 8.0, depth = 6.0, radius = 3.0;
+    const MeshDistance part(shapes::pocket(20.0, 15.0, inner, depth));
+    const Box tips{{-6, -6, -7}, {6, 6, 3}};
+    const ToolField field = built(part, tool(radius, 0.0), tips);
+    const auto formula = [&](const glm::dvec3& tip) {
+        return std::min({inner - radius - std::abs(tip.x), inner - radius - std::abs(tip.y), tip.z + depth});
+    };
+    const auto below = [&](const glm::dvec3& tip, double c) { return tip.z < -2.5 && c > -2.0 * voxel; };
+    const Deviation d = deviation(field, tips, formula, below);
+    QVERIFY(d.above <= 1e-3 * voxel); // walls and their corners: never too much
+    QVERIFY(d.below >= -0.5 * voxel);
+    const auto flank = [&](const glm::dvec3& tip, double c) {
+        const double a = inner - radius - std::abs(tip.x), b = inner - radius - std::abs(tip.y), f = tip.z + depth;
+        const double second = std::max(std::min(a, b), std::min(std::max(a, b), f));
+        return below(tip, c) && second > c + 1.0;
+    };
+    QVERIFY(deviation(field, tips, formula, flank).below >= -field.errorBound());
+}
+
+void ToolFieldTest::bullOverTorus() {
+    const MeshDistance part(shapes::torus(14.0, 5.0, 300, 120));
+    const Box tips{{-22, -6, -3}, {-4, 6, 9}};
+    const std::vector<RevolvedPiece> bull = tool(3.0, 1.0);
+    const ToolField field = built(part, bull, tips);
+    const auto exact = [&](const glm::dvec3& tip) { return part.clearance(bull, {tip, {0, 0, 1}}).clearance; };
+    const Deviation d = deviation(
+        field, tips, exact, [](const glm::dvec3&, double c) { return c > 0.0; }, 8000);
+    QVERIFY(d.above <= 0.05 * voxel);
+    QVERIFY(d.below >= -0.5 * voxel); // the ring closes over itself in the middle of the part
+    QVERIFY(d.coarseAbove <= 0.0);
+}
+
+void ToolFieldTest::shankAndHolderAreInIt() {
+    const MeshDistance part(shapes::box({0, -90, -90}, {90, 90, 90})); // a wall at x = 0
+    const Box tips{{-20, -4, -4}, {-4, 4, 4}};
+    const ToolField field = built(part, tool(3.0, 3.0), tips);
+    // Clear of the wall by what the holder's upper rim leaves; entering, a sharp rim's depth is another matter.
+    const Deviation d = deviation(
+        field, tips, [](const glm::dvec3& p) { return -p.x - 16.0; },
+        [](const glm::dvec3&, double c) { return c > voxel; }, 20000);
+    QVERIFY(d.above <= 1e-3 * voxel && d.below >= -field.errorBound() && d.coarseAbove <= 0.0);
+}
+
+void ToolFieldTest::farTipsAreNeverToldTooMuch() {
+    const MeshDistance part(shapes::pocket(10.0, 10.0, 5.0, 6.0));
+    const Box tips{{-40, -40, -5}, {40, 40, 50}};
+    const std::vector<RevolvedPiece> pieces = tool(2.0, 2.0);
+    const ToolField field = built(part, pieces, tips, 1.0);
+    const auto exact = [&](const glm::dvec3& tip) { return part.clearance(pieces, {tip, {0, 0, 1}}).clearance; };
+    const Deviation d = deviation(
+        field, tips, exact, [](const glm::dvec3&, double c) { return c > 0.0; }, 20000);
+    QVERIFY(d.coarse > 5000);
+    QVERIFY(d.coarseAbove <= 0.0);
+    QVERIFY(field.at({0, 0, 45}).clearance > 40.0); // and enough to march
+}
+
+void ToolFieldTest::insideLeadsOut() {
+    const MeshDistance part(shapes::sphere(10.0, 300, 150));
+    const ToolField field = built(part, tool(3.0, 3.0), {{-14, -14, 0}, {14, 14, 14}});
+    for (const double depth : {0.2, 0.7, 1.4})
+        for (int i = 0; i < 24; ++i) {
+            const double u = 0.27 * i, v = 0.3 + 0.05 * i;
+            const glm::dvec3 out{std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v)};
+            const FieldSample sample = field.at((13.0 - depth) * out - glm::dvec3(0, 0, 3.0));
+            QVERIFY(std::abs(sample.clearance + depth) < 0.05 * voxel + 0.003);
+            QVERIFY(glm::dot(glm::normalize(sample.gradient), out) > 0.99);
+        }
+}
+
+void ToolFieldTest::outsideTheBoxIsItsNearestPoint() {
+    const MeshDistance part(shapes::box({-30, -30, -12}, {30, 30, 0}));
+    const ToolField field = built(part, tool(3.0, 0.0), {{-8, -8, -1}, {8, 8, 3}});
+    const FieldSample sample = field.at({20.0, 0.0, 1.0});
+    QVERIFY(!sample.fine);
+    QCOMPARE(sample.clearance, field.at({8.0, 0.0, 1.0}).clearance);
+    QVERIFY(std::isfinite(field.at({std::nan(""), 0.0, 0.0}).clearance));
+}
+
+void ToolFieldTest::zeroIsOutsideThePart() {
+    // What the proxy stands on: a tip that the field calls clear is clear, to 0.05 voxel.
+    const TriangleMesh bumps = shapes::starShaped(
+        240, 120, [](double u, double v) { return 12.0 + 0.8 * std::sin(4.0 * u) * std::cos(v) * std::cos(v); });
+    const MeshDistance part(bumps);
+    const Box tips{{4, -6, 0}, {15, 6, 12}};
+    const std::vector<RevolvedPiece> ball = tool(3.0, 3.0);
+    const ToolField field = built(part, ball, tips);
+    Points points;
+    int stood = 0;
+    double deepest = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        glm::dvec3 tip = points.in(tips);
+        FieldSample sample = field.at(tip);
+        if (!sample.fine || sample.clearance < 0.0) continue;
+        for (int step = 0; step < 30; ++step) { // down onto the surface, from the clear side
+            const glm::dvec3 next =
+                tip - 0.9 * sample.clearance * sample.gradient / std::max(glm::length(sample.gradient), 1e-9);
+            const FieldSample there = field.at(next);
+            if (!(there.clearance >= 0.0)) break;
+            tip = next;
+            sample = there;
+        }
+        ++stood;
+        deepest = std::min(deepest, part.clearance(ball, {tip, {0, 0, 1}}).clearance);
+    }
+    qInfo("%d tips, deepest %.4f voxel", stood, deepest / voxel);
+    QVERIFY(stood > 500);
+    QVERIFY(deepest >= -0.05 * voxel);
+}
+
+void ToolFieldTest::emptyPartIsFree() {
+    const ToolField field = built(MeshDistance{TriangleMesh{}}, tool(3.0, 3.0), {{-8, -8, -1}, {8, 8, 3}});
+    const FieldSample sample = field.at({0, 0, 0});
+    QVERIFY(sample.clearance > 1e5 && std::isfinite(sample.clearance) && isFinite(sample.gradient));
+}
+
+void ToolFieldTest::askingDoesNotAllocate() {
+    const MeshDistance part(shapes::box({-10, -10, -10}, {10, 10, 0}));
+    const Box tips{{-16, -16, -6}, {0, 0, 8}};
+    const ToolField field = built(part, tool(3.0, 3.0), tips);
+    Points points;
+    double sum = 0.0;
+    const long before = allocations;
+    for (int i = 0; i < 10000; ++i) sum += field.at(points.in(tips)).clearance + field.errorBound() + field.spacing();
+    QCOMPARE(allocations.load(), before);
+    QVERIFY(std::isfinite(sum));
+}
+
+void ToolFieldTest::canBeCancelled() {
+    const MeshDistance part(shapes::torus(14.0, 5.0, 400, 200));
+    const ToolFieldRequest request{tool(3.0, 0.0), {{-25, -25, -10}, {25, 25, 20}}, 0.2, 1.0};
+    Progress progress;
+    std::thread impatient([&] {
+        while (progress.fraction() < 0.12) std::this_thread::yield();
+        progress.cancel();
+    });
+    const Result<ToolField> field = ToolField::build(part, request, progress);
+    impatient.join();
+    QVERIFY(!field);
+    QCOMPARE(field.error().code, ErrorCode::cancelled);
+}
+
+void ToolFieldTest::refusesWhatMakesNoField() {
+    const MeshDistance part(shapes::box({-10, -10, -10}, {10, 10, 0}));
+    const Box tips{{-1, -1, -1}, {1, 1, 1}};
+    Progress progress;
+    const auto code = [&](const ToolFieldRequest& request) {
+        const Result<ToolField> field = ToolField::build(part, request, progress);
+        return field ? ErrorCode::internalFault : field.error().code;
+    };
+    QCOMPARE(code({{}, tips, 0.5, 1.0}), ErrorCode::argumentInvalid);
+    QCOMPARE(code({tool(3.0, 0.0), tips, 0.0, 1.0}), ErrorCode::argumentInvalid);
+    QCOMPARE(code({tool(3.0, 0.0), tips, std::nan(""), 1.0}), ErrorCode::argumentInvalid);
+    QCOMPARE(code({tool(3.0, 0.0), Box{}, 0.5, 1.0}), ErrorCode::argumentInvalid);
+    QCOMPARE(code({tool(3.0, 0.0), {{-1e6, -1e6, -1e6}, {1e6, 1e6, 1e6}}, 1e-3, 1.0}), ErrorCode::outOfMemory);
+}
+
+QTEST_APPLESS_MAIN(ToolFieldTest)
+#include "tst_tool_field.moc"
