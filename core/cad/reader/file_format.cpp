@@ -86,6 +86,7 @@ Result<FileFormat> detectFormat(std::string_view content) {
     // Many binary files begin with "solid" too: their length tells.
     if (hasLengthOfBinaryStl(content)) return FileFormat::stlBinary;
     if (isTextStl(content)) return FileFormat::stlText;
+    if (isLongerBinaryStl(content)) return FileFormat::stlBinary;
     if (const std::string place = whereBinaryStlEnds(content); !place.empty()) return damaged(place);
     return Error{ErrorCode::fileFormatUnknown, {}, {}, {}};
 }

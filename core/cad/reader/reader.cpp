@@ -13,6 +13,7 @@
 #include "core/cad/reader/stl_model.h"
 
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <BinTools.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
@@ -79,6 +80,11 @@ Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, const
     body.mesh = std::move(mesh.mesh);
     body.openEdges = mesh.openEdges;
     noteMesh(model, body, mesh);
+    // The file's own gaps between its faces: no mesh can be nearer to both sides.
+    if (const double gap = BRep_Tool::MaxTolerance(solid.solid, TopAbs_EDGE); gap > chord)
+        model.notes.push_back({ImportNote::Kind::warning, "\"" + body.name + "\": its faces meet with gaps of up to " +
+                                                              formatFixed(gap, 4) +
+                                                              " mm; there the mesh may be off by as much."});
     return body;
 }
 

@@ -43,6 +43,20 @@ bool looksLikeTriangle(const std::array<float, 12>& numbers) {
     return near && (length < 1e-6F || std::abs(length - 1.0F) < 0.01F);
 }
 
+/// How many triangles the content has room for.
+std::size_t heldCount(std::string_view content) {
+    return (content.size() - startOfTriangles) / triangleSize;
+}
+
+bool looksLikeBinaryStl(std::string_view content) {
+    constexpr std::size_t examined = 4;
+    if (content.size() < startOfTriangles + triangleSize || statedCount(content) == 0) return false;
+    const std::size_t count = std::min({examined, heldCount(content), std::size_t{statedCount(content)}});
+    for (std::size_t triangle = 0; triangle < count; ++triangle)
+        if (!looksLikeTriangle(triangleNumbers(content, triangle))) return false;
+    return true;
+}
+
 bool equalsIgnoringCase(std::string_view text, std::string_view lower) {
     return text.size() == lower.size() && std::equal(text.begin(), text.end(), lower.begin(), [](char a, char b) {
                return std::tolower(static_cast<unsigned char>(a)) == b;
@@ -143,15 +157,13 @@ bool isTextStl(std::string_view content) {
     return equalsIgnoringCase(next, "facet") || equalsIgnoringCase(next, "endsolid");
 }
 
+bool isLongerBinaryStl(std::string_view content) {
+    return looksLikeBinaryStl(content) && heldCount(content) >= statedCount(content);
+}
+
 std::string whereBinaryStlEnds(std::string_view content) {
-    constexpr std::size_t examined = 4;
-    if (content.size() < startOfTriangles + triangleSize) return {};
-    const std::size_t stated = statedCount(content), held = (content.size() - startOfTriangles) / triangleSize;
-    if (stated == 0) return {};
-    for (std::size_t triangle = 0; triangle < std::min({examined, held, stated}); ++triangle)
-        if (!looksLikeTriangle(triangleNumbers(content, triangle))) return {};
-    if (held < stated) return "triangle " + std::to_string(held + 1) + " of " + std::to_string(stated);
-    return "behind triangle " + std::to_string(stated);
+    if (!looksLikeBinaryStl(content) || heldCount(content) >= statedCount(content)) return {};
+    return "triangle " + std::to_string(heldCount(content) + 1) + " of " + std::to_string(statedCount(content));
 }
 
 Result<std::vector<StlSolid>> readTextStl(std::string_view content) {

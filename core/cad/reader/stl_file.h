@@ -21,8 +21,9 @@ struct StlSolid {
 bool hasLengthOfBinaryStl(std::string_view content);
 /// The content begins as a text file of facets.
 bool isTextStl(std::string_view content);
-/// Where a binary STL file was cut off ("triangle 17 of 684"), or how much follows behind its end; empty when the
-/// content does not look like one.
+/// The content begins as a binary file and holds more than its count of triangles says.
+bool isLongerBinaryStl(std::string_view content);
+/// Where a binary STL file was cut off ("triangle 17 of 684"); empty when the content does not look like one.
 std::string whereBinaryStlEnds(std::string_view content);
 
 /// Errors: fileDamaged (place: the line or triangle), with an empty subject.

@@ -150,6 +150,13 @@ private slots:
         QCOMPARE(model->format, format.toStdString());
     }
 
+    void whatFollowsBehindTheTrianglesIsLeftOut() {
+        const Result<Model> model = import(write("long.stl", contentOf("shared-edge.stl") + "a note of some program"));
+        QVERIFY(model);
+        QCOMPARE(model->volume(), 2.0);
+        QVERIFY(hasNote(*model, ImportNote::Kind::warning));
+    }
+
     void binaryBrepIsRead() {
         // Model::brep is OpenCASCADE's binary form: written as a file it is a model again.
         const Result<Model> first = import(modelFile("lower-leg-fork.step"));

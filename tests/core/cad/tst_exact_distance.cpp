@@ -39,18 +39,6 @@ std::vector<glm::dvec3> pointsAround(const Box& box, double margin, std::size_t 
     return points;
 }
 
-/// Centres and edge middles of random triangles.
-std::vector<glm::dvec3> pointsOnMesh(const TriangleMesh& mesh, std::size_t count) {
-    std::mt19937 random(5);
-    std::vector<glm::dvec3> points;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto& [a, b, c] = mesh.triangles[random() % mesh.triangles.size()];
-        points.push_back((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0);
-        points.push_back((mesh.vertices[a] + mesh.vertices[b]) / 2.0);
-    }
-    return points;
-}
-
 std::vector<double> distances(const Model& model, const std::vector<glm::dvec3>& points) {
     Progress progress;
     Result<std::vector<double>> result = exactSignedDistances(model.brep, points, options(), progress);
@@ -80,9 +68,9 @@ private slots:
     void distancesAreThoseOfOpenCascadeInFull_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<int>("count");
-        QTest::newRow("the sample part") << QString::fromStdString(sampleFile().string()) << 40;
-        QTest::newRow("fillets") << QString::fromStdString(modelFile("lower-leg-fork.step").string()) << 25;
-        QTest::newRow("freeform cover") << QString::fromStdString(modelFile("mouse-cover.step").string()) << 25;
+        QTest::newRow("the sample part") << QString::fromStdString(sampleFile().string()) << 20;
+        QTest::newRow("fillets") << QString::fromStdString(modelFile("lower-leg-fork.step").string()) << 10;
+        QTest::newRow("freeform cover") << QString::fromStdString(modelFile("mouse-cover.step").string()) << 10;
         QTest::newRow("two solids") << QString::fromStdString(modelFile("red-cube-blue-cylinder.step").string()) << 40;
     }
     void distancesAreThoseOfOpenCascadeInFull() {
@@ -116,24 +104,6 @@ private slots:
                      (std::to_string(measured[i]) + " instead of " + std::to_string(nearest)).c_str());
             QVERIFY(nearest < 1e-6 || (measured[i] < 0.0) == inside);
         }
-    }
-
-    void meshesHoldTheirChord_data() {
-        QTest::addColumn<QString>("file");
-        QTest::newRow("the sample part") << QString::fromStdString(sampleFile().string());
-        QTest::newRow("fillets") << QString::fromStdString(modelFile("lower-leg-fork.step").string());
-        QTest::newRow("freeform cover") << QString::fromStdString(modelFile("mouse-cover.step").string());
-        QTest::newRow("prismatic part") << QString::fromStdString(modelFile("featuretype.step").string());
-    }
-    void meshesHoldTheirChord() {
-        // Gouges are judged on this mesh. OpenCASCADE's own is off by up to 0.03 mm here.
-        QFETCH(QString, file);
-        const Result<Model> model = import(file.toStdString());
-        QVERIFY(model);
-        double worst = 0.0;
-        for (const double distance : distances(*model, pointsOnMesh(model->bodies[0].mesh, 500)))
-            worst = std::max(worst, std::abs(distance));
-        QVERIFY2(worst <= 0.005, std::to_string(worst).c_str());
     }
 
     void withoutABrepThereIsNoExactDistance() {
