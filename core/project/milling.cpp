@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 namespace burin {
 
@@ -43,6 +44,28 @@ HapticSettings hapticSettings(const Bench& bench, const Stylus& stylus, const Ta
     settings.cuttingSpeed = bench.conditions.surfaceSpeed;
     return settings;
 }
+
+/// Ends the loop when the user stops it, or when the disk refuses what was recorded: nobody mills on into a recording
+/// that can't be kept.
+class SessionWatch {
+public:
+    SessionWatch(const std::atomic<bool>& stop, const Recorder& recorder)
+        : thread_([this, &stop, &recorder] {
+            while (!ended_ && !stop && !recorder.failing()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            endLoop_ = true;
+        }) {}
+    ~SessionWatch() {
+        ended_ = true;
+        thread_.join();
+    }
+    SessionWatch(const SessionWatch&) = delete;
+    SessionWatch& operator=(const SessionWatch&) = delete;
+    const std::atomic<bool>& endLoop() const noexcept { return endLoop_; }
+
+private:
+    std::atomic<bool> ended_{false}, endLoop_{false};
+    std::thread thread_; // last: it uses the flags
+};
 
 /// Figures of a take out of the project: what is on the disk, not what was meant to be.
 Result<TakeOutcome> outcomeOf(const Project& project, const Bench& bench, std::int64_t id) {
@@ -131,12 +154,15 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceFi
     Ring<Sample> ring(ringCapacity);
     HapticStep step(workpiece, field, bench.tool, hapticSettings(bench, stylus, request));
     Recorder recorder(ring, std::move(*writer));
-    const Result<LoopStatistics> loop = runServoLoop(stylus, step, ring, servo, stop);
+    const Result<LoopStatistics> loop = [&] {
+        const SessionWatch watch(stop, recorder);
+        return runServoLoop(stylus, step, ring, servo, watch.endLoop());
+    }();
     stylus.close();
     const Result<std::uint64_t> kept = recorder.finish();
     const Result<void> saved = project.save();
+    if (!kept) return kept.error(); // the disk's refusal, not the full ring that came of it
     if (!loop) return loop.error();
-    if (!kept) return kept.error();
     if (!saved) return saved.error();
     Result<TakeOutcome> outcome = outcomeOf(project, bench, recorder.take());
     if (!outcome) return outcome;

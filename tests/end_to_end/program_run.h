@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QByteArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+
+/// One run of `burin` from outside.
+struct ProgramRun {
+    int status = -1; ///< exit status; -1: it crashed or did not end in time
+    QByteArray output, messages;
+    QJsonObject json() const { return QJsonDocument::fromJson(output).object(); }
+};
+
+inline QString burinProgram() {
+    return QStringLiteral(BURIN_BUILD_DIRECTORY "/burin");
+}
+
+/// Runs `burin` with arguments to its end, at most ten minutes. English, whatever the tester's language.
+inline ProgramRun runBurin(const QStringList& arguments) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("LC_ALL", "C.UTF-8");
+    environment.remove("DISPLAY"); // no command needs one
+    process.setProcessEnvironment(environment);
+    process.start(burinProgram(), arguments);
+    ProgramRun run;
+    if (!process.waitForFinished(600'000)) process.kill();
+    if (process.exitStatus() == QProcess::NormalExit && process.error() == QProcess::UnknownError)
+        run.status = process.exitCode();
+    run.output = process.readAllStandardOutput();
+    run.messages = process.readAllStandardError();
+    return run;
+}

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program_run.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+#include <sys/resource.h>
+
+/// What a user gets who does something wrong: one sentence, the right status, nothing lost.
+class CommandLineTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void helpsWithEachCommand_data();
+    void helpsWithEachCommand();
+    void statusTellsWhatWentWrong_data();
+    void statusTellsWhatWentWrong();
+    void jsonStaysJsonWhenItFails();
+    void fullDiskKeepsTheOldProject();
+    void stopsWhenAsked();
+
+private:
+    QTemporaryDir folder_;
+};
+
+void CommandLineTest::initTestCase() {
+    const auto write = [&](const char* name, const QByteArray& content) {
+        QFile file(folder_.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+    };
+    write("empty.step", "");
+    QFile whole(BURIN_FIXTURES "/models/tet.step");
+    QVERIFY(whole.open(QIODevice::ReadOnly));
+    const QByteArray step = whole.readAll();
+    write("truncated.step", step.left(step.size() / 2));
+    write("noise.stl", QByteArray("\x01\x02\x03 no model at all \xff\xfe", 25));
+    write("text.burin", "not a project");
+    write("wrong.ngc", "G21 G90\nG1 X10 F100\nBANANA\nM2\n");
+    write("trace.csv", "time_s,x_mm\n0,zero\n");
+    QVERIFY(QFile::copy(BURIN_FIXTURES "/models/cube.brep", folder_.filePath("cube.brep")));
+    QCOMPARE(
+        runBurin({"embed", folder_.filePath("cube.brep"), "-o", folder_.filePath("cube.burin"), "--voxel", "1"}).status,
+        0);
+}
+
+void CommandLineTest::helpsWithEachCommand_data() {
+    QTest::addColumn<QString>("command");
+    for (const char* command : {"import", "embed", "mill", "path", "post", "verify", "info", "demo"})
+        QTest::newRow(command) << QString(command);
+}
+
+void CommandLineTest::helpsWithEachCommand() {
+    QFETCH(QString, command);
+    const ProgramRun run = runBurin({command, "--help"});
+    QCOMPARE(run.status, 0);
+    QVERIFY(run.output.contains("--json"));
+    QVERIFY(run.messages.isEmpty());
+}
+
+void CommandLineTest::statusTellsWhatWentWrong_data() {
+    QTest::addColumn<QStringList>("arguments"); // @ stands for the test's folder
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QString>("named"); // what the sentence names
+    const auto row = [](const char* name, QStringList arguments, int status, const char* named) {
+        QTest::newRow(name) << std::move(arguments) << status << QString(named);
+    };
+    row("no command", {}, 2, "subcommand");
+    row("unknown command", {"engrave"}, 2, "engrave");
+    row("unknown option", {"info", "@/cube.burin", "--colour"}, 2, "--colour");
+    row("missing file", {"import", "@/nowhere.step"}, 3, "nowhere.step");
+    row("empty file", {"import", "@/empty.step"}, 3, "empty.step");
+    row("truncated file", {"import", "@/truncated.step"}, 3, "truncated.step");
+    row("noise", {"import", "@/noise.stl"}, 3, "noise.stl");
+    row("a folder", {"import", "@"}, 3, "");
+    row("unknown material", {"embed", "@/cube.brep", "-o", "@/x.burin", "--material", "cheese"}, 2, "cheese");
+    row("unknown body", {"embed", "@/cube.brep", "-o", "@/x.burin", "--body-material", "nose=machinable-wax"}, 2,
+        "nose");
+    row("voxel of no size", {"embed", "@/cube.brep", "-o", "@/x.burin", "--voxel", "0"}, 2, "");
+    row("voxels without number", {"embed", "@/cube.brep", "-o", "@/x.burin", "--voxel", "0.00001"}, 2, "");
+    row("folder that is not there", {"embed", "@/cube.brep", "-o", "@/no/such/x.burin", "--voxel", "1"}, 4, "x.burin");
+    row("not a project", {"info", "@/text.burin"}, 3, "text.burin");
+    row("no project", {"mill", "@/none.burin"}, 3, "none.burin");
+    row("unknown tool", {"mill", "@/cube.burin", "--tool", "spoon"}, 2, "spoon");
+    row("unknown stylus", {"mill", "@/cube.burin", "--stylus", "pen"}, 2, "pen");
+    row("device that is not there", {"mill", "@/cube.burin", "--stylus", "device:omega"}, 2, "omega");
+    row("trace with an error", {"mill", "@/cube.burin", "--stylus", "trace:@/trace.csv"}, 3, "trace.csv");
+    row("nothing recorded yet", {"post", "@/cube.burin", "-o", "@/x.ngc"}, 2, "burin mill");
+    row("word that no control knows", {"verify", "@/wrong.ngc", "--project", "@/cube.burin", "--tool", "ball-6"}, 3,
+        "wrong.ngc");
+}
+
+void CommandLineTest::statusTellsWhatWentWrong() {
+    QFETCH(QStringList, arguments);
+    QFETCH(int, status);
+    QFETCH(QString, named);
+    for (QString& argument : arguments) argument.replace("@", folder_.path());
+    const ProgramRun run = runBurin(arguments);
+    QVERIFY2(run.status == status, (QByteArray::number(run.status) + ": " + run.messages).constData());
+    QVERIFY2(run.messages.contains(named.toUtf8()), run.messages.constData());
+    QVERIFY2(!QFile::exists(folder_.filePath("x.burin")) && !QFile::exists(folder_.filePath("x.ngc")),
+             "a file was left");
+    const QStringList hidden = QDir(folder_.path()).entryList({".*"}, QDir::Files | QDir::Hidden);
+    QVERIFY2(hidden.isEmpty(), qPrintable(hidden.join(' ')));
+}
+
+void CommandLineTest::jsonStaysJsonWhenItFails() {
+    const ProgramRun run = runBurin({"import", folder_.filePath("empty.step"), "--json"});
+    QCOMPARE(run.status, 3);
+    QVERIFY(run.json()["error"].toObject()["sentence"].toString().contains("empty.step"));
+}
+
+void CommandLineTest::fullDiskKeepsTheOldProject() {
+    const QString project = folder_.filePath("cube.burin");
+    const ProgramRun before = runBurin({"info", project, "--json"});
+    // A process that may not write files beyond 64 kB meets what a full disk would give.
+    QProcess process;
+    process.setChildProcessModifier([] {
+        const rlimit limit{65536, 65536};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        ::signal(SIGXFSZ, SIG_IGN);
+    });
+    process.start(burinProgram(), {"mill", project, "--tool", "ball-6"});
+    QVERIFY(process.waitForFinished(120'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 4);
+    const ProgramRun after = runBurin({"info", project, "--json"});
+    QCOMPARE(after.status, 0);
+    QCOMPARE(after.json()["model"], before.json()["model"]);
+}
+
+void CommandLineTest::stopsWhenAsked() {
+    const QString project = folder_.filePath("stop.burin");
+    QCOMPARE(runBurin({"embed", folder_.filePath("cube.brep"), "-o", project, "--voxel", "1"}).status, 0);
+    QProcess process;
+    process.start(burinProgram(), {"mill", project, "--realtime", "--tool", "ball-6", "--json"});
+    QVERIFY(process.waitForStarted());
+    QTest::qWait(4000);
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(30'000));
+    QCOMPARE(process.exitCode(), 5);
+    const ProgramRun info = runBurin({"info", project, "--json"});
+    QCOMPARE(info.status, 0);
+    QCOMPARE(info.json()["recovered"].toBool(), false);
+}
+
+QTEST_GUILESS_MAIN(CommandLineTest)
+#include "tst_command_line.moc"

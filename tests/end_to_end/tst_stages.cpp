@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "canonical_moves.h"
+#include "program_run.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+/// The job stage by stage, one command each, on a block with pockets (100 × 100 × 18 mm).
+class StagesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void imports();
+    void embeds();
+    void mills();
+    void editsPaths();
+    void posts();
+    void verifiesWhatItPosted();
+    void refusesAProgramThatGouges();
+    void replaysATraceToTheSameCut();
+    void millsThePapersBlock();
+
+private:
+    QString inFolder(const char* name) const { return folder_.filePath(name); }
+    QTemporaryDir folder_;
+    QString model_ = BURIN_FIXTURES "/models/pocket-test.stl";
+    QString project_, program_;
+};
+
+void StagesTest::initTestCase() {
+    project_ = inFolder("pocket.burin");
+    program_ = inFolder("pocket.ngc");
+}
+
+void StagesTest::imports() {
+    const ProgramRun run = runBurin({"import", model_, "--json"});
+    QCOMPARE(run.status, 0);
+    const QJsonObject model = run.json();
+    QCOMPARE(model["bodies"].toArray().size(), 1);
+    QVERIFY(std::abs(model["volume_mm3"].toDouble() - 167'200.0) < 1e-6);
+    const QJsonArray high = model["bounding_box_mm"].toArray()[1].toArray();
+    QCOMPARE(high[2].toDouble(), 18.0);
+}
+
+void StagesTest::embeds() {
+    const ProgramRun run = runBurin(
+        {"embed", model_, "-o", project_, "--voxel", "1", "--margin", "3", "--material", "tooling-board", "--json"});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    const QJsonObject answer = run.json();
+    QCOMPARE(answer["voxels"].toArray(), (QJsonArray{106, 106, 24}));
+    // Every face of this part lies on a voxel face: the embedded volume is exact.
+    QVERIFY(std::abs(answer["part_volume_mm3"].toDouble() - 167'200.0) < 1e-6);
+    QVERIFY(std::abs(answer["stock_volume_mm3"].toDouble() - (106.0 * 106.0 * 24.0 - 167'200.0)) < 1e-6);
+    QCOMPARE(answer["project"].toString(), project_);
+}
+
+void StagesTest::mills() {
+    const ProgramRun run = runBurin({"mill", project_, "--tool", "ball-6", "--step-over", "1", "--json"});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    const QJsonArray takes = run.json()["takes"].toArray();
+    QCOMPARE(takes.size(), 2);
+    for (const auto& take : takes) {
+        const QJsonObject figures = take.toObject();
+        QCOMPARE(figures["samples"].toInteger(), figures["ticks"].toInteger());
+        const double removed = figures["removed_mm3"].toDouble(), drop = figures["workpiece_drop_mm3"].toDouble();
+        QVERIFY(removed > 100.0);
+        QVERIFY(std::abs(removed - drop) <= 1e-9 * drop);
+    }
+}
+
+void StagesTest::editsPaths() {
+    QCOMPARE(runBurin({"path", project_, "new", "--name", "first", "--json"}).status, 0);
+    const ProgramRun listed = runBurin({"path", project_, "list", "--json"});
+    QCOMPARE(listed.status, 0);
+    const QJsonObject path = listed.json()["paths"].toArray()[0].toObject();
+    QCOMPARE(path["name"].toString(), QString("first"));
+    const qsizetype edits = path["edits"].toArray().size();
+    QVERIFY(edits >= 7);
+    const QString smooth = R"({"edit":"simplify","enabled":true,"tolerance":0.01})";
+    QVERIFY2(runBurin({"path", project_, "apply", "1", "--edit", smooth, "--place", "0"}).status == 0, "apply");
+    QCOMPARE(runBurin({"path", project_, "--json"}).json()["paths"].toArray()[0].toObject()["edits"].toArray().size(),
+             edits + 1);
+    QCOMPARE(runBurin({"path", project_, "undo", "1", "--place", "0"}).status, 0);
+    QCOMPARE(runBurin({"path", project_, "undo", "1", "--place", "99"}).status, 2);
+    QCOMPARE(runBurin({"path", project_, "apply", "1", "--edit", "{}", "--place", "0"}).status == 0, false);
+    const ProgramRun shown = runBurin({"path", project_, "show", "1", "--csv", inFolder("path.csv"), "--json"});
+    QVERIFY2(shown.status == 0, shown.messages.constData());
+    QCOMPARE(shown.json()["reports"].toArray().size(), edits);
+    QVERIFY(QFileInfo(inFolder("path.csv")).size() > 1000);
+}
+
+void StagesTest::posts() {
+    const ProgramRun run = runBurin({"post", project_, "-o", program_, "--json"});
+    QVERIFY2(run.status == 0, run.messages + run.output);
+    const QJsonObject answer = run.json();
+    QVERIFY(answer["gouge_max_mm"].toDouble() <= 0.02);
+    QCOMPARE(answer["findings"].toArray().size(), 0);
+    const auto moves = canonicalMoves(program_, folder_.path(), answer["tool"].toObject()["number"].toInt(), 6.0);
+    QVERIFY2(moves && moves->size() > 100, "rs274 refused the program");
+}
+
+void StagesTest::verifiesWhatItPosted() {
+    const ProgramRun run =
+        runBurin({"verify", program_, "--project", project_, "--map", inFolder("map.vtp"), "--json"});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    QVERIFY(run.json()["passed"].toBool());
+    QFile map(inFolder("map.vtp"));
+    QVERIFY(map.open(QIODevice::ReadOnly));
+    const QByteArray text = map.readAll();
+    QVERIFY(text.contains("PolyData") && text.contains("excess_mm"));
+}
+
+void StagesTest::refusesAProgramThatGouges() {
+    QFile good(program_);
+    QVERIFY(good.open(QIODevice::ReadOnly));
+    QByteArray text = good.readAll();
+    // A plunge into the middle of the part, before the spindle stops.
+    const qsizetype stop = text.lastIndexOf("M5");
+    QVERIFY(stop > 0);
+    text.insert(stop, "G0 X45 Y45\nG1 Z-6 F300\nG1 Z5\n");
+    QFile bad(inFolder("bad.ngc"));
+    QVERIFY(bad.open(QIODevice::WriteOnly) && bad.write(text) == text.size());
+    bad.close();
+    const ProgramRun run = runBurin({"verify", bad.fileName(), "--project", project_, "--json"});
+    QCOMPARE(run.status, 1);
+    const QJsonObject answer = run.json();
+    QVERIFY(std::abs(answer["gouge_max_mm"].toDouble() - 3.0) < 0.01); // 3 mm of stock over the part, 6 mm deep
+    QCOMPARE(answer["findings"].toArray()[0].toObject()["kind"].toString(), QString("gouge"));
+}
+
+void StagesTest::replaysATraceToTheSameCut() {
+    const QString trace = inFolder("roughing.csv");
+    QCOMPARE(runBurin({"path", project_, "trace", "1", "-o", trace}).status, 0);
+    const QString second = inFolder("second.burin");
+    QCOMPARE(runBurin({"embed", model_, "-o", second, "--voxel", "1", "--margin", "3", "--material", "tooling-board"})
+                 .status,
+             0);
+    const ProgramRun run =
+        runBurin({"mill", second, "--tool", "ball-6", "--stylus", "trace:" + trace, "--allowance", "0.5", "--json"});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    const ProgramRun first = runBurin({"path", project_, "take", "1", "-o", inFolder("a.csv")});
+    QCOMPARE(first.status, 0);
+    QCOMPARE(runBurin({"path", second, "take", "1", "-o", inFolder("b.csv")}).status, 0);
+    QFile a(inFolder("a.csv")), b(inFolder("b.csv"));
+    QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
+    QVERIFY(a.size() > 100'000);
+    QVERIFY2(a.readAll() == b.readAll(), "the replayed take differs");
+}
+
+void StagesTest::millsThePapersBlock() {
+    const ProgramRun run = runBurin({"demo", "--block", "--json", "--output", inFolder("block")});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    const QJsonObject answer = run.json();
+    QVERIFY(answer["removed_mm3"].toDouble() > 0.0);
+    QCOMPARE(answer["tool"].toObject()["diameter_mm"].toDouble(), 1.0);
+    // 40 × 32 × 40 voxels of 0.1 mm.
+    QVERIFY(std::abs(answer["stock_volume_mm3"].toDouble() - 4.0 * 3.2 * 4.0) < 1e-9);
+    QVERIFY(
+        canonicalMoves(answer["program"].toString(), folder_.path(), answer["tool"].toObject()["number"].toInt(), 1.0));
+}
+
+QTEST_GUILESS_MAIN(StagesTest)
+#include "tst_stages.moc"
