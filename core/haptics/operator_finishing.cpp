@@ -10,7 +10,8 @@ namespace burin {
 
 namespace {
 
-constexpr double tolerance = 1e-3; // mm: what lowestFeasibleHeight resolves
+constexpr double tolerance = 1e-3;       // mm: what lowestFeasibleHeight resolves
+constexpr double surfaceTolerance = 0.1; // mm of clearance: good enough to foresee where the tip will be
 
 /// A place of a pass: where the hand aims and where the part stops the tool.
 struct Touch {
@@ -106,14 +107,30 @@ private:
     /// Where the hand aims over a place at which the part stops the tip at `reached`.
     glm::dvec3 aimAt(const glm::dvec2& place, double reached) {
         const double pressed = std::max(reached - request_.press, request_.floor);
-        const double safe = heights_.safeHeight({place, pressed});
+        // On its way between two places of a pass the tip rises and sinks along walls: either may hold while it does.
+        const double safe = heights_.safeHeight({place, pressed}, sampling_);
         heldUp_ = safe > pressed;
         return {place, safe};
     }
 
+    /// Where the part holds the tip while the hand aims at `aim`: at its nearest place, down the slope from `reached`.
+    glm::dvec3 tipAt(const glm::dvec3& aim, double reached) const {
+        if (aim.z >= reached) return aim;
+        glm::dvec3 tip = aim;
+        for (int i = 0; i < 3; ++i) {
+            const FieldSample sample = field_.at(tip);
+            const double square = glm::dot(sample.gradient, sample.gradient);
+            if (!(square > 0.25)) break; // deep inside, where two faces are equally near
+            tip -= sample.gradient * (sample.clearance / square);
+        }
+        const bool found =
+            std::abs(field_.at(tip).clearance) < surfaceTolerance && glm::distance(tip, aim) <= reached - aim.z;
+        return found ? tip : glm::dvec3(aim.x, aim.y, reached);
+    }
+
     void enter(const glm::dvec2& place, double reached) {
         aim_ = aimAt(place, reached);
-        writer_.enterAt(aim_, {place, std::max(aim_.z, reached)});
+        writer_.enterAt(aim_, tipAt(aim_, reached));
     }
 
     void touchAt(const glm::dvec2& place, double reached) {
@@ -124,8 +141,8 @@ private:
         if (heldUp_ && aim_.z > from.z)
             writer_.cutTo({from.x, from.y, aim_.z}, liftedTo(aim_.z));
         else if (wasHeldUp && aim_.z < from.z)
-            writer_.cutTo({place, from.z}, {place, std::max(from.z, reached)});
-        writer_.cutTo(aim_, {place, std::max(aim_.z, reached)});
+            writer_.cutTo({place, from.z}, tipAt({place, from.z}, reached));
+        writer_.cutTo(aim_, tipAt(aim_, reached));
     }
 
     glm::dvec3 liftedTo(double height) const {

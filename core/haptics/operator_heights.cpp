@@ -43,7 +43,7 @@ double usableFlutes(const Cutter& cutter) noexcept {
 }
 
 double lateralMargin(const Cutter& cutter) noexcept {
-    return std::min(0.3, 0.1 * cutter.radius());
+    return std::min(0.5, cutter.radius() / 6.0);
 }
 
 WorkpieceHeights::WorkpieceHeights(const Box& stock, const Cutter& cutter) : stock_(stock), cutter_(cutter) {
@@ -116,11 +116,11 @@ double WorkpieceHeights::freeTip(double x, double y) const noexcept {
     return lowest;
 }
 
-double WorkpieceHeights::safeHeight(const glm::dvec3& tip) const noexcept {
+double WorkpieceHeights::safeHeight(const glm::dvec3& tip, double further) const noexcept {
     double safe = tip.z;
     for (const Relief& relief : reliefs_)
         if (stock_.high.z - relief.height > safe) // else even untouched stock would not reach it
-            safe = std::max(safe, highestWithin(tip.x, tip.y, relief.radius) - relief.height);
+            safe = std::max(safe, highestWithin(tip.x, tip.y, relief.radius + further) - relief.height);
     return safe;
 }
 

@@ -45,7 +45,8 @@ public:
     double freeTip(double x, double y) const noexcept;
     /// Lowest height, not below the tip's, at which shank and holder, each with the lateral margin, keep above the
     /// stock.
-    double safeHeight(const glm::dvec3& tip) const noexcept;
+    /// @param further mm that the tip may be beside where it is meant to be, beyond the margin.
+    double safeHeight(const glm::dvec3& tip, double further = 0.0) const noexcept;
     /// How far the cutter's surface rises above its tip at a distance from the axis within its radius, mm.
     double riseAt(double distance) const noexcept;
 
