@@ -151,7 +151,7 @@ Result<std::string> drawPicture(const PictureContent& content) {
     if (!content.path.points.empty()) {
         vtkSmartPointer<vtkActor> path = actorFor(cuttingLines(content.path), pathColour);
         path->GetProperty()->LightingOff();
-        path->GetProperty()->SetOpacity(0.35);
+        path->GetProperty()->SetOpacity(0.22);
         renderer->AddActor(path);
     }
     if (content.tool) addTool(*renderer, *content.tool, content.tip);

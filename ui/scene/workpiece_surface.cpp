@@ -12,11 +12,15 @@
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin {
 
 namespace {
+
+/// The part where it is bare, whatever it is made of: nothing else on the bench is blue.
+constexpr std::array<std::uint8_t, 3> partColour{74, 144, 217};
 
 /// How full the voxels are, 0 … 1, with a rim of empty voxels so that the surface closes.
 vtkSmartPointer<vtkImageData> fullness(const VolumeSnapshot& workpiece) {
@@ -88,8 +92,9 @@ void addColours(vtkPolyData& surface, const VolumeSnapshot& workpiece) {
         glm::dvec3 place(0.0), normal(0.0);
         surface.GetPoint(point, &place.x);
         pointNormals->GetTuple(point, &normal.x);
-        const Property& material = workpiece.properties()[propertyUnder(workpiece, place, normal)];
-        colours->SetTypedTuple(point, material.colour.data());
+        const PropertyIndex property = propertyUnder(workpiece, place, normal);
+        const bool bare = workpiece.properties().isProtected(property);
+        colours->SetTypedTuple(point, bare ? partColour.data() : workpiece.properties()[property].colour.data());
     }
     surface.GetPointData()->SetScalars(colours);
 }
