@@ -55,7 +55,7 @@ private:
         const auto& [a, b, c] = mesh_->triangles[triangle];
         return {vertices_[a], vertices_[b], vertices_[c]};
     }
-    Cover cover(const std::array<Vertex, 3>& corners, std::int32_t v) const noexcept;
+    Cover cover(const std::array<Vertex, 3>& points, std::int32_t row) const noexcept;
 
     const TriangleMesh* mesh_ = nullptr;
     std::vector<Vertex> vertices_;

@@ -261,6 +261,25 @@ private slots:
         QVERIFY(recount(volume.snapshot()) == volume.amounts());
     }
 
+    void aSnapshotKeepsWhatALaterOneShowedToo() {
+        const Grid grid = cubeGrid({64, 64, 16});
+        RunVolume volume = emptyVolume(grid, std::size_t{1} << 20);
+        const auto mark = [&](PropertyIndex property) {
+            for (LineIndex line; line.v < 64; ++line.v)
+                for (line.u = 0; line.u < 64; ++line.u) QVERIFY(volume.fillSpan(line, 100, 900, property));
+        };
+        mark(wax);
+        const RunAmounts then = volume.amounts();
+        const VolumeSnapshot first = volume.snapshot();
+        VolumeSnapshot second = volume.snapshot();
+        mark(aluminium); // what both show dies after the second
+        const VolumeSnapshot third = volume.snapshot();
+        second = VolumeSnapshot();
+        mark(part); // takes free blocks
+        QVERIFY(recount(first) == then);
+        QCOMPARE(recount(third).units[aluminium], std::uint64_t{64 * 64 * 800});
+    }
+
     void aSnapshotOutlivesItsVolume() {
         const Grid grid = cubeGrid({8, 8, 4});
         VolumeSnapshot snapshot;
