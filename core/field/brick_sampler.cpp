@@ -33,6 +33,13 @@ BrickSampler::BrickSampler(const MeshDistance& part, const ToolFieldRequest& req
     , fine_(fine)
     , even_(fine.size() * evens * evens * evens) {}
 
+ClearanceSample BrickSampler::ask(const glm::dvec3& tip, double within) const {
+    // Deep in the part, below what the band's cells look at, a bound will do.
+    if (within < resolution_.low - 2.0 * field_.spacing)
+        return {within, glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
+    return clearanceAt(part_, request_, tip, within);
+}
+
 glm::dvec3 BrickSampler::place(std::size_t order, const glm::ivec3& sample) const noexcept {
     return field_.brickLow(field_.brickOf(fine_[order])) + glm::dvec3(sample) * field_.spacing;
 }
@@ -48,7 +55,7 @@ void BrickSampler::sampleEven(std::size_t order) {
                 const int i = (row + k * evens) % 2 == 0 ? column : evens - 1 - column;
                 const glm::ivec3 at{i, j, k};
                 const double way = 2.0 * field_.spacing * glm::length(glm::dvec3(at - last));
-                const ClearanceSample found = clearanceAt(part_, request_, place(order, 2 * at), bound + way);
+                const ClearanceSample found = ask(place(order, 2 * at), bound + way);
                 first[cubeAt(at, evens)] = {static_cast<float>(found.value), glm::vec3(found.gradient)};
                 bound = found.value + slack;
                 last = at;
@@ -75,7 +82,7 @@ BrickSampler::Evens BrickSampler::gather(std::size_t order) const {
                     sample = {static_cast<double>(known.value), glm::dvec3(known.gradient)};
                 } else {
                     const double way = 2.0 * field_.spacing * glm::length(glm::dvec3(at - last));
-                    sample = clearanceAt(part_, request_, place(order, 2 * at), bound + way);
+                    sample = ask(place(order, 2 * at), bound + way);
                 }
                 bound = sample.value + slack;
                 last = at;
@@ -85,9 +92,13 @@ BrickSampler::Evens BrickSampler::gather(std::size_t order) const {
 
 /// A sample with odd places lies in the middle of one, two or four lines between even ones.
 std::optional<double> BrickSampler::between(const Evens& all, const glm::ivec3& sample) const noexcept {
-    // A kink in the middle of a line gives at most `bend` away. Both are explained in README.md.
-    const double mostBend = 0.1 * request_.voxel, mostResidual = 0.02 * request_.voxel;
+    // What these allow is explained in README.md.
+    const double mostBend = 0.1 * request_.voxel, mostResidual = 0.06 * request_.voxel;
+    const double mostSpread = 0.03 * request_.voxel;
     const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
+    // More than a voxel inside nothing but the way out is asked for: straight lines will do.
+    const bool deep =
+        all[cubeAt(low, evensAlong)].value < -request_.voxel - 2.0 * field_.spacing * glm::length(glm::dvec3(odd));
     double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0.0;
     int lines = 0;
     for (int signs = 0; signs < 8; ++signs) {
@@ -97,16 +108,19 @@ std::optional<double> BrickSampler::between(const Evens& all, const glm::ivec3& 
         const ClearanceSample& from = all[cubeAt(low + up, evensAlong)];
         const ClearanceSample& to = all[cubeAt(low + odd - up, evensAlong)];
         const glm::dvec3 way = 2.0 * field_.spacing * glm::dvec3(odd - 2 * up);
-        const double bend = glm::dot(from.gradient - to.gradient, way) / 8.0;
-        const double residual = to.value - from.value - 0.5 * glm::dot(from.gradient + to.gradient, way);
-        if (!(std::abs(bend) <= mostBend) || !(std::abs(residual) <= mostResidual)) return std::nullopt;
-        const double estimate = 0.5 * (from.value + to.value) + bend;
+        double estimate = 0.5 * (from.value + to.value);
+        if (!deep) {
+            const double bend = glm::dot(from.gradient - to.gradient, way) / 8.0;
+            const double residual = to.value - from.value - 0.5 * glm::dot(from.gradient + to.gradient, way);
+            if (!(std::abs(bend) <= mostBend) || !(std::abs(residual) <= mostResidual)) return std::nullopt;
+            estimate += bend;
+        }
         least = std::min(least, estimate);
         most = std::max(most, estimate);
         sum += estimate;
         ++lines;
     }
-    if (most - least > mostResidual) return std::nullopt;
+    if (!deep && most - least > mostSpread) return std::nullopt;
     return sum / lines;
 }
 
@@ -123,8 +137,7 @@ void BrickSampler::fill(std::size_t order) {
                 if (odd != glm::ivec3(0)) {
                     const std::optional<double> smooth = between(all, at);
                     const double way = field_.spacing * glm::length(glm::dvec3(odd));
-                    value = smooth ? *smooth
-                                   : clearanceAt(part_, request_, place(order, at), near.value + way + slack).value;
+                    value = smooth ? *smooth : ask(place(order, at), near.value + way + slack).value;
                 }
                 first[BrickField::sampleAt(at)] = packed(value);
             }

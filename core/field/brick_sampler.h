@@ -45,6 +45,7 @@ private:
     };
     using Evens = std::array<ClearanceSample, evensAlong * evensAlong * evensAlong>;
 
+    ClearanceSample ask(const glm::dvec3& tip, double within) const;
     glm::dvec3 place(std::size_t order, const glm::ivec3& sample) const noexcept;
     Evens gather(std::size_t order) const;
     std::optional<double> between(const Evens& all, const glm::ivec3& sample) const noexcept;

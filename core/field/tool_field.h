@@ -34,7 +34,8 @@ public:
     virtual ~ClearanceField() = default;
     /// Any thread; no allocation, no exception.
     virtual FieldSample at(const glm::dvec3& tip) const noexcept = 0;
-    /// Largest error of `clearance` in the fine band where the part's faces are smooth, mm; <= 0.05 voxel.
+    /// Largest error of `clearance` in the fine band, down to a voxel inside, where the part's faces are smooth, mm;
+    /// <= 0.05 voxel.
     virtual double errorBound() const noexcept = 0;
     /// Edge of a fine cell, mm.
     virtual double spacing() const noexcept = 0;
