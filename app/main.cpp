@@ -10,11 +10,24 @@
 #include <array>
 #include <exception>
 #include <iostream>
+#include <optional>
+#include <string>
 
 namespace {
 
 constexpr std::array commands{burin::registerImport, burin::registerEmbed,  burin::registerMill, burin::registerPath,
                               burin::registerPost,   burin::registerVerify, burin::registerInfo, burin::registerDemo};
+
+/// CLI11 would only say that a command is missing.
+std::optional<burin::Error> unknownCommand(const CLI::App& program, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+    std::string known;
+    for (const CLI::App* command : program.get_subcommands({})) {
+        if (command->get_name() == argv[1]) return std::nullopt;
+        known += (known.empty() ? "" : ", ") + command->get_name();
+    }
+    return burin::Error{burin::ErrorCode::nameUnknown, "command", argv[1], known};
+}
 
 int run(int argc, char** argv) {
     QCoreApplication application(argc, argv); // translations need it
@@ -27,6 +40,7 @@ int run(int argc, char** argv) {
     burin::CommandContext context;
     int status = 0;
     for (const burin::Register registerCommand : commands) registerCommand(program, context, status);
+    if (const std::optional<burin::Error> unknown = unknownCommand(program, argc, argv)) return context.fail(*unknown);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& wrong) {

@@ -102,7 +102,6 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     if (!bench) return context.fail(bench.error());
     if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
         return context.fail(replayed.error());
-    if (const Result<void> kept = project->setTool(*tool); !kept) return context.fail(kept.error());
 
     context.stage("Building the tool's field");
     const double allowance = arguments.allowance.value_or(arguments.hand.allowance);

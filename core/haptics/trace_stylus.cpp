@@ -10,6 +10,9 @@ namespace burin {
 
 namespace {
 
+/// Clocks that count the same ticks differ by rounding alone: a nanosecond apart is the same reading.
+constexpr double sameReading = 1e-9; // s
+
 StylusState between(const StylusState& before, const StylusState& after, double time) noexcept {
     const double share = (time - before.time) / (after.time - before.time);
     StylusState state = before; // buttons change when the next reading says so
@@ -34,13 +37,13 @@ Result<void> TraceStylus::open() {
 
 StylusState TraceStylus::read(double time) noexcept {
     if (states_.empty() || !std::isfinite(time)) return {};
-    played_ = time >= states_.back().time;
-    const auto after = std::upper_bound(states_.begin(), states_.end(), time,
+    played_ = time + sameReading >= states_.back().time;
+    const auto after = std::upper_bound(states_.begin(), states_.end(), time + sameReading,
                                         [](double t, const StylusState& state) { return t < state.time; });
     StylusState state;
     if (after == states_.begin())
         state = states_.front();
-    else if (after == states_.end() || std::prev(after)->time == time)
+    else if (after == states_.end() || time - std::prev(after)->time <= sameReading)
         state = *std::prev(after);
     else
         state = between(*std::prev(after), *after, time);

@@ -144,6 +144,7 @@ WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus)
 Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceField& field, Stylus& stylus,
                                const TakeRequest& request, const std::atomic<bool>& stop) {
     if (const Result<void> opened = stylus.open(); !opened) return opened.error();
+    if (const Result<void> kept = project.setTool(bench.tool); !kept) return kept.error();
     RunVolume& workpiece = bench.embedded.workpiece;
     const double volumeBefore = bench.workpieceVolume();
     ServoSettings servo;

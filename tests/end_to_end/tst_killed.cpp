@@ -74,9 +74,12 @@ void KilledTest::keepsAllButTheLast100Milliseconds() {
     QVERIFY2(killed - kept <= 0.1, qPrintable(QString("%1 s are missing").arg(killed - kept)));
     QVERIFY(take["samples"].toInteger() > milliseconds / 2);
 
-    // And the work goes on where it was left.
-    QCOMPARE(runBurin({"info", project, "--json"}).json()["recovered"].toBool(), false);
-    QCOMPARE(runBurin({"post", project, "-o", folder.filePath("part.ngc"), "--json"}).status, 0);
+    // Looking does not save: until something does, the file is as it was. Then the work goes on where it was left.
+    QCOMPARE(runBurin({"info", project, "--json"}).json()["recovered"].toBool(), true);
+    QCOMPARE(runBurin({"path", project, "new"}).status, 0);
+    const QJsonObject saved = runBurin({"info", project, "--json"}).json();
+    QCOMPARE(saved["recovered"].toBool(), false);
+    QCOMPARE(saved["samples"].toInteger(), take["samples"].toInteger());
 }
 
 QTEST_GUILESS_MAIN(KilledTest)

@@ -82,7 +82,7 @@ void StagesTest::editsPaths() {
     QCOMPARE(path["name"].toString(), QString("first"));
     const qsizetype edits = path["edits"].toArray().size();
     QVERIFY(edits >= 7);
-    const QString smooth = R"({"edit":"simplify","enabled":true,"tolerance":0.01})";
+    const QString smooth = R"({"edit":"smooth","enabled":true,"cut_off_hz":4.0,"tolerance_mm":0.01})";
     QVERIFY2(runBurin({"path", project_, "apply", "1", "--edit", smooth, "--place", "0"}).status == 0, "apply");
     QCOMPARE(runBurin({"path", project_, "--json"}).json()["paths"].toArray()[0].toObject()["edits"].toArray().size(),
              edits + 1);

@@ -21,6 +21,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "a tool"),
     // kinds of named things
     BURIN_TEXT("Subject", "body"),
+    BURIN_TEXT("Subject", "command"),
     BURIN_TEXT("Subject", "dialect"),
     BURIN_TEXT("Subject", "edit"),
     BURIN_TEXT("Subject", "machine"),

@@ -63,6 +63,7 @@ private slots:
         row("1e-3", true, 0.001);
         row("", false, 0);
         row("+", false, 0);
+        row("+-1", false, 0);
         row("1,5", false, 0);
         row("1.5 ", false, 0);
         row(" 1.5", false, 0);
