@@ -143,7 +143,7 @@ void ToolFieldTest::ballOverTorus() {
     };
     // Above the ring's equator the flutes over the ball are never nearer than the ball.
     const auto smooth = [&](const glm::dvec3& tip, double clearance) {
-        return tip.z + radius > 0.0 && clearance > -3.0 * voxel && std::hypot(tip.x, tip.y) > 5.0;
+        return tip.z + radius > 0.0 && clearance > -voxel && std::hypot(tip.x, tip.y) > 5.0;
     };
     const Deviation d = deviation(field, tips, formula, smooth);
     const double chord = 0.0005;
