@@ -78,4 +78,3 @@ void shankTick(benchmark::State& state) {
 BENCHMARK(cutTick)->ArgNames({"end", "radius", "step"})->ArgsProduct({{0, 1, 2}, {6, 15, 50}, {5, 100}});
 BENCHMARK(shankTick)->ArgNames({"radius", "shaft"})->ArgsProduct({{6, 50}, {0, 1}});
 
-BENCHMARK_MAIN();

@@ -86,4 +86,3 @@ BENCHMARK(fieldSample);
 
 } // namespace
 
-BENCHMARK_MAIN();
