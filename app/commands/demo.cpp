@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <limits>
 
 namespace burin {
 
@@ -156,14 +157,35 @@ json jsonOf(const DemoResult& result) {
     return answer;
 }
 
+/// The path without the strokes of earlier takes: roughing would hide what finishing did.
+Path lastTakeOnly(Path path) {
+    std::int64_t last = 0;
+    for (const PathPoint& point : path.points) last = std::max(last, point.take);
+    for (PathPoint& point : path.points)
+        if (point.kind == MoveKind::cut && point.take != last) point.kind = MoveKind::rapid;
+    return path;
+}
+
+/// Where the tool stands in the picture: on a place that it cut, near the viewer and high up.
+glm::dvec3 placeToShow(const Path& path) {
+    constexpr glm::dvec3 towardsViewer(0.3, -0.4, 1.0);
+    glm::dvec3 best(0.0);
+    double nearest = -std::numeric_limits<double>::infinity();
+    for (const PathPoint& point : path.points) {
+        const double near = glm::dot(point.tip, towardsViewer);
+        if (point.kind != MoveKind::cut || near <= nearest) continue;
+        nearest = near;
+        best = point.tip;
+    }
+    return best;
+}
+
 Result<void> drawResult(const DemoResult& result, const fs::path& file) {
     PictureContent content;
     content.workpiece = result.program.machined;
     content.tool = result.bench.tool;
-    content.path = result.path.path;
-    // The tool stands where it cut last, so that its tip tells the scale of what it did.
-    for (const PathPoint& point : result.path.path.points)
-        if (point.kind == MoveKind::cut) content.tip = point.tip;
+    content.path = lastTakeOnly(result.path.path);
+    content.tip = placeToShow(content.path);
     const Result<std::string> png = drawPicture(content);
     if (!png) return png.error();
     return writeFileAtomically(file, *png);

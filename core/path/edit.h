@@ -25,8 +25,9 @@ struct DropAirCuts { double shortest = 3.0; /* mm */ };
 /// creeps keeps a point every 0.05 mm, so that the shape stays.
 struct DropDwells { double speed = 1.0; /* mm/s */ double time = 0.15; /* s */ };
 /// Zero-phase low pass in time (forward-backward Butterworth, second order), cut-off in Hz, held within `tolerance` of
-/// the recorded tips. Never across a gap.
-struct Smooth { double cutOff = 5.0; double tolerance = 0.02; };
+/// the recorded tips. Steps of an encoder are taken out first, so that holding the tolerance does not bring them back.
+/// Never across a gap.
+struct Smooth { double cutOff = 5.0; double tolerance = 0.03; };
 /// Pushes every place of the path out of the part, grown by the take's allowance plus `clearance`: closest point on the
 /// fine mesh at the points and every `sampling` between them, closer where a corner may be cut. Points that carry no
 /// shape (0.002 mm) are dropped first. Afterwards every place of every move within a stroke keeps at least the allowance.
@@ -34,7 +35,7 @@ struct Smooth { double cutOff = 5.0; double tolerance = 0.02; };
 struct HoldOut { double clearance = 0.005; double sampling = 0.1; };
 /// Fewest points such that no dropped one is farther than `tolerance` from the result (Douglas & Peucker, distance to
 /// segments). Never lets a segment enter the part: a shortcut that would is not taken.
-struct Simplify { double tolerance = 0.005; };
+struct Simplify { double tolerance = 0.01; };
 /// Joins the stretches: retract to `clearanceAbove` over the stock's top, rapid across, rapid down to `approach` above
 /// what is left at the entry, plunge. What is left is known from a conservative height map of the strokes before. Ends
 /// no farther apart than the cutter's diameter are joined straight at the cutting feed, where that keeps the allowance and

@@ -63,13 +63,25 @@ std::vector<glm::dvec3> lowPassed(const Stroke& stroke, double cutOff) {
     return tips;
 }
 
+/// Cut-off, as a multiple of the edit's, of the filter that takes away what no hand does: steps of an encoder. Tremor
+/// (8 … 12 Hz) passes it.
+constexpr double steadyingFactor = 8.0;
+/// Share of the tolerance that the hand's own motion may be moved by; the rest is for the encoder's steps.
+constexpr double motionShare = 0.6;
+
+/// Holding the low-passed tips within the tolerance of the *recorded* ones would bring the encoder's steps back
+/// wherever the tolerance is used up. They are held within a share of it of the steadied tips, which are smooth
+/// themselves, and only what is still too far from the recorded ones is cut off.
 Deviation smooth(Stroke& stroke, const Smooth& edit) {
     Deviation deviation;
     if (stroke.points.size() < 3) return deviation;
     const std::vector<glm::dvec3> tips = lowPassed(stroke, edit.cutOff);
+    const double steadying = std::min(steadyingFactor * edit.cutOff, 0.4 / stroke.tickPeriod);
+    const std::vector<glm::dvec3> steadied = lowPassed(stroke, steadying);
     for (std::size_t i = 0; i < tips.size(); ++i) {
         StrokePoint& point = stroke.points[i];
-        const glm::dvec3 shift = clampLength(tips[i] - point.tip, edit.tolerance);
+        const glm::dvec3 wanted = steadied[i] + clampLength(tips[i] - steadied[i], motionShare * edit.tolerance);
+        const glm::dvec3 shift = clampLength(wanted - point.tip, edit.tolerance);
         point.tip += shift;
         deviation.include(glm::length(shift), point.tip);
     }

@@ -167,7 +167,7 @@ Result<std::string> drawPicture(const PictureContent& content) {
     window->SetMultiSamples(8);
     window->AddRenderer(renderer);
     Box bench = content.workpiece.grid().box();
-    if (content.tool) bench.include(content.tip + glm::dvec3(0.0, 0.0, content.tool->cutter.stickOut));
+    if (content.tool) bench.include(content.tip + glm::dvec3(0.0, 0.0, 0.75 * content.tool->cutter.stickOut));
     aimCamera(*renderer, bench);
     window->Render();
     std::string picture = png(*window);

@@ -26,7 +26,7 @@ private slots:
             QVERIFY(!idOf(edit.parameters).empty());
         }
         QCOMPARE(QString::fromStdString(toJson(edits[2])),
-                 R"({"edit":"smooth","enabled":true,"cut_off_hz":4.25,"tolerance_mm":0.02})");
+                 R"({"edit":"smooth","enabled":true,"cut_off_hz":4.25,"tolerance_mm":0.03})");
     }
 
     void whatIsLeftOutHasItsFirstValue() {

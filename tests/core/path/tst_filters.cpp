@@ -109,6 +109,29 @@ private slots:
         QVERIFY(std::abs(path->errorBudget - largest) < 1e-12);
     }
 
+    void stepsOfAnEncoderDoNotComeBackWhereTheToleranceIsUsedUp() {
+        // A hand with more tremor than the tolerance may take away, seen through an encoder of 0.02 mm.
+        const auto seen = [](double value) { return 0.02 * std::round(value / 0.02); };
+        std::vector<Tick> ticks;
+        for (int i = 0; i < 6000; ++i) {
+            const double tremor = 2 * pi * 10.0 * 0.001 * i;
+            ticks.push_back({{seen(0.05 * i), seen(0.08 * std::sin(tremor)), seen(0.08 * std::cos(tremor))}});
+        }
+        const auto bend = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+            return glm::length(a - 2.0 * b + c);
+        };
+        const auto path = run({takeOf(ticks)}, {{Smooth{5.0, 0.03}}}, contextOf(nothing_, ballTool(), stock_));
+        QVERIFY(path);
+        double before = 0.0, after = 0.0;
+        for (std::size_t i = 1001; i < 5000; ++i) {
+            before = std::max(before, bend(ticks[i - 1].tip, ticks[i].tip, ticks[i + 1].tip));
+            const auto& points = path->path.points;
+            after = std::max(after, bend(points[i - 1].tip, points[i].tip, points[i + 1].tip));
+        }
+        QVERIFY(before >= 0.02);
+        QVERIFY2(after < 0.1 * before, qPrintable(QString::number(after))); // the tremor itself bends by 0.0003 mm
+    }
+
     void aJumpOfTheTipIsAGap() {
         std::vector<Tick> ticks = along({{0, 0, 0}, {10, 0, 0}}, 20.0);
         append(ticks, along({{10, 10, 0}, {0, 10, 0}}, 20.0));
