@@ -113,8 +113,8 @@ std::string textOf(const VerifyReport& report, double gougeTolerance) {
          << report.exactSamples << " of them on exact geometry)\n"
          << "  excess   " << formatFixed(report.excessMax, 3) << " mm at most, " << formatFixed(report.excessMean, 3)
          << " mm in the mean, where the tool can reach\n"
-         << "  removed  " << formatFixed(report.removed, 1) << " mm^3 in "
-         << formatFixed(report.machiningSeconds / 60.0, 1) << " min at the programmed feeds";
+         << "  removed  " << formatFixed(report.removed, 1) << " mm^3 in " << formatFixed(report.machiningSeconds, 0)
+         << " s at the programmed feeds";
     for (std::size_t i = 0; i < report.findings.size() && i < 20; ++i) {
         const Finding& finding = report.findings[i];
         text << "\n  line " << finding.line << ": " << idOf(finding.kind) << " " << formatFixed(finding.amount, 4)

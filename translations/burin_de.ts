@@ -79,8 +79,8 @@
         <translation>„%1“ ist beschädigt; verwenden Sie eine Sicherungskopie oder exportieren oder kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is damaged at &quot;%2&quot;; use a backup, or export or copy it again.</source>
-        <translation>„%1“ ist bei „%2“ beschädigt; verwenden Sie eine Sicherungskopie oder exportieren oder kopieren Sie die Datei noch einmal.</translation>
+        <source>&quot;%1&quot; is damaged (%2); use a backup, or export or copy it again.</source>
+        <translation>„%1“ ist beschädigt (%2); verwenden Sie eine Sicherungskopie oder exportieren oder kopieren Sie die Datei noch einmal.</translation>
     </message>
     <message>
         <source>The value of &quot;%1&quot; can&apos;t be used; allowed is: %2.</source>

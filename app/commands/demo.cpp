@@ -120,7 +120,7 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
 json jsonOf(const DemoResult& result) {
     json answer = burin::jsonOf(result.program.report);
     std::uint64_t ticks = 0, samples = 0, shank = 0;
-    double removed = 0.0, drop = 0.0, p50 = 0.0, p999 = 0.0, wall = 0.0, simulated = 0.0;
+    double removed = 0.0, drop = 0.0, p50 = 0.0, p999 = 0.0, cpuP999 = 0.0, wall = 0.0, simulated = 0.0;
     for (const TakeOutcome& take : result.milling.takes) {
         ticks += take.loop.ticks;
         samples += take.samples;
@@ -131,6 +131,7 @@ json jsonOf(const DemoResult& result) {
         simulated += take.loop.simulatedSeconds;
         p50 = std::max(p50, take.loop.workP50);
         p999 = std::max(p999, take.loop.workP999);
+        cpuP999 = std::max(cpuP999, take.loop.cpuP999);
     }
     answer["program_removed_mm3"] = answer["removed_mm3"];
     answer["removed_mm3"] = removed;
@@ -140,6 +141,7 @@ json jsonOf(const DemoResult& result) {
     answer["shank_contact_ticks"] = shank;
     answer["tick_us_p50"] = p50;
     answer["tick_us_p999"] = p999;
+    answer["tick_cpu_us_p999"] = cpuP999; // without what other programs took from the tick
     answer["milling_s"] = simulated;
     answer["milling_wall_s"] = wall;
     answer["blocks"] = result.program.blocks;

@@ -44,7 +44,7 @@ QString Messages::sentence(const Error& error) {
         return tr("\"%1\" has no format that Burin reads; export it in another one, a model as STEP.").arg(file);
     case ErrorCode::fileDamaged:
         if (error.place.empty()) return tr("\"%1\" is damaged; use a backup, or export or copy it again.").arg(file);
-        return tr("\"%1\" is damaged at \"%2\"; use a backup, or export or copy it again.").arg(file, place);
+        return tr("\"%1\" is damaged (%2); use a backup, or export or copy it again.").arg(file, place);
     case ErrorCode::argumentInvalid:
         if (error.place.empty()) return tr("The value of \"%1\" can't be used; allowed is: %2.").arg(subject, detail);
         return tr("The value \"%2\" of \"%1\" can't be used; allowed is: %3.").arg(subject, place, detail);

@@ -21,6 +21,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <array>
 
 namespace burin {
@@ -117,7 +118,7 @@ void aimCamera(vtkRenderer& renderer, const Box& bench) {
     camera->SetViewAngle(28.0);
     const std::array<double, 6> bounds{bench.low.x, bench.high.x, bench.low.y, bench.high.y, bench.low.z, bench.high.z};
     renderer.ResetCamera(bounds.data());
-    camera->Zoom(1.15);
+    camera->Zoom(1.04);
     renderer.ResetCameraClippingRange();
 }
 
@@ -167,7 +168,10 @@ Result<std::string> drawPicture(const PictureContent& content) {
     window->SetMultiSamples(8);
     window->AddRenderer(renderer);
     Box bench = content.workpiece.grid().box();
-    if (content.tool) bench.include(content.tip + glm::dvec3(0.0, 0.0, 0.75 * content.tool->cutter.stickOut));
+    if (content.tool) { // as much of the tool as does not dwarf a small workpiece
+        const double shown = std::min(0.75 * content.tool->cutter.stickOut, glm::length(bench.size()) / 3.0);
+        bench.include(content.tip + glm::dvec3(0.0, 0.0, shown));
+    }
     aimCamera(*renderer, bench);
     window->Render();
     std::string picture = png(*window);
