@@ -27,6 +27,9 @@ target_compile_options(burin_options INTERFACE -ffp-contract=off)
 if(BURIN_SANITIZE)
     target_compile_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE})
+    set(BURIN_SANITIZER_ENVIRONMENT
+        "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/sanitizers/thread.txt:ignore_noninstrumented_modules=1"
+        "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/sanitizers/leak.txt:print_suppressions=0")
     if(BURIN_SANITIZE MATCHES undefined)
         target_compile_options(burin_options INTERFACE -fno-sanitize-recover=undefined)
     endif()
@@ -84,6 +87,9 @@ function(burin_test place name)
     if(NOT arg_TIMEOUT)
         set(arg_TIMEOUT 300)
     endif()
+    if(BURIN_SANITIZE) # up to twenty times slower
+        math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 10")
+    endif()
     set_tests_properties(${place}.${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}"
-        ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
+        ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
 endfunction()
