@@ -31,6 +31,9 @@ Result<MillingPlan> attempt(const ClearanceField& field, const Tool& tool, const
     if (!roughing) return roughing.error();
     Result<std::vector<IntentPoint>> finishing = planFinishing(field, tool, request.finishing, heights);
     if (!finishing) return finishing.error();
+    const Result<std::vector<IntentPoint>> crosswise = planCrosswiseFinishing(field, tool, request.finishing, heights);
+    if (!crosswise) return crosswise.error();
+    finishing->insert(finishing->end(), crosswise->begin(), crosswise->end());
     MillingPlan plan;
     plan.roughing = std::move(roughing->points);
     plan.levels = std::move(roughing->levels);
