@@ -84,6 +84,7 @@ struct MillingRequest {
     FinishingRequest finishing;
     MotionLimits motion;    ///< setup frame
     double timeLimit = 0.0; ///< s for both together; 0: none
+    bool crosswise = true;  ///< finish steep places crosswise too
 };
 
 struct MillingPlan {
@@ -94,11 +95,13 @@ struct MillingPlan {
     double finishingSeconds = 0.0;
     double speedFactor = 1.0;       ///< by which the asked speeds were raised at most
     double finishingStepOver = 0.0; ///< mm, as planned
-    bool truncated = false;         ///< the end was left out: the limit is too short
+    double bottom = 0.0;            ///< mm: height below which nothing is milled
+    bool truncated = false;         ///< the lower part, or the end, was left out: the limit is too short
 };
 
 /// Plans both. Where the time limit is shorter, raises the speeds up to `fastestHand`, then widens the finishing passes
-/// up to three times, and at last leaves out the end. Errors: argumentInvalid.
+/// by up to a quarter, then leaves out the crosswise passes. Is it still too short, mills only the upper part, down to
+/// the lowest height at which what is roughed is finished too; at last leaves out the end. Errors: argumentInvalid.
 Result<MillingPlan> planMilling(const ClearanceField& field, const Tool& tool, const MillingRequest& request);
 
 } // namespace burin

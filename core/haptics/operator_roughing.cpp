@@ -37,6 +37,8 @@ public:
         : field_(field), tool_(tool), request_(request), heights_(heights), writer_(heights, request.speeds) {
         if (request_.stepOver <= 0.0) request_.stepOver = 0.75 * tool.cutter.diameter;
         if (request_.levelDepth <= 0.0) request_.levelDepth = 1.25 * tool.cutter.diameter;
+        finishingDepth_ = request_.finishingDepth;
+        if (tool.maximumDepthOfCut > 0.0) finishingDepth_ = std::min(finishingDepth_, tool.maximumDepthOfCut);
         // The field's own error and a hair more: the hand should pass by the part, not be dragged along it.
         keep_ = request_.allowance + field.errorBound() + 0.02 * tool.cutter.radius();
     }
@@ -126,7 +128,7 @@ private:
         const double reached = reached_[tier(level)][index];
         if (reached > level + tolerance) return false;
         const bool floor = reached <= request_.bottom + tolerance;
-        const double finishingDepth = std::max(request_.finishingDepth, above - level - tolerance);
+        const double finishingDepth = std::max(finishingDepth_, above - level - tolerance);
         const double tallest = usableFlutes(tool_.cutter) - tool_.cutter.cornerRadius;
         return floor || above - reached > finishingDepth || above - lowestNearby_[index] > tallest;
     }
@@ -246,6 +248,7 @@ private:
     WorkpieceHeights& heights_;
     StrokeWriter writer_;
     double keep_ = 0.0;                        ///< mm of clearance
+    double finishingDepth_ = 0.0;              ///< mm, as far as the tool may cut
     std::vector<double> rows_;                 ///< y
     std::vector<double> places_;               ///< x of the samples of a row
     std::vector<std::vector<double>> reached_; ///< by tier, row and place: how far down the tip may go
