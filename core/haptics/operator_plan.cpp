@@ -27,7 +27,7 @@ HandSpeeds raised(const HandSpeeds& speeds, double factor) {
 
 /// Stock that a finishing pass may meet at most.
 double deepestFinishing(const Cutter& cutter, double maximumDepthOfCut) {
-    const double depth = std::min(usableFlutes(cutter) - lateralMargin(cutter), 2.0 * cutter.diameter);
+    const double depth = usableFlutes(cutter) - lateralMargin(cutter);
     return maximumDepthOfCut > 0.0 ? std::min(depth, maximumDepthOfCut) : depth;
 }
 
@@ -97,6 +97,7 @@ MillingRequest above(MillingRequest request, double height, const Tool& tool) {
     request.finishing.floor = height;
     request.finishing.floorMargin = 0.0; // on a gentle slope it would run far out over stock that stays
     request.roughing.finishingDepth = depth;
+    request.roughing.nearPartOnly = true;
     request.roughing.bottom = request.stock.high.z - height > depth ? height : request.stock.high.z;
     return request;
 }

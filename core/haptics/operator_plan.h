@@ -30,6 +30,8 @@ struct RoughingRequest {
     /// Stock that the finishing passes may take at once: roughing keeps out of places where no more is left above the
     /// part. 0: no such place. Ignored below the distance of the levels.
     double finishingDepth = 0.0;
+    /// Leave stock that stands well beside what of the part rises above the bottom: for milling an upper part alone.
+    bool nearPartOnly = false;
     HandSpeeds speeds;
 };
 

@@ -93,7 +93,7 @@ private:
                 for (const double x : places_)
                     reached_[i].push_back(
                         lowestFeasibleHeight(field_, x, y, keepAt(i), writer_.travelLevel(), request_.bottom));
-        findLowestNearby();
+        findNearby();
     }
 
     /// How often the flutes' length fits between the top of the stock and a level.
@@ -106,18 +106,21 @@ private:
     /// standing, so each such tier keeps a little further off.
     double keepAt(std::size_t tier) const { return keep_ + static_cast<double>(tier) * lateralMargin(tool_.cutter); }
 
-    /// For each place, how deep the tool will go beside it: in its row and the rows next to it, within a cutter's
-    /// reach.
-    void findLowestNearby() {
+    /// For each place, how deep the tool will go beside it, and how high the part holds it there: in its row and the
+    /// rows next to it, within a cutter's reach.
+    void findNearby() {
         const int around = static_cast<int>(std::ceil((tool_.cutter.radius() + beyondStock) / heights_.raster()));
         const int rowCount = static_cast<int>(rows_.size()), placeCount = static_cast<int>(places_.size());
         lowestNearby_.assign(reached_[0].size(), std::numeric_limits<double>::infinity());
+        highestNearby_.assign(reached_[0].size(), -std::numeric_limits<double>::infinity());
         for (int row = 0; row < rowCount; ++row)
             for (int place = 0; place < placeCount; ++place)
                 for (int r = std::max(0, row - 1); r <= std::min(rowCount - 1, row + 1); ++r)
                     for (int p = std::max(0, place - around); p <= std::min(placeCount - 1, place + around); ++p) {
-                        double& lowest = lowestNearby_[static_cast<std::size_t>(row * placeCount + place)];
-                        lowest = std::min(lowest, reached_[0][static_cast<std::size_t>(r * placeCount + p)]);
+                        const auto index = static_cast<std::size_t>(row * placeCount + place);
+                        const double reached = reached_[0][static_cast<std::size_t>(r * placeCount + p)];
+                        lowestNearby_[index] = std::min(lowestNearby_[index], reached);
+                        highestNearby_[index] = std::max(highestNearby_[index], reached);
                     }
     }
 
@@ -127,6 +130,7 @@ private:
         const std::size_t index = row * places_.size() + place;
         const double reached = reached_[tier(level)][index];
         if (reached > level + tolerance) return false;
+        if (request_.nearPartOnly && highestNearby_[index] <= request_.bottom + tolerance) return false;
         const bool floor = reached <= request_.bottom + tolerance;
         const double finishingDepth = std::max(finishingDepth_, above - level - tolerance);
         const double tallest = usableFlutes(tool_.cutter) - tool_.cutter.cornerRadius;
@@ -138,7 +142,10 @@ private:
         for (std::size_t row = 0; row < rows_.size(); ++row) {
             bool open = false;
             for (std::size_t i = 0; i < places_.size(); ++i) {
-                if (!cuts(row, i, level, above)) {
+                // Over a ledge of the part more may stand than the levels could take: the shank keeps away from it.
+                if (!cuts(row, i, level, above) ||
+                    heights_.safeHeight({places_[i], rows_[row], level}, -0.5 * lateralMargin(tool_.cutter)) >
+                        level + tolerance) {
                     open = false;
                     continue;
                 }
@@ -253,6 +260,7 @@ private:
     std::vector<double> places_;               ///< x of the samples of a row
     std::vector<std::vector<double>> reached_; ///< by tier, row and place: how far down the tip may go
     std::vector<double> lowestNearby_;         ///< by row and place
+    std::vector<double> highestNearby_;        ///< by row and place
     double cameFrom_ = 0.0;                    ///< from the end of the last piece, the direction along x back into it
 };
 
