@@ -18,7 +18,7 @@ constexpr double liftCost = 60.0;    // mm of cutting that one lift is worth
 
 /// A stretch of a row that one level cuts.
 struct Piece {
-    std::size_t row = 0;
+    double y = 0.0;
     double low = 0.0, high = 0.0; ///< mm, x of its ends
     bool done = false;
 };
@@ -137,19 +137,30 @@ private:
         return floor || above - reached > finishingDepth || above - lowestNearby_[index] > tallest;
     }
 
+    /// Where a piece runs at a place of its row: on the row, or a little beside it where stock that no level above
+    /// could take stands so close that a trembling hand would touch it with the shank. NaN: nowhere.
+    double clearOfShank(std::size_t row, std::size_t place, double level) const {
+        const double x = places_[place], y = rows_[row], step = 0.5 * lateralMargin(tool_.cutter);
+        for (const double aside : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
+            const glm::dvec3 tip(x, y + aside * step, level);
+            if (heights_.safeHeight(tip) > level + tolerance) continue;
+            if (aside == 0.0 || field_.at(tip).clearance >= keepAt(tier(level))) return tip.y;
+        }
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+
     std::vector<Piece> pieces(double level, double above) const {
         std::vector<Piece> result;
         for (std::size_t row = 0; row < rows_.size(); ++row) {
             bool open = false;
             for (std::size_t i = 0; i < places_.size(); ++i) {
-                // Over a ledge of the part more may stand than the levels could take: the shank keeps away from it.
-                if (!cuts(row, i, level, above) ||
-                    heights_.safeHeight({places_[i], rows_[row], level}, -0.5 * lateralMargin(tool_.cutter)) >
-                        level + tolerance) {
+                const double y =
+                    cuts(row, i, level, above) ? clearOfShank(row, i, level) : std::numeric_limits<double>::quiet_NaN();
+                if (!std::isfinite(y)) {
                     open = false;
                     continue;
                 }
-                if (!open) result.push_back({row, places_[i], places_[i], false});
+                if (!open || y != result.back().y) result.push_back({y, places_[i], places_[i], false});
                 result.back().high = places_[i];
                 open = true;
             }
@@ -163,7 +174,7 @@ private:
         for (std::size_t left = open.size(); left > 0; --left) {
             const Entry entry = cheapestEntry(open, level);
             Piece& piece = open[entry.piece];
-            const double y = rows_[piece.row];
+            const double y = piece.y;
             const glm::dvec3 low(piece.low, y, level), high(piece.high, y, level);
             if (entry.link.empty()) writer_.enterAt(entry.atHigh ? high : low, entry.atHigh ? high : low);
             for (const glm::dvec3& tip : entry.link) writer_.cutTo(tip);
@@ -187,7 +198,7 @@ private:
     }
 
     Entry entryAt(const Piece& piece, bool atHigh, double level, double bestCost) const {
-        const glm::dvec3 end(atHigh ? piece.high : piece.low, rows_[piece.row], level);
+        const glm::dvec3 end(atHigh ? piece.high : piece.low, piece.y, level);
         Entry entry;
         entry.atHigh = atHigh;
         const double into = std::max(0.0, heights_.freeTip(end.x, end.y) - level);
