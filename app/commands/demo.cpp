@@ -90,6 +90,7 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     request.timeLimit = arguments.seconds;
     // The paper's model wax takes deep, wide cuts; what is left of the steps the fine finishing passes take.
     request.levelDepth = 1.4 * tool.cutter.diameter;
+    request.finishingDepth = 2.0 * tool.cutter.diameter;
     request.roughingStepOver = 0.85 * tool.cutter.diameter;
     request.finishingStepOver = tool.cutter.diameter / 17.0;
     request.seed = arguments.seed;

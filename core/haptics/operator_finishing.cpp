@@ -23,7 +23,6 @@ class Finishing {
 public:
     Finishing(const ClearanceField& field, const Tool& tool, const FinishingRequest& request, WorkpieceHeights& heights)
         : field_(field), tool_(tool), request_(request), heights_(heights), writer_(heights, request.speeds) {
-        if (request_.stepOver <= 0.0) request_.stepOver = tool.cutter.diameter / 15.0;
         // Fine enough for walls and fillets, no finer than the field can say.
         sampling_ = std::clamp(0.125 * tool.cutter.radius(), 0.02, 0.4);
     }
@@ -162,20 +161,33 @@ private:
 
 } // namespace
 
-Result<std::vector<IntentPoint>> planFinishing(const ClearanceField& field, const Tool& tool,
-                                               const FinishingRequest& request, WorkpieceHeights& heights) {
+Result<void> checkFinishing(const Tool& tool, const FinishingRequest& request) {
     if (Result<void> valid = checkSpeeds(request.speeds); !valid) return valid.error();
     const Cutter& cutter = tool.cutter;
     if (Result<void> valid = checkAbove({{"cutter diameter", cutter.diameter}, {"flute length", cutter.fluteLength}});
         !valid)
         return valid.error();
-    if (Result<void> valid = checkNotBelow(
-            {{"step-over", request.stepOver}, {"press", request.press}, {"floor margin", request.floorMargin}});
+    if (Result<void> valid = checkNotBelow({{"step-over", request.stepOver},
+                                            {"crosswise step-over", request.crosswiseStepOver},
+                                            {"press", request.press},
+                                            {"floor margin", request.floorMargin}});
         !valid)
         return valid.error();
     if (request.part.empty() || !isFinite(request.part.size()) || !std::isfinite(request.floor))
         return Error{ErrorCode::argumentInvalid, "part", "", "a box that is not empty, and a finite floor"};
-    return Finishing(field, tool, request, heights).plan();
+    return {};
+}
+
+FinishingRequest withStepOvers(FinishingRequest request, const Cutter& cutter) {
+    if (request.stepOver <= 0.0) request.stepOver = cutter.diameter / 15.0;
+    if (request.crosswiseStepOver <= 0.0) request.crosswiseStepOver = 1.5 * request.stepOver;
+    return request;
+}
+
+Result<std::vector<IntentPoint>> planFinishing(const ClearanceField& field, const Tool& tool,
+                                               const FinishingRequest& request, WorkpieceHeights& heights) {
+    if (Result<void> valid = checkFinishing(tool, request); !valid) return valid.error();
+    return Finishing(field, tool, withStepOvers(request, tool.cutter), heights).plan();
 }
 
 } // namespace burin

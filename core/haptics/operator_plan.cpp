@@ -12,8 +12,9 @@ namespace burin {
 
 namespace {
 
-constexpr double mostWidening = 3.0; // of the finishing step-over
+constexpr double mostWidening = 1.25; // of the finishing step-over: wider, and roughing would outweigh it
 constexpr int mostReplans = 3;
+constexpr int heightHalvings = 6;   // of the part's height: half a millimetre of a hand-sized part
 constexpr double longestLift = 1.0; // s, kept for the lift at the end of what was truncated
 
 HandSpeeds raised(const HandSpeeds& speeds, double factor) {
@@ -24,12 +25,29 @@ HandSpeeds raised(const HandSpeeds& speeds, double factor) {
             raise(speeds.travelling, fastestHand.travelling)};
 }
 
+/// Stock that a finishing pass may meet at most.
+double deepestFinishing(const Cutter& cutter, double maximumDepthOfCut) {
+    const double depth = usableFlutes(cutter) - lateralMargin(cutter);
+    return maximumDepthOfCut > 0.0 ? std::min(depth, maximumDepthOfCut) : depth;
+}
+
+/// Rows, then crosswise passes.
+Result<std::vector<IntentPoint>> planAllFinishing(const ClearanceField& field, const Tool& tool,
+                                                  const MillingRequest& request, WorkpieceHeights& heights) {
+    Result<std::vector<IntentPoint>> points = planFinishing(field, tool, request.finishing, heights);
+    if (!points || !request.crosswise) return points;
+    const Result<std::vector<IntentPoint>> crosswise = planCrosswiseFinishing(field, tool, request.finishing, heights);
+    if (!crosswise) return crosswise.error();
+    points->insert(points->end(), crosswise->begin(), crosswise->end());
+    return points;
+}
+
 /// One attempt with the request as it stands.
 Result<MillingPlan> attempt(const ClearanceField& field, const Tool& tool, const MillingRequest& request) {
     WorkpieceHeights heights(request.stock, tool.cutter);
     Result<RoughingPlan> roughing = planRoughing(field, tool, request.roughing, heights);
     if (!roughing) return roughing.error();
-    Result<std::vector<IntentPoint>> finishing = planFinishing(field, tool, request.finishing, heights);
+    Result<std::vector<IntentPoint>> finishing = planAllFinishing(field, tool, request, heights);
     if (!finishing) return finishing.error();
     MillingPlan plan;
     plan.roughing = std::move(roughing->points);
@@ -38,6 +56,7 @@ Result<MillingPlan> attempt(const ClearanceField& field, const Tool& tool, const
     plan.roughingSeconds = estimateSeconds(plan.roughing, request.motion);
     plan.finishingSeconds = estimateSeconds(plan.finishing, request.motion);
     plan.finishingStepOver = request.finishing.stepOver;
+    plan.bottom = request.finishing.floor;
     return plan;
 }
 
@@ -70,6 +89,39 @@ void truncateBoth(MillingPlan& plan, const MillingRequest& request) {
     if (plan.roughingSeconds > request.timeLimit)
         plan.roughingSeconds =
             truncate(plan.roughing, request.timeLimit, travelLevel, request.roughing.speeds.travelling, request.motion);
+}
+
+/// The request for the part above a height alone. What the finishing passes can take at once need not be roughed.
+MillingRequest above(MillingRequest request, double height, const Tool& tool) {
+    const double depth = deepestFinishing(tool.cutter, tool.maximumDepthOfCut);
+    request.finishing.floor = height;
+    request.finishing.floorMargin = 0.0; // on a gentle slope it would run far out over stock that stays
+    request.roughing.finishingDepth = depth;
+    request.roughing.nearPartOnly = true;
+    request.roughing.bottom = request.stock.high.z - height > depth ? height : request.stock.high.z;
+    return request;
+}
+
+/// As much of the upper part as the time allows; the highest piece where it allows none.
+Result<MillingPlan> planUpperPart(const ClearanceField& field, const Tool& tool, MillingRequest& request) {
+    double tooLow = request.finishing.floor, high = request.finishing.part.high.z;
+    const MillingRequest whole = request;
+    Result<MillingPlan> best = MillingPlan{};
+    bool fits = false;
+    for (int i = 0; i < heightHalvings; ++i) {
+        const double height = 0.5 * (tooLow + high);
+        const MillingRequest now = above(whole, height, tool);
+        Result<MillingPlan> plan = attempt(field, tool, now);
+        if (!plan) return plan;
+        const bool inTime = seconds(*plan) <= request.timeLimit;
+        (inTime ? high : tooLow) = height;
+        if (!inTime && fits) continue;
+        fits = inTime;
+        best = std::move(plan);
+        request = now;
+    }
+    best->truncated = true;
+    return best;
 }
 
 } // namespace
@@ -110,6 +162,11 @@ Result<MillingPlan> planMilling(const ClearanceField& field, const Tool& tool, c
         plan = attempt(field, tool, now);
         if (now.finishing.stepOver >= widest) break;
     }
+    if (plan && seconds(*plan) > request.timeLimit) {
+        now.crosswise = false;
+        plan = attempt(field, tool, now);
+    }
+    if (plan && seconds(*plan) > request.timeLimit) plan = planUpperPart(field, tool, now);
     if (!plan) return plan;
     plan->speedFactor = std::max(now.finishing.speeds.cutting / request.finishing.speeds.cutting,
                                  now.roughing.speeds.cutting / request.roughing.speeds.cutting);

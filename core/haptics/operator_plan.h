@@ -30,6 +30,8 @@ struct RoughingRequest {
     /// Stock that the finishing passes may take at once: roughing keeps out of places where no more is left above the
     /// part. 0: no such place. Ignored below the distance of the levels.
     double finishingDepth = 0.0;
+    /// Leave stock that stands well beside what of the part rises above the bottom: for milling an upper part alone.
+    bool nearPartOnly = false;
     HandSpeeds speeds;
 };
 
@@ -48,11 +50,12 @@ Result<RoughingPlan> planRoughing(const ClearanceField& field, const Tool& tool,
 
 /// Finishing in parallel passes. Lengths in mm, setup frame.
 struct FinishingRequest {
-    Box part;                 ///< the part's bounding box
-    double floor = 0.0;       ///< the passes don't go below: the part's lowest point
-    double stepOver = 0.0;    ///< 0: a fifteenth of the diameter
-    double press = 2.0;       ///< how far below the part's surface the hand aims
-    double floorMargin = 1.5; ///< how far a pass runs on beside the part
+    Box part;                       ///< the part's bounding box
+    double floor = 0.0;             ///< the passes don't go below: the part's lowest point
+    double stepOver = 0.0;          ///< between rows; 0: a fifteenth of the diameter
+    double crosswiseStepOver = 0.0; ///< between crosswise passes; 0: 1.5 times that of the rows
+    double press = 2.0;             ///< how far below the part's surface the hand aims
+    double floorMargin = 1.5;       ///< how far a pass runs on beside the part
     HandSpeeds speeds;
 };
 
@@ -61,6 +64,13 @@ struct FinishingRequest {
 /// Parameters and errors as planRoughing.
 Result<std::vector<IntentPoint>> planFinishing(const ClearanceField& field, const Tool& tool,
                                                const FinishingRequest& request, WorkpieceHeights& heights);
+
+/// Zig-zag passes along y where the part is steeper than 45 degrees across the rows of planFinishing: these touch a
+/// wall only here and there. The hand follows the wall between its foot and its rim, presses square to it, and never
+/// goes below the floor or where shank or holder would reach standing stock. Where neighbouring passes don't join, it
+/// lifts. Parameters and errors as planRoughing. @return empty: no such place
+Result<std::vector<IntentPoint>> planCrosswiseFinishing(const ClearanceField& field, const Tool& tool,
+                                                        const FinishingRequest& request, WorkpieceHeights& heights);
 
 /// What the motion along an intent takes, s, without the time to settle; 0 for an invalid one.
 /// @param limits in the frame of the points: see inSetup.
@@ -76,21 +86,24 @@ struct MillingRequest {
     FinishingRequest finishing;
     MotionLimits motion;    ///< setup frame
     double timeLimit = 0.0; ///< s for both together; 0: none
+    bool crosswise = true;  ///< finish steep places crosswise too
 };
 
 struct MillingPlan {
     std::vector<IntentPoint> roughing;
-    std::vector<IntentPoint> finishing;
-    std::vector<double> levels; ///< heights of the roughing levels
+    std::vector<IntentPoint> finishing; ///< rows, then crosswise
+    std::vector<double> levels;         ///< heights of the roughing levels
     double roughingSeconds = 0.0;
     double finishingSeconds = 0.0;
     double speedFactor = 1.0;       ///< by which the asked speeds were raised at most
     double finishingStepOver = 0.0; ///< mm, as planned
-    bool truncated = false;         ///< the end was left out: the limit is too short
+    double bottom = 0.0;            ///< mm: height below which nothing is milled
+    bool truncated = false;         ///< the lower part, or the end, was left out: the limit is too short
 };
 
 /// Plans both. Where the time limit is shorter, raises the speeds up to `fastestHand`, then widens the finishing passes
-/// up to three times, and at last leaves out the end. Errors: argumentInvalid.
+/// by up to a quarter, then leaves out the crosswise passes. Is it still too short, mills only the upper part, down to
+/// the lowest height at which what is roughed is finished too; at last leaves out the end. Errors: argumentInvalid.
 Result<MillingPlan> planMilling(const ClearanceField& field, const Tool& tool, const MillingRequest& request);
 
 } // namespace burin

@@ -18,7 +18,7 @@ constexpr double liftCost = 60.0;    // mm of cutting that one lift is worth
 
 /// A stretch of a row that one level cuts.
 struct Piece {
-    std::size_t row = 0;
+    double y = 0.0;
     double low = 0.0, high = 0.0; ///< mm, x of its ends
     bool done = false;
 };
@@ -37,6 +37,8 @@ public:
         : field_(field), tool_(tool), request_(request), heights_(heights), writer_(heights, request.speeds) {
         if (request_.stepOver <= 0.0) request_.stepOver = 0.75 * tool.cutter.diameter;
         if (request_.levelDepth <= 0.0) request_.levelDepth = 1.25 * tool.cutter.diameter;
+        finishingDepth_ = request_.finishingDepth;
+        if (tool.maximumDepthOfCut > 0.0) finishingDepth_ = std::min(finishingDepth_, tool.maximumDepthOfCut);
         // The field's own error and a hair more: the hand should pass by the part, not be dragged along it.
         keep_ = request_.allowance + field.errorBound() + 0.02 * tool.cutter.radius();
     }
@@ -91,7 +93,7 @@ private:
                 for (const double x : places_)
                     reached_[i].push_back(
                         lowestFeasibleHeight(field_, x, y, keepAt(i), writer_.travelLevel(), request_.bottom));
-        findLowestNearby();
+        findNearby();
     }
 
     /// How often the flutes' length fits between the top of the stock and a level.
@@ -104,18 +106,21 @@ private:
     /// standing, so each such tier keeps a little further off.
     double keepAt(std::size_t tier) const { return keep_ + static_cast<double>(tier) * lateralMargin(tool_.cutter); }
 
-    /// For each place, how deep the tool will go beside it: in its row and the rows next to it, within a cutter's
-    /// reach.
-    void findLowestNearby() {
+    /// For each place, how deep the tool will go beside it, and how high the part holds it there: in its row and the
+    /// rows next to it, within a cutter's reach.
+    void findNearby() {
         const int around = static_cast<int>(std::ceil((tool_.cutter.radius() + beyondStock) / heights_.raster()));
         const int rowCount = static_cast<int>(rows_.size()), placeCount = static_cast<int>(places_.size());
         lowestNearby_.assign(reached_[0].size(), std::numeric_limits<double>::infinity());
+        highestNearby_.assign(reached_[0].size(), -std::numeric_limits<double>::infinity());
         for (int row = 0; row < rowCount; ++row)
             for (int place = 0; place < placeCount; ++place)
                 for (int r = std::max(0, row - 1); r <= std::min(rowCount - 1, row + 1); ++r)
                     for (int p = std::max(0, place - around); p <= std::min(placeCount - 1, place + around); ++p) {
-                        double& lowest = lowestNearby_[static_cast<std::size_t>(row * placeCount + place)];
-                        lowest = std::min(lowest, reached_[0][static_cast<std::size_t>(r * placeCount + p)]);
+                        const auto index = static_cast<std::size_t>(row * placeCount + place);
+                        const double reached = reached_[0][static_cast<std::size_t>(r * placeCount + p)];
+                        lowestNearby_[index] = std::min(lowestNearby_[index], reached);
+                        highestNearby_[index] = std::max(highestNearby_[index], reached);
                     }
     }
 
@@ -125,10 +130,23 @@ private:
         const std::size_t index = row * places_.size() + place;
         const double reached = reached_[tier(level)][index];
         if (reached > level + tolerance) return false;
+        if (request_.nearPartOnly && highestNearby_[index] <= request_.bottom + tolerance) return false;
         const bool floor = reached <= request_.bottom + tolerance;
-        const double finishingDepth = std::max(request_.finishingDepth, above - level - tolerance);
+        const double finishingDepth = std::max(finishingDepth_, above - level - tolerance);
         const double tallest = usableFlutes(tool_.cutter) - tool_.cutter.cornerRadius;
         return floor || above - reached > finishingDepth || above - lowestNearby_[index] > tallest;
+    }
+
+    /// Where a piece runs at a place of its row: on the row, or a little beside it where stock that no level above
+    /// could take stands so close that a trembling hand would touch it with the shank. NaN: nowhere.
+    double clearOfShank(std::size_t row, std::size_t place, double level) const {
+        const double x = places_[place], y = rows_[row], step = 0.5 * lateralMargin(tool_.cutter);
+        for (const double aside : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
+            const glm::dvec3 tip(x, y + aside * step, level);
+            if (heights_.safeHeight(tip) > level + tolerance) continue;
+            if (aside == 0.0 || field_.at(tip).clearance >= keepAt(tier(level))) return tip.y;
+        }
+        return std::numeric_limits<double>::quiet_NaN();
     }
 
     std::vector<Piece> pieces(double level, double above) const {
@@ -136,11 +154,13 @@ private:
         for (std::size_t row = 0; row < rows_.size(); ++row) {
             bool open = false;
             for (std::size_t i = 0; i < places_.size(); ++i) {
-                if (!cuts(row, i, level, above)) {
+                const double y =
+                    cuts(row, i, level, above) ? clearOfShank(row, i, level) : std::numeric_limits<double>::quiet_NaN();
+                if (!std::isfinite(y)) {
                     open = false;
                     continue;
                 }
-                if (!open) result.push_back({row, places_[i], places_[i], false});
+                if (!open || y != result.back().y) result.push_back({y, places_[i], places_[i], false});
                 result.back().high = places_[i];
                 open = true;
             }
@@ -154,7 +174,7 @@ private:
         for (std::size_t left = open.size(); left > 0; --left) {
             const Entry entry = cheapestEntry(open, level);
             Piece& piece = open[entry.piece];
-            const double y = rows_[piece.row];
+            const double y = piece.y;
             const glm::dvec3 low(piece.low, y, level), high(piece.high, y, level);
             if (entry.link.empty()) writer_.enterAt(entry.atHigh ? high : low, entry.atHigh ? high : low);
             for (const glm::dvec3& tip : entry.link) writer_.cutTo(tip);
@@ -178,7 +198,7 @@ private:
     }
 
     Entry entryAt(const Piece& piece, bool atHigh, double level, double bestCost) const {
-        const glm::dvec3 end(atHigh ? piece.high : piece.low, rows_[piece.row], level);
+        const glm::dvec3 end(atHigh ? piece.high : piece.low, piece.y, level);
         Entry entry;
         entry.atHigh = atHigh;
         const double into = std::max(0.0, heights_.freeTip(end.x, end.y) - level);
@@ -246,10 +266,12 @@ private:
     WorkpieceHeights& heights_;
     StrokeWriter writer_;
     double keep_ = 0.0;                        ///< mm of clearance
+    double finishingDepth_ = 0.0;              ///< mm, as far as the tool may cut
     std::vector<double> rows_;                 ///< y
     std::vector<double> places_;               ///< x of the samples of a row
     std::vector<std::vector<double>> reached_; ///< by tier, row and place: how far down the tip may go
     std::vector<double> lowestNearby_;         ///< by row and place
+    std::vector<double> highestNearby_;        ///< by row and place
     double cameFrom_ = 0.0;                    ///< from the end of the last piece, the direction along x back into it
 };
 

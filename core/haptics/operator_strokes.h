@@ -42,5 +42,9 @@ Result<void> checkAbove(NamedNumbers numbers);
 /// Errors: argumentInvalid where a number is not finite or below 0.
 Result<void> checkNotBelow(NamedNumbers numbers);
 Result<void> checkSpeeds(const HandSpeeds& speeds);
+/// What both kinds of finishing passes need. Errors: argumentInvalid.
+Result<void> checkFinishing(const Tool& tool, const FinishingRequest& request);
+/// The request with its own rules put in for step-overs of 0.
+FinishingRequest withStepOvers(FinishingRequest request, const Cutter& cutter);
 
 } // namespace burin

@@ -124,6 +124,7 @@ Result<MillingPlan> planFor(const Bench& bench, const ClearanceField& field, con
     wanted.roughing.allowance = request.allowance;
     wanted.roughing.stepOver = request.roughingStepOver;
     wanted.roughing.levelDepth = request.levelDepth;
+    wanted.roughing.finishingDepth = request.finishingDepth;
     wanted.finishing.part = bench.model.box();
     wanted.finishing.floor = bench.model.box().low.z;
     wanted.finishing.press = request.press;

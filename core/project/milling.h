@@ -46,6 +46,7 @@ struct OperatorRequest {
     double levelDepth = 0.0;        ///< mm, between roughing levels; 0: the plan's own rule
     double roughingStepOver = 0.0;  ///< mm; 0: the plan's own rule
     double finishingStepOver = 0.0; ///< mm; 0: the plan's own rule
+    double finishingDepth = 0.0;    ///< mm of stock that finishing may take at once; 0: the distance of the levels
     double timeLimit = 0.0;         ///< s for both; 0: none
     std::uint64_t seed = 1;         ///< of the hand's tremor
     Pace pace = Pace::fast;
