@@ -90,7 +90,7 @@ private:
             const std::optional<Touch> touch = touchNear(glm::mix(from, to, static_cast<double>(i) / steps));
             if (!touch) continue; // an edge, where no one face is the nearest
             // Standing stock beside the wall: the shank must not come there.
-            if (heights_.safeHeight(touch->tip) > touch->tip.z + tolerance) return false;
+            if (heights_.safeHeight(touch->tip, sampling_) > touch->tip.z + tolerance) return false;
             stretch.touches.push_back(*touch);
         }
         return true;
@@ -165,7 +165,7 @@ private:
         const int steps = static_cast<int>(std::ceil(glm::distance(from, to.tip) / sampling_));
         for (int i = 1; i < steps; ++i) {
             const std::optional<Touch> touch = touchNear(glm::mix(from, to.tip, static_cast<double>(i) / steps));
-            if (touch && heights_.safeHeight(touch->tip) <= touch->tip.z + tolerance)
+            if (touch && heights_.safeHeight(touch->tip, sampling_) <= touch->tip.z + tolerance)
                 writer_.cutTo(touch->aim, touch->tip);
         }
     }

@@ -46,6 +46,10 @@ double lateralMargin(const Cutter& cutter) noexcept {
     return std::min(0.5, cutter.radius() / 6.0);
 }
 
+double trembleMargin(const Cutter& cutter) noexcept {
+    return std::min(0.1, cutter.radius() / 30.0);
+}
+
 WorkpieceHeights::WorkpieceHeights(const Box& stock, const Cutter& cutter) : stock_(stock), cutter_(cutter) {
     const glm::dvec3 size = stock.size();
     cell_ = std::max(std::min(largestRaster, cutter.radius() / 6.0), std::sqrt(size.x * size.y / mostCells));
@@ -90,7 +94,7 @@ double WorkpieceHeights::riseAt(double distance) const noexcept {
 }
 
 void WorkpieceHeights::cut(const glm::dvec3& tip) noexcept {
-    visitDisc(tip.x, tip.y, cutter_.radius(), [&](std::size_t index, double distance) {
+    visitDisc(tip.x, tip.y, cutter_.radius() - trembleMargin(cutter_), [&](std::size_t index, double distance) {
         // Stock that stands higher than the flutes reach is undercut at most; its top stays.
         if (heights_[index] <= tip.z + usableFlutes(cutter_))
             heights_[index] = std::min(heights_[index], tip.z + riseAt(distance));

@@ -24,6 +24,9 @@ double usableFlutes(const Cutter& cutter) noexcept;
 /// How far beside standing stock the operator keeps shank and holder, mm: a hand trembles and rounds its corners.
 double lateralMargin(const Cutter& cutter) noexcept;
 
+/// How much narrower than the cutter the operator takes a cut to be, mm: a trembling hand misses some of its edge.
+double trembleMargin(const Cutter& cutter) noexcept;
+
 /// What the operator sees of the workpiece while planning: how high the stock stands, on a raster. It knows no overhang
 /// and no part. Stock outside the raster does not exist.
 class WorkpieceHeights {
@@ -34,7 +37,7 @@ public:
     /// stock is so large that it would take more than four million cells.
     WorkpieceHeights(const Box& stock, const Cutter& cutter);
 
-    /// The flutes at this tip take away what stands in them.
+    /// The flutes at this tip surely take away what stands in them, but for the tremble margin at their edge.
     void cut(const glm::dvec3& tip) noexcept;
     /// A straight move, by tips no further apart than the raster.
     void cut(const glm::dvec3& from, const glm::dvec3& to) noexcept;

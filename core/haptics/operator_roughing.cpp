@@ -104,7 +104,9 @@ private:
 
     /// Clearance from the part. Below a wall higher than the flutes the shank passes what the levels above have left
     /// standing, so each such tier keeps a little further off.
-    double keepAt(std::size_t tier) const { return keep_ + static_cast<double>(tier) * lateralMargin(tool_.cutter); }
+    double keepAt(std::size_t tier) const {
+        return keep_ + static_cast<double>(tier) * (lateralMargin(tool_.cutter) + trembleMargin(tool_.cutter));
+    }
 
     /// For each place, how deep the tool will go beside it, and how high the part holds it there: in its row and the
     /// rows next to it, within a cutter's reach.

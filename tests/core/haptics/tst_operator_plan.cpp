@@ -123,6 +123,12 @@ private slots:
     void finishingAimsBelowThePartEverywhere();
     void finishingStaysAboveTheFloorAndNearThePart();
     void finishingLeavesLittleOnThePart();
+    void crosswisePassesStayOnSteepWalls();
+    void crosswisePassesSmoothTheWalls();
+    void crosswisePassesNeedASteepPlace();
+    void rowsPassStandingStockOnlyWithRoomForTheShank();
+    void whatIsRoughedInAShortTimeIsFinished_data();
+    void whatIsRoughedInAShortTimeIsFinished();
     void finishingWithoutRoughingGoesNoDeeperThanTheFlutes();
     void pocketIsRoughedFromAbove();
     void roughingIsShortBesideFinishing_data();
@@ -315,6 +321,145 @@ void OperatorPlanTest::finishingLeavesLittleOnThePart() {
     QVERIFY2(most < 0.05 && most > -0.01, qPrintable(QString::number(most)));
 }
 
+void OperatorPlanTest::crosswisePassesStayOnSteepWalls() {
+    LyingCapsule part = mouse;
+    part.answerGradients();
+    WorkpieceHeights heights(mouseStock, ballTool().cutter);
+    QVERIFY(planRoughing(part, ballTool(), roughingRequest(), heights));
+    QVERIFY(planFinishing(part, ballTool(), finishingRequest(part.box()), heights));
+    const auto points = planCrosswiseFinishing(part, ballTool(), finishingRequest(part.box()), heights);
+    QVERIFY(points && points->size() > 5000);
+    int pressing = 0, cutting = 0, lifts = 0;
+    for (std::size_t i = 1; i < points->size(); ++i) {
+        const glm::dvec3& aim = (*points)[i].tip;
+        QVERIFY(aim.z >= 0.0);
+        const bool travels = aim.z > mouseStock.high.z;
+        lifts += travels && (*points)[i - 1].tip.z <= mouseStock.high.z ? 1 : 0;
+        if (travels || (*points)[i - 1].tip.z > mouseStock.high.z) continue;
+        ++cutting;
+        pressing += part.at(aim).clearance < -1.5 ? 1 : 0;
+        // A ball rests at 45 degrees across the rows where its centre is as far beside the ridge as above it; a row's
+        // width and the press, square to the surface, come to 2 mm more.
+        const double beside = std::abs(aim.y) * (30.5 / 28.5);
+        const double along = std::max(0.0, std::abs(aim.x) - 27.5) * (30.5 / 28.5);
+        const double above = std::sqrt(std::max(0.0, 30.5 * 30.5 - beside * beside - along * along));
+        QVERIFY2(beside > above - 3.0, qPrintable(QString("%1 %2 %3").arg(aim.x).arg(aim.y).arg(aim.z)));
+    }
+    QVERIFY2(pressing > cutting * 9 / 10, qPrintable(QString("%1 of %2").arg(pressing).arg(cutting)));
+    QVERIFY2(lifts <= 4, qPrintable(QString::number(lifts))); // two walls, not one lift a pass
+    QVERIFY(points->front().tip.z > mouseStock.high.z && points->back().tip.z > mouseStock.high.z);
+}
+
+void OperatorPlanTest::crosswisePassesSmoothTheWalls() {
+    LyingCapsule part = mouse;
+    part.answerGradients();
+    WorkpieceHeights heights(mouseStock, ballTool().cutter);
+    QVERIFY(planRoughing(part, ballTool(), roughingRequest(), heights));
+    const auto rows = planFinishing(part, ballTool(), finishingRequest(part.box()), heights);
+    const auto crosswise = planCrosswiseFinishing(part, ballTool(), finishingRequest(part.box()), heights);
+    QVERIFY(rows && crosswise);
+    // Places on the wall, up to 80 degrees: how far is the nearest ball that was rolled along it?
+    std::vector<glm::dvec3> walls;
+    for (double x = -20.0; x <= 20.0; x += 1.3)
+        for (double angle = 50.0; angle <= 80.0; angle += 1.1)
+            walls.push_back({x, 27.5 * std::sin(glm::radians(angle)), 5.0 + 27.5 * std::cos(glm::radians(angle))});
+    const auto leftOver = [&](const std::vector<IntentPoint>& points, std::vector<double>& left) {
+        follow(points, [&](const glm::dvec3& aim) {
+            glm::dvec3 centre = aim + glm::dvec3(0.0, 0.0, 3.0);
+            if (std::abs(centre.x) > 24.0 || centre.z < 4.0) return;
+            const glm::dvec2 across(centre.y, centre.z - 5.0); // pushed out square to the capsule
+            const glm::dvec2 held = across * std::max(1.0, 30.5 / glm::length(across));
+            centre = {centre.x, held.x, held.y + 5.0};
+            for (std::size_t i = 0; i < walls.size(); ++i) {
+                if (std::abs(walls[i].x - centre.x) < 2.0)
+                    left[i] = std::min(left[i], glm::distance(walls[i], centre) - 3.0);
+            }
+        });
+    };
+    std::vector<double> left(walls.size(), 1e9);
+    leftOver(*rows, left);
+    const double byRows = *std::max_element(left.begin(), left.end());
+    leftOver(*crosswise, left);
+    const double byBoth = *std::max_element(left.begin(), left.end());
+    qInfo("left on the wall: %.3f mm after the rows, %.3f mm after the crosswise passes", byRows, byBoth);
+    QVERIFY(byRows > 0.05);
+    QVERIFY(byBoth < 0.03);
+}
+
+void OperatorPlanTest::crosswisePassesNeedASteepPlace() {
+    class Slope final : public AnalyticField { // 40 degrees across the rows
+    public:
+        using AnalyticField::AnalyticField;
+        double distance(const glm::dvec3& c) const noexcept override {
+            return glm::dot(c, {0.0, std::sin(glm::radians(40.0)), std::cos(glm::radians(40.0))}) - 20.0;
+        }
+    };
+    Slope slope(3.0);
+    slope.answerGradients();
+    WorkpieceHeights heights({{-10, -10, 0}, {10, 10, 40}}, ballTool().cutter);
+    FinishingRequest request = finishingRequest({{-8, -8, 10}, {8, 8, 35}});
+    const auto points = planCrosswiseFinishing(slope, ballTool(), request, heights);
+    QVERIFY(points && points->empty());
+    request.crosswiseStepOver = -1.0;
+    QCOMPARE(planCrosswiseFinishing(slope, ballTool(), request, heights).error().subject,
+             std::string("crosswise step-over"));
+}
+
+void OperatorPlanTest::rowsPassStandingStockOnlyWithRoomForTheShank() {
+    // A tall wall along x whose face lies so that rows at every level pass it with nothing to spare.
+    for (double face = -2.0; face <= 2.0; face += 0.25) {
+        const Blocks wall(3.0, {{{-40, -40, 0}, {40, face, 33}}});
+        const Box stock{{-40, -40, -5}, {40, 25, 38}};
+        WorkpieceHeights heights(stock, ballTool().cutter);
+        const auto plan = planRoughing(wall, ballTool(), roughingRequest(), heights);
+        QVERIFY(plan);
+        StockRaster raster(stock);
+        double most = 0.0, least = 1e9;
+        follow(plan->points, [&](const glm::dvec3& tip) {
+            least = std::min(least, wall.at(tip).clearance);
+            most = std::max(most, raster.highestAround(tip, 2.9)); // even where the hand is a quarter millimetre off
+            raster.cutBall(tip, 3.0, 22.0);
+        });
+        QVERIFY2(most <= 22.0, qPrintable(QString("%1 at %2").arg(most).arg(face)));
+        QVERIFY2(least >= 0.5, qPrintable(QString("%1 at %2").arg(least).arg(face)));
+    }
+}
+
+void OperatorPlanTest::whatIsRoughedInAShortTimeIsFinished_data() {
+    QTest::addColumn<double>("limit");
+    QTest::newRow("80 s") << 80.0;
+    QTest::newRow("20 s") << 20.0;
+}
+
+void OperatorPlanTest::whatIsRoughedInAShortTimeIsFinished() {
+    QFETCH(double, limit);
+    MillingRequest request;
+    request.stock = mouseStock;
+    request.roughing = roughingRequest();
+    request.finishing = finishingRequest(mouse.box());
+    request.timeLimit = limit;
+    const auto plan = planMilling(mouse, ballTool(), request);
+    QVERIFY(plan && plan->truncated);
+    QVERIFY(plan->bottom > 0.0 && plan->bottom < mouse.box().high.z);
+    const double rough = lengthOverPart(plan->roughing), fine = lengthOverPart(plan->finishing);
+    qInfo("down to %.1f mm in %.1f s; over the part %.0f mm of roughing, %.0f mm of finishing", plan->bottom,
+          plan->roughingSeconds + plan->finishingSeconds, rough, fine);
+    QVERIFY(fine > 1000.0 && rough < 0.1 * fine);
+    // Everything above that height is bare.
+    StockRaster stock(mouseStock);
+    const auto visit = [&](const glm::dvec3& aim) {
+        stock.cutBall({aim.x, aim.y, std::max(aim.z, mouse.restingTip(aim.x, aim.y))}, 3.0);
+    };
+    follow(plan->roughing, visit);
+    follow(plan->finishing, visit);
+    const double most = stock.highestAbove(
+        [&](double x, double y) {
+            return mouse.top(x, y) > std::max(plan->bottom + 0.5, 20.0) ? mouse.top(x, y) : 100.0;
+        },
+        1.0);
+    QVERIFY2(most < 0.25, qPrintable(QString::number(most)));
+}
+
 void OperatorPlanTest::finishingWithoutRoughingGoesNoDeeperThanTheFlutes() {
     const Tool tool = ballTool(6.0, 9.0);
     WorkpieceHeights heights(mouseStock, tool.cutter);
@@ -385,7 +530,8 @@ void OperatorPlanTest::timeLimitIsKept_data() {
     QTest::addColumn<double>("limit");
     QTest::addColumn<bool>("truncated");
     QTest::newRow("faster hand") << 240.0 << false;
-    QTest::newRow("wider passes") << 100.0 << false;
+    QTest::newRow("wider passes") << 130.0 << false;
+    QTest::newRow("the upper part") << 60.0 << true;
     QTest::newRow("too short") << 20.0 << true;
     QTest::newRow("hopeless") << 1.0 << true;
 }
@@ -404,8 +550,8 @@ void OperatorPlanTest::timeLimitIsKept() {
           plan->speedFactor, plan->finishingStepOver);
     QVERIFY(plan->roughingSeconds + plan->finishingSeconds <= limit);
     QCOMPARE(plan->truncated, truncated);
-    QCOMPARE(plan->finishingStepOver > 0.4 + 1e-9, limit <= 100.0);
-    QVERIFY(plan->finishingStepOver <= 1.2 + 1e-9 && plan->speedFactor > 1.0);
+    QCOMPARE(plan->finishingStepOver > 0.4 + 1e-9, limit <= 130.0);
+    QVERIFY(plan->finishingStepOver <= 0.5 + 1e-9 && plan->speedFactor > 1.0);
     for (const auto& points : {plan->roughing, plan->finishing}) {
         for (const IntentPoint& point : points) QVERIFY(point.speed <= fastestHand.travelling);
         if (!points.empty()) QVERIFY(points.back().tip.z > mouseStock.high.z);
