@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/core/haptics/operator_plan_bench.h"
+
+#include <QtTest>
+
+using namespace burin;
+using namespace burin::test;
+
+class OperatorFinishingTest final : public QObject {
+    Q_OBJECT
+
+private slots:
+    void finishingAimsBelowThePartEverywhere();
+    void finishingStaysAboveTheFloorAndNearThePart();
+    void finishingLeavesLittleOnThePart();
+    void crosswisePassesStayOnSteepWalls();
+    void crosswisePassesSmoothTheWalls();
+    void crosswisePassesNeedASteepPlace();
+    void finishingWithoutRoughingGoesNoDeeperThanTheFlutes();
+};
+
+void OperatorFinishingTest::finishingAimsBelowThePartEverywhere() {
+    WorkpieceHeights heights(mouseStock, ballTool().cutter);
+    QVERIFY(planRoughing(mouse, ballTool(), roughingRequest(), heights));
+    const auto points = planFinishing(mouse, ballTool(), finishingRequest(mouse.box()), heights);
+    QVERIFY(points);
+    int over = 0, pressing = 0;
+    for (const IntentPoint& point : *points) {
+        const double resting = mouse.restingTip(point.tip.x, point.tip.y);
+        if (resting < 2.0 || point.tip.z > mouseStock.high.z) continue;
+        ++over;
+        pressing += std::abs(resting - 2.0 - point.tip.z) < 5e-3 ? 1 : 0;
+    }
+    QVERIFY(over > 20000);
+    QVERIFY2(pressing + over / 500 >= over, qPrintable(QString("%1 of %2").arg(pressing).arg(over)));
+}
+
+void OperatorFinishingTest::finishingStaysAboveTheFloorAndNearThePart() {
+    WorkpieceHeights heights(mouseStock, ballTool().cutter);
+    QVERIFY(planRoughing(mouse, ballTool(), roughingRequest(), heights));
+    const auto points = planFinishing(mouse, ballTool(), finishingRequest(mouse.box()), heights);
+    QVERIFY(points);
+    for (const IntentPoint& point : *points) {
+        QVERIFY(point.tip.z >= 0.0);
+        const double besideAxis = std::hypot(std::max(0.0, std::abs(point.tip.x) - 27.5), point.tip.y);
+        QVERIFY(besideAxis <= 27.5 + 3.0 + 1.5 + 0.5);
+    }
+    QVERIFY(points->front().tip.z > mouseStock.high.z);
+    QVERIFY(points->back().tip.z > mouseStock.high.z);
+}
+
+void OperatorFinishingTest::finishingLeavesLittleOnThePart() {
+    WorkpieceHeights heights(mouseStock, ballTool().cutter);
+    const auto roughing = planRoughing(mouse, ballTool(), roughingRequest(), heights);
+    const auto finishing = planFinishing(mouse, ballTool(), finishingRequest(mouse.box()), heights);
+    QVERIFY(roughing && finishing);
+    StockRaster stock(mouseStock);
+    const auto visit = [&](const glm::dvec3& aim) {
+        stock.cutBall({aim.x, aim.y, std::max(aim.z, mouse.restingTip(aim.x, aim.y))}, 3.0);
+    };
+    follow(roughing->points, visit);
+    follow(*finishing, visit);
+    // Within 20 mm of the axis the part's slope is below 47 degrees: ridges of 0.4 mm passes are hundredths of a mm.
+    const double most = stock.highestAbove(
+        [](double x, double y) {
+            const double square = 27.5 * 27.5 - std::pow(std::max(0.0, std::abs(x) - 27.5), 2) - y * y;
+            return square > 27.5 * 27.5 - 400.0 ? 5.0 + std::sqrt(square) : 100.0;
+        },
+        0.0);
+    QVERIFY2(most < 0.05 && most > -0.01, qPrintable(QString::number(most)));
+}
+
+void OperatorFinishingTest::crosswisePassesStayOnSteepWalls() {
+    LyingCapsule part = mouse;
+    part.answerGradients();
+    WorkpieceHeights heights(mouseStock, ballTool().cutter);
+    QVERIFY(planRoughing(part, ballTool(), roughingRequest(), heights));
+    QVERIFY(planFinishing(part, ballTool(), finishingRequest(part.box()), heights));
+    const auto points = planCrosswiseFinishing(part, ballTool(), finishingRequest(part.box()), heights);
+    QVERIFY(points && points->size() > 5000);
+    int pressing = 0, cutting = 0, lifts = 0;
+    for (std::size_t i = 1; i < points->size(); ++i) {
+        const glm::dvec3& aim = (*points)[i].tip;
+        QVERIFY(aim.z >= 0.0);
+        const bool travels = aim.z > mouseStock.high.z;
+        lifts += travels && (*points)[i - 1].tip.z <= mouseStock.high.z ? 1 : 0;
+        if (travels || (*points)[i - 1].tip.z > mouseStock.high.z) continue;
+        ++cutting;
+        pressing += part.at(aim).clearance < -1.5 ? 1 : 0;
+        // A ball rests at 45 degrees across the rows where its centre is as far beside the ridge as above it; a row's
+        // width and the press, square to the surface, come to 2 mm more.
+        const double beside = std::abs(aim.y) * (30.5 / 28.5);
+        const double along = std::max(0.0, std::abs(aim.x) - 27.5) * (30.5 / 28.5);
+        const double above = std::sqrt(std::max(0.0, 30.5 * 30.5 - beside * beside - along * along));
+        QVERIFY2(beside > above - 3.0, qPrintable(QString("%1 %2 %3").arg(aim.x).arg(aim.y).arg(aim.z)));
+    }
+    QVERIFY2(pressing > cutting * 9 / 10, qPrintable(QString("%1 of %2").arg(pressing).arg(cutting)));
+    QVERIFY2(lifts <= 4, qPrintable(QString::number(lifts))); // two walls, not one lift a pass
+    QVERIFY(points->front().tip.z > mouseStock.high.z && points->back().tip.z > mouseStock.high.z);
+}
+
+void OperatorFinishingTest::crosswisePassesSmoothTheWalls() {
+    LyingCapsule part = mouse;
+    part.answerGradients();
+    WorkpieceHeights heights(mouseStock, ballTool().cutter);
+    QVERIFY(planRoughing(part, ballTool(), roughingRequest(), heights));
+    const auto rows = planFinishing(part, ballTool(), finishingRequest(part.box()), heights);
+    const auto crosswise = planCrosswiseFinishing(part, ballTool(), finishingRequest(part.box()), heights);
+    QVERIFY(rows && crosswise);
+    // Places on the wall, up to 80 degrees: how far is the nearest ball that was rolled along it?
+    std::vector<glm::dvec3> walls;
+    for (double x = -20.0; x <= 20.0; x += 1.3)
+        for (double angle = 50.0; angle <= 80.0; angle += 1.1)
+            walls.push_back({x, 27.5 * std::sin(glm::radians(angle)), 5.0 + 27.5 * std::cos(glm::radians(angle))});
+    const auto leftOver = [&](const std::vector<IntentPoint>& points, std::vector<double>& left) {
+        follow(points, [&](const glm::dvec3& aim) {
+            glm::dvec3 centre = aim + glm::dvec3(0.0, 0.0, 3.0);
+            if (std::abs(centre.x) > 24.0 || centre.z < 4.0) return;
+            const glm::dvec2 across(centre.y, centre.z - 5.0); // pushed out square to the capsule
+            const glm::dvec2 held = across * std::max(1.0, 30.5 / glm::length(across));
+            centre = {centre.x, held.x, held.y + 5.0};
+            for (std::size_t i = 0; i < walls.size(); ++i) {
+                if (std::abs(walls[i].x - centre.x) < 2.0)
+                    left[i] = std::min(left[i], glm::distance(walls[i], centre) - 3.0);
+            }
+        });
+    };
+    std::vector<double> left(walls.size(), 1e9);
+    leftOver(*rows, left);
+    const double byRows = *std::max_element(left.begin(), left.end());
+    leftOver(*crosswise, left);
+    const double byBoth = *std::max_element(left.begin(), left.end());
+    qInfo("left on the wall: %.3f mm after the rows, %.3f mm after the crosswise passes", byRows, byBoth);
+    QVERIFY(byRows > 0.05);
+    QVERIFY(byBoth < 0.03);
+}
+
+void OperatorFinishingTest::crosswisePassesNeedASteepPlace() {
+    class Slope final : public AnalyticField { // 40 degrees across the rows
+    public:
+        using AnalyticField::AnalyticField;
+        double distance(const glm::dvec3& c) const noexcept override {
+            return glm::dot(c, {0.0, std::sin(glm::radians(40.0)), std::cos(glm::radians(40.0))}) - 20.0;
+        }
+    };
+    Slope slope(3.0);
+    slope.answerGradients();
+    WorkpieceHeights heights({{-10, -10, 0}, {10, 10, 40}}, ballTool().cutter);
+    FinishingRequest request = finishingRequest({{-8, -8, 10}, {8, 8, 35}});
+    const auto points = planCrosswiseFinishing(slope, ballTool(), request, heights);
+    QVERIFY(points && points->empty());
+    request.crosswiseStepOver = -1.0;
+    QCOMPARE(planCrosswiseFinishing(slope, ballTool(), request, heights).error().subject,
+             std::string("crosswise step-over"));
+}
+
+void OperatorFinishingTest::finishingWithoutRoughingGoesNoDeeperThanTheFlutes() {
+    const Tool tool = ballTool(6.0, 9.0);
+    WorkpieceHeights heights(mouseStock, tool.cutter);
+    FinishingRequest request = finishingRequest(mouse.box());
+    request.stepOver = 2.0;
+    const auto points = planFinishing(mouse, tool, request, heights);
+    QVERIFY(points);
+    StockRaster stock(mouseStock);
+    double most = 0.0, lowest = 1e9;
+    follow(*points, [&](const glm::dvec3& aim) {
+        const glm::dvec3 tip(aim.x, aim.y, std::max(aim.z, mouse.restingTip(aim.x, aim.y)));
+        lowest = std::min(lowest, tip.z);
+        most = std::max(most, stock.highestAround(tip, 2.4));
+        stock.cutBall(tip, 3.0, 9.0);
+    });
+    QVERIFY2(most <= 9.0, qPrintable(QString::number(most)));
+    QVERIFY2(lowest < mouseStock.high.z - 7.0, qPrintable(QString::number(lowest))); // but as deep as that
+}
+
+QTEST_APPLESS_MAIN(OperatorFinishingTest)
+#include "tst_operator_finishing.moc"
