@@ -185,8 +185,10 @@ void JsonObject::objectsByName(std::string_view key,
         fail(key, "has to be an object");
         return;
     }
-    for (const auto& [name, node] : value->items())
-        readNested(node, pathOf(key) + "." + name, [&](JsonObject& nested) { read(name, nested); });
+    for (const auto& item : value->items()) {
+        const std::string& name = item.key();
+        readNested(item.value(), pathOf(key) + "." + name, [&](JsonObject& nested) { read(name, nested); });
+    }
 }
 
 Result<void> JsonObject::finish() {
