@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/cutting/removal.h"
-#include "tests/core/cutting/allocation_count.h"
 #include "tests/core/cutting/workpieces.h"
+#include "tests/oracles/allocation_count.h"
 #include "tests/oracles/moved_piece.h"
 
 #include <QtTest>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/tool_field.h"
+#include "tests/oracles/allocation_count.h"
 
 #include "tests/core/geometry/shapes.h"
 
@@ -14,22 +15,6 @@
 #include <thread>
 
 using namespace burin;
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace {
 
@@ -313,9 +298,9 @@ void ToolFieldTest::askingDoesNotAllocate() {
     const ToolField field = built(part, tool(3.0, 3.0), tips);
     Points points;
     double sum = 0.0;
-    const long before = allocations;
+    const std::size_t before = allocationCount.load();
     for (int i = 0; i < 10000; ++i) sum += field.at(points.in(tips)).clearance + field.errorBound() + field.spacing();
-    QCOMPARE(allocations.load(), before);
+    QCOMPARE(allocationCount.load(), before);
     QVERIFY(std::isfinite(sum));
 }
 

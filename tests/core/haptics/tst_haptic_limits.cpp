@@ -1,40 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/haptic_bench.h"
+#include "tests/oracles/allocation_count.h"
 
 #include <QtTest>
 
 #include <limits>
 #include <new>
 #include <random>
-
-namespace {
-std::size_t allocations = 0;
-void* counted(std::size_t size) {
-    ++allocations;
-    void* memory = std::malloc(size > 0 ? size : 1);
-    if (memory == nullptr) throw std::bad_alloc();
-    return memory;
-}
-} // namespace
-void* operator new(std::size_t size) {
-    return counted(size);
-}
-void* operator new[](std::size_t size) {
-    return counted(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 using namespace burin;
 using namespace burin::test;
@@ -204,7 +177,7 @@ private slots:
     void aTickAllocatesNothing() {
         Bench bench(Bench::settings(), ballTool(5.0, 12.0));
         bench.begin({-12, 0, 2});
-        const std::size_t before = allocations;
+        const std::size_t before = allocationCount.load();
         bench.moveTo({-12, 0, -4}, 30.0);
         bench.moveTo({12, 3, -4}, 40.0);
         bench.moveTo({10, -3, -14}, 40.0);
@@ -212,9 +185,9 @@ private slots:
         bench.moveTo({-12, -3, -14}, 60.0);
         bench.step(StylusState{}, period);
         bench.moveTo({-12, -3, 5}, 60.0);
-        QCOMPARE(allocations, before);
+        QCOMPARE(allocationCount.load(), before);
         ::operator delete(::operator new(1)); // the counter counts
-        QVERIFY(allocations > before);
+        QVERIFY(allocationCount.load() > before);
     }
 
     void contactGivesTheHandNoEnergy_data() {

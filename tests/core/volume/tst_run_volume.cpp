@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/run_volume.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/oracles/allocation_count.h"
 #include "tests/oracles/dense_grid.h"
 
 #include <QtTest>
@@ -16,30 +17,6 @@
 using namespace burin;
 using namespace burin::test;
 using burin::oracles::DenseGrid;
-
-namespace {
-std::atomic<std::size_t> allocations{0};
-} // namespace
-
-// Counts what the C++ program allocates, so that a test can see that an edit does not.
-void* operator new(std::size_t size) {
-    allocations.fetch_add(1, std::memory_order_relaxed);
-    if (void* memory = std::malloc(size)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    allocations.fetch_add(1, std::memory_order_relaxed);
-    return std::malloc(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, const std::nothrow_t&) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace {
 
@@ -175,11 +152,11 @@ private slots:
         std::size_t during = 0;
         for (RunPosition pass = 0; pass < 12; ++pass) {
             held.push_back(volume.snapshot());
-            const std::size_t before = allocations.load();
+            const std::size_t before = allocationCount.load();
             for (LineIndex line; line.v < 64; ++line.v)
                 for (line.u = 0; line.u < 64; ++line.u)
                     QVERIFY(volume.removeSpan(line, pass * 1000 + 100, pass * 1000 + 300, removed) == Removal::removed);
-            during += allocations.load() - before;
+            during += allocationCount.load() - before;
         }
         QCOMPARE(during, std::size_t{0});
         QCOMPARE(removed.units[wax], std::uint64_t{12 * 200 * 64 * 64});
