@@ -114,9 +114,7 @@ Model model() {
     result.bodies.push_back(body("名", {20.0, 1e-17, -1e9}, {1.0, 2.0 / 3.0, 3.0}));
     result.bodies.back().openEdges = 3;
     result.notes = {{ImportNote::Kind::unit, "inch"}, {ImportNote::Kind::healing, "2 gaps closed"}, {}};
-    // Modulo 2^32, as the witness of version 1 has it.
-    for (std::uint32_t i = 0; i < 100000; ++i)
-        result.brep.push_back(static_cast<char>(static_cast<std::int32_t>(i * i) % 251));
+    for (std::uint32_t i = 0; i < 100000; ++i) result.brep.push_back(static_cast<char>(i * i % 251));
     return result;
 }
 
