@@ -38,7 +38,7 @@ void CommandLineTest::initTestCase() {
     QVERIFY(whole.open(QIODevice::ReadOnly));
     const QByteArray step = whole.readAll();
     write("truncated.step", step.left(step.size() / 2));
-    write("noise.stl", QByteArray("\x01\x02\x03 no model at all \xff\xfe", 25));
+    write("noise.stl", QByteArray("\x01\x02\x03 no model at all \xff\xfe"));
     write("text.burin", "not a project");
     write("wrong.ngc", "G21 G90\nG1 X10 F100\nBANANA\nM2\n");
     write("trace.csv", "time_s,x_mm\n0,zero\n");
