@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/stylus.h"
+#include "core/haptics/servo_loop.h"
+#include "core/haptics/workspace_mapping.h"
+#include "core/project/bench.h"
+#include "core/project/stroke_history.h"
+#include "core/recording/sample.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// What there is to see of a session: its newest tick, and figures over the last second.
+struct SessionState {
+    Sample sample;
+    std::chrono::steady_clock::time_point wallTime{}; ///< when the tick was over
+    bool recording = false;
+    std::int64_t take = 0;        ///< that is recorded; 0: none
+    double recordedSeconds = 0.0; ///< of this take
+    bool cutting = false;         ///< the spindle turns (mouse: its button is down)
+    double rateHz = 0.0;          ///< that was really reached, over the last second
+    double cpuP999 = 0.0;         ///< µs of thread CPU time a tick, over the session
+    double workP999 = 0.0;        ///< µs of wall time a tick, over the session
+    std::uint64_t ticks = 0;
+    std::uint64_t missed = 0; ///< edges of the clock that were skipped since the session began
+    SchedulingClass scheduling = SchedulingClass::normal;
+    double removalRate = 0.0;    ///< mm³/s, mean of the last 100 ms
+    std::uint8_t shankPiece = 0; ///< place in pieces(cutter) of what touches; meaningful with sampleShankContact
+    PropertyIndex shankTouches = airProperty; ///< what it touches
+};
+
+/// A workpiece at a moment, for drawing.
+struct WorkpieceView {
+    VolumeSnapshot workpiece;
+    /// When the oldest cut that the view before did not show was made; nothing when nothing was cut.
+    std::optional<std::chrono::steady_clock::time_point> oldestCut;
+};
+
+struct SessionRequest {
+    double allowance = 0.0; ///< mm of stock that the boundary leaves on the part
+    WorkspaceMapping mapping;
+    Pace pace = Pace::realtime;
+    int ticksPerEdge = 1;      ///< time lapse: so many ticks at each edge of the clock; virtual operators only
+    bool cutsOnButton = false; ///< the spindle turns only while the stylus' first button is down
+};
+
+/// Mills with a stylus on a thread of its own while others watch: what the window and the command line share.
+/// The loop owns the bench's workpiece until `end`. All functions belong to the owner's thread (the user interface),
+/// none takes longer than some ticks and one flush of the disk; the loop never waits for any of them.
+class MillingSession {
+public:
+    /// Opens the stylus and starts the loop. Project, bench, field, stylus and strokes outlive the session.
+    /// Errors: those of Stylus::open.
+    static Result<std::unique_ptr<MillingSession>> begin(Project& project, Bench& bench, const ClearanceField& field,
+                                                         Stylus& stylus, StrokeHistory& strokes,
+                                                         const SessionRequest& request);
+    virtual ~MillingSession(); ///< as `end`, its outcome unheard
+
+    /// Starts a take: from the next tick on every one is recorded. Errors: those of Project::beginTake.
+    virtual Result<void> startRecording(const std::string& name) = 0;
+    /// Ends the take; all of it is on the disk when this returns. Errors: those of Recorder::finish.
+    virtual Result<void> stopRecording() = 0;
+    /// Takes the newest stroke of the take under way back, or puts it back: the workpiece at a tick's edge, the
+    /// recording through a mark in the project (nothing is erased). Errors: argumentInvalid (there is none), those of
+    /// Project.
+    virtual Result<void> undoStroke() = 0;
+    virtual Result<void> redoStroke() = 0;
+    /// Without a kick. @param allowance mm, >= 0
+    virtual void setAllowance(double allowance) = 0;
+
+    /// The newest tick. False when there is none since the last call.
+    virtual bool newest(SessionState& state) = 0;
+    /// Asks the loop for a view; it comes with one of the next ticks. False while none is ready. Cheap: ask at each
+    /// frame.
+    virtual bool newestView(WorkpieceView& view) = 0;
+    /// Places of the proxy since the last call, for drawing the path as it grows: a tip each tick that was recorded
+    /// with the spindle turning, in order; a gap between strokes is told by `strokeBegins`.
+    struct TracePoint {
+        glm::vec3 tip{0.0F};
+        bool strokeBegins = false;
+    };
+    virtual void takeTrace(std::vector<TracePoint>& points) = 0;
+
+    /// True when the loop has ended by itself: the stylus finished, or a fault, which `end` then gives.
+    virtual bool ended() const = 0;
+    /// Ends the recording and the loop. Errors: the fault that ended the loop, those of the recorder.
+    virtual Result<LoopStatistics> end() = 0;
+};
+
+} // namespace burin

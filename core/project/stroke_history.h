@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/project.h"
+#include "core/volume/run_volume.h"
+
+#include <cstdint>
+#include <deque>
+
+namespace burin {
+
+/// One stroke of a take: samples from the spindle's start to its stop.
+struct Stroke {
+    std::int64_t take = 0;
+    std::uint64_t first = 0, count = 0; ///< samples of the take
+    VolumeSnapshot before;              ///< the workpiece as the stroke found it
+};
+
+/// The newest strokes of a bench, so that they can be taken back, during a session and after it. Owner's thread.
+class StrokeHistory {
+public:
+    static constexpr std::size_t maximum = 32; ///< strokes that can be taken back; older ones stay
+    bool canUndo() const noexcept { return !done_.empty(); }
+    bool canRedo() const noexcept { return !undone_.empty(); }
+    std::size_t count() const noexcept { return done_.size(); }
+    void clear();
+
+    /// For the session alone: a stroke that was just ended. What could be redone is forgotten.
+    void add(Stroke stroke);
+    /// Puts the workpiece back and marks the stroke's samples as undone in the project, or takes both back. The
+    /// workpiece must have no other writer. Errors: argumentInvalid (there is none), those of Project; nothing is
+    /// changed then.
+    Result<void> undo(Project& project, RunVolume& workpiece);
+    Result<void> redo(Project& project, RunVolume& workpiece);
+
+private:
+    std::deque<Stroke> done_, undone_;
+};
+
+} // namespace burin

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/run_volume.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace burin {
+
+/// Scanlines along u and v that one piece of a workpiece's surface covers, at full run length.
+inline constexpr std::int32_t linesPerSurfaceTile = 32;
+
+/// A piece of a surface: tile u covers the scanlines 32 u … 32 u + 31, v alike.
+struct SurfaceTile {
+    std::int32_t u = 0, v = 0;
+    friend constexpr bool operator==(SurfaceTile, SurfaceTile) = default;
+};
+
+/// Triangles of a piece, mm, setup frame; counter-clockwise from outside.
+struct SurfaceMesh {
+    std::vector<glm::vec3> points;
+    std::vector<glm::vec3> normals;        ///< unit, outwards, a point each
+    std::vector<PropertyIndex> properties; ///< of the material under a point
+    std::vector<std::uint32_t> triangles;  ///< three corners each
+    void clear();
+};
+
+/// How fine a surface is drawn.
+struct SurfaceDetail {
+    int level = 0;          ///< cells of 2^level voxels, 0 … 3
+    double tolerance = 0.0; ///< mm that simplification may move the surface; 0: every cell keeps its triangles
+};
+
+/// Makes the surface of everything in a workpiece but air, tile by tile, smooth from the sub-voxel run ends. Tiles of
+/// one detail meet without a gap. Keeps its working storage from call to call: one object a thread.
+class SurfaceExtractor {
+public:
+    SurfaceExtractor();
+    ~SurfaceExtractor();
+    SurfaceExtractor(SurfaceExtractor&&) noexcept;
+    SurfaceExtractor& operator=(SurfaceExtractor&&) noexcept;
+
+    /// @param mesh replaced
+    void extract(const VolumeSnapshot& workpiece, SurfaceTile tile, const SurfaceDetail& detail, SurfaceMesh& mesh);
+
+private:
+    class Storage;
+    std::unique_ptr<Storage> storage_;
+};
+
+/// How many tiles a grid has along u and v.
+glm::ivec2 surfaceTiles(const Grid& grid);
+
+/// Tiles whose surface may differ between two snapshots of one volume, those beside a change included.
+/// Everything when `before` is empty or shows another volume.
+std::vector<SurfaceTile> changedSurface(const VolumeSnapshot& before, const VolumeSnapshot& now);
+
+} // namespace burin

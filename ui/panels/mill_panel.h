@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/panel_states.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+namespace burin {
+
+/// Mill mode: record first, then how the tool follows the hand, the takes, and how to mill by mouse and keyboard.
+class MillPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit MillPanel(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setState(const MillState& state); ///< never emits
+
+signals:
+    void millModeToggled(bool on);
+    void recordToggled(bool on);
+    void undoStrokeRequested();
+    void redoStrokeRequested();
+    void depthRuleChosen(burin::DepthChoice rule);
+    void depthOfCutEdited(double millimetres);
+    void pressEdited(double millimetres);
+    void speedEdited(double millimetresPerSecond);
+    void showMeRequested();
+    void takeRemovalRequested(qint64 take);
+
+private:
+    class Fields;
+    Fields* fields_ = nullptr;
+};
+
+} // namespace burin

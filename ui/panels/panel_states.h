@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/model.h"
+#include "core/path/edit.h"
+#include "core/project/project.h"
+#include "core/setup/setup.h"
+#include "core/tool/tool.h"
+#include "core/verify/verify.h"
+#include "core/volume/property_list.h"
+
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// What each panel shows. Panels own no model: they get one of these and tell by signals what the user wants.
+namespace burin {
+
+struct PartState {
+    std::shared_ptr<const Model> model; ///< null: none yet
+    bool busy = false;
+};
+
+struct StockState {
+    bool hasPart = false;
+    Setup setup;                       ///< as edited; `stock` filled by placeStock
+    std::optional<EmbeddingSize> size; ///< voxels and memory that embedding would take
+    bool embedded = false;             ///< the workpiece stands as `setup` says
+    bool locked = false;               ///< there are recordings: stock and material stay as they are
+    bool busy = false;
+    QString problem; ///< why this stock can't be embedded, a sentence; empty: it can
+};
+
+struct MaterialState {
+    std::vector<Property> materials; ///< of the library
+    std::string stockMaterial;
+    std::vector<std::string> bodyNames, bodyMaterials;
+    bool locked = false;
+};
+
+struct ToolState {
+    std::vector<Tool> tools;
+    std::string current;
+    double feed = 0.0, plungeFeed = 0.0,
+           spindleSpeed = 0.0;        ///< mm/min, mm/min, 1/min in the stock's material; 0: not known yet
+    bool conditionsEstimated = false; ///< the material's figures are estimates
+    bool fieldBusy = false;           ///< the boundary for this tool is being computed
+    bool locked = false;              ///< a recording runs
+};
+
+struct AllowanceState {
+    double allowance = 0.0; ///< mm
+    double maximum = 5.0;   ///< mm
+    bool locked = false;
+};
+
+enum class DepthChoice { level, part };
+
+struct TakeRow {
+    TakeInfo info;
+    std::size_t strokes = 0;
+};
+
+struct MillState {
+    bool ready = false;  ///< stock embedded and boundary there
+    QString missing;     ///< what is to be done first, a sentence
+    bool active = false; ///< mill mode
+    bool recording = false;
+    double recordedSeconds = 0.0;
+    bool canUndoStroke = false, canRedoStroke = false;
+    DepthChoice depthRule = DepthChoice::level;
+    double depthOfCut = 1.0, press = 2.0, speed = 60.0; ///< mm, mm, mm/s
+    QString alarm;                                      ///< what touches what; empty: nothing
+    std::vector<TakeRow> takes;
+    bool showing = false; ///< the virtual operator mills
+};
+
+struct PathState {
+    bool hasTakes = false;
+    bool exists = false;
+    StoredPath path;
+    std::vector<EditReport> reports;   ///< of the newest evaluation, one for each enabled edit, in order
+    std::optional<double> errorBudget; ///< mm
+    std::size_t points = 0;
+    double cuttingLength = 0.0; ///< mm
+    bool outdated = false;      ///< takes or edits changed since
+    bool busy = false;
+    QString problem;
+};
+
+struct ProgramState {
+    bool hasPath = false;
+    QString text; ///< empty: not posted
+    std::size_t blocks = 0;
+    std::optional<VerifyReport> report;
+    double gougeTolerance = 0.02; ///< mm
+    bool outdated = false;
+    bool busy = false;
+    QString problem;
+};
+
+/// What the meters and the status line show.
+struct MeterState {
+    bool running = false; ///< the haptic loop runs
+    double rateHz = 0.0;
+    double workP999 = 0.0; ///< µs of thread CPU time
+    std::uint64_t missed = 0;
+    double force = 0.0;       ///< N, unscaled cutting force
+    double forceScale = 5.0;  ///< N, full scale so far
+    double removalRate = 0.0; ///< mm³/s
+    double removalScale = 100.0;
+    glm::dvec3 tip{0.0}; ///< mm, program coordinates
+    QString stylus;      ///< "Mouse", "Virtual operator 8 ×"
+};
+
+/// The steps of the job, in order.
+enum class JobStep { part, stock, material, tool, allowance, mill, path, program };
+enum class StepProgress { missing, ready, current, done };
+struct JobStepState {
+    StepProgress progress = StepProgress::missing;
+    QString line; ///< what it holds, or what is missing
+};
+
+} // namespace burin

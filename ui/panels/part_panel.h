@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/panel_states.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+namespace burin {
+
+/// The CAD part: file, unit, bodies with volume and box, what was healed and what is doubtful.
+class PartPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit PartPanel(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setState(const PartState& state); ///< never emits
+
+signals:
+    void importRequested();
+
+private:
+    class Fields;
+    Fields* fields_ = nullptr;
+};
+
+} // namespace burin

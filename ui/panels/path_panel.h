@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/panel_states.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+namespace burin {
+
+/// The edits in order, each with switch, parameters and the error that it caused; the error budget.
+class PathPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit PathPanel(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setState(const PathState& state); ///< never emits
+
+signals:
+    void newPathRequested();
+    void editChanged(std::size_t index, const burin::Edit& edit); ///< switched or a parameter changed
+    void evaluateRequested();
+    void visibilityToggled(bool shown);
+
+private:
+    class Fields;
+    Fields* fields_ = nullptr;
+};
+
+} // namespace burin

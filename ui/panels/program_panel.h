@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/panel_states.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+namespace burin {
+
+/// The program with highlighting, the verdict of its check and every finding, its figures; Export.
+class ProgramPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit ProgramPanel(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setState(const ProgramState& state); ///< never emits
+
+signals:
+    void postRequested();
+    void exportRequested();
+    void gougeToleranceEdited(double millimetres);
+    void lineChosen(int line); ///< from 1
+
+private:
+    class Fields;
+    Fields* fields_ = nullptr;
+};
+
+} // namespace burin

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <QPointF>
+#include <Qt>
+
+namespace burin {
+
+/// A pointer event over the viewport, in the setup frame.
+struct ViewportEvent {
+    QPointF position;                      ///< device-independent pixels from the viewport's top left
+    glm::dvec3 rayOrigin{0.0};             ///< mm: where the sight through the pointer begins
+    glm::dvec3 rayDirection{0.0};          ///< unit
+    Qt::MouseButton button = Qt::NoButton; ///< that changed
+    Qt::MouseButtons buttons;
+    Qt::KeyboardModifiers modifiers;
+    double wheelSteps = 0.0; ///< notches, > 0 away from the user
+};
+
+/// One way of using the pointer in the viewport: the camera, the mouse as a stylus, … The viewport asks the active tool
+/// first; what it doesn't take (false) moves the camera.
+class InteractiveTool {
+public:
+    virtual ~InteractiveTool() = default;
+    virtual bool press(const ViewportEvent&) { return false; }
+    virtual bool move(const ViewportEvent&) { return false; }
+    virtual bool release(const ViewportEvent&) { return false; }
+    virtual bool wheel(const ViewportEvent&) { return false; }
+    /// @return true when the key meant something. Esc comes here too.
+    virtual bool key(int /*key*/, Qt::KeyboardModifiers) { return false; }
+    virtual void leave() {} ///< the pointer left the viewport, or the tool is put away
+};
+
+} // namespace burin

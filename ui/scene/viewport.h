@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/model.h"
+#include "core/path/path.h"
+#include "core/recording/sample.h"
+#include "core/tool/tool.h"
+#include "core/volume/run_volume.h"
+#include "ui/scene/interactive_tool.h"
+#include "ui/theme/theme.h"
+
+#include <QOpenGLWidget>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace burin {
+
+enum class StandardView { isometric, top, bottom, front, back, left, right };
+
+/// What a tick looks like.
+struct ToolMarks {
+    ToolPose proxy;
+    glm::dvec3 stylusTip{
+        0.0}; ///< mm, setup frame: where the hand wants it; drawn as a ghost with the coupling to the proxy
+    glm::dvec3 force{0.0}; ///< N, setup frame: the arrow, with its value
+    bool ghost = false;
+    bool alarm = false; ///< shank contact: shank and holder flash
+    bool cutting = false;
+};
+
+/// How drawing has kept up; for the status line and benchmarks. Times in ms, since the last `resetStatistics`.
+struct FrameStatistics {
+    std::size_t frames = 0;
+    double paintMaximum = 0.0, paintP95 = 0.0;             ///< of one paint, GUI thread
+    double cutToScreenP95 = 0.0, cutToScreenMaximum = 0.0; ///< from a cut's tick to the end of the paint that shows it
+    std::size_t cutsShown = 0;
+    std::size_t triangles = 0; ///< drawn in the newest frame
+    bool fullDetail = false;   ///< of the newest frame
+    bool busy = false;         ///< a worker is still meshing
+};
+
+/// The viewport: a QOpenGLWidget that owns its VTK render window (the only Qt widget that knows VTK). Draws what it is
+/// given and asks for nothing; never waits for the worker that meshes.
+/// Mouse: middle or right drag orbits, Shift + middle drag (or middle + right) pans, wheel zooms to the cursor, unless
+/// the active tool takes the event. Thread: user interface.
+class Viewport : public QOpenGLWidget {
+    Q_OBJECT
+public:
+    explicit Viewport(QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    void setPalette3D(const Palette& palette);
+    /// The bare part, drawn until there is a workpiece (and on wish beside it). Null: none.
+    void setPart(std::shared_ptr<const Model> model);
+    void setPartVisible(bool visible);
+    /// Outline of the stock to be, mm, setup frame. Nothing: none.
+    void setStockOutline(const std::optional<Box>& stock);
+    /// The workpiece as it is now: bricks that changed are meshed on the worker's thread and drawn when they are ready.
+    /// @param oldestCut for the statistics. An empty snapshot: none.
+    void setWorkpiece(const VolumeSnapshot& workpiece,
+                      std::optional<std::chrono::steady_clock::time_point> oldestCut = std::nullopt);
+    void setWorkpieceVisible(bool visible);
+    void setTool(const std::optional<Tool>& tool);
+    void setToolMarks(const ToolMarks& marks);
+    void setToolVisible(bool visible);
+    /// The path as it is recorded: tips, mm; a stroke begins where `newStroke`.
+    void appendLivePath(std::span<const glm::vec3> tips, bool newStroke);
+    void clearLivePath();
+    /// The edited path, colour by kind of move.
+    void setPath(const Path& path);
+    void setPathVisible(bool visible);
+
+    void setStandardView(StandardView view);
+    void fit();
+    /// Not owned; nullptr: the camera alone.
+    void setInteractiveTool(InteractiveTool* tool);
+    /// Sight through a place of the widget (device-independent pixels).
+    ViewportEvent sight(const QPointF& position) const;
+    /// Where a place in the setup frame appears, device-independent pixels.
+    QPointF project(const glm::dvec3& place) const;
+
+    FrameStatistics statistics() const;
+    void resetStatistics();
+
+signals:
+    /// After each paint.
+    void painted();
+    /// OpenGL is missing or too old; the sentence is for the user.
+    void drawingFailed(const QString& sentence);
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace burin

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/surface.h"
+
+#include <vtkRenderer.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace burin {
+
+/// The workpiece in the viewport: meshes changed tiles of the newest snapshot on a worker thread, keeps an actor a
+/// group of tiles, and chooses the level of detail. User interface's thread, OpenGL current where VTK needs it.
+class WorkpieceActors {
+public:
+    static constexpr std::size_t movingTriangles = 100'000; ///< at most drawn while the view or the tool moves
+
+    /// @param ready called on the worker's thread when there is something new to draw: post a wake-up, no more
+    WorkpieceActors(vtkRenderer& renderer, std::function<void()> ready);
+    ~WorkpieceActors();
+
+    /// Replaces what is to be shown. Returns at once; a snapshot that is overtaken is skipped.
+    void show(const VolumeSnapshot& workpiece, std::optional<std::chrono::steady_clock::time_point> oldestCut);
+    void setVisible(bool visible);
+    /// sRGB of bare part; materials bring their own colours.
+    void setPartColour(const std::array<std::uint8_t, 3>& colour);
+    /// To be called before each paint: takes over what the worker has ready, within a budget of time.
+    /// @param moving whether view or tool move: the coarser level is drawn
+    /// @param focus where detail matters most, mm (the tool's tip)
+    void update(bool moving, const glm::dvec3& focus);
+
+    std::size_t triangles() const; ///< that the next paint draws
+    bool fullDetail() const;       ///< everything is drawn at full detail
+    bool busy() const;             ///< the worker is not done
+    /// The newest cut that the next paint shows for the first time; told once.
+    std::optional<std::chrono::steady_clock::time_point> takeCutShown();
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace burin
