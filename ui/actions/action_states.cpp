@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/action_states.h"
+
+namespace burin {
+
+ActionStates::ActionStates(Actions& actions, Workbench& workbench, QObject* parent)
+    : QObject(parent), actions_(actions), workbench_(workbench) {
+    for (Controller* controller : workbench.controllers())
+        connect(controller, &Controller::changed, this, &ActionStates::update);
+    connect(&workbench.session, &SessionRunner::ticked, this, &ActionStates::update);
+    update();
+}
+
+void ActionStates::update() {
+    const Workbench& bench = workbench_;
+    const bool showing = bench.showMe.showing();
+    enable(ActionId::save, bench.document.isOpen());
+    enable(ActionId::saveAs, bench.document.isOpen());
+    enable(ActionId::exportProgram, bench.program.exportable());
+    enable(ActionId::embed, bench.setup.usable() && !bench.setup.locked() && !bench.bench.embedding());
+    enable(ActionId::millMode, bench.bench.ready() && !showing);
+    enable(ActionId::record, bench.mill.active());
+    enable(ActionId::showMe, bench.setup.usable() && !showing && !bench.mill.active());
+    enable(ActionId::stopShow, showing);
+    enable(ActionId::newPath, !bench.mill.takes().empty() && bench.bench.embedded());
+    enable(ActionId::evaluatePath, bench.path.stored().has_value() && bench.bench.embedded());
+    enable(ActionId::post, bench.path.evaluated() != nullptr && !bench.path.outdated());
+    actions_[ActionId::millMode]->setChecked(bench.mill.active());
+    actions_[ActionId::record]->setChecked(bench.mill.recording());
+}
+
+} // namespace burin
