@@ -155,7 +155,7 @@ void hold(Piece& piece, const std::vector<Held>& points, const Holder& holder) {
 
 } // namespace
 
-Result<Deviation> apply(const HoldOut& edit, PathState& state, const PathContext& context, Progress& progress) {
+Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
     const auto anyShortcut = [](const glm::dvec3&, const glm::dvec3&) { return true; };

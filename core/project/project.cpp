@@ -116,6 +116,13 @@ Result<void> Project::removeTake(std::int64_t id) {
     return impl_->change([id](Database& database) { return eraseTake(database, id); });
 }
 
+Result<void> Project::undoStretch(std::int64_t take, const SampleRange& stretch) {
+    return impl_->change([&](Database& database) { return storeUndone(database, take, stretch); });
+}
+Result<void> Project::redoStretch(std::int64_t take, const SampleRange& stretch) {
+    return impl_->change([&](Database& database) { return eraseUndone(database, take, stretch); });
+}
+
 Result<Project::TakeWriter> Project::beginTake(const TakeInfo& info) {
     if (readOnly()) return Error{ErrorCode::fileNotWritable, impl_->file.string(), {}, "open for reading alone"};
     return TakeWriter::begin(impl_->copy, info);

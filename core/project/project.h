@@ -94,6 +94,13 @@ public:
     /// Errors: as `take`, argumentInvalid while a path uses it.
     Result<void> removeTake(std::int64_t id);
 
+    /// Notes that a stretch of a take was taken back: its samples stay, and count no more. The take may still be
+    /// recorded, and the stretch run ahead of what the recorder has written. Errors: nameUnknown (the take),
+    /// argumentInvalid (an empty stretch, or one that overlaps another).
+    Result<void> undoStretch(std::int64_t take, const SampleRange& stretch);
+    /// Takes such a note back. Errors: argumentInvalid (there is none of just this stretch).
+    Result<void> redoStretch(std::int64_t take, const SampleRange& stretch);
+
     /// Its id; `path.id` is ignored. Errors: nameUnknown (a take).
     Result<std::int64_t> addPath(const StoredPath& path);
     /// Errors: nameUnknown (the path, a take).

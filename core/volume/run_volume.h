@@ -127,7 +127,7 @@ public:
 
     /// Total of every property, kept up to date with each edit: O(1).
     const RunAmounts& amounts() const noexcept;
-    /// Cost: below a tick. Bricks are copied when they are next written. Allocates only when more than eight snapshots
+    /// Cost: below a tick. Bricks are copied when they are next written. Allocates only when more than 64 snapshots
     /// are held at once. Writer's thread.
     VolumeSnapshot snapshot();
     /// Puts back what a snapshot of this volume held (undo). Needs no memory; snapshots taken since stay as they are.
