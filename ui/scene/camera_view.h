@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/box.h"
+#include "ui/scene/sight.h"
 #include "ui/scene/viewport.h"
 
 #include <QPointF>
@@ -27,12 +28,6 @@ struct CameraAxes {
     glm::dvec3 eye{0.0}, right{0.0}, up{0.0}, back{0.0}; ///< `back`: from the focus to the eye
 };
 CameraAxes axesOf(const CameraView& view) noexcept;
-
-/// A half-line from the eye.
-struct Sight {
-    glm::dvec3 origin{0.0};    ///< mm
-    glm::dvec3 direction{0.0}; ///< unit
-};
 
 // Places in the widget: device-independent pixels from its top left; `size` is the widget's.
 
