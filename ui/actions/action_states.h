@@ -18,6 +18,7 @@ public:
 
 private:
     void update();
+    void updateUndo();
     void enable(ActionId id, bool enabled) { actions_[id]->setEnabled(enabled); }
 
     Actions& actions_;

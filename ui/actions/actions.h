@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// Everything that the menus offer, apart from undo and redo, whose texts are the undo stack's.
+/// Everything that the menus offer.
 enum class ActionId : std::size_t {
     newProject,
     openProject,
@@ -19,6 +19,8 @@ enum class ActionId : std::size_t {
     save,
     saveAs,
     exportProgram,
+    undo, ///< its text and that of redo name what it would do
+    redo,
     preferences,
     quit,
     fit,

@@ -50,7 +50,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
 
     auto* note = new QLabel(tr("Another language is in force from the next start on."), this);
     note->setObjectName(QStringLiteral("languageNote"));
-    note->setProperty("quiet", true);
+    note->setProperty("look", "quiet");
     note->setWordWrap(true);
     layout->addWidget(note);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);

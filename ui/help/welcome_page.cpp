@@ -15,13 +15,13 @@ namespace {
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text.toUpper(), parent);
-    label->setProperty("role", "heading");
+    label->setProperty("look", "section");
     return label;
 }
 
 QLabel* quiet(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
-    label->setProperty("role", "quiet");
+    label->setProperty("look", "quiet");
     label->setWordWrap(true);
     return label;
 }
@@ -67,7 +67,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
     auto* title = new QLabel(tr("Burin"), centre);
-    title->setProperty("role", "title");
+    title->setProperty("look", "title");
     QFont large = title->font();
     large.setPointSizeF(large.pointSizeF() * 2.4);
     title->setFont(large);
@@ -147,7 +147,6 @@ void WelcomePage::setRecentFiles(const QStringList& files) {
     for (const QString& file : files) {
         const QFileInfo info(file);
         auto* row = button(info.completeBaseName(), "recentFileButton", file);
-        row->setProperty("role", "row");
         row->setFlat(true);
         connect(row, &QPushButton::clicked, this, [this, file] { emit recentChosen(file); });
         recent_->addWidget(row);

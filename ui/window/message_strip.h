@@ -2,25 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QFrame>
+#include "ui/panels/notice.h"
 
-class QLabel;
+#include <QWidget>
 
 namespace burin {
 
 /// One sentence above the viewport that the user may put away; it never stops anybody's work.
-class MessageStrip final : public QFrame {
+class MessageStrip final : public QWidget {
     Q_OBJECT
 public:
-    enum class Kind { information, warning, error };
     explicit MessageStrip(QWidget* parent = nullptr);
 
-    void show(Kind kind, const QString& sentence);
+    void tell(Notice::Kind kind, const QString& sentence);
     void dismiss();
+    QString sentence() const { return notice_->sentence(); }
 
 private:
-    QLabel* mark_ = nullptr;
-    QLabel* text_ = nullptr;
+    Notice* notice_ = nullptr;
 };
 
 } // namespace burin

@@ -8,8 +8,6 @@ MillMode::MillMode(Workbench& workbench, Viewport& viewport, QObject* parent)
     : QObject(parent), workbench_(workbench), viewport_(viewport) {
     connect(&workbench.mill, &MillController::entered, this, &MillMode::begin);
     connect(&workbench.mill, &MillController::left, this, &MillMode::end);
-    connect(&workbench.session, &SessionRunner::viewed, this,
-            [this](const WorkpieceView& view) { newest_ = view.workpiece; });
 }
 
 MillMode::~MillMode() {
@@ -23,9 +21,8 @@ void MillMode::setSettings(const MillToolSettings& settings) {
 }
 
 void MillMode::begin() {
-    newest_ = workbench_.session.firstView();
     tool_ = std::make_unique<MillTool>(*workbench_.mill.stylus(), workbench_.bench.bench()->tool,
-                                       [this] { return newest_; });
+                                       [this] { return workbench_.session.workpiece(); });
     tool_->setSettings(settings_);
     connect(tool_.get(), &MillTool::strokeBegins, &workbench_.mill, &MillController::startRecording);
     // Not at once: the tool would be deleted while it handles the key.
@@ -37,7 +34,6 @@ void MillMode::begin() {
 void MillMode::end() {
     viewport_.setInteractiveTool(nullptr);
     tool_.reset();
-    newest_ = {};
 }
 
 } // namespace burin

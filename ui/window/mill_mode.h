@@ -33,7 +33,6 @@ private:
     Workbench& workbench_;
     Viewport& viewport_;
     MillToolSettings settings_;
-    VolumeSnapshot newest_; ///< for the depth under the pointer
     std::unique_ptr<MillTool> tool_;
 };
 

@@ -48,8 +48,8 @@ MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& pa
         else
             workbench_.mill.stopRecording();
     });
-    connect(&panel, &MillPanel::undoStrokeRequested, &workbench.undo(), &QUndoStack::undo);
-    connect(&panel, &MillPanel::redoStrokeRequested, &workbench.undo(), &QUndoStack::redo);
+    connect(&panel, &MillPanel::undoStrokeRequested, &workbench, &Workbench::undoLast);
+    connect(&panel, &MillPanel::redoStrokeRequested, &workbench, &Workbench::redoLast);
     connect(&panel, &MillPanel::depthRuleChosen, this, [this](DepthChoice choice) {
         MillToolSettings settings = mode_.settings();
         settings.rule = choice == DepthChoice::part ? DepthRule::part : DepthRule::level;

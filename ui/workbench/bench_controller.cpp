@@ -4,23 +4,18 @@
 
 #include "core/machine/machine_library.h"
 #include "ui/workbench/setup_controller.h"
+#include "ui/workbench/stroke_count.h"
 #include "ui/workbench/tool_controller.h"
 
 namespace burin {
 
 namespace {
 
-Result<std::vector<Take>> allTakes(const Project& project) {
-    const Result<std::vector<TakeInfo>> infos = project.takes();
-    if (!infos) return infos.error();
-    std::vector<Take> takes;
-    for (const TakeInfo& info : *infos) {
-        Result<Take> take = project.take(info.id);
-        if (!take) return std::move(take).error();
-        takes.push_back(std::move(*take));
-    }
-    return takes;
-}
+/// A bench with what its recordings cut, and how many strokes stand in each of them.
+struct ReplayedBench {
+    std::shared_ptr<Bench> bench;
+    std::map<std::int64_t, std::size_t> strokes;
+};
 
 } // namespace
 
@@ -55,35 +50,40 @@ void BenchController::embed() {
     if (!model_ || embedding()) return;
     reading_ = true;
     emit changed();
-    desk_.project.ask(allTakes, [this](Result<std::vector<Take>> takes) {
-        reading_ = false;
-        if (takes)
-            embedWith(std::move(*takes));
-        else
-            emit failed(takes.error());
-        emit changed();
-    });
+    desk_.project.ask([](Project& project) { return takesOf(project); },
+                      [this](Result<std::vector<TakeWithTool>> takes) {
+                          reading_ = false;
+                          if (takes)
+                              embedWith(std::move(*takes));
+                          else
+                              emit failed(takes.error());
+                          emit changed();
+                      });
 }
 
-void BenchController::embedWith(std::vector<Take> takes) {
+void BenchController::embedWith(std::vector<TakeWithTool> takes) {
+    BenchRequest request{model_, setup_, tool_, defaultMachine, {}};
     desk_.tasks.start(
         TaskKind::embedding, tr("Embedding the part"),
-        [model = model_, setup = setup_, tool = tool_,
-         takes = std::move(takes)](Progress& progress) -> Result<std::shared_ptr<Bench>> {
-            progress.stage(0.0, takes.empty() ? 1.0 : 0.4);
-            Result<Bench> bench = makeBench(*model, setup, tool, defaultMachine, progress);
+        [request = std::move(request), takes = std::move(takes)](Progress& progress) -> Result<ReplayedBench> {
+            Result<Bench> bench = makeBench(request, progress);
             if (!bench) return std::move(bench).error();
-            progress.stage(0.4, 1.0);
+            progress.stage(0.0, 1.0);
             if (Result<void> replayed = replayTakes(takes, *bench, progress); !replayed) return replayed.error();
-            return std::make_shared<Bench>(std::move(*bench));
+            ReplayedBench made{std::make_shared<Bench>(std::move(*bench)), {}};
+            for (const TakeWithTool& take : takes) made.strokes[take.take.info.id] = strokeCount(take.take);
+            return made;
         },
-        [this](Result<std::shared_ptr<Bench>> outcome) {
+        [this](Result<ReplayedBench> outcome) {
             if (!outcome) {
                 emit changed();
                 emit failed(outcome.error());
                 return;
             }
-            letGo([this, bench = *outcome] { adopt(bench); });
+            letGo([this, made = *outcome] {
+                adopt(made.bench);
+                emit replayed(made.strokes);
+            });
         });
     emit changed();
 }

@@ -7,6 +7,7 @@
 #include "ui/workbench/controller.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 
 namespace burin {
@@ -43,9 +44,11 @@ public:
 signals:
     void workpieceChanged(); ///< outside a session
     void toolChanged();      ///< the tool in force
+    /// The workpiece was made anew with these recordings: how many strokes stand in each.
+    void replayed(const std::map<std::int64_t, std::size_t>& strokes);
 
 private:
-    void embedWith(std::vector<Take> takes);
+    void embedWith(std::vector<TakeWithTool> takes);
     void adopt(std::shared_ptr<Bench> bench);
     void buildField();
     void adoptField(const Tool& tool, std::shared_ptr<const ClearanceField> field);

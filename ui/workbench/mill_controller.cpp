@@ -6,6 +6,8 @@
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace burin {
 
@@ -110,7 +112,16 @@ void MillController::applyAllowance(double millimetres) {
 }
 
 void MillController::takeBack(bool undo) {
-    const auto done = [this](bool) {
+    // Older strokes stay for good: their entries of the undo stack do nothing any more.
+    const StrokeHistory& history = bench_.strokes();
+    if (undo ? !history.canUndo() : !history.canRedo()) return;
+    const std::int64_t taken = history.canUndo() ? history.newest().take : 0;
+    const auto done = [this, undo, taken](bool changedIt) {
+        if (!changedIt) return;
+        if (undo)
+            --strokes_[taken];
+        else
+            ++strokes_[bench_.strokes().newest().take];
         emit takesChanged();
         emit changed();
     };
@@ -134,12 +145,22 @@ void MillController::takeBack(bool undo) {
 
 void MillController::noteStrokes() {
     const std::uint64_t now = bench_.strokes().added();
-    if (now < strokesSeen_) strokesSeen_ = now; // the history was cleared
-    const std::uint64_t fresh = now - strokesSeen_;
-    strokesSeen_ = now;
+    const std::uint64_t fresh = now - std::exchange(strokesSeen_, now);
     for (std::uint64_t i = 0; i < fresh; ++i)
         desk_.undo.push(new StrokeCommand(tr("stroke"), [this](bool undo) { takeBack(undo); }));
-    if (fresh > 0) emit takesChanged();
+    if (fresh == 0) return;
+    if (bench_.strokes().canUndo()) strokes_[bench_.strokes().newest().take] += fresh;
+    emit takesChanged();
+}
+
+std::size_t MillController::strokesOf(std::int64_t take) const {
+    const auto found = strokes_.find(take);
+    return found == strokes_.end() ? 0 : found->second;
+}
+
+void MillController::setStrokes(std::map<std::int64_t, std::size_t> strokes) {
+    strokes_ = std::move(strokes);
+    emit changed();
 }
 
 void MillController::removeTake(std::int64_t id) {

@@ -6,6 +6,8 @@
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/session_runner.h"
 
+#include <map>
+
 namespace burin {
 
 /// Milling by hand: mill mode with the mouse as stylus, recordings, strokes taken back, the allowance.
@@ -19,6 +21,7 @@ public:
     bool recording() const noexcept { return session_.running() && session_.state().recording; }
     double allowance() const noexcept { return allowance_; } ///< mm
     const std::vector<TakeInfo>& takes() const noexcept { return takes_; }
+    std::size_t strokesOf(std::int64_t take) const; ///< that stand
 
     using Then = std::function<void()>;
     void enter();
@@ -32,6 +35,7 @@ public:
 
     /// What a project holds.
     void load(std::vector<TakeInfo> takes);
+    void setStrokes(std::map<std::int64_t, std::size_t> strokes);
     /// Reads the list of recordings again.
     void refreshTakes();
 
@@ -41,7 +45,6 @@ signals:
     void takesChanged(); ///< recordings came, went, or strokes of them were taken back
 
 private:
-    friend class StrokeCommand;
     void takeBack(bool undo);
     void noteStrokes();
     void applyAllowance(double millimetres);
@@ -54,6 +57,7 @@ private:
     double allowance_ = 0.0;
     std::vector<TakeInfo> takes_;
     std::uint64_t strokesSeen_ = 0;
+    std::map<std::int64_t, std::size_t> strokes_;
 };
 
 } // namespace burin

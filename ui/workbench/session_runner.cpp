@@ -23,6 +23,7 @@ void SessionRunner::begin(const Place& place, std::unique_ptr<Stylus> stylus, co
             then(false);
             return;
         }
+        view_ = {place.bench->embedded.workpiece.snapshot(), std::nullopt};
         Result<std::unique_ptr<MillingSession>> session =
             MillingSession::begin(*project, *place.bench, *place.field, **held, *place.strokes, request);
         if (!session) {
@@ -37,6 +38,7 @@ void SessionRunner::begin(const Place& place, std::unique_ptr<Stylus> stylus, co
         ended_ = false;
         frame_.start();
         then(true);
+        if (!request.takeName.empty()) emit recordingStarted();
         emit changed();
     });
 }
@@ -47,10 +49,11 @@ void SessionRunner::end(Then then) {
             frame_.stop();
             const Result<LoopStatistics> outcome = session_->end();
             session_.reset();
-            stylus_.reset();
+            const std::unique_ptr<Stylus> stylus = std::move(stylus_); // whoever leads it lets go of it below
+            const Place place = std::exchange(place_, {});
             state_.recording = false;
+            view_ = {};
             if (!outcome) emit failed(outcome.error());
-            place_ = {};
             emit ended();
             emit changed();
         }

@@ -37,6 +37,7 @@ public:
 
     bool running() const noexcept { return session_ != nullptr; }
     const SessionState& state() const noexcept { return state_; }
+    const VolumeSnapshot& workpiece() const noexcept { return view_.workpiece; } ///< the newest one; empty outside
 
 signals:
     void ticked(); ///< `state` is new

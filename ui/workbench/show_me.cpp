@@ -38,7 +38,7 @@ void ShowMe::start() {
         [bench = bench_.bench(), field = bench_.field(), request = requestFor(bench_.bench()->tool)](Progress&) {
             return planOperator(*bench, *field, request);
         },
-        [this](Result<MillingPlan> plan) {
+        [this](Result<OperatorPlan> plan) {
             if (!plan) {
                 emit failed(plan.error());
                 endShow(false);
@@ -49,7 +49,8 @@ void ShowMe::start() {
                 return;
             }
             plan_ = std::move(*plan);
-            mill(Stage::roughing);
+            next_ = 0;
+            millNext();
         });
     emit changed();
 }
@@ -63,36 +64,31 @@ void ShowMe::stop() {
         session_.end();
 }
 
-void ShowMe::mill(Stage stage) {
-    const std::vector<IntentPoint>& intent = stage == Stage::roughing ? plan_.roughing : plan_.finishing;
-    if (intent.empty()) {
-        if (stage == Stage::roughing)
-            mill(Stage::finishing);
-        else
-            endShow(true);
+void ShowMe::millNext() {
+    if (next_ >= plan_.stages.size()) {
+        endShow(true);
         return;
     }
-    stage_ = stage;
-    const Bench& bench = *bench_.bench();
-    const OperatorRequest wanted = requestFor(bench.tool);
-    OperatorSettings hand;
+    stage_ = Stage::milling;
+    const OperatorStage& wanted = plan_.stages[next_++];
     SessionRequest request;
-    request.mapping = mappingFor(bench, hand.stylus);
+    request.mapping = plan_.mapping;
     request.ticksPerEdge = timeLapse;
-    request.allowance = stage == Stage::roughing ? wanted.allowance : 0.0;
-    auto stylus = std::make_unique<VirtualOperator>(intent, request.mapping, hand);
+    request.allowance = wanted.allowance;
+    request.takeName = wanted.name;
+    auto stylus = std::make_unique<VirtualOperator>(wanted.intent, plan_.mapping, plan_.hand);
     session_.begin({bench_.bench(), bench_.field(), &bench_.strokes()}, std::move(stylus), request, [this](bool begun) {
         if (!begun) endShow(false);
     });
-    session_.startRecording(stage == Stage::roughing ? tr("roughing") : tr("finishing"));
     emit changed();
 }
 
 void ShowMe::sessionEnded() {
-    if (stage_ == Stage::roughing && !stopped_)
-        mill(Stage::finishing);
-    else if (stage_ == Stage::roughing || stage_ == Stage::finishing)
-        endShow(!stopped_);
+    if (stage_ != Stage::milling) return;
+    if (stopped_)
+        endShow(false);
+    else
+        millNext();
 }
 
 void ShowMe::endShow(bool whole) {

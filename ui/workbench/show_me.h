@@ -25,8 +25,8 @@ signals:
     void finished(bool whole); ///< false: it was stopped
 
 private:
-    enum class Stage { none, planning, roughing, finishing };
-    void mill(Stage stage);
+    enum class Stage { none, planning, milling };
+    void millNext();
     void sessionEnded();
     void endShow(bool whole);
 
@@ -34,7 +34,8 @@ private:
     SessionRunner& session_;
     Stage stage_ = Stage::none;
     bool stopped_ = false;
-    MillingPlan plan_;
+    OperatorPlan plan_;
+    std::size_t next_ = 0; ///< stage of the plan that is milled next
 };
 
 } // namespace burin

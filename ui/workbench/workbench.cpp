@@ -20,6 +20,7 @@ Workbench::Workbench(QObject* parent)
 }
 
 Workbench::~Workbench() {
+    for (Controller* controller : controllers()) controller->blockSignals(true); // nobody is there any more
     tasks_.cancelAll();
     session.end();
     project_.finish();
@@ -54,6 +55,8 @@ void Workbench::wire() {
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
     connect(&path, &PathController::evaluatedAnew, &program, &ProgramController::pathChanged);
     connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
+    connect(&bench, &BenchController::replayed, &mill, &MillController::setStrokes);
+    connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
     bench.setGuard([this](std::function<void()> change) { mill.interrupt(std::move(change)); });
 }
 
@@ -65,6 +68,7 @@ void Workbench::load(const ProjectContents& contents) {
     setup.load(contents.model, contents.setup);
     setup.setLocked(!contents.takes.empty());
     mill.load(contents.takes);
+    mill.setStrokes({});
     path.load(contents.paths);
     program.load(contents.programs);
     updateWanted();
@@ -105,6 +109,18 @@ void Workbench::continueShow() {
     } else if (setup.usable() && !bench.embedded() && !bench.embedding() && !model.importing()) {
         bench.embed();
     }
+}
+
+bool Workbench::canUndoNow() const {
+    return !showMe.showing() && !(session.running() && session.state().cutting);
+}
+
+void Workbench::undoLast() {
+    if (canUndoNow()) undo_.undo();
+}
+
+void Workbench::redoLast() {
+    if (canUndoNow()) undo_.redo();
 }
 
 void Workbench::comeToRest(std::function<void()> then) {

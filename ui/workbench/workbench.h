@@ -50,6 +50,10 @@ public:
     bool importNeedsNewProject() const { return !document.isOpen() || !mill.takes().empty(); }
     /// Shows how it is done as soon as part, workpiece and boundary are there; embeds where that is missing.
     void showHowItIsDone();
+    /// The newest entry of the undo stack; nothing happens while a stroke is under way or the virtual operator mills.
+    void undoLast();
+    void redoLast();
+    bool canUndoNow() const;
     /// Ends recording and session, then calls `then`.
     void comeToRest(std::function<void()> then);
 
