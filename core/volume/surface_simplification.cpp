@@ -74,8 +74,8 @@ void SurfaceSimplifier::addMaterial(const SurfaceMesh& mesh, PropertyIndex mater
 void SurfaceSimplifier::findPlaces(const SurfaceMesh& mesh) {
     if (mesh.points.empty()) return;
     placeOf_.resize(mesh.points.size());
-    meshopt_generateVertexRemap(placeOf_.data(), nullptr, mesh.points.size(), mesh.points.data(), mesh.points.size(),
-                                sizeof(glm::vec3));
+    meshopt_generateVertexRemap(placeOf_.data(), mesh.triangles.data(), mesh.triangles.size(), mesh.points.data(),
+                                mesh.points.size(), sizeof(glm::vec3));
 }
 
 /// Visits every edge that has a triangle on one side only, by its two points.
@@ -139,12 +139,14 @@ void SurfaceSimplifier::join(std::span<const SurfaceMesh* const> pieces, Surface
     const std::array<meshopt_Stream, 2> keys{
         {{result_.points.data(), sizeof(glm::vec3), sizeof(glm::vec3)},
          {result_.properties.data(), sizeof(PropertyIndex), sizeof(PropertyIndex)}}};
-    const std::size_t count = meshopt_generateVertexRemapMulti(placeOf_.data(), nullptr, result_.points.size(),
-                                                               result_.points.size(), keys.data(), keys.size());
+    const std::size_t count =
+        meshopt_generateVertexRemapMulti(placeOf_.data(), result_.triangles.data(), result_.triangles.size(),
+                                         result_.points.size(), keys.data(), keys.size());
     whole.points.resize(count);
     whole.normals.resize(count);
     whole.properties.resize(count);
     for (std::size_t point = 0; point < placeOf_.size(); ++point) {
+        if (placeOf_[point] == none) continue; // beside the border: the next tile's
         whole.points[placeOf_[point]] = result_.points[point];
         whole.normals[placeOf_[point]] = result_.normals[point];
         whole.properties[placeOf_[point]] = result_.properties[point];
