@@ -31,15 +31,13 @@ QString draggedFile(const QMimeData& data) {
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
-    : QMainWindow(parent)
-    , states_(actions_, workbench_, nullptr)
-    , flow_(workbench_, settings_, *this) {
+    : QMainWindow(parent), states_(actions_, workbench_, nullptr), flow_(workbench_, settings_, *this) {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
     setMinimumSize(smallestWindow);
     layOut();
-    presenters_ = std::make_unique<Presenters>(workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_},
-                                               nullptr);
+    presenters_ =
+        std::make_unique<Presenters>(workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_}, nullptr);
     connectActions();
     connectWorkbench();
     connectWelcome();
@@ -184,7 +182,8 @@ void MainWindow::connectWelcome() {
     connect(welcome_, &WelcomePage::recentChosen, &flow_, &DocumentFlow::openFile);
     connect(welcome_, &WelcomePage::leftWorkChosen, &flow_, &DocumentFlow::openFile);
     connect(welcome_, &WelcomePage::leftWorkForgotten, this, [this](const QString& file) {
-        if (!confirm(this, tr("Delete this work?"), tr("It was never saved, and no undo brings it back."), tr("Delete")))
+        if (!confirm(this, tr("Delete this work?"), tr("It was never saved, and no undo brings it back."),
+                     tr("Delete")))
             return;
         DocumentController::forget({file.toStdString(), {}});
         showWelcome();
@@ -297,7 +296,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (file.isEmpty()) return;
     event->acceptProposedAction();
     // The drop ends first: a question would hold up the program that the file comes from.
-    QMetaObject::invokeMethod(this, [this, file] { openFile(file); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, file] { openFile(file); }, Qt::QueuedConnection);
 }
 
 } // namespace burin

@@ -24,7 +24,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{&part, &stock, &material, &tool, &allowance, &mill,
-                                                                   &path, &program, &meters, &status, &job, &scene})
+                                                                  &path, &program, &meters, &status, &job, &scene})
         presenter->setUnit(unit);
 }
 

@@ -53,7 +53,7 @@ QLabel* StatusLine::add(const char* name, const QString& toolTip) {
 
 namespace {
 
-void show(QLabel* label, const QString& text) {
+void put(QLabel* label, const QString& text) {
     if (label->text() == text) return;
     label->setText(text);
     label->setVisible(!text.isEmpty());
@@ -62,23 +62,23 @@ void show(QLabel* label, const QString& text) {
 } // namespace
 
 void StatusLine::setStylus(const QString& text, bool running) {
-    show(stylus_, text.isEmpty() ? text : (running ? QStringLiteral("● ") : QStringLiteral("○ ")) + text);
+    put(stylus_, text.isEmpty() ? text : (running ? QStringLiteral("● ") : QStringLiteral("○ ")) + text);
 }
 
 void StatusLine::setRate(const QString& text) {
-    show(rate_, text);
+    put(rate_, text);
 }
 
 void StatusLine::setPosition(const QString& text) {
-    show(position_, text);
+    put(position_, text);
 }
 
 void StatusLine::setSize(const QString& text) {
-    show(size_, text);
+    put(size_, text);
 }
 
 void StatusLine::setSaved(const QString& text) {
-    show(saved_, text);
+    put(saved_, text);
 }
 
 void StatusLine::setTask(const QString& title, double fraction, bool cancelling) {
