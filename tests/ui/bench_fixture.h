@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/cad/model.h"
 #include "core/tool/tool.h"
+#include "core/volume/run_volume.h"
 #include "ui/theme/theme.h"
 
 #include <cmath>
@@ -70,6 +71,35 @@ inline std::shared_ptr<const Model> model(const glm::dvec3& radii) {
     body.box = boundingBox(body.mesh);
     model->bodies.push_back(std::move(body));
     return model;
+}
+
+inline constexpr PropertyIndex stockProperty = 1, partProperty = 2;
+
+/// A block of stock (its low corner and size, mm) around the dome of `model`; left of x = 0 it is milled down to a floor
+/// 4 mm over the dome's foot, or to the dome.
+inline RunVolume milledBlock(const Box& block, double edge, const glm::dvec3& radii) {
+    const Grid grid = Grid::make(block.low, edge, glm::ivec3(glm::round(block.size() / edge))).value();
+    PropertyList properties;
+    Property stock, part;
+    stock.id = "stock";
+    stock.colour = {188, 192, 198};
+    part.id = "part";
+    part.colour = {79, 151, 219};
+    part.machinability = Machinability::isProtected;
+    (void)properties.add(stock);
+    (void)properties.add(part);
+    RunVolume volume = RunVolume::make(grid, properties).value();
+    for (int v = 0; v < grid.lineCountV(); ++v)
+        for (int u = 0; u < grid.lineCountU(); ++u) {
+            const glm::dvec2 centre = grid.lineCentre({u, v});
+            const double inside = 1.0 - std::pow(centre.x / radii.x, 2) - std::pow(centre.y / radii.y, 2);
+            const double domeTop = inside > 0.0 ? radii.z * std::sqrt(inside) : block.low.z;
+            const double top = centre.x < 0.0 ? std::max(4.0, domeTop) : block.high.z;
+            volume.fillSpan({u, v}, 0, grid.toRunPosition(top), stockProperty);
+            if (inside > 0.0)
+                volume.fillSpan({u, v}, grid.toRunPosition(0.0), grid.toRunPosition(domeTop), partProperty);
+        }
+    return volume;
 }
 
 /// Ball, 6 mm, with shank and holder.

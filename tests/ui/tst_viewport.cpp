@@ -3,6 +3,7 @@
 #include "tests/ui/bench_fixture.h"
 #include "ui/scene/viewport.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QSignalSpy>
 #include <QTest>
@@ -13,6 +14,24 @@ namespace {
 
 constexpr const char* screenshots = BURIN_BUILD_DIRECTORY "/tests/screenshots/";
 const Box stock{{-30.0, -22.0, -4.0}, {30.0, 22.0, 18.0}};
+const glm::dvec3 radii{24.0, 16.0, 14.0};
+
+ToolMarks marksAt(const glm::dvec3& tip) {
+    ToolMarks marks;
+    marks.proxy.tip = tip;
+    marks.stylusTip = tip;
+    return marks;
+}
+
+std::vector<glm::vec3> wave(float x) {
+    std::vector<glm::vec3> tips;
+    for (int i = 0; i <= 400; ++i) {
+        const float y = -16.0F + 0.08F * static_cast<float>(i);
+        const float inside = 1.0F - x * x / 576.0F - y * y / 256.0F;
+        tips.emplace_back(x, y, std::max(4.0F, 14.0F * std::sqrt(std::max(0.0F, inside))));
+    }
+    return tips;
+}
 
 } // namespace
 
@@ -25,18 +44,38 @@ private slots:
         viewport_ = std::make_unique<Viewport>();
         viewport_->resize(1000, 700);
         viewport_->setPalette3D(fixture::palette());
-        viewport_->setPart(fixture::model({24.0, 16.0, 14.0}));
+        viewport_->setPart(fixture::model(radii));
         viewport_->setStockOutline(stock);
         viewport_->setTool(fixture::ballTool());
-        ToolMarks marks;
-        marks.proxy.tip = {6.0, -4.0, 20.0};
-        viewport_->setToolMarks(marks);
+        viewport_->setToolMarks(marksAt({6.0, -4.0, 20.0}));
         viewport_->show();
         QVERIFY(QTest::qWaitForWindowExposed(viewport_.get()));
         QTest::qWait(600);
         save("viewport-part");
     }
-    void something() { QVERIFY(viewport_->statistics().frames > 0); }
+
+    void showsTheBench() {
+        RunVolume volume = fixture::milledBlock(stock, 0.25, radii);
+        viewport_->setWorkpiece(volume.snapshot());
+        ToolMarks marks = marksAt({-3.0, -5.0, 13.0});
+        marks.stylusTip = {-3.0, -5.0, 10.0};
+        marks.force = {-0.9, -0.6, 1.4};
+        marks.ghost = true;
+        viewport_->setToolMarks(marks);
+        for (float x = -20.0F; x < -2.0F; x += 3.0F) viewport_->appendLivePath(wave(x), true);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 5000);
+        QTest::qWait(100);
+        save("viewport-bench");
+        const FrameStatistics statistics = viewport_->statistics();
+        qInfo("paint max %.1f p95 %.1f ms, %zu triangles", statistics.paintMaximum, statistics.paintP95,
+              statistics.triangles);
+        marks.alarm = true;
+        viewport_->setToolMarks(marks);
+        QTest::qWait(60);
+        save("viewport-alarm");
+        marks.alarm = false;
+        viewport_->setToolMarks(marks);
+    }
     void cleanupTestCase() { viewport_.reset(); }
 
 private:

@@ -38,6 +38,10 @@ void setColour(vtkActor& actor, const QColor& colour) {
     actor.GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
 }
 
+void setLineWidth(vtkActor& actor, double screenPixels) {
+    actor.GetProperty()->SetLineWidth(static_cast<float>(screenPixels));
+}
+
 void setBlended(vtkActor& actor, double opacity) {
     actor.GetProperty()->SetOpacity(opacity);
     actor.ForceOpaqueOn();

@@ -20,6 +20,7 @@ vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface);
 /// Lines in their plain colour, drawn a little nearer than the surface that they lie on.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines);
 void setColour(vtkActor& actor, const QColor& colour);
+void setLineWidth(vtkActor& actor, double screenPixels);
 /// Blends an actor over what is already drawn (actors are drawn in the order in which they were added). VTK's own
 /// translucent pass would cost several full-screen buffers, which software OpenGL pays for with every frame.
 void setBlended(vtkActor& actor, double opacity);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/ground_grid.h"
 
-#include "ui/scene/actors.h"
-
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>

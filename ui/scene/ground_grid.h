@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/box.h"
+#include "ui/scene/actors.h"
 
 #include <vtkActor.h>
 #include <vtkRenderer.h>
@@ -20,14 +21,16 @@ class GroundGrid {
 public:
     explicit GroundGrid(vtkRenderer& renderer);
     void setColour(const QColor& colour);
+    void setLineWidth(double screenPixels) { burin::setLineWidth(*actor_, screenPixels); }
     /// @param content what stands on the table, mm; empty: no grid
     void setContent(const Box& content);
 
 private:
+    void refresh();
+
     vtkSmartPointer<vtkActor> actor_;
     QColor colour_;
     Box content_;
-    void refresh();
 };
 
 } // namespace burin

@@ -52,14 +52,14 @@ std::vector<ShadedBody> shadedBodies(const Model& model) {
     return bodies;
 }
 
-void PartActors::setBodies(const std::vector<ShadedBody>& bodies) {
+void PartActors::setBodies(std::vector<ShadedBody> bodies) {
     for (const Drawn& body : bodies_) {
         renderer_.RemoveActor(body.surface);
         renderer_.RemoveActor(body.edges);
     }
     bodies_.clear();
     triangles_ = 0;
-    for (const ShadedBody& body : bodies) {
+    for (ShadedBody& body : bodies) {
         vtkNew<vtkPoints> points;
         points->SetData(floats(body.mesh.points));
         vtkNew<vtkPolyData> surface;
@@ -69,10 +69,10 @@ void PartActors::setBodies(const std::vector<ShadedBody>& bodies) {
         vtkNew<vtkPolyData> edges;
         edges->SetPoints(points);
         edges->SetLines(cells(body.mesh.creases, 2));
-        bodies_.push_back({surfaceActor(surface), lineActor(edges), body.colour});
+        triangles_ += body.mesh.triangles.size() / 3;
+        bodies_.push_back({surfaceActor(surface), lineActor(edges), std::move(body)});
         renderer_.AddActor(bodies_.back().surface);
         renderer_.AddActor(bodies_.back().edges);
-        triangles_ += body.mesh.triangles.size() / 3;
     }
     refresh();
 }
@@ -88,11 +88,28 @@ void PartActors::setVisible(bool visible) {
     refresh();
 }
 
+void PartActors::setLineWidth(double screenPixels) {
+    lineWidth_ = screenPixels;
+    refresh();
+}
+
+std::optional<glm::dvec3> PartActors::pick(const Sight& sight) const {
+    if (!visible_) return std::nullopt;
+    std::optional<double> nearest;
+    for (const Drawn& body : bodies_) {
+        const std::optional<double> distance = distanceAlong(body.body.mesh, sight.origin, sight.direction);
+        if (distance && (!nearest || *distance < *nearest)) nearest = distance;
+    }
+    if (!nearest) return std::nullopt;
+    return sight.origin + sight.direction * *nearest;
+}
+
 void PartActors::refresh() {
     for (const Drawn& body : bodies_) {
-        setColour(*body.surface, body.colour.value_or(part_));
+        setColour(*body.surface, body.body.colour.value_or(part_));
         setColour(*body.edges, edges_);
         setBlended(*body.edges, 0.45);
+        burin::setLineWidth(*body.edges, lineWidth_);
         body.surface->SetVisibility(visible_);
         body.edges->SetVisibility(visible_);
     }

@@ -4,6 +4,7 @@
 
 #include "core/cad/model.h"
 #include "ui/scene/shaded_mesh.h"
+#include "ui/scene/sight.h"
 
 #include <vtkActor.h>
 #include <vtkRenderer.h>
@@ -31,21 +32,25 @@ class PartActors {
 public:
     explicit PartActors(vtkRenderer& renderer) : renderer_(renderer) {}
 
-    void setBodies(const std::vector<ShadedBody>& bodies);
+    void setBodies(std::vector<ShadedBody> bodies);
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
+    void setLineWidth(double screenPixels);
+    /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
+    std::optional<glm::dvec3> pick(const Sight& sight) const;
     std::size_t triangles() const noexcept { return visible_ ? triangles_ : 0; }
 
 private:
     struct Drawn {
         vtkSmartPointer<vtkActor> surface, edges;
-        std::optional<QColor> colour;
+        ShadedBody body;
     };
     void refresh();
 
     vtkRenderer& renderer_;
     std::vector<Drawn> bodies_;
     QColor part_, edges_;
+    double lineWidth_ = 1.0;
     std::size_t triangles_ = 0;
     bool visible_ = true;
 };

@@ -5,6 +5,7 @@
 #include "core/geometry/triangle_mesh.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -20,5 +21,9 @@ struct ShadedMesh {
 /// Smooth where neighbouring triangles differ by less than `crease` (rad), sharp elsewhere. Triangles without area are
 /// left out. Any thread; cost: linear.
 ShadedMesh shaded(const TriangleMesh& mesh, double crease);
+
+/// Distance, in lengths of `direction`, to the nearest triangle that a ray meets, from either side. Nothing: it misses.
+/// Cost: linear.
+std::optional<double> distanceAlong(const ShadedMesh& mesh, const glm::dvec3& origin, const glm::dvec3& direction);
 
 } // namespace burin

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/stock_outline.h"
 
-#include "ui/scene/actors.h"
-
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>

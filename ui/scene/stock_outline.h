@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/box.h"
+#include "ui/scene/actors.h"
 
 #include <vtkActor.h>
 #include <vtkRenderer.h>
@@ -22,6 +23,7 @@ public:
     void setBox(const std::optional<Box>& stock);
     const std::optional<Box>& box() const noexcept { return stock_; }
     void setFaces(bool visible);
+    void setLineWidth(double screenPixels) { burin::setLineWidth(*edges_, screenPixels); }
     /// What is seen through the faces has to be drawn before them, so they go to the end of the renderer's list.
     void drawLast();
 

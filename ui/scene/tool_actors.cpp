@@ -113,6 +113,11 @@ void ToolActors::setAlarm(bool alarm, bool lit) {
     refresh();
 }
 
+void ToolActors::setLineWidth(double screenPixels) {
+    lineWidth_ = screenPixels;
+    refresh();
+}
+
 void ToolActors::refresh() {
     const bool red = alarm_ && lit_;
     for (const auto& [section, actor] : sections_) {
@@ -133,6 +138,7 @@ void ToolActors::refresh() {
             setColour(*actor, palette_.force);
             break;
         }
+        burin::setLineWidth(*actor, lineWidth_);
         actor->SetVisibility(visible_ && (section != Section::outline || alarm_));
     }
 }

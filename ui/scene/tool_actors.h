@@ -32,6 +32,7 @@ public:
     void setVisible(bool visible);
     /// @param lit the bright half of a flash; has no effect without the alarm
     void setAlarm(bool alarm, bool lit);
+    void setLineWidth(double screenPixels);
     std::size_t triangles() const;
 
 private:
@@ -47,6 +48,7 @@ private:
     vtkNew<vtkMatrix4x4> matrix_;
     std::vector<Drawn> sections_;
     Palette palette_;
+    double lineWidth_ = 1.0;
     bool visible_ = true, alarm_ = false, lit_ = false;
 };
 

@@ -20,6 +20,8 @@
 #include <QTimer>
 #include <QWheelEvent>
 
+#include <cmath>
+
 namespace burin {
 
 namespace {
@@ -29,11 +31,20 @@ constexpr auto flightTime = 180ms;
 constexpr auto restTime = 350ms; // after the last motion: then everything is drawn in full detail
 constexpr auto flashTime = 167ms;
 
+bool same(const ToolMarks& a, const ToolMarks& b) {
+    return a.proxy.tip == b.proxy.tip && a.proxy.axis == b.proxy.axis && a.stylusTip == b.stylusTip &&
+           a.force == b.force && a.ghost == b.ghost && a.alarm == b.alarm && a.cutting == b.cutting;
+}
+
 } // namespace
 
 class Viewport::Impl {
 public:
-    explicit Impl(Viewport& viewport) : widget(viewport), scene(*window) {
+    explicit Impl(Viewport& viewport)
+        : widget(viewport), scene(*window, [&viewport] {
+            QMetaObject::invokeMethod(
+                &viewport, [&viewport] { viewport.update(); }, Qt::QueuedConnection);
+        }) {
         rest.setSingleShot(true);
         rest.setInterval(restTime);
         flash.setInterval(flashTime);
@@ -52,6 +63,33 @@ public:
         motion.setContent(scene.contentBox());
         widget.update();
     }
+    /// What a movement of the camera turns and scales about: the place under the pointer, or one as far away as what
+    /// the camera looks at.
+    glm::dvec3 pivotAt(const QPointF& position) const {
+        const Sight sight = sightThrough(motion.view(), motion.size(), position);
+        const CameraAxes axes = axesOf(motion.view());
+        return scene.pick(sight).value_or(
+            sight.origin - sight.direction * (motion.view().distance / glm::dot(sight.direction, axes.back)));
+    }
+    ViewportEvent eventAt(const QSinglePointEvent& event, Qt::KeyboardModifiers modifiers) const {
+        ViewportEvent sighted = widget.sight(event.position());
+        sighted.button = event.button();
+        sighted.buttons = event.buttons();
+        sighted.modifiers = modifiers;
+        return sighted;
+    }
+    void hoverCube(const std::optional<QPointF>& position) {
+        const auto face = position ? ViewCube::faceAt(motion.view(), motion.size(), *position) : std::nullopt;
+        if (scene.cube().setHovered(face)) widget.update();
+    }
+    void initializeWindow();
+    void releaseWindow() {
+        if (!usable) return;
+        usable = false;
+        widget.makeCurrent();
+        window->Finalize();
+        widget.doneCurrent();
+    }
 
     Viewport& widget;
     vtkNew<vtkGenericOpenGLRenderWindow> window;
@@ -62,9 +100,21 @@ public:
     InteractiveTool* tool = nullptr;
     ToolMarks marks;
     std::uint64_t partOrdered = 0; ///< counts setPart: a part that comes late must not replace a newer one
-    bool usable = false;
+    bool usable = false;           ///< there is a context that can draw
+    bool failureTold = false;
     bool flashLit = true;
+    bool paintedMoving = true; ///< the newest paint was made in motion
 };
+
+void Viewport::Impl::initializeWindow() {
+    window->SetMapped(true);
+    window->SetIsCurrent(true);
+    window->SetReadyForRendering(true);
+    window->SetOwnContext(0);
+    window->SetMultiSamples(0);
+    window->OpenGLInitContext();
+    window->SetFrameBlitModeToBlitToCurrent();
+}
 
 Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_unique<Impl>(*this)) {
     setObjectName(QStringLiteral("viewport"));
@@ -74,17 +124,14 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_uni
     connect(&impl_->rest, &QTimer::timeout, this, [this] { update(); });
     connect(&impl_->flash, &QTimer::timeout, this, [this] {
         impl_->flashLit = !impl_->flashLit;
-        impl_->scene.tool().setAlarm(impl_->marks.alarm, impl_->flashLit);
+        impl_->scene.setMarks(impl_->marks, impl_->flashLit);
         update();
     });
 }
 
 Viewport::~Viewport() {
-    if (!impl_->usable) return;
-    makeCurrent();
-    impl_->window->Finalize();
-    doneCurrent();
-    disconnect(context(), nullptr, this, nullptr);
+    if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
+    impl_->releaseWindow();
 }
 
 void Viewport::setPalette3D(const Palette& palette) {
@@ -99,15 +146,19 @@ void Viewport::setPart(std::shared_ptr<const Model> model) {
         impl_->contentChanged();
         return;
     }
+    // Shading takes some tenths of a second for a large part: on a thread of the pool.
     const QPointer<Viewport> self(this);
     QThreadPool::globalInstance()->start([self, model = std::move(model), order] {
-        auto bodies = std::make_shared<const std::vector<ShadedBody>>(shadedBodies(*model));
+        const auto bodies = std::make_shared<std::vector<ShadedBody>>(shadedBodies(*model));
         const Box box = model->box();
-        QMetaObject::invokeMethod(qApp, [self, bodies, box, order] {
-            if (!self || self->impl_->partOrdered != order) return;
-            self->impl_->scene.setPart(*bodies, box);
-            self->impl_->contentChanged();
-        });
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [self, bodies, box, order] {
+                if (!self || self->impl_->partOrdered != order) return;
+                self->impl_->scene.setPart(std::move(*bodies), box);
+                self->impl_->contentChanged();
+            },
+            Qt::QueuedConnection);
     });
 }
 
@@ -121,34 +172,60 @@ void Viewport::setStockOutline(const std::optional<Box>& stock) {
     impl_->contentChanged();
 }
 
-void Viewport::setWorkpiece(const VolumeSnapshot&, std::optional<std::chrono::steady_clock::time_point>) {}
-void Viewport::setWorkpieceVisible(bool) {}
+void Viewport::setWorkpiece(const VolumeSnapshot& workpiece,
+                            std::optional<std::chrono::steady_clock::time_point> oldestCut) {
+    impl_->scene.setWorkpiece(workpiece, oldestCut);
+    impl_->motion.setContent(impl_->scene.contentBox());
+    oldestCut ? impl_->moved() : update();
+}
+
+void Viewport::setWorkpieceVisible(bool visible) {
+    impl_->scene.setWorkpieceVisible(visible);
+    update();
+}
 
 void Viewport::setTool(const std::optional<Tool>& tool) {
-    impl_->scene.tool().setTool(tool);
+    impl_->scene.setTool(tool);
     update();
 }
 
 void Viewport::setToolMarks(const ToolMarks& marks) {
+    if (same(marks, impl_->marks)) return;
+    const bool toolMoved = marks.proxy.tip != impl_->marks.proxy.tip || marks.proxy.axis != impl_->marks.proxy.axis;
     impl_->marks = marks;
-    impl_->scene.tool().setPose(marks.proxy);
     if (marks.alarm != impl_->flash.isActive()) {
         impl_->flashLit = true;
         marks.alarm ? impl_->flash.start() : impl_->flash.stop();
     }
-    impl_->scene.tool().setAlarm(marks.alarm, impl_->flashLit);
-    impl_->moved();
+    impl_->scene.setMarks(marks, impl_->flashLit);
+    toolMoved || marks.cutting ? impl_->moved() : update();
 }
 
 void Viewport::setToolVisible(bool visible) {
-    impl_->scene.tool().setVisible(visible);
+    impl_->scene.setToolVisible(visible);
     update();
 }
 
-void Viewport::appendLivePath(std::span<const glm::vec3>, bool) {}
-void Viewport::clearLivePath() {}
-void Viewport::setPath(const Path&) {}
-void Viewport::setPathVisible(bool) {}
+void Viewport::appendLivePath(std::span<const glm::vec3> tips, bool newStroke) {
+    if (tips.empty()) return;
+    impl_->scene.livePath().append(tips, newStroke);
+    update();
+}
+
+void Viewport::clearLivePath() {
+    impl_->scene.livePath().clear();
+    update();
+}
+
+void Viewport::setPath(const Path& path) {
+    impl_->scene.editedPath().setPath(path);
+    update();
+}
+
+void Viewport::setPathVisible(bool visible) {
+    impl_->scene.editedPath().setVisible(visible);
+    update();
+}
 
 void Viewport::setStandardView(StandardView view) {
     impl_->motion.turnTo(view, CameraMotion::Clock::now(), impl_->flight());
@@ -180,8 +257,10 @@ QPointF Viewport::project(const glm::dvec3& place) const {
 
 FrameStatistics Viewport::statistics() const {
     FrameStatistics statistics = impl_->clock.statistics();
+    const WorkpieceActors& workpiece = impl_->scene.workpiece();
     statistics.triangles = impl_->scene.triangles();
-    statistics.fullDetail = !impl_->rest.isActive();
+    statistics.fullDetail = !impl_->paintedMoving && workpiece.fullDetail();
+    statistics.busy = workpiece.busy();
     return statistics;
 }
 
@@ -191,33 +270,19 @@ void Viewport::resetStatistics() {
 
 void Viewport::initializeGL() {
     const QSurfaceFormat format = context()->format();
-    impl_->usable = format.version() >= qMakePair(3, 2) && !context()->isOpenGLES();
-    if (!impl_->usable) {
-        emit drawingFailed(tr("The 3D view needs OpenGL 3.2 or later; this computer offers %1.%2. Install the graphics "
-                              "card's driver.")
-                               .arg(format.majorVersion())
-                               .arg(format.minorVersion()));
+    if (format.version() < qMakePair(3, 2) || context()->isOpenGLES()) {
+        tellFailure(tr("The 3D view needs OpenGL 3.2 or later; this computer offers %1.%2. A newer driver of the "
+                       "graphics card may help.")
+                        .arg(format.majorVersion())
+                        .arg(format.minorVersion()));
         return;
     }
-    vtkGenericOpenGLRenderWindow& window = *impl_->window;
-    window.SetMapped(true);
-    window.SetIsCurrent(true);
-    window.SetReadyForRendering(true);
-    window.SetOwnContext(0);
-    window.SetMultiSamples(0);
-    window.OpenGLInitContext();
-    window.SetFrameBlitModeToBlitToCurrent();
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-        makeCurrent();
-        impl_->window->Finalize();
-        impl_->usable = false;
-        doneCurrent();
-    });
+    impl_->initializeWindow();
+    impl_->usable = true;
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { impl_->releaseWindow(); });
 }
 
 void Viewport::resizeGL(int width, int height) {
-    const double ratio = devicePixelRatio();
-    impl_->window->SetSize(static_cast<int>(std::lround(width * ratio)), static_cast<int>(std::lround(height * ratio)));
     impl_->motion.setSize(QSizeF(width, height));
 }
 
@@ -225,9 +290,12 @@ void Viewport::paintGL() {
     if (!impl_->usable) return;
     const auto begin = FrameClock::Clock::now();
     const bool flying = impl_->motion.advance(begin);
-    impl_->scene.aimCamera(impl_->motion.view());
+    const double ratio = devicePixelRatioF();
+    impl_->paintedMoving = flying || impl_->motion.moving() || impl_->rest.isActive();
+    const auto cut = impl_->scene.prepare(impl_->motion.view(), QSizeF(size()), ratio, impl_->paintedMoving);
 
     vtkGenericOpenGLRenderWindow& window = *impl_->window;
+    window.SetSize(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
     window.SetIsCurrent(true);
     vtkOpenGLState* state = window.GetState();
     state->ResetGLBlendFuncState();
@@ -237,67 +305,80 @@ void Viewport::paintGL() {
     window.Render();
     state->Pop();
 
-    impl_->clock.add(begin, FrameClock::Clock::now(), std::nullopt);
+    impl_->clock.add(begin, FrameClock::Clock::now(), cut);
     if (flying) impl_->moved();
     emit painted();
 }
 
+void Viewport::showEvent(QShowEvent* event) {
+    QOpenGLWidget::showEvent(event);
+    // Where no context can be made at all, initializeGL is never called.
+    QTimer::singleShot(0, this, [this] {
+        if (isVisible() && !isValid())
+            tellFailure(tr("The 3D view needs OpenGL 3.2 or later; this computer offers none. A driver of the graphics "
+                           "card may be missing."));
+    });
+}
+
+void Viewport::tellFailure(const QString& sentence) {
+    if (impl_->failureTold) return;
+    impl_->failureTold = true;
+    emit drawingFailed(sentence);
+}
+
 void Viewport::mousePressEvent(QMouseEvent* event) {
-    ViewportEvent sighted = sight(event->position());
-    sighted.button = event->button();
-    sighted.buttons = event->buttons();
-    sighted.modifiers = event->modifiers();
-    if (impl_->tool != nullptr && impl_->tool->press(sighted)) return;
+    const QPointF position = event->position();
+    if (event->button() == Qt::LeftButton) {
+        if (const auto face = ViewCube::faceAt(impl_->motion.view(), impl_->motion.size(), position))
+            return setStandardView(*face);
+    }
+    if (impl_->tool != nullptr && impl_->tool->press(impl_->eventAt(*event, event->modifiers()))) return;
+    if (event->button() != Qt::MiddleButton && event->button() != Qt::RightButton) return;
     const bool both = event->buttons().testFlags(Qt::MiddleButton | Qt::RightButton);
-    const bool camera = event->button() == Qt::MiddleButton || event->button() == Qt::RightButton;
-    if (!camera) return;
     const bool pan = both || (event->button() == Qt::MiddleButton && event->modifiers().testFlag(Qt::ShiftModifier));
-    impl_->motion.beginDrag(pan ? CameraMotion::Drag::pan : CameraMotion::Drag::orbit, event->position(),
-                            impl_->motion.view().focus);
+    impl_->motion.beginDrag(pan ? CameraMotion::Drag::pan : CameraMotion::Drag::orbit, position,
+                            impl_->pivotAt(position));
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
     if (impl_->motion.dragging() != CameraMotion::Drag::none) {
         impl_->motion.drag(event->position());
-        impl_->moved();
-        return;
+        return impl_->moved();
     }
-    ViewportEvent sighted = sight(event->position());
-    sighted.buttons = event->buttons();
-    sighted.modifiers = event->modifiers();
-    if (impl_->tool != nullptr) impl_->tool->move(sighted);
+    const bool pressed = event->buttons() != Qt::NoButton;
+    impl_->hoverCube(pressed ? std::nullopt : std::optional(event->position()));
+    if (impl_->tool != nullptr) impl_->tool->move(impl_->eventAt(*event, event->modifiers()));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     if (!event->buttons().testAnyFlags(Qt::MiddleButton | Qt::RightButton)) impl_->motion.endDrag();
-    ViewportEvent sighted = sight(event->position());
-    sighted.button = event->button();
-    sighted.buttons = event->buttons();
-    sighted.modifiers = event->modifiers();
-    if (impl_->tool != nullptr) impl_->tool->release(sighted);
+    if (impl_->tool != nullptr) impl_->tool->release(impl_->eventAt(*event, event->modifiers()));
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-    mousePressEvent(event);
+    mousePressEvent(event); // two quick strokes are two strokes
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
-    ViewportEvent sighted = sight(event->position());
-    sighted.buttons = event->buttons();
-    sighted.modifiers = event->modifiers();
-    sighted.wheelSteps = event->angleDelta().y() / 120.0;
     event->accept();
+    const QPoint angle = event->angleDelta(); // some platforms turn it aside while a modifier is down
+    ViewportEvent sighted = impl_->eventAt(*event, event->modifiers());
+    sighted.wheelSteps = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
     if (impl_->tool != nullptr && impl_->tool->wheel(sighted)) return;
-    impl_->motion.zoom(sighted.wheelSteps, impl_->motion.view().focus);
+    impl_->motion.zoom(sighted.wheelSteps, impl_->pivotAt(event->position()));
     impl_->moved();
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
+    // Only what moves by steps may repeat; a spindle that is switched by a key that is held would chatter.
+    const bool mayRepeat = event->key() >= Qt::Key_Left && event->key() <= Qt::Key_PageDown;
+    if (event->isAutoRepeat() && !mayRepeat) return;
     if (impl_->tool != nullptr && impl_->tool->key(event->key(), event->modifiers())) return;
     QOpenGLWidget::keyPressEvent(event);
 }
 
 void Viewport::leaveEvent(QEvent* event) {
+    impl_->hoverCube(std::nullopt);
     if (impl_->tool != nullptr) impl_->tool->leave();
     QOpenGLWidget::leaveEvent(event);
 }
