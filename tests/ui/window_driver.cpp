@@ -56,8 +56,12 @@ bool WindowDriver::restart(bool quietly) {
 }
 
 bool WindowDriver::clickOn(const char* name) {
+    const auto ready = [&] {
+        const auto* widget = visible<QWidget>(name);
+        return widget != nullptr && widget->isEnabled();
+    };
+    if (!waitFor(ready, 3000)) return false; // panels follow what happened a moment later
     auto* widget = visible<QWidget>(name);
-    if (widget == nullptr || !widget->isEnabled()) return false;
     QTest::mouseClick(widget, Qt::LeftButton);
     return true;
 }

@@ -23,7 +23,7 @@ void ActionStates::update() {
     enable(ActionId::exportProgram, bench.program.exportable());
     enable(ActionId::embed, bench.setup.usable() && !bench.setup.locked() && !bench.bench.embedding());
     enable(ActionId::millMode, bench.bench.ready() && !showing);
-    enable(ActionId::record, bench.mill.active());
+    enable(ActionId::record, bench.bench.ready() && !showing);
     enable(ActionId::showMe, bench.setup.usable() && !showing && !bench.mill.active());
     enable(ActionId::stopShow, showing);
     enable(ActionId::newPath, !bench.mill.takes().empty() && bench.bench.embedded());

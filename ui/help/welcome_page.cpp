@@ -99,7 +99,7 @@ QWidget* WelcomePage::beginnings() {
     auto* sample =
         button(tr("Try the sample part"), "samplePartButton", tr("Import the part that Burin is shipped with."));
     connect(sample, &QPushButton::clicked, this, &WelcomePage::sampleRequested);
-    layout->addWidget(offer(sample, tr("A computer mouse of 60 × 36 × 20 mm, ready to be milled.")));
+    layout->addWidget(offer(sample, tr("A computer mouse, 110 mm long, ready to be milled.")));
     auto* show = button(tr("Show me"), "welcomeShowMeButton", tr("Watch a virtual operator mill the sample part."));
     connect(show, &QPushButton::clicked, this, &WelcomePage::showMeRequested);
     layout->addWidget(offer(show, tr("A virtual operator mills the sample part before your eyes, eight times as fast "

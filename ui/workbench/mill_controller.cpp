@@ -43,7 +43,10 @@ SessionRequest MillController::request() const {
 }
 
 void MillController::enter() {
-    if (active() || entering_ || session_.running() || !bench_.ready()) return;
+    if (active() || entering_ || session_.running() || !bench_.ready()) {
+        recordOnceEntered_ = recordOnceEntered_ && entering_;
+        return;
+    }
     entering_ = true;
     const Bench& bench = *bench_.bench();
     const glm::dvec3 centre = bench.setup.stock.centre();
@@ -56,6 +59,7 @@ void MillController::enter() {
                            mouse_ = mouse;
                            emit entered();
                        }
+                       if (std::exchange(recordOnceEntered_, false) && begun) startRecording();
                        emit changed();
                    });
 }
@@ -79,7 +83,12 @@ void MillController::interrupt(std::function<void()> meanwhile) {
 }
 
 void MillController::startRecording() {
-    if (!active() || recording() || startingRecording_) return;
+    if (!active()) {
+        recordOnceEntered_ = true;
+        enter();
+        return;
+    }
+    if (recording() || startingRecording_) return;
     startingRecording_ = true;
     const QString name = tr("take %1").arg(takes_.empty() ? 1 : takes_.back().id + 1);
     session_.startRecording(name, [this](bool) {

@@ -28,7 +28,7 @@ public:
     void leave(Then then = {});
     /// For a moment without a session, after which mill mode goes on as it was.
     void interrupt(std::function<void()> meanwhile);
-    void startRecording(); ///< nothing happens when one runs
+    void startRecording(); ///< enters mill mode where it is not on; nothing happens when one runs
     void stopRecording(Then then = {});
     void setAllowance(double millimetres); ///< an entry of the undo stack
     void removeTake(std::int64_t id);      ///< for good; the workpiece is made anew without it
@@ -53,7 +53,7 @@ private:
     BenchController& bench_;
     SessionRunner& session_;
     MouseStylus* mouse_ = nullptr;
-    bool entering_ = false, startingRecording_ = false;
+    bool entering_ = false, startingRecording_ = false, recordOnceEntered_ = false;
     double allowance_ = 0.0;
     std::vector<TakeInfo> takes_;
     std::uint64_t strokesSeen_ = 0;
