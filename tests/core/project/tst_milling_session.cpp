@@ -3,15 +3,11 @@
 #include "core/project/milling.h"
 #include "core/project/milling_session.h"
 #include "core/project/program_job.h"
-#include "tests/core/project/processes.h"
-#include "tests/core/project/session_bench.h"
+#include "tests/core/project/session_stage.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include <functional>
-#include <new>
-#include <sys/mman.h>
 #include <thread>
 
 using namespace burin;
@@ -21,56 +17,9 @@ namespace fs = std::filesystem;
 namespace {
 
 using namespace std::chrono_literals;
-using Lines = std::vector<std::vector<Segment>>;
 
 fs::path fileIn(const QTemporaryDir& folder) {
     return folder.filePath("p.burin").toStdString();
-}
-
-/// A project, a bench and a hand, and what one does with them.
-struct Stage {
-    explicit Stage(const fs::path& file, int finishAfter = 0) : project(*Project::create(file)), hand(finishAfter) {
-        Progress progress;
-        field = *clearanceField(bench, 0.5, progress);
-        if (!project.setModel(Model{}) || !project.setSetup(blockSetup())) std::abort();
-    }
-    std::unique_ptr<MillingSession> begin(const SessionRequest& request) {
-        Result<std::unique_ptr<MillingSession>> session =
-            MillingSession::begin(project, bench, *field, hand, strokes, request);
-        return session ? *std::move(session) : nullptr;
-    }
-    Lines workpiece() const { return linesOf(bench.embedded.workpiece); }
-    std::uint64_t units() const { return bench.embedded.workpiece.amounts().units[bench.embedded.stockProperty]; }
-
-    Project project;
-    Bench bench = blockBench();
-    std::unique_ptr<const ClearanceField> field;
-    StrokeHand hand;
-    StrokeHistory strokes;
-};
-
-SessionRequest handRequest(Pace pace = Pace::realtime) {
-    SessionRequest request;
-    request.pace = pace;
-    request.cutsOnButton = true;
-    return request;
-}
-
-/// Gives the loop time until something is so. False: it never came.
-bool await(const std::function<bool()>& holds) {
-    for (int i = 0; i < 5000; ++i) {
-        if (holds()) return true;
-        std::this_thread::sleep_for(2ms);
-    }
-    return false;
-}
-
-/// Mills so many strokes and waits until the session has heard of them all.
-bool millStrokes(Stage& stage, MillingSession& session, int strokes) {
-    const int wanted = stage.hand.done() + strokes;
-    stage.hand.mill(strokes);
-    SessionState state;
-    return await([&] { return session.newest(state), stage.hand.done() >= wanted; });
 }
 
 /// The workpiece as the loop shows it now.
@@ -82,21 +31,6 @@ Lines shown(MillingSession& session) {
         else
             std::this_thread::sleep_for(1ms);
     return linesOf(view.workpiece);
-}
-
-std::uint64_t removedUnits(const Take& take) {
-    std::uint64_t units = 0;
-    UndoneSamples undone(take);
-    for (std::size_t i = 0; i < take.samples.size(); ++i)
-        if (!undone.holds(i))
-            for (const RemovedMaterial& removed : take.samples[i].removed) units += removed.units;
-    return units;
-}
-
-bool contiguous(const Take& take) {
-    for (std::size_t i = 0; i < take.samples.size(); ++i)
-        if (take.samples[i].tick != i) return false;
-    return !take.samples.empty() && take.samples.front().time == 0.0;
 }
 
 /// The workpiece as it is made again from the recordings.
@@ -407,81 +341,6 @@ private slots:
         QVERIFY(full);
         QVERIFY(made);
         QVERIFY(session->end());
-    }
-
-    /// A disk that refuses ends the session with its error; what was recorded until then is kept.
-    void aFullDiskEndsTheSession() {
-        const QTemporaryDir folder;
-        const int outcome = fixture::inAnotherProcess([&] {
-            Stage stage(fileIn(folder));
-            const auto session = stage.begin(handRequest());
-            if (!session->startRecording("full") || !millStrokes(stage, *session, 2)) return 2;
-            fixture::limitFileSize(200 * 1024);
-            stage.hand.mill(1000);
-            SessionState state;
-            if (!await([&] { return session->newest(state), session->ended(); })) return 3;
-            const Result<LoopStatistics> end = session->end();
-            return !end && end.error().code == ErrorCode::diskFull ? 0 : 4;
-        });
-        QCOMPARE(outcome, 0);
-        Result<Project> project = Project::open(fileIn(folder));
-        QVERIFY(project);
-        const Result<Take> take = project->take(1);
-        QVERIFY(take && !take->info.complete && contiguous(*take));
-        QVERIFY(take->samples.size() > 100);
-    }
-
-    /// Killed in the midst of a session with strokes, some taken back: no more than the last 100 ms are missing.
-    void aKillCostsAtMostTheLastTenthOfASecond() {
-        struct Telling {
-            std::atomic<double> seconds{0.0}; ///< of the recording, as the session tells
-            std::atomic<int> undone{0};
-        };
-        void* const memory =
-            ::mmap(nullptr, sizeof(Telling), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        QVERIFY(memory != MAP_FAILED);
-        double worst = 0.0;
-        for (const double moment : {0.35, 0.8, 1.3}) {
-            double missing = 1.0;
-            // A machine that stalls the disk or the thread for so long is no fault of ours; thrice in a row is.
-            for (int attempt = 0; attempt < 3 && missing > 0.1; ++attempt) {
-                const QTemporaryDir folder;
-                Telling& telling = *new (memory) Telling;
-                const pid_t child = ::fork();
-                if (child == 0) {
-                    Stage stage(fileIn(folder));
-                    const auto session = stage.begin(handRequest());
-                    if (!session->startRecording("killed")) ::_exit(1);
-                    stage.hand.mill(1000);
-                    SessionState state;
-                    for (;;) {
-                        if (session->newest(state)) telling.seconds = state.recordedSeconds;
-                        if (stage.strokes.count() == 2 && telling.undone == 0 && session->undoStroke())
-                            telling.undone = 1;
-                        std::this_thread::sleep_for(1ms);
-                    }
-                }
-                QVERIFY(await([&] { return telling.seconds >= moment && telling.undone == 1; }));
-                ::kill(child, SIGKILL);
-                ::waitpid(child, nullptr, 0);
-                Result<Project> project = Project::open(fileIn(folder));
-                QVERIFY(project && project->recovered());
-                const Result<Take> take = project->take(project->takes()->front().id);
-                QVERIFY(take && !take->info.complete && contiguous(*take));
-                QCOMPARE(take->undone.size(), std::size_t{1});
-                Bench bench = blockBench();
-                Progress progress;
-                const std::uint64_t whole = bench.embedded.workpiece.amounts().units[bench.embedded.stockProperty];
-                QVERIFY(replayTakes(*project, bench, progress));
-                QCOMPARE(whole - bench.embedded.workpiece.amounts().units[bench.embedded.stockProperty],
-                         removedUnits(*take));
-                missing = telling.seconds - take->samples.back().time;
-            }
-            worst = std::max(worst, missing);
-        }
-        ::munmap(memory, sizeof(Telling));
-        qInfo("at most %.0f ms missing", worst * 1e3);
-        QVERIFY(worst <= 0.1);
     }
 
     /// The virtual operator as the window shows it: the stages of the plan, in time lapse, as the command line mills.
