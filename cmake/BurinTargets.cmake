@@ -28,7 +28,7 @@ if(BURIN_SANITIZE)
     target_compile_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE})
     set(BURIN_SANITIZER_ENVIRONMENT
-        "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/sanitizers/thread.txt:ignore_noninstrumented_modules=1"
+        "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/sanitizers/thread.txt:ignore_noninstrumented_modules=1:die_after_fork=0"
         "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/sanitizers/leak.txt:print_suppressions=0")
     if(BURIN_SANITIZE MATCHES undefined)
         target_compile_options(burin_options INTERFACE -fno-sanitize-recover=undefined)

@@ -80,14 +80,19 @@ Killed killAfter(const fs::path& file, std::uint64_t samples) {
     Telling& telling = *shared;
     const pid_t child = ::fork();
     if (child == 0) recordForEver(file, telling);
-    while (telling.pushed.load(std::memory_order_acquire) < samples && !telling.failed)
+    bool ended = false; // by itself, as a sanitizer ends a process
+    while (telling.pushed.load(std::memory_order_acquire) < samples && !telling.failed && !ended) {
         std::this_thread::sleep_for(500us);
+        ended = ::waitpid(child, nullptr, WNOHANG) != 0;
+    }
     Killed result;
-    ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
+    if (!ended) {
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+    }
     result.kept = telling.kept.load(std::memory_order_acquire);
     result.pushed = telling.pushed.load(std::memory_order_acquire);
-    result.failed = telling.failed;
+    result.failed = telling.failed || ended;
     return result;
 }
 
