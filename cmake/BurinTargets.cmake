@@ -28,7 +28,7 @@ if(BURIN_SANITIZE)
     target_compile_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE})
     set(BURIN_SANITIZER_ENVIRONMENT
-        "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/sanitizers/thread.txt:ignore_noninstrumented_modules=1:die_after_fork=0"
+        "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/sanitizers/thread.txt:ignore_noninstrumented_modules=1"
         "LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/sanitizers/leak.txt:print_suppressions=0")
     if(BURIN_SANITIZE MATCHES undefined)
         target_compile_options(burin_options INTERFACE -fno-sanitize-recover=undefined)
@@ -99,5 +99,5 @@ function(burin_test place name)
         math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 10")
     endif()
     set_tests_properties(${place}.${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}"
-        ENVIRONMENT "QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
+        ENVIRONMENT "QTEST_FUNCTION_TIMEOUT=${arg_TIMEOUT}000;QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
 endfunction()

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/recorder.h"
+#include "tests/core/project/processes.h"
 #include "tests/core/project/sample_project.h"
 
 #include <QTemporaryDir>
@@ -130,6 +131,7 @@ private slots:
 
     /// A kill at any moment costs at most the last 100 ms, and never what the recorder called kept.
     void aKillCostsAtMostTheLastTenthOfASecond() {
+        BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS();
         const QTemporaryDir folder;
         std::mt19937 random(20261121);
         std::uint64_t worst = 0;
