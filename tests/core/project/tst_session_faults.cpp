@@ -59,6 +59,7 @@ class TestSessionFaults : public QObject {
 private slots:
     /// A disk that refuses ends the session with its error; what was recorded until then is kept.
     void aFullDiskEndsTheSession() {
+        BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS();
         const QTemporaryDir folder;
         const int outcome = fixture::inAnotherProcess([&] {
             Stage stage(fileIn(folder));
@@ -81,6 +82,7 @@ private slots:
 
     /// Killed in the midst of a session with strokes, one taken back: no more than the last 100 ms are missing.
     void aKillCostsAtMostTheLastTenthOfASecond() {
+        BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS();
         void* const memory =
             ::mmap(nullptr, sizeof(Telling), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
         QVERIFY(memory != MAP_FAILED);
