@@ -3,10 +3,9 @@
 #include "core/path/apply.h"
 
 #include "core/base/numbers.h"
+#include "core/base/parallel.h"
 #include "core/path/part_guard.h"
 #include "core/path/polyline.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -169,13 +168,13 @@ Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathCon
         keepOnly(points, kept);
         const Holder holder(*guard, edit, state.strokes[s].allowance);
         strokes[s].resize(points.size());
-        tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        parallelFor(std::size_t{0}, points.size(), [&](std::size_t i) {
             strokes[s][i] = {points[i], points[i].tip};
             if (!progress.cancelled()) holder.push(strokes[s][i].point.tip);
         });
     }
     std::vector<Piece> pieces = piecesOf(strokes);
-    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+    parallelFor(std::size_t{0}, pieces.size(), [&](std::size_t i) {
         Piece& piece = pieces[i];
         const Holder holder(*guard, edit, state.strokes[piece.stroke].allowance);
         if (!progress.cancelled()) hold(piece, strokes[piece.stroke], holder);

@@ -3,10 +3,9 @@
 #include "core/path/apply.h"
 
 #include "core/base/numbers.h"
+#include "core/base/parallel.h"
 #include "core/path/cleared_heights.h"
 #include "core/path/part_guard.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -138,7 +137,7 @@ Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContex
     std::erase_if(state.strokes, [](const PathStroke& stroke) { return stroke.points.empty(); });
     const double height = safeHeightOf(edit, state, context, *guard);
     std::vector<Access> accesses(state.strokes.size());
-    tbb::parallel_for(std::size_t{0}, accesses.size(), [&](std::size_t i) {
+    parallelFor(std::size_t{0}, accesses.size(), [&](std::size_t i) {
         if (!progress.cancelled()) accesses[i] = accessOf(state.strokes[i], *guard, height);
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/apply.h"
 
+#include "core/base/parallel.h"
 #include "core/path/part_guard.h"
 #include "core/path/polyline.h"
-
-#include <tbb/parallel_for.h>
 
 namespace burin {
 
@@ -13,7 +12,7 @@ Result<Deviation> apply(const Simplify& edit, PathUnderEdit& state, const PathCo
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
     std::vector<Deviation> deviations(state.strokes.size());
-    tbb::parallel_for(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
+    parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
         PathStroke& stroke = state.strokes[i];
         const auto staysClear = [&](const glm::dvec3& from, const glm::dvec3& to) {
             return !progress.cancelled() && guard->isClear(from, to, stroke.required, defaultSampling);

@@ -3,9 +3,8 @@
 #include "core/path/apply.h"
 
 #include "core/base/numbers.h"
+#include "core/base/parallel.h"
 #include "core/base/units.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +96,7 @@ Result<Deviation> apply(const Smooth& edit, PathUnderEdit& state, const PathCont
                          "below half of the recording's rate"};
     }
     std::vector<Deviation> deviations(state.strokes.size());
-    tbb::parallel_for(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
+    parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
         if (!progress.cancelled()) deviations[i] = smooth(state.strokes[i], edit);
     });
     Deviation deviation;

@@ -67,7 +67,7 @@ TakeStatistics takeStatistics(std::span<const Sample> samples) {
     return statistics;
 }
 
-TakeStatistics takeStatistics(const Take& take) {
+TakeStatistics standingStatistics(const Take& take) {
     TakeStatistics statistics;
     std::span<const Sample> rest(take.samples);
     std::uint64_t passed = 0;

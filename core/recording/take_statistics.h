@@ -35,6 +35,6 @@ struct TakeStatistics {
 /// @param samples in the order of their ticks. Samples with numbers that are not finite add nothing to lengths.
 TakeStatistics takeStatistics(std::span<const Sample> samples);
 /// Of what stands: the way to and from what was taken back counts as little as that itself.
-TakeStatistics takeStatistics(const Take& take);
+TakeStatistics standingStatistics(const Take& take);
 
 } // namespace burin

@@ -10,15 +10,46 @@
 #include <QMimeData>
 #include <QtTest>
 
+#include <cmath>
+
 using namespace burin;
 using burin::testing::WindowDriver;
 
 namespace {
 
-/// Imports the sample part by the welcome page's button and embeds it.
+void drop(MainWindow& window, const QString& file) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter(QPoint(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    if (!enter.isAccepted()) return;
+    QDropEvent dropped(QPointF(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &dropped);
+}
+
+/// A block of 40 x 30 x 20 mm as an STL file: read in a moment.
+QString writeBlock(const WindowDriver& driver) {
+    constexpr int faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                  {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    QString text = "solid block\n";
+    for (const auto& face : faces) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const int corner : face)
+            text += QString("vertex %1 %2 %3\n")
+                        .arg((corner & 1) != 0 ? 40 : 0)
+                        .arg((corner & 2) != 0 ? 30 : 0)
+                        .arg((corner & 4) != 0 ? 20 : 0);
+        text += "endloop\nendfacet\n";
+    }
+    QFile file(driver.folder().filePath("block.stl"));
+    if (file.open(QIODevice::WriteOnly)) file.write((text + "endsolid block\n").toLatin1());
+    return file.fileName();
+}
+
+/// Drops the block on the window and embeds it.
 bool makeReady(WindowDriver& driver) {
     Workbench& bench = driver.window().workbench();
-    if (!driver.clickOn("samplePartButton")) return false;
+    drop(driver.window(), writeBlock(driver));
     if (!driver.waitFor([&] { return bench.model.model() != nullptr; })) return false;
     if (!driver.step(JobStep::stock) || !driver.clickOn("embedButton")) return false;
     return driver.waitFor([&] { return bench.bench.ready(); }) && driver.settle();
@@ -59,16 +90,6 @@ bool answer(QWidget& dialog, const char* button) {
     auto* found = dialog.findChild<QWidget*>(button);
     if (found != nullptr) QTest::mouseClick(found, Qt::LeftButton);
     return found != nullptr;
-}
-
-void drop(MainWindow& window, const QString& file) {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(file)});
-    QDragEnterEvent enter(QPoint(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window, &enter);
-    if (!enter.isAccepted()) return;
-    QDropEvent dropped(QPointF(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&window, &dropped);
 }
 
 double removedSoFar(const Bench& bench) {
@@ -128,10 +149,10 @@ void TestWindow::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("recordButton")); // takes the tool in hand as well
     QVERIFY(driver.waitFor([&] { return bench.mill.recording(); }, 5000));
-    millLine(driver, {-40, -20}, {40, -20});
+    millLine(driver, {-20, -12}, {20, -12});
     driver.shoot("03-first-stroke");
     QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 3000));
-    millLine(driver, {-40, 0}, {40, 0});
+    millLine(driver, {-20, 0}, {20, 0});
     QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 2; }, 3000));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 3000));
@@ -144,8 +165,9 @@ void TestWindow::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QCOMPARE(bench.mill.takes().size(), std::size_t{1});
     QVERIFY(bench.setup.locked());
     const double removed = removedSoFar(*bench.bench.bench());
-    // One groove of a ball of 6 mm, 1 mm deep and 80 mm long, between nothing and its box.
-    QVERIFY2(removed > 100.0 && removed < 80.0 * 6.0 * 1.5, qPrintable(QString::number(removed)));
+    // One groove of a ball of 6 mm, 1 mm deep and about 40 mm long: a segment of the circle of 3.0 mm².
+    const double section = 9.0 * std::acos(2.0 / 3.0) - 2.0 * std::sqrt(5.0);
+    QVERIFY2(removed > 0.7 * 40.0 * section && removed < 1.3 * 40.0 * section, qPrintable(QString::number(removed)));
     QVERIFY(driver.step(JobStep::path));
     QVERIFY(driver.clickOn("newPathButton"));
     QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
@@ -182,6 +204,7 @@ void TestWindow::settingsCanBeTakenBack() {
     Workbench& bench = driver.window().workbench();
     QVERIFY(makeReady(driver));
     const double voxel = bench.setup.setup().voxel;
+    QVERIFY(voxel != 1.0);
     auto* field = driver.visible<QWidget>("voxelField");
     QVERIFY(field != nullptr);
     field->setFocus();

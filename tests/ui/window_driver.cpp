@@ -37,6 +37,7 @@ void WindowDriver::open() {
     window_->move(0, 0);
     window_->show();
     static_cast<void>(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get()); // no window manager does it
 }
 
 bool WindowDriver::endQuietly() {
@@ -71,6 +72,7 @@ bool WindowDriver::step(JobStep step) {
 }
 
 void WindowDriver::key(int key, Qt::KeyboardModifiers modifiers) {
+    QApplication::setActiveWindow(window_.get());
     QWidget* focus = QApplication::focusWidget();
     QTest::keyClick(focus != nullptr ? focus : window_.get(), static_cast<Qt::Key>(key), modifiers);
 }

@@ -35,13 +35,15 @@ MainWindow::MainWindow(QWidget* parent)
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
     setMinimumSize(smallestWindow);
+    dress(settings_.preferences().theme); // before there are widgets: they take font and style from it
     layOut();
     presenters_ =
         std::make_unique<Presenters>(workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_}, nullptr);
     connectActions();
     connectWorkbench();
     connectWelcome();
-    apply(settings_.preferences());
+    viewport_->setPalette3D(activePalette());
+    presenters_->setUnit(settings_.preferences().unit);
     resize(firstWindow);
     restoreGeometry(settings_.windowGeometry());
     showStep(JobStep::part);
@@ -236,13 +238,19 @@ void MainWindow::updateTitle() {
     setWindowModified(document.isOpen() && document.unsaved());
 }
 
-void MainWindow::apply(const Preferences& preferences) {
-    if (const Result<Palette> palette = loadPalette(preferences.theme)) {
+void MainWindow::dress(Theme theme) {
+    const Result<Palette> palette = loadPalette(theme);
+    if (palette)
         applyTheme(*qobject_cast<QApplication*>(QCoreApplication::instance()), *palette);
-        viewport_->setPalette3D(*palette);
-    } else {
-        message_->tell(Notice::Kind::error, Messages::sentence(palette.error()));
-    }
+    else // Qt's own colours serve as well
+        QMetaObject::invokeMethod(
+            this, [this, error = palette.error()] { message_->tell(Notice::Kind::error, Messages::sentence(error)); },
+            Qt::QueuedConnection);
+}
+
+void MainWindow::apply(const Preferences& preferences) {
+    dress(preferences.theme);
+    viewport_->setPalette3D(activePalette());
     presenters_->setUnit(preferences.unit);
 }
 

@@ -44,6 +44,7 @@ private:
     void showBench(bool shown);
     void showWelcome();
     void updateTitle();
+    void dress(Theme theme);
     void apply(const Preferences& preferences);
     void showPreferences();
     void removeTake(qint64 take);

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin {
 
@@ -112,7 +113,13 @@ void MillPresenter::present() {
     state.speed = settings.speed;
     if (workbench_.session.running() && workbench_.bench.bench())
         state.alarm = shankSentence(session, *workbench_.bench.bench());
-    for (const TakeInfo& take : mill.takes()) state.takes.push_back({take, workbench_.mill.strokesOf(take.id)});
+    for (const TakeInfo& take : mill.takes()) {
+        state.takes.push_back({take, workbench_.mill.strokesOf(take.id)});
+        if (!state.recording || take.id != session.take) continue;
+        TakeInfo& growing = state.takes.back().info;
+        growing.sampleCount = static_cast<std::uint64_t>(std::lround(session.recordedSeconds / take.tickPeriod));
+        growing.complete = true; // nothing is missing of it so far
+    }
     state.showing = workbench_.showMe.showing();
     panel_.setState(state);
 }
