@@ -18,6 +18,10 @@ using Clock = std::chrono::steady_clock;
 constexpr auto restDelay = 100ms;
 /// What a tool changes at once: finished before the next snapshot is looked at.
 constexpr std::size_t fewGroups = 4;
+/// Changed tiles are made in full as long as that takes no more, s.
+constexpr double timeForFull = 0.025;
+/// Of the limit for things that move: groups in the making take more triangles than finished ones.
+constexpr double shareOfFull = 0.75;
 constexpr double skirtCells = 1.5; ///< as deep as two layers may differ
 
 // Details by which a layer comes down to its limit of triangles; tolerances in voxels.
@@ -46,6 +50,10 @@ void WorkpieceMesher::Layer::markAll() {
 
 std::size_t WorkpieceMesher::Layer::staleCount() const {
     return static_cast<std::size_t>(std::count(staleGroups.begin(), staleGroups.end(), 1));
+}
+
+std::size_t WorkpieceMesher::Layer::triangleCount() const {
+    return std::accumulate(triangles.begin(), triangles.end(), std::size_t{0});
 }
 
 bool WorkpieceMesher::Layer::hasStale() const {
@@ -104,7 +112,7 @@ void WorkpieceMesher::run(const std::stop_token& stop) {
         if (stop.stop_requested()) return;
         takeNewest();
         refreshMoving();
-        if (Clock::now() >= lastChange_ + restDelay) refreshRest();
+        refreshRest();
     }
 }
 
@@ -112,8 +120,12 @@ void WorkpieceMesher::waitForWork() {
     std::unique_lock lock(mutex_);
     const auto called = [this] { return newestWaits_ || recolour_; };
     if (layer(SurfaceLayer::moving).hasStale()) return;
-    if (layer(SurfaceLayer::rest).hasStale()) {
-        wake_.wait_until(lock, stop_, lastChange_ + restDelay, called);
+    const Layer& rest = layer(SurfaceLayer::rest);
+    if (rest.hasStale()) {
+        Moment first = Moment::max();
+        for (std::size_t group = 0; group < groups_.count(); ++group)
+            if (rest.staleGroups[group] != 0) first = std::min(first, changed_[group]);
+        wake_.wait_until(lock, stop_, first + restDelay, called);
         return;
     }
     busy_.store(called(), std::memory_order_release);
@@ -146,7 +158,8 @@ void WorkpieceMesher::takeNewest() {
 void WorkpieceMesher::startVolume() {
     groups_ = shown_.empty() ? WorkpieceGroups() : WorkpieceGroups(shown_.grid());
     for (Layer& one : layers_) one.start(groups_);
-    lastChange_ = Clock::now() - restDelay; // full detail may follow without a pause
+    changed_.assign(groups_.count(), Clock::now() - restDelay); // full detail may follow without a pause
+    fullFits_ = false;
     {
         const std::lock_guard lock(mutex_);
         ++delivery_.volume;
@@ -159,60 +172,91 @@ void WorkpieceMesher::startVolume() {
 void WorkpieceMesher::markChanges(const VolumeSnapshot& before) {
     const int level = std::max(detail(SurfaceLayer::moving).level, detail(SurfaceLayer::rest).level);
     for (const SurfaceTile tile : changedSurface(before, shown_, level)) {
-        lastChange_ = Clock::now();
-        for (Layer& one : layers_) one.staleTiles[groups_.place(tile)] = one.staleGroups[groups_.groupOf(tile)] = 1;
+        const std::size_t group = groups_.groupOf(tile);
+        changed_[group] = Clock::now();
+        for (Layer& one : layers_) one.staleTiles[groups_.place(tile)] = one.staleGroups[group] = 1;
     }
 }
 
 void WorkpieceMesher::refreshMoving() {
     Layer& moving = layer(SurfaceLayer::moving);
-    const bool many = moving.staleCount() > fewGroups;
+    const bool many = moving.staleCount() > fewGroups, inFull = fullFitsInTime();
     while (moving.hasStale()) {
         if (many && interrupted()) return;
-        const std::size_t group = nearestStale(moving);
-        if (!refreshTiles(SurfaceLayer::moving, group, many)) return;
-        refreshGroup(SurfaceLayer::moving, group);
-        if (!moving.hasStale()) coarsenIfTooMany(SurfaceLayer::moving);
+        const std::size_t group = nearestStale(moving, Moment::max());
+        if (!refreshMovingTiles(group, many, inFull)) return;
+        makeGroup(SurfaceLayer::moving, group);
+        if (!moving.hasStale()) settle(SurfaceLayer::moving);
     }
     deliverCut();
 }
 
-void WorkpieceMesher::refreshRest() {
-    Layer& rest = layer(SurfaceLayer::rest);
-    while (rest.hasStale() && !interrupted()) {
-        const std::size_t group = nearestStale(rest);
-        if (!refreshTiles(SurfaceLayer::rest, group, true)) return;
-        refreshGroup(SurfaceLayer::rest, group);
-        if (!rest.hasStale()) coarsenIfTooMany(SurfaceLayer::rest);
-    }
-}
-
+/// A tile that is at full detail already needs no coarse one.
 /// False: left off for a newer snapshot. What is made by then stays.
-bool WorkpieceMesher::refreshTiles(SurfaceLayer which, std::size_t group, bool mayStop) {
-    Layer& own = layer(which);
-    SurfaceDetail wanted = detail(which);
-    wanted.tolerance *= 0.5 * shown_.grid().edge(); // the other half is for the whole group
+bool WorkpieceMesher::refreshMovingTiles(std::size_t group, bool mayStop, bool inFull) {
     bool complete = true;
     groups_.eachTile(group, [&](SurfaceTile tile) {
         const std::size_t place = groups_.place(tile);
-        if (own.staleTiles[place] == 0 || !complete) return;
-        if (mayStop && interrupted()) {
-            complete = false;
-            return;
-        }
-        extractor_.extract(shown_, tile, wanted, own.tiles[place]);
-        own.staleTiles[place] = 0;
+        const bool inFullAlready = fullFits_ && layer(SurfaceLayer::rest).staleTiles[place] == 0;
+        if (!complete || inFullAlready || layer(SurfaceLayer::moving).staleTiles[place] == 0) return;
+        complete = !mayStop || !interrupted();
+        if (complete) makeTile(inFull ? SurfaceLayer::rest : SurfaceLayer::moving, tile);
     });
     return complete;
 }
 
-void WorkpieceMesher::refreshGroup(SurfaceLayer which, std::size_t group) {
+/// One group at a time: cuts go first.
+void WorkpieceMesher::refreshRest() {
+    Layer& rest = layer(SurfaceLayer::rest);
+    const std::size_t group = nearestStale(rest, Clock::now() - restDelay);
+    if (group == groups_.count() || interrupted() || !refreshRestTiles(group)) return;
+    makeGroup(SurfaceLayer::rest, group);
+    if (!rest.hasStale()) settle(SurfaceLayer::rest);
+}
+
+bool WorkpieceMesher::refreshRestTiles(std::size_t group) {
+    bool complete = true;
+    groups_.eachTile(group, [&](SurfaceTile tile) {
+        if (!complete || layer(SurfaceLayer::rest).staleTiles[groups_.place(tile)] == 0) return;
+        complete = !interrupted();
+        if (complete) makeTile(SurfaceLayer::rest, tile);
+    });
+    return complete;
+}
+
+void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
+    const Moment start = Clock::now();
+    SurfaceDetail wanted = detail(which);
+    wanted.tolerance *= 0.5 * shown_.grid().edge(); // the other half is for the whole group
+    const std::size_t place = groups_.place(tile);
+    extractor_.extract(shown_, tile, wanted, layer(which).tiles[place]);
+    layer(which).staleTiles[place] = 0;
+    if (which == SurfaceLayer::rest) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        fullTileSeconds_ += 0.1 * (seconds - fullTileSeconds_);
+    }
+}
+
+/// Whether the tiles that a cut has changed can be made at full detail at once.
+bool WorkpieceMesher::fullFitsInTime() {
+    const std::vector<std::uint8_t>& stale = layer(SurfaceLayer::rest).staleTiles;
+    const auto tiles = static_cast<double>(std::count(stale.begin(), stale.end(), 1));
+    return fullFits_ && tiles * fullTileSeconds_ <= timeForFull;
+}
+
+const SurfaceMesh& WorkpieceMesher::shownTile(SurfaceLayer which, std::size_t place) {
+    Layer& rest = layer(SurfaceLayer::rest);
+    const bool full = which == SurfaceLayer::rest || (fullFits_ && rest.staleTiles[place] == 0);
+    return full ? rest.tiles[place] : layer(SurfaceLayer::moving).tiles[place];
+}
+
+void WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group) {
     std::vector<const SurfaceMesh*> pieces;
-    groups_.eachTile(group, [&](SurfaceTile tile) { pieces.push_back(&layer(which).tiles[groups_.place(tile)]); });
+    groups_.eachTile(group, [&](SurfaceTile tile) { pieces.push_back(&shownTile(which, groups_.place(tile))); });
     simplifier_.join(pieces, joined_);
     const SurfaceDetail wanted = detail(which);
     const double edge = shown_.grid().edge(), cell = edge * (1 << wanted.level);
-    simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell);
+    if (which == SurfaceLayer::rest || !fullFits_) simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell);
     const std::vector<std::uint32_t> rim = simplifier_.rim(joined_);
     SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size()};
     update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirtCells * cell);
@@ -221,11 +265,18 @@ void WorkpieceMesher::refreshGroup(SurfaceLayer which, std::size_t group) {
     deliver(std::move(update));
 }
 
-void WorkpieceMesher::coarsenIfTooMany(SurfaceLayer which) {
+/// A layer is complete: does it keep to its limit?
+void WorkpieceMesher::settle(SurfaceLayer which) {
     Layer& own = layer(which);
     const std::size_t limit = which == SurfaceLayer::moving ? limits_.moving : limits_.rest;
-    const std::size_t all = std::accumulate(own.triangles.begin(), own.triangles.end(), std::size_t{0});
-    if (all <= limit || own.step + 1 == details(which).size()) return;
+    const std::size_t all = own.triangleCount();
+    const bool fitted = fullFits_;
+    if (which == SurfaceLayer::rest)
+        fullFits_ = static_cast<double>(all) <= shareOfFull * static_cast<double>(limits_.moving);
+    if (which == SurfaceLayer::moving && all > limit) fullFits_ = false; // coarse tiles again, then coarser ones
+    Layer& moving = layer(SurfaceLayer::moving);
+    if (fitted && !fullFits_) std::fill(moving.staleGroups.begin(), moving.staleGroups.end(), std::uint8_t{1});
+    if (all <= limit || (which == SurfaceLayer::moving && fitted) || own.step + 1 == details(which).size()) return;
     ++own.step;
     own.markAll();
 }
@@ -251,17 +302,18 @@ void WorkpieceMesher::deliverCut() {
     ready_();
 }
 
-std::size_t WorkpieceMesher::nearestStale(const Layer& layer) {
+/// groups_.count(): none that has not changed since.
+std::size_t WorkpieceMesher::nearestStale(const Layer& layer, Moment changedBefore) {
     glm::dvec3 focus;
     {
         const std::lock_guard lock(mutex_);
         focus = focus_;
     }
-    std::size_t nearest = 0;
+    std::size_t nearest = groups_.count();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t group = 0; group < groups_.count(); ++group) {
         const double distance = glm::length(groups_.centres()[group] - focus);
-        if (layer.staleGroups[group] == 0 || distance >= least) continue;
+        if (layer.staleGroups[group] == 0 || changed_[group] > changedBefore || distance >= least) continue;
         least = distance;
         nearest = group;
     }
