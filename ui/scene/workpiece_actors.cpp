@@ -87,9 +87,10 @@ public:
         });
         load(nearest, choose(nearest, moving));
         for (Group& group : groups_) draw(group);
-        if (cut_ && std::none_of(groups_.begin(), groups_.end(), [](const Group& g) { return g.moving.next; }))
+        if (waiting_)
+            ready_();
+        else if (cut_)
             cutShown_ = std::exchange(cut_, std::nullopt);
-        if (waiting_) ready_();
     }
 
     std::size_t triangles() const {

@@ -20,12 +20,12 @@ constexpr auto restDelay = 100ms;
 constexpr std::size_t fewGroups = 4;
 /// Changed tiles are made in full as long as that takes no more, s.
 constexpr double timeForFull = 0.025;
-/// Of the limit for things that move: groups in the making take more triangles than finished ones.
-constexpr double shareOfFull = 0.75;
+/// Groups of full detail that a tool changes at once, and what they have more of than finished ones: tiles not joined.
+constexpr std::size_t changedGroups = 2, unjoined = 2;
 constexpr double skirtCells = 1.5; ///< as deep as two layers may differ
 
 // Details by which a layer comes down to its limit of triangles; tolerances in voxels.
-constexpr std::array<SurfaceDetail, 6> movingDetails{{{1, 0.25}, {1, 0.5}, {2, 1.0}, {2, 2.0}, {3, 4.0}, {3, 8.0}}};
+constexpr std::array<SurfaceDetail, 6> movingDetails{{{1, 0.5}, {1, 1.0}, {2, 1.0}, {2, 2.0}, {3, 4.0}, {3, 8.0}}};
 constexpr std::array<SurfaceDetail, 6> restDetails{{{0, 0.1}, {0, 0.2}, {1, 0.4}, {1, 0.8}, {2, 1.6}, {3, 3.2}}};
 
 constexpr const std::array<SurfaceDetail, 6>& details(SurfaceLayer which) {
@@ -50,6 +50,10 @@ void WorkpieceMesher::Layer::markAll() {
 
 std::size_t WorkpieceMesher::Layer::staleCount() const {
     return static_cast<std::size_t>(std::count(staleGroups.begin(), staleGroups.end(), 1));
+}
+
+bool WorkpieceMesher::Layer::tooMany(std::size_t limit) const {
+    return triangleCount() > limit;
 }
 
 std::size_t WorkpieceMesher::Layer::triangleCount() const {
@@ -185,8 +189,8 @@ void WorkpieceMesher::refreshMoving() {
         if (many && interrupted()) return;
         const std::size_t group = nearestStale(moving, Moment::max());
         if (!refreshMovingTiles(group, many, inFull)) return;
-        makeGroup(SurfaceLayer::moving, group);
-        if (!moving.hasStale()) settle(SurfaceLayer::moving);
+        deliver({makeGroup(SurfaceLayer::moving, group, fullFits_)});
+        if (!moving.hasStale()) settleMoving();
     }
     deliverCut();
 }
@@ -205,21 +209,27 @@ bool WorkpieceMesher::refreshMovingTiles(std::size_t group, bool mayStop, bool i
     return complete;
 }
 
-/// One group at a time: cuts go first.
+/// One group at a time: cuts go first. What it shows while things move becomes coarse all through again, so that the
+/// next groups find room.
 void WorkpieceMesher::refreshRest() {
     Layer& rest = layer(SurfaceLayer::rest);
     const std::size_t group = nearestStale(rest, Clock::now() - restDelay);
-    if (group == groups_.count() || interrupted() || !refreshRestTiles(group)) return;
-    makeGroup(SurfaceLayer::rest, group);
-    if (!rest.hasStale()) settle(SurfaceLayer::rest);
+    if (group == groups_.count() || interrupted()) return;
+    if (!refreshTiles(SurfaceLayer::rest, group) || !refreshTiles(SurfaceLayer::moving, group)) return;
+    std::vector<SurfaceUpdate> updates;
+    updates.push_back(makeGroup(SurfaceLayer::moving, group, false));
+    updates.push_back(makeGroup(SurfaceLayer::rest, group, false));
+    deliver(std::move(updates));
+    if (!rest.hasStale()) settleRest();
 }
 
-bool WorkpieceMesher::refreshRestTiles(std::size_t group) {
+/// False: left off for a newer snapshot. What is made by then stays.
+bool WorkpieceMesher::refreshTiles(SurfaceLayer which, std::size_t group) {
     bool complete = true;
     groups_.eachTile(group, [&](SurfaceTile tile) {
-        if (!complete || layer(SurfaceLayer::rest).staleTiles[groups_.place(tile)] == 0) return;
+        if (!complete || layer(which).staleTiles[groups_.place(tile)] == 0) return;
         complete = !interrupted();
-        if (complete) makeTile(SurfaceLayer::rest, tile);
+        if (complete) makeTile(which, tile);
     });
     return complete;
 }
@@ -237,6 +247,27 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
     }
 }
 
+/// @param mixed of tiles at full detail where there are such, as they are
+SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, bool mixed) {
+    const Layer& rest = layer(SurfaceLayer::rest);
+    std::vector<const SurfaceMesh*> pieces;
+    groups_.eachTile(group, [&](SurfaceTile tile) {
+        const std::size_t place = groups_.place(tile);
+        const bool full = mixed && rest.staleTiles[place] == 0;
+        pieces.push_back(full ? &rest.tiles[place] : &layer(which).tiles[place]);
+    });
+    simplifier_.join(pieces, joined_);
+    const SurfaceDetail wanted = detail(which);
+    const double edge = shown_.grid().edge(), cell = edge * (1 << wanted.level);
+    if (!mixed) simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell);
+    const std::vector<std::uint32_t> rim = simplifier_.rim(joined_);
+    SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size()};
+    update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirtCells * cell);
+    layer(which).triangles[group] = update.triangles;
+    layer(which).staleGroups[group] = 0;
+    return update;
+}
+
 /// Whether the tiles that a cut has changed can be made at full detail at once.
 bool WorkpieceMesher::fullFitsInTime() {
     const std::vector<std::uint8_t>& stale = layer(SurfaceLayer::rest).staleTiles;
@@ -244,50 +275,44 @@ bool WorkpieceMesher::fullFitsInTime() {
     return fullFits_ && tiles * fullTileSeconds_ <= timeForFull;
 }
 
-const SurfaceMesh& WorkpieceMesher::shownTile(SurfaceLayer which, std::size_t place) {
-    Layer& rest = layer(SurfaceLayer::rest);
-    const bool full = which == SurfaceLayer::rest || (fullFits_ && rest.staleTiles[place] == 0);
-    return full ? rest.tiles[place] : layer(SurfaceLayer::moving).tiles[place];
+bool WorkpieceMesher::roomForFull() {
+    const std::vector<std::size_t>& rest = layer(SurfaceLayer::rest).triangles;
+    const std::size_t largest = rest.empty() ? 0 : *std::max_element(rest.begin(), rest.end());
+    return layer(SurfaceLayer::moving).triangleCount() + changedGroups * unjoined * largest <= limits_.moving;
 }
 
-void WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group) {
-    std::vector<const SurfaceMesh*> pieces;
-    groups_.eachTile(group, [&](SurfaceTile tile) { pieces.push_back(&shownTile(which, groups_.place(tile))); });
-    simplifier_.join(pieces, joined_);
-    const SurfaceDetail wanted = detail(which);
-    const double edge = shown_.grid().edge(), cell = edge * (1 << wanted.level);
-    if (which == SurfaceLayer::rest || !fullFits_) simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell);
-    const std::vector<std::uint32_t> rim = simplifier_.rim(joined_);
-    SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size()};
-    update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirtCells * cell);
-    layer(which).triangles[group] = update.triangles;
-    layer(which).staleGroups[group] = 0;
-    deliver(std::move(update));
-}
-
-/// A layer is complete: does it keep to its limit?
-void WorkpieceMesher::settle(SurfaceLayer which) {
-    Layer& own = layer(which);
-    const std::size_t limit = which == SurfaceLayer::moving ? limits_.moving : limits_.rest;
-    const std::size_t all = own.triangleCount();
-    const bool fitted = fullFits_;
-    if (which == SurfaceLayer::rest)
-        fullFits_ = static_cast<double>(all) <= shareOfFull * static_cast<double>(limits_.moving);
-    if (which == SurfaceLayer::moving && all > limit) fullFits_ = false; // coarse tiles again, then coarser ones
+/// All groups are made: do they keep to the limit?
+void WorkpieceMesher::settleMoving() {
     Layer& moving = layer(SurfaceLayer::moving);
-    if (fitted && !fullFits_) std::fill(moving.staleGroups.begin(), moving.staleGroups.end(), std::uint8_t{1});
-    if (all <= limit || (which == SurfaceLayer::moving && fitted) || own.step + 1 == details(which).size()) return;
-    ++own.step;
-    own.markAll();
+    if (!moving.tooMany(limits_.moving)) return;
+    if (fullFits_) { // without tiles of full detail first
+        fullFits_ = false;
+        std::fill(moving.staleGroups.begin(), moving.staleGroups.end(), std::uint8_t{1});
+    } else
+        coarsen(SurfaceLayer::moving);
 }
 
-void WorkpieceMesher::deliver(SurfaceUpdate update) {
+void WorkpieceMesher::settleRest() {
+    if (layer(SurfaceLayer::rest).tooMany(limits_.rest)) coarsen(SurfaceLayer::rest);
+    fullFits_ = roomForFull();
+}
+
+void WorkpieceMesher::coarsen(SurfaceLayer which) {
+    if (layer(which).step + 1 == details(which).size()) return;
+    ++layer(which).step;
+    layer(which).markAll();
+}
+
+void WorkpieceMesher::deliver(std::vector<SurfaceUpdate> updates) {
     {
         const std::lock_guard lock(mutex_);
-        std::erase_if(delivery_.updates, [&](const SurfaceUpdate& older) {
-            return older.group == update.group && (older.layer == update.layer || update.layer == SurfaceLayer::moving);
-        });
-        delivery_.updates.push_back(std::move(update));
+        for (SurfaceUpdate& update : updates) {
+            std::erase_if(delivery_.updates, [&](const SurfaceUpdate& older) {
+                return older.group == update.group &&
+                       (older.layer == update.layer || update.layer == SurfaceLayer::moving);
+            });
+            delivery_.updates.push_back(std::move(update));
+        }
     }
     ready_();
 }

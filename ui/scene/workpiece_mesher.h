@@ -39,9 +39,9 @@ struct SurfaceDelivery {
 };
 
 /// Meshes a workpiece on a thread of its own: at once, and after every change, so that it can be drawn while things
-/// move; groups in which nothing has changed for a moment, at full detail. Only changed tiles are made anew. Once the
-/// full detail is known to fit the limit for things that move, changed tiles are made in full at once if time allows,
-/// and coarsely only if not. Holds two snapshots at most: the one that is meshed and the newest.
+/// move; groups in which nothing has changed for a moment, at full detail. Only changed tiles are made anew. Where
+/// the limit for things that move leaves room and time allows, changed tiles are made in full at once. Holds two
+/// snapshots at most: the one that is meshed and the newest.
 class WorkpieceMesher {
 public:
     /// Triangles in all that a layer is brought down to, by coarser details if need be.
@@ -79,6 +79,7 @@ private:
         bool hasStale() const;
         std::size_t staleCount() const;
         std::size_t triangleCount() const;
+        bool tooMany(std::size_t limit) const;
     };
     using Moment = std::chrono::steady_clock::time_point;
 
@@ -91,13 +92,15 @@ private:
     void refreshMoving();
     bool refreshMovingTiles(std::size_t group, bool mayStop, bool inFull);
     void refreshRest();
-    bool refreshRestTiles(std::size_t group);
+    bool refreshTiles(SurfaceLayer which, std::size_t group);
     void makeTile(SurfaceLayer which, SurfaceTile tile);
-    void makeGroup(SurfaceLayer which, std::size_t group);
-    const SurfaceMesh& shownTile(SurfaceLayer which, std::size_t place);
+    SurfaceUpdate makeGroup(SurfaceLayer which, std::size_t group, bool mixed);
     bool fullFitsInTime();
-    void settle(SurfaceLayer which);
-    void deliver(SurfaceUpdate update);
+    bool roomForFull();
+    void settleMoving();
+    void settleRest();
+    void coarsen(SurfaceLayer which);
+    void deliver(std::vector<SurfaceUpdate> updates);
     void deliverCut();
     std::size_t nearestStale(const Layer& layer, Moment changedBefore);
     Layer& layer(SurfaceLayer which) { return layers_[static_cast<std::size_t>(which)]; }
@@ -124,7 +127,7 @@ private:
     WorkpieceGroups groups_;
     std::array<Layer, 2> layers_;
     std::vector<Moment> changed_;  ///< when each group changed last
-    bool fullFits_ = false;        ///< full detail keeps to the limit for things that move
+    bool fullFits_ = false;        ///< there is room for full detail where a tool cuts, in what is drawn while it does
     double fullTileSeconds_ = 0.0; ///< that a tile at full detail takes, running mean
     SurfaceExtractor extractor_;
     SurfaceSimplifier simplifier_;
