@@ -32,6 +32,7 @@ vtkSmartPointer<vtkActor> surfaceActor() {
     actor->SetMapper(mapper);
     actor->GetProperty()->SetSpecular(0.12);
     actor->GetProperty()->SetSpecularPower(30.0);
+    actor->GetProperty()->BackfaceCullingOn(); // the surface is closed: what faces away costs, and is never seen
     actor->VisibilityOff();
     return actor;
 }
