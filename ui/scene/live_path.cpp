@@ -70,7 +70,7 @@ std::unique_ptr<LivePath::Block> LivePath::makeBlock(std::size_t capacity) {
     auto block = std::make_unique<Block>();
     block->points->SetNumberOfComponents(3);
     block->points->Allocate(static_cast<vtkIdType>(6 * capacity));
-    block->actor = lineActor(block->data);
+    block->actor = raisedLineActor(block->data);
     burin::setColour(*block->actor, colour_);
     block->actor->GetProperty()->SetLineWidth(static_cast<float>(width_));
     renderer_.AddActor(block->actor);

@@ -26,7 +26,7 @@ constexpr std::array<StandardView, 6> faces{StandardView::top,  StandardView::bo
                                             StandardView::back, StandardView::left,   StandardView::right};
 constexpr int atlasColumns = 3, atlasRows = 2;
 constexpr double cellPixels = 72.0; // device-independent
-constexpr double eyeDistance = 8.6; // the cube reaches from -1 to 1
+constexpr double eyeDistance = 9.6; // the cube reaches from -1 to 1
 constexpr double axisFrom = -1.0, axisTo = 1.35, letterAt = 1.65;
 
 CameraView cubeView(const CameraView& view) {
