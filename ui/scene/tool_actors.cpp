@@ -93,7 +93,7 @@ void ToolActors::setTool(const std::optional<Tool>& tool) {
         if (section == Section::flutes) continue;
         vtkSmartPointer<vtkActor> outline = surfaceActor(pieceSurface(grown(stack[i], 0.06 * widest)));
         outline->GetProperty()->LightingOff();
-        outline->GetProperty()->BackfaceCullingOn();
+        outline->GetProperty()->FrontfaceCullingOn();
         outline->PickableOff();
         add(Section::outline, outline);
     }

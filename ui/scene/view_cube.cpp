@@ -185,7 +185,9 @@ void ViewCube::place(const CameraView& view, const QSizeF& size, double ratio) {
     camera->SetClippingRange(eyeDistance - 4.0, eyeDistance + 4.0);
     for (int axis = 0; axis < 3; ++axis) {
         const QPointF at = appearanceOf(own, QSizeF(side, side), axisPlace(axis, letterAt));
-        letters_[static_cast<std::size_t>(axis)]->setMiddle(at * ratio, static_cast<int>(std::lround(side * ratio)));
+        Label& letter = *letters_[static_cast<std::size_t>(axis)];
+        letter.setMiddle(at * ratio, static_cast<int>(std::lround(side * ratio)));
+        letter.setVisible(!faceAt(view, size, cornerOf(size) + at).has_value()); // else it would stand on the cube
     }
 }
 
