@@ -75,8 +75,8 @@ inline std::shared_ptr<const Model> model(const glm::dvec3& radii) {
 
 inline constexpr PropertyIndex stockProperty = 1, partProperty = 2;
 
-/// A block of stock (its low corner and size, mm) around the dome of `model`; left of x = 0 it is milled down to a floor
-/// 4 mm over the dome's foot, or to the dome.
+/// A block of stock (its low corner and size, mm) around the dome of `model`; left of x = 0 it is milled down to a
+/// floor 4 mm over the dome's foot, or to the dome.
 inline RunVolume milledBlock(const Box& block, double edge, const glm::dvec3& radii) {
     const Grid grid = Grid::make(block.low, edge, glm::ivec3(glm::round(block.size() / edge))).value();
     PropertyList properties;

@@ -6,12 +6,15 @@
 #include "ui/input/mill_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin {
 namespace {
 
 constexpr double wheelStep = 0.5, fineWheelStep = 0.05; // mm a notch
 constexpr double largestOffset = 500.0;                 // mm
+constexpr int settlingInterval = 120;                   // ms
+constexpr double arrived = 0.1;                         // mm
 constexpr double besideStock = 20.0;                    // mm beyond the tool's radius that the tip may leave the grid
 
 Sight sightOf(const ViewportEvent& event) {
@@ -25,7 +28,11 @@ Box reachOf(const VolumeSnapshot& workpiece, const Cutter& cutter) {
 } // namespace
 
 MillTool::MillTool(MouseStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view, QObject* parent)
-    : QObject(parent), stylus_(stylus), tool_(tool), view_(std::move(view)), target_(stylus.tip()) {}
+    : QObject(parent), stylus_(stylus), tool_(tool), view_(std::move(view)), target_(stylus.tip()) {
+    settling_.setSingleShot(true);
+    settling_.setInterval(settlingInterval);
+    connect(&settling_, &QTimer::timeout, this, &MillTool::settle);
+}
 
 void MillTool::setSettings(const MillToolSettings& settings) {
     settings_ = settings;
@@ -35,8 +42,21 @@ void MillTool::hoverAt(const glm::dvec3& place) {
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return;
     target_ = keptWithin(reachOf(workpiece, tool_.cutter), place);
+    wantedHeight_ = place.z;
     const glm::dvec3 now = stylus_.tip();
     target_.z = std::max(place.z, clearTipHeight(workpiece, tool_.cutter, {now.x, now.y}, {target_.x, target_.y}));
+    stylus_.wish({.tip = target_});
+    settling_.start();
+}
+
+/// The height of a hover clears all of the way; where the tool has arrived, less may do.
+void MillTool::settle() {
+    const glm::dvec3 now = stylus_.tip();
+    const VolumeSnapshot workpiece = view_();
+    if (stroke_ != Stroke::none || workpiece.empty()) return;
+    if (std::hypot(now.x - target_.x, now.y - target_.y) > arrived) return settling_.start();
+    const glm::dvec2 place(target_.x, target_.y);
+    target_.z = std::max(wantedHeight_, clearTipHeight(workpiece, tool_.cutter, place, place));
     stylus_.wish({.tip = target_});
 }
 

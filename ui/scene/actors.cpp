@@ -25,12 +25,17 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines) {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(lines);
     mapper->ScalarVisibilityOff();
-    mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -4.0);
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
     actor->PickableOff();
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines) {
+    vtkSmartPointer<vtkActor> actor = lineActor(lines);
+    actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
+    actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -4.0);
     return actor;
 }
 

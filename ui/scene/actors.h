@@ -17,8 +17,10 @@ namespace burin {
 
 /// A lit surface. Points, normals and triangles stand in `surface`.
 vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface);
-/// Lines in their plain colour, drawn a little nearer than the surface that they lie on.
+/// Lines in their plain colour.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines);
+/// The same, drawn a little nearer than the surface that they lie on.
+vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines);
 void setColour(vtkActor& actor, const QColor& colour);
 void setLineWidth(vtkActor& actor, double screenPixels);
 /// Blends an actor over what is already drawn (actors are drawn in the order in which they were added). VTK's own

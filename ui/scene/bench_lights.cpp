@@ -12,7 +12,7 @@ namespace burin {
 void addBenchLights(vtkRenderer& renderer) {
     renderer.AutomaticLightCreationOff();
     constexpr std::array<std::array<double, 4>, 3> lights{
-        {{-0.8, 1.1, 1.0, 0.55}, {1.2, 0.3, 0.8, 0.32}, {0.0, 0.0, 1.0, 0.45}}}; // camera frame, and intensity
+        {{-0.7, 0.7, 1.0, 0.45}, {1.2, 0.2, 0.8, 0.28}, {0.0, 0.0, 1.0, 0.58}}}; // camera frame, and intensity
     for (const auto& [x, y, z, intensity] : lights) {
         vtkNew<vtkLight> light;
         light->SetLightTypeToCameraLight();

@@ -32,7 +32,7 @@ std::size_t indexOf(MoveKind kind) {
 
 EditedPath::EditedPath(vtkRenderer& renderer) {
     for (auto& actor : actors_) {
-        actor = lineActor(vtkNew<vtkPolyData>());
+        actor = raisedLineActor(vtkNew<vtkPolyData>());
         actor->VisibilityOff();
         renderer.AddActor(actor);
     }

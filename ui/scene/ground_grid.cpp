@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/ground_grid.h"
 
+#include "ui/scene/round_spacing.h"
+
 #include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -51,13 +53,6 @@ vtkSmartPointer<vtkUnsignedCharArray> fading(vtkPoints& points, const glm::dvec3
 }
 
 } // namespace
-
-double roundSpacing(double length) {
-    const double tenth = length / 10.0;
-    const double power = std::pow(10.0, std::floor(std::log10(tenth)));
-    const double lead = tenth / power;
-    return power * (lead < 1.5 ? 1.0 : lead < 3.5 ? 2.0 : lead < 7.5 ? 5.0 : 10.0);
-}
 
 GroundGrid::GroundGrid(vtkRenderer& renderer) : actor_(lineActor(vtkNew<vtkPolyData>())) {
     actor_->ForceOpaqueOn();

@@ -13,9 +13,6 @@
 
 namespace burin {
 
-/// A round length (1, 2 or 5 times a power of ten, mm) that `length` holds about ten times.
-double roundSpacing(double length);
-
 /// A quiet grid on the table, under what stands on it; it fades away from there.
 class GroundGrid {
 public:

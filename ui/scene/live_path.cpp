@@ -12,33 +12,7 @@
 #include <vtkProperty.h>
 #include <vtkTypeInt32Array.h>
 
-#include <algorithm>
-
 namespace burin {
-
-void PathThinner::begin(const glm::vec3& first) {
-    corner_ = first;
-    pending_.clear();
-}
-
-bool PathThinner::bridges(const glm::vec3& next) const {
-    const glm::vec3 way = next - corner_;
-    const float length = glm::dot(way, way);
-    return std::ranges::all_of(pending_, [&](const glm::vec3& place) {
-        const float share = length > 0.0F ? std::clamp(glm::dot(place - corner_, way) / length, 0.0F, 1.0F) : 0.0F;
-        return glm::distance(place, corner_ + way * share) <= tolerance_;
-    });
-}
-
-bool PathThinner::add(const glm::vec3& next) {
-    const bool corner = pending_.empty() || pending_.size() >= mostPending || !bridges(next);
-    if (corner && !pending_.empty()) {
-        corner_ = pending_.back();
-        pending_.clear();
-    }
-    pending_.push_back(next);
-    return corner;
-}
 
 /// Lines of two points each, so that a stroke's end needs no mark.
 struct LivePath::Block {
@@ -70,7 +44,7 @@ std::unique_ptr<LivePath::Block> LivePath::makeBlock(std::size_t capacity) {
     auto block = std::make_unique<Block>();
     block->points->SetNumberOfComponents(3);
     block->points->Allocate(static_cast<vtkIdType>(6 * capacity));
-    block->actor = lineActor(block->data);
+    block->actor = raisedLineActor(block->data);
     burin::setColour(*block->actor, colour_);
     block->actor->GetProperty()->SetLineWidth(static_cast<float>(width_));
     renderer_.AddActor(block->actor);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/scene/path_thinner.h"
+
 #include <vtkActor.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -15,22 +17,6 @@
 #include <vector>
 
 namespace burin {
-
-/// Leaves out the places of a growing polyline that a straight line replaces within a tolerance.
-class PathThinner {
-public:
-    explicit PathThinner(float tolerance) : tolerance_(tolerance) {}
-    void begin(const glm::vec3& first);
-    /// @return true: the place before becomes a corner and `next` the new end; false: `next` replaces the end.
-    bool add(const glm::vec3& next);
-
-private:
-    bool bridges(const glm::vec3& next) const;
-    static constexpr std::size_t mostPending = 32;
-    float tolerance_;
-    glm::vec3 corner_{0.0F};
-    std::vector<glm::vec3> pending_; ///< after the corner, the end last
-};
 
 /// The path as it is recorded. Points go into a small block that is handed to the driver with each addition; blocks
 /// that are full are merged two by two, so that an hour of milling stays some dozen actors, and a point costs the same

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/scale_bar.h"
 
-#include "ui/scene/ground_grid.h"
+#include "ui/scene/round_spacing.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

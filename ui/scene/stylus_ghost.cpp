@@ -31,7 +31,7 @@ StylusGhost::StylusGhost(vtkRenderer& renderer)
     : flutes_(surfaceActor(vtkNew<vtkPolyData>())), coupling_(lineActor(lineData(unitDashes()))) {
     flutes_->GetProperty()->BackfaceCullingOn();
     flutes_->GetProperty()->SetSpecular(0.0);
-    setBlended(*flutes_, 0.4);
+    setBlended(*flutes_, 0.35);
     flutes_->SetUserMatrix(stylus_);
     coupling_->SetUserMatrix(stretch_);
     renderer.AddActor(flutes_);

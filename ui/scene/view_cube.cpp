@@ -26,7 +26,7 @@ constexpr std::array<StandardView, 6> faces{StandardView::top,  StandardView::bo
                                             StandardView::back, StandardView::left,   StandardView::right};
 constexpr int atlasColumns = 3, atlasRows = 2;
 constexpr double cellPixels = 72.0; // device-independent
-constexpr double eyeDistance = 8.6; // the cube reaches from -1 to 1
+constexpr double eyeDistance = 9.6; // the cube reaches from -1 to 1
 constexpr double axisFrom = -1.0, axisTo = 1.35, letterAt = 1.65;
 
 CameraView cubeView(const CameraView& view) {
@@ -185,7 +185,9 @@ void ViewCube::place(const CameraView& view, const QSizeF& size, double ratio) {
     camera->SetClippingRange(eyeDistance - 4.0, eyeDistance + 4.0);
     for (int axis = 0; axis < 3; ++axis) {
         const QPointF at = appearanceOf(own, QSizeF(side, side), axisPlace(axis, letterAt));
-        letters_[static_cast<std::size_t>(axis)]->setMiddle(at * ratio, static_cast<int>(std::lround(side * ratio)));
+        Label& letter = *letters_[static_cast<std::size_t>(axis)];
+        letter.setMiddle(at * ratio, static_cast<int>(std::lround(side * ratio)));
+        letter.setVisible(!faceAt(view, size, cornerOf(size) + at).has_value()); // else it would stand on the cube
     }
 }
 
