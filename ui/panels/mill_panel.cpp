@@ -162,7 +162,7 @@ void MillPanel::Fields::refreshButtons() {
                  state.recording ? MillPanel::tr("End the take")
                                  : MillPanel::tr("Record what the hand does, as a take"));
     mill_->setChecked(state.active);
-    mill_->setText(state.active ? MillPanel::tr("Leave mill") : MillPanel::tr("Mill"));
+    mill_->setText(state.active ? MillPanel::tr("Stop milling") : MillPanel::tr("Mill"));
     setLook(mill_, state.ready && !state.active ? "primary" : "");
     showIcon(mill_, QStringLiteral("mill"), state.ready && !state.active ? &Palette::field : &Palette::text);
     enableUnless(mill_, state.active ? QString() : reason,

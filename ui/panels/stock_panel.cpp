@@ -120,9 +120,9 @@ QString StockPanel::Fields::voxelText() const {
     const glm::ivec3 voxels = state.size->voxels;
     const double count = 1.0 * voxels.x * voxels.y * voxels.z;
     const QString total = count >= million
-                              ? StockPanel::tr("%1 million").arg(QLocale().toString(count / million, 'f', 1))
+                              ? StockPanel::tr("%1\u00a0million").arg(QLocale().toString(count / million, 'f', 1))
                               : QLocale().toString(count, 'f', 0);
-    return StockPanel::tr("%1 × %2 × %3 voxels = %4, %5 MB")
+    return StockPanel::tr("%1 × %2 × %3 voxels = %4, %5\u00a0MB")
         .arg(voxels.x)
         .arg(voxels.y)
         .arg(voxels.z)

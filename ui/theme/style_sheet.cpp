@@ -20,7 +20,7 @@ QWidget { selection-background-color: @accent; selection-color: @onAccent; }
 QMainWindow, QDialog { background: @panel; }
 QToolTip { background: @field; color: @text; border: 1px solid @border; border-radius: 4px; padding: 4px 6px; }
 
-QLabel[look="title"] { font-size: 13pt; font-weight: 600; }
+QLabel[look="title"] { font-size: 11pt; font-weight: 600; }
 QLabel[look="section"] { color: @quietText; font-size: 8pt; font-weight: 600; }
 QLabel[look="quiet"] { color: @quietText; }
 QLabel[look="small"] { color: @quietText; font-size: 9pt; }
