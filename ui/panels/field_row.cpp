@@ -7,13 +7,7 @@
 
 namespace burin {
 
-namespace {
-
-constexpr int fieldWidth = 144; // two columns on a panel of 320
-
-} // namespace
-
-FieldRow::FieldRow(const QString& label, QWidget* field, const QString& toolTip, QWidget* parent)
+FieldRow::FieldRow(const QString& label, QWidget* field, const QString& toolTip, QWidget* parent, int fieldWidth)
     : QWidget(parent), label_(new QLabel(label, this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

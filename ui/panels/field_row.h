@@ -13,7 +13,9 @@ namespace burin {
 class FieldRow : public QWidget {
     Q_OBJECT
 public:
-    FieldRow(const QString& label, QWidget* field, const QString& toolTip, QWidget* parent = nullptr);
+    static constexpr int numberWidth = 136, choiceWidth = 184; ///< of the field, pixels
+    FieldRow(const QString& label, QWidget* field, const QString& toolTip, QWidget* parent = nullptr,
+             int fieldWidth = numberWidth);
 
 private:
     QLabel* label_ = nullptr;

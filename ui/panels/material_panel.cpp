@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/material_panel.h"
 
+#include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"
 #include "ui/panels/texts.h"
 
-#include <QComboBox>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ public:
     MaterialState state;
 
 private:
-    QComboBox* addChoice(const QString& label, const QString& toolTip, const char* name);
+    ChoiceBox* addChoice(const QString& label, const QString& toolTip, const char* name);
     void refreshChoices();
     void refreshValues();
     void showSource(int row);
@@ -32,7 +32,7 @@ private:
 
     MaterialPanel* panel_;
     QVBoxLayout* column_;
-    QComboBox *stock_, *body_, *bodyMaterial_;
+    ChoiceBox *stock_, *body_, *bodyMaterial_;
     QWidget* bodies_;
     QLabel *figuresTitle_, *source_;
     RowList* values_;
@@ -43,7 +43,7 @@ private:
 namespace {
 
 /// Replaces what a choice offers only when that is something else, so that an open list stays open.
-void offer(QComboBox& choice, const QStringList& texts, const QStringList& ids, const QString& chosen) {
+void offer(ChoiceBox& choice, const QStringList& texts, const QStringList& ids, const QString& chosen) {
     const QSignalBlocker quiet(&choice);
     bool same = choice.count() == texts.size();
     for (int i = 0; same && i < choice.count(); ++i)
@@ -87,17 +87,17 @@ MaterialPanel::Fields::Fields(MaterialPanel* panel) : QObject(panel), panel_(pan
     column_->addWidget(source_);
     column_->addStretch(1);
 
-    connect(stock_, &QComboBox::activated, this, [this] {
+    connect(stock_, &ChoiceBox::activated, this, [this] {
         showsBody_ = false;
         state.stockMaterial = stock_->currentData().toString().toStdString();
         refresh();
         emit panel_->stockMaterialChosen(state.stockMaterial);
     });
-    connect(body_, &QComboBox::activated, this, [this] {
+    connect(body_, &ChoiceBox::activated, this, [this] {
         showsBody_ = true;
         refresh();
     });
-    connect(bodyMaterial_, &QComboBox::activated, this, [this] {
+    connect(bodyMaterial_, &ChoiceBox::activated, this, [this] {
         showsBody_ = true;
         const auto index = static_cast<std::size_t>(std::max(0, body_->currentIndex()));
         const std::string id = bodyMaterial_->currentData().toString().toStdString();
@@ -109,12 +109,10 @@ MaterialPanel::Fields::Fields(MaterialPanel* panel) : QObject(panel), panel_(pan
     connect(values_, &RowList::rowChosen, this, &Fields::showSource);
 }
 
-QComboBox* MaterialPanel::Fields::addChoice(const QString& label, const QString& toolTip, const char* name) {
-    auto* choice = new QComboBox(panel_);
+ChoiceBox* MaterialPanel::Fields::addChoice(const QString& label, const QString& toolTip, const char* name) {
+    auto* choice = new ChoiceBox(panel_);
     choice->setObjectName(QLatin1String(name));
-    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    choice->setMinimumContentsLength(8);
-    column_->addWidget(new FieldRow(label, choice, toolTip, panel_));
+    column_->addWidget(new FieldRow(label, choice, toolTip, panel_, FieldRow::choiceWidth));
     return choice;
 }
 

@@ -20,6 +20,7 @@ public:
 private:
     ValueRow* addRow(const QString& label, const char* name, const QString& toolTip);
     MeterBar* addBar(ColourRole role);
+    void addPosition();
 
     Meters* meters_;
     QVBoxLayout* column_;
@@ -39,10 +40,20 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     work_ = addRow(Meters::tr("Work, p99.9"), "workMeter",
                    Meters::tr("999 of 1000 ticks take no longer than this, thread CPU time"));
     missed_ = addRow(Meters::tr("Missed"), "missedMeter", Meters::tr("Ticks that came too late"));
-    x_ = addRow(QStringLiteral("X"), "positionX", Meters::tr("Tip of the tool, from program zero"));
-    y_ = addRow(QStringLiteral("Y"), "positionY", Meters::tr("Tip of the tool, from program zero"));
-    z_ = addRow(QStringLiteral("Z"), "positionZ", Meters::tr("Tip of the tool, from program zero"));
+    addPosition();
     stylus_ = addRow(Meters::tr("Stylus"), "stylusName", Meters::tr("What leads the tool"));
+}
+
+/// The three coordinates beside each other, each at its place however many digits the others have.
+void Meters::Fields::addPosition() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(16);
+    for (auto [field, axis] : {std::pair{&x_, "X"}, {&y_, "Y"}, {&z_, "Z"}}) {
+        *field = new ValueRow(QLatin1String(axis), meters_);
+        (*field)->setObjectName(QStringLiteral("position") + QLatin1String(axis));
+        row->addWidget(*field, 1);
+    }
+    column_->addLayout(row);
 }
 
 ValueRow* Meters::Fields::addRow(const QString& label, const char* name, const QString& toolTip) {
@@ -72,9 +83,11 @@ void Meters::Fields::refresh() {
     rate_->setValue(runs ? locale.toString(state.rateHz, 'f', 0) + QStringLiteral(" Hz") : none);
     work_->setValue(runs ? locale.toString(state.workP999, 'f', 0) + QStringLiteral(" µs") : none);
     missed_->setValue(runs ? countText(static_cast<std::size_t>(state.missed)) : none);
-    x_->setValue(runs ? lengthText(state.tip.x, unit) : none);
-    y_->setValue(runs ? lengthText(state.tip.y, unit) : none);
-    z_->setValue(runs ? lengthText(state.tip.z, unit) : none);
+    const QString from = Meters::tr("Tip of the tool from program zero, in %1").arg(unitText(unit));
+    for (auto [field, place] : {std::pair{x_, state.tip.x}, {y_, state.tip.y}, {z_, state.tip.z}}) {
+        field->setValue(runs ? lengthNumber(place, unit) : none);
+        field->setToolTip(from);
+    }
     stylus_->setValue(state.stylus.isEmpty() ? none : state.stylus);
 }
 

@@ -78,10 +78,8 @@ void MillPanel::Fields::addButtons() {
     record_->setFont(numberFont(record_->font()));
     mill_ = makeButton({}, QStringLiteral("mill"), QStringLiteral("millButton"), panel_);
     mill_->setCheckable(true);
-    undo_ =
-        makeButton(MillPanel::tr("Undo stroke"), QStringLiteral("undo"), QStringLiteral("undoStrokeButton"), panel_);
-    redo_ =
-        makeButton(MillPanel::tr("Redo stroke"), QStringLiteral("redo"), QStringLiteral("redoStrokeButton"), panel_);
+    undo_ = makeButton(MillPanel::tr("Undo"), QStringLiteral("undo"), QStringLiteral("undoStrokeButton"), panel_);
+    redo_ = makeButton(MillPanel::tr("Redo"), QStringLiteral("redo"), QStringLiteral("redoStrokeButton"), panel_);
     undo_->setToolTip(MillPanel::tr("Take the newest stroke back"));
     redo_->setToolTip(MillPanel::tr("Put the stroke back that was taken back last"));
     auto* first = new QHBoxLayout;
@@ -162,7 +160,7 @@ void MillPanel::Fields::refreshButtons() {
                  state.recording ? MillPanel::tr("End the take")
                                  : MillPanel::tr("Record what the hand does, as a take"));
     mill_->setChecked(state.active);
-    mill_->setText(state.active ? MillPanel::tr("Leave mill") : MillPanel::tr("Mill"));
+    mill_->setText(state.active ? MillPanel::tr("Stop milling") : MillPanel::tr("Mill"));
     setLook(mill_, state.ready && !state.active ? "primary" : "");
     showIcon(mill_, QStringLiteral("mill"), state.ready && !state.active ? &Palette::field : &Palette::text);
     enableUnless(mill_, state.active ? QString() : reason,

@@ -5,13 +5,27 @@
 #include <QStyle>
 #include <QVariant>
 
+#include <algorithm>
+
 namespace burin {
 
 namespace {
 
-constexpr int panelMargin = 16, panelSpacing = 8;
+constexpr int panelWidth = 320, panelMargin = 16, panelSpacing = 8;
 constexpr int longestUnbroken = 20; // characters that fit a panel at any rate
 constexpr QChar breakHere(0x200B);  // zero width space
+
+/// A column whose smallest height is the one that it has on a panel. (QVBoxLayout takes that of its smallest width,
+/// where wrapped texts have many lines; a scroll area then ends far below them.)
+class PanelLayout : public QVBoxLayout {
+public:
+    using QVBoxLayout::QVBoxLayout;
+    QSize minimumSize() const override {
+        const QSize smallest = QVBoxLayout::minimumSize();
+        if (!hasHeightForWidth()) return smallest;
+        return {smallest.width(), minimumHeightForWidth(std::max(smallest.width(), panelWidth))};
+    }
+};
 
 QString breakable(const QString& text) {
     QString result;
@@ -31,7 +45,7 @@ QString breakable(const QString& text) {
 } // namespace
 
 QVBoxLayout* makePanelLayout(QWidget* panel) {
-    auto* layout = new QVBoxLayout(panel);
+    auto* layout = new PanelLayout(panel);
     layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
     layout->setSpacing(panelSpacing);
     return layout;

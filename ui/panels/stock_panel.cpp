@@ -61,6 +61,7 @@ StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), c
     top_ = addField(StockPanel::tr("Margin, top"), StockPanel::tr("Stock above the part"), "topMarginField");
     bottom_ = addField(StockPanel::tr("Margin, bottom"), StockPanel::tr("Stock below the part"), "bottomMarginField");
     sidesNotice_ = new Notice(panel);
+    sidesNotice_->setObjectName(QStringLiteral("sideMarginNotice"));
     column_->addWidget(sidesNotice_);
     size_ = new ValueRow(StockPanel::tr("Stock size"), panel);
     size_->setObjectName(QStringLiteral("stockSize"));
@@ -120,9 +121,9 @@ QString StockPanel::Fields::voxelText() const {
     const glm::ivec3 voxels = state.size->voxels;
     const double count = 1.0 * voxels.x * voxels.y * voxels.z;
     const QString total = count >= million
-                              ? StockPanel::tr("%1 million").arg(QLocale().toString(count / million, 'f', 1))
+                              ? StockPanel::tr("%1\u00a0million").arg(QLocale().toString(count / million, 'f', 1))
                               : QLocale().toString(count, 'f', 0);
-    return StockPanel::tr("%1 × %2 × %3 voxels = %4, %5 MB")
+    return StockPanel::tr("%1 × %2 × %3 voxels = %4, %5\u00a0MB")
         .arg(voxels.x)
         .arg(voxels.y)
         .arg(voxels.z)

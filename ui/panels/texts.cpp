@@ -142,20 +142,19 @@ QString findingText(const Finding& finding, LengthUnit unit) {
     case FindingKind::gouge:
         return PanelTexts::tr("Gouge of %1").arg(length);
     case FindingKind::rapidInStock:
-        return PanelTexts::tr("Rapid move through %1 of stock").arg(volume);
+        return PanelTexts::tr("Rapid through %1").arg(volume);
     case FindingKind::shankCollision:
-        return PanelTexts::tr("Shank collides, %1").arg(volume);
+        return PanelTexts::tr("Shank collision, %1").arg(volume);
     case FindingKind::holderCollision:
-        return PanelTexts::tr("Holder collides, %1").arg(volume);
+        return PanelTexts::tr("Holder collision, %1").arg(volume);
     case FindingKind::spindleOff:
-        return PanelTexts::tr("Spindle stands still in %1 of stock").arg(volume);
+        return PanelTexts::tr("Spindle off in %1").arg(volume);
     case FindingKind::travelLimit:
-        return PanelTexts::tr("Axis needs %1 of travel").arg(length);
+        return PanelTexts::tr("Travel of %1 needed").arg(length);
     case FindingKind::feedLimit:
-        return PanelTexts::tr("Feed of %1 mm/min is too fast").arg(QLocale().toString(finding.amount, 'f', 0));
+        return PanelTexts::tr("Feed of %1 mm/min").arg(QLocale().toString(finding.amount, 'f', 0));
     case FindingKind::spindleLimit:
-        return PanelTexts::tr("Spindle speed of %1 rpm is out of range")
-            .arg(QLocale().toString(finding.amount, 'f', 0));
+        return PanelTexts::tr("Spindle at %1 rpm").arg(QLocale().toString(finding.amount, 'f', 0));
     case FindingKind::unknownStart:
         return PanelTexts::tr("Cuts from an unknown place");
     }

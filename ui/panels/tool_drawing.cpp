@@ -55,8 +55,8 @@ QPainterPath fluteOutline(const Cutter& cutter) {
     QPainterPath path;
     path.moveTo(-radius, cutter.fluteLength);
     path.lineTo(-radius, corner);
-    // Angles of QPainterPath run the other way round in a frame whose y points up.
-    path.arcTo(QRectF(-radius, 0.0, 2.0 * corner, 2.0 * corner), 180.0, 90.0);
+    // Qt counts angles as on a screen, y down; here y points up, so that 90 degrees is the tip.
+    path.arcTo(QRectF(-radius, 0.0, 2.0 * corner, 2.0 * corner), 180.0, -90.0);
     path.lineTo(radius - corner, 0.0);
     path.arcTo(QRectF(radius - 2.0 * corner, 0.0, 2.0 * corner, 2.0 * corner), 90.0, -90.0);
     path.lineTo(radius, cutter.fluteLength);

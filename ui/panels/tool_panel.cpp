@@ -84,7 +84,7 @@ ValueRow* ToolPanel::Fields::addRow(const QString& label, const char* name) {
 void ToolPanel::Fields::showMeasures(const Tool& tool) {
     diameter_->setValue(lengthText(tool.cutter.diameter, unit));
     corner_->setValue(lengthText(tool.cutter.cornerRadius, unit));
-    flutes_->setValue(ToolPanel::tr("%1 of %2").arg(tool.fluteCount).arg(lengthText(tool.cutter.fluteLength, unit)));
+    flutes_->setValue(ToolPanel::tr("%1, %2 long").arg(tool.fluteCount).arg(lengthText(tool.cutter.fluteLength, unit)));
     stickOut_->setValue(lengthText(tool.cutter.stickOut, unit));
     depth_->setValue(lengthText(tool.maximumDepthOfCut, unit));
     setWrappedText(source_, QString::fromStdString(tool.source));

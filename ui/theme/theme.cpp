@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QFontDatabase>
 #include <QPalette>
 #include <QStyleFactory>
 
@@ -45,6 +46,21 @@ Palette systemRoles() {
     palette.field = system.color(QPalette::Base);
     palette.border = palette.grid = system.color(QPalette::Mid);
     return palette;
+}
+
+/// The desktop's font. Where there is none ("Sans Serif" and the like stand for whatever is installed), the first of
+/// some families that read well small and whose digits are equally wide.
+QFont windowFont(QFont font) {
+    const QString family = font.family();
+    const bool chosen = !family.isEmpty() && !family.startsWith(QStringLiteral("sans"), Qt::CaseInsensitive);
+    for (const char* preferred : {"Roboto", "Noto Sans", "Open Sans"}) {
+        if (chosen || !QFontDatabase::hasFamily(QLatin1String(preferred))) continue;
+        font.setFamilies(QStringList{QLatin1String(preferred), family});
+        break;
+    }
+    // Some systems without a desktop hand out 9 points, too small for a screen that is looked at from a machine.
+    if (font.pointSizeF() < smallestPointSize) font.setPointSizeF(smallestPointSize);
+    return font;
 }
 
 QPalette systemPalette(const Palette& roles) {
@@ -110,10 +126,7 @@ Result<Palette> loadPalette(Theme theme) {
 void applyTheme(QApplication& application, const Palette& palette) {
     applied() = palette;
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    QFont font = application.font();
-    // Some systems without a desktop hand out 9 points, too small for a screen that is looked at from a machine.
-    if (font.pointSizeF() < smallestPointSize) font.setPointSizeF(smallestPointSize);
-    application.setFont(font);
+    application.setFont(windowFont(QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
     application.setPalette(systemPalette(palette));
     application.setStyleSheet(styleSheet(palette));
 }
