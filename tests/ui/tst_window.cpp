@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_driver.h"
+#include "ui/messages/messages.h"
 
 #include <QComboBox>
 #include <QFile>
@@ -174,7 +175,10 @@ void TestWindow::strokesAreMilledTakenBackSavedAndFoundAgain() {
     driver.shoot("04-path");
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(driver.clickOn("postButton"));
-    QVERIFY(driver.waitFor([&] { return bench.program.program() != nullptr; }));
+    QVERIFY(driver.settle());
+    QVERIFY2(!bench.program.problem(),
+             bench.program.problem() ? qPrintable(Messages::sentence(*bench.program.problem())) : "");
+    QVERIFY(bench.program.program() != nullptr);
     driver.shoot("05-program");
     QVERIFY(bench.program.exportable());
     const QString program = driver.folder().filePath("groove.ngc");
