@@ -315,7 +315,8 @@ void TestWindow::theVirtualOperatorShowsHowItIsDone() {
     QVERIFY(driver.waitFor([&] { return !bench.session.running() && !bench.showMe.showing(); }, 5000));
     QVERIFY(driver.waitFor([&] { return !bench.mill.takes().empty() && bench.mill.takes().front().complete; }));
     QVERIFY(bench.mill.takes().front().sampleCount >= 20000); // what was recorded stays
-    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
+    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr || bench.path.problem(); }));
+    QVERIFY2(!bench.path.problem(), bench.path.problem() ? qPrintable(Messages::sentence(*bench.path.problem())) : "");
     driver.shoot("15-shown-path");
 }
 

@@ -107,13 +107,13 @@ void PathController::readTakes() {
                                emit changed();
                                return;
                            }
+                           // Edits may have been changed meanwhile.
+                           if (stored_) matter->path.edits = stored_->edits;
+                           stored_ = std::move(matter->path);
                            if (generation != generation_) { // recordings changed while they were read
                                readTakes();
                                return;
                            }
-                           // Edits may have been changed meanwhile.
-                           if (stored_) matter->path.edits = stored_->edits;
-                           stored_ = std::move(matter->path);
                            takes_ = std::move(matter->takes);
                            evaluateTakes(takes_);
                        });
