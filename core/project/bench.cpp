@@ -38,7 +38,11 @@ double Bench::safeHeight() const {
 }
 
 Box Bench::tipRegion() const {
-    Box region = setup.stock.grown(2.0 * tool.cutter.diameter + travelAboveStock);
+    return tipRegion(tool);
+}
+
+Box Bench::tipRegion(const Tool& other) const {
+    Box region = setup.stock.grown(2.0 * other.cutter.diameter + travelAboveStock);
     region.high.z = safeHeight() + 2.0 * travelAboveStock;
     return region;
 }
@@ -90,11 +94,16 @@ Result<Bench> makeBench(const Project& project, const Tool& tool, const std::str
 
 Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
                                                              Progress& progress) {
+    return clearanceField(bench, bench.tool, maximumAllowance, progress);
+}
+
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, const Tool& tool,
+                                                             double maximumAllowance, Progress& progress) {
     using Field = std::unique_ptr<const ClearanceField>;
     if (bench.model->bodies.empty()) return Field(std::make_unique<OpenField>(bench.setup.voxel));
     ToolFieldRequest request;
-    request.tool = pieces(bench.tool.cutter);
-    request.tips = bench.tipRegion();
+    request.tool = pieces(tool.cutter);
+    request.tips = bench.tipRegion(tool);
     request.voxel = bench.setup.voxel;
     request.maximumAllowance = maximumAllowance;
     Result<ToolField> field = ToolField::build(bench.part, request, progress);

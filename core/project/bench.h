@@ -27,9 +27,10 @@ struct Bench {
     MeshDistance part;            ///< all bodies
     EmbeddedSetup embedded;
 
-    Box tipRegion() const;          ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
-    double safeHeight() const;      ///< mm, setup frame: travel is free above it
-    double workpieceVolume() const; ///< mm³ of machinable material
+    Box tipRegion() const; ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
+    Box tipRegion(const Tool& other) const; ///< the same for another tool
+    double safeHeight() const;              ///< mm, setup frame: travel is free above it
+    double workpieceVolume() const;         ///< mm³ of machinable material
 };
 
 /// What a bench is made of, as values: no project is needed on the thread that makes it.
@@ -53,6 +54,9 @@ Result<Tool> toolFor(const Project& project, const std::string& id);
 /// Errors: cancelled, outOfMemory.
 Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
                                                              Progress& progress);
+/// The same for a tool that the bench is about to get: its own stays in force meanwhile.
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, const Tool& tool,
+                                                             double maximumAllowance, Progress& progress);
 
 /// A recording with the cutter that it was made with.
 struct TakeWithTool {

@@ -67,6 +67,14 @@ public:
     /// Recordings may go on meanwhile; the file then holds what they had written when it began.
     /// Errors: diskFull, fileNotWritable; the file is then what it was before.
     Result<void> save();
+    /// Saves under another name and goes on there; the file that it had stays as it was last saved. What stands at the
+    /// new name is replaced, if it is a project that nobody has open. Afterwards `readOnly` is false.
+    /// Errors: as `save`, projectInUse, projectNotBurin, argumentInvalid (a take is being recorded); nothing has changed
+    /// then.
+    Result<void> saveAs(const std::filesystem::path& file);
+    /// What was not saved is no longer wanted: the working copy goes with this object, and the next `open` finds the
+    /// file as it was saved. Errors: diskFull, fileNotWritable.
+    Result<void> abandonChanges();
 
     // Each setter is one transaction; errors: diskFull, fileNotWritable. Each getter: fileDamaged, projectIncomplete.
     // Lists are empty where nothing was stored yet; what there is only one of is then projectIncomplete.

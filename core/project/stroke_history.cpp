@@ -15,6 +15,7 @@ void StrokeHistory::clear() {
 void StrokeHistory::add(Stroke stroke) {
     undone_.clear();
     after_ = {};
+    ++added_;
     done_.push_back(std::move(stroke));
     if (done_.size() > maximum) done_.pop_front();
 }

@@ -26,6 +26,8 @@ public:
     bool canUndo() const noexcept { return !done_.empty(); }
     bool canRedo() const noexcept { return !undone_.empty(); }
     std::size_t count() const noexcept { return done_.size(); }
+    /// All strokes that were ever added, whatever became of them.
+    std::uint64_t added() const noexcept { return added_; }
     /// The stroke that `undo` would take back; there must be one.
     const Stroke& newest() const noexcept { return done_.back(); }
     void clear();
@@ -42,7 +44,8 @@ public:
 
 private:
     std::deque<Stroke> done_, undone_; ///< newest last; of the undone, the one that is redone first
-    VolumeSnapshot after_;             ///< the workpiece before anything was undone
+    std::uint64_t added_ = 0;
+    VolumeSnapshot after_; ///< the workpiece before anything was undone
 };
 
 } // namespace burin

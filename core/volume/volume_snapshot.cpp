@@ -39,6 +39,19 @@ std::span<const Segment> VolumeSnapshot::line(LineIndex line) const noexcept {
     return state_->store->line(state_->pages, line);
 }
 
+bool VolumeSnapshot::sameVolume(const VolumeSnapshot& other) const noexcept {
+    return state_ != nullptr && other.state_ != nullptr && state_->store == other.state_->store;
+}
+
+bool VolumeSnapshot::sharesBrick(const VolumeSnapshot& other, LineIndex line) const noexcept {
+    const VolumeStore& store = *state_->store;
+    const std::size_t page = store.table.pageOf(line);
+    const BlockIndex own = state_->pages[page], others = other.state_->pages[page];
+    if (own == others) return true;
+    const auto entry = static_cast<std::size_t>(TileTable::entryOf(line));
+    return store.page(own)[entry] == store.page(others)[entry];
+}
+
 RunAmounts VolumeSnapshot::amounts() const {
     constexpr std::int32_t rowsPerPart = 16;
     const std::int32_t rows = grid().lineCountV();

@@ -11,11 +11,17 @@ namespace burin {
 enum class LengthUnit { millimetre, inch };
 
 inline constexpr double millimetresPerInch = 25.4;
+/// Digits behind the decimal sign: a micrometre, and the tenth of a thou that is nearest to it.
+inline constexpr int millimetreDecimals = 3, inchDecimals = 4;
 
-/// "12.500 mm", "0.4921 in": fixed decimals, the locale's decimal sign (display alone, never files).
+/// "12.500 mm", "0.4921 in": fixed decimals, the locale's decimal sign (display alone, never files). Between number and
+/// unit stands a no-break space.
 QString lengthText(double millimetres, LengthUnit unit, const QLocale& locale = QLocale());
 /// The same without its unit.
 QString lengthNumber(double millimetres, LengthUnit unit, const QLocale& locale = QLocale());
 QString unitText(LengthUnit unit); ///< "mm", "in"
+
+/// A number with fixed decimals, the locale's decimal sign and no group separators, never "-0".
+QString fixedNumber(double value, int decimals, const QLocale& locale = QLocale());
 
 } // namespace burin

@@ -7,6 +7,10 @@
 #include <QColor>
 #include <QString>
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 class QApplication;
 
 namespace burin {
@@ -19,11 +23,32 @@ struct Palette {
     QColor flutes, shank, holder, ghost, coupling, path, livePath; ///< in the viewport
 };
 
+/// One role of a palette: `&Palette::accent`. What keeps a role instead of a colour follows a change of theme.
+using ColourRole = QColor Palette::*;
+
+/// Every role with its key in the files.
+inline constexpr std::array<std::pair<std::string_view, ColourRole>, 20> colourRoles{{
+    {"window", &Palette::window}, {"panel", &Palette::panel},        {"field", &Palette::field},
+    {"border", &Palette::border}, {"text", &Palette::text},          {"quiet_text", &Palette::quietText},
+    {"accent", &Palette::accent}, {"force", &Palette::force},        {"in_order", &Palette::inOrder},
+    {"part", &Palette::part},     {"scene_top", &Palette::sceneTop}, {"scene_bottom", &Palette::sceneBottom},
+    {"grid", &Palette::grid},     {"flutes", &Palette::flutes},      {"shank", &Palette::shank},
+    {"holder", &Palette::holder}, {"ghost", &Palette::ghost},        {"coupling", &Palette::coupling},
+    {"path", &Palette::path},     {"live_path", &Palette::livePath},
+}};
+static_assert(colourRoles.size() * sizeof(QColor) == sizeof(Palette), "every colour of a palette has a role");
+
 enum class Theme { dark, light };
 
 /// Errors: resourceInvalid, fileNotFound.
 Result<Palette> loadPalette(Theme theme);
-/// Dresses the whole application: QPalette, font and style sheet.
+/// A palette from the text of a file. @param origin file name for messages. Errors: resourceInvalid.
+Result<Palette> paletteFromJson(std::string_view text, const std::string& origin);
+/// Dresses the whole application: QPalette, font and style sheet. May be called again for another theme; widgets then
+/// get QEvent::PaletteChange. GUI thread.
 void applyTheme(QApplication& application, const Palette& palette);
+/// What `applyTheme` was last given, for widgets that paint themselves; before that, roles taken from the system's
+/// QPalette. GUI thread.
+const Palette& activePalette();
 
 } // namespace burin

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/buttons.h"
+
+#include "ui/theme/icon.h"
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+constexpr int iconSize = 18;
+
+} // namespace
+
+QPushButton* makePrimaryButton(const QString& text, const QString& objectName, QWidget* parent) {
+    auto* button = makeButton(text, {}, objectName, parent);
+    button->setProperty("look", "primary");
+    return button;
+}
+
+QPushButton* makeButton(const QString& text, const QString& icon, const QString& objectName, QWidget* parent) {
+    auto* button = new QPushButton(text, parent);
+    button->setObjectName(objectName);
+    button->setCursor(Qt::PointingHandCursor);
+    button->setAutoDefault(false);
+    button->setIconSize({iconSize, iconSize});
+    if (!icon.isEmpty()) button->setIcon(themedIcon(icon));
+    return button;
+}
+
+QToolButton* makeIconButton(const QString& icon, const QString& toolTip, const QString& objectName, QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setObjectName(objectName);
+    button->setProperty("look", "flat");
+    button->setIcon(themedIcon(icon));
+    button->setIconSize({iconSize, iconSize});
+    button->setToolTip(toolTip);
+    button->setAccessibleName(toolTip);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
+}
+
+QPushButton* makeChoiceButton(const QString& text, const QString& toolTip, const QString& objectName, QWidget* parent) {
+    auto* button = makeButton(text, {}, objectName, parent);
+    button->setProperty("look", "choice");
+    button->setCheckable(true);
+    button->setToolTip(toolTip);
+    return button;
+}
+
+void showIcon(QAbstractButton* button, const QString& name, ColourRole role) {
+    const auto known = std::ranges::find(colourRoles, role, &std::pair<std::string_view, ColourRole>::second);
+    const QString key = name + QLatin1Char(' ') + QString::number(known - colourRoles.begin());
+    if (button->property("iconKey").toString() == key) return;
+    button->setProperty("iconKey", key);
+    button->setIcon(themedIcon(name, role));
+}
+
+void enableUnless(QWidget* button, const QString& reason, const QString& toolTip) {
+    button->setEnabled(reason.isEmpty());
+    button->setToolTip(reason.isEmpty() ? toolTip : reason);
+}
+
+} // namespace burin

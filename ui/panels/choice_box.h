@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QComboBox>
+
+namespace burin {
+
+/// A choice of one of several texts; a long one ends in "…" and is the tooltip in whole. The wheel changes it only when
+/// it has the focus. `activated` tells of the user alone.
+class ChoiceBox : public QComboBox {
+    Q_OBJECT
+public:
+    explicit ChoiceBox(QWidget* parent = nullptr);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    QString elided() const;
+};
+
+} // namespace burin

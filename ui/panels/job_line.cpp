@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/job_line.h"
+
+#include "ui/panels/step_button.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+
+#include <algorithm>
+
+namespace burin {
+
+class JobLine::Fields : public QObject {
+public:
+    explicit Fields(JobLine* line);
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    std::array<StepButton*, steps> buttons{};
+};
+
+JobLine::Fields::Fields(JobLine* line) : QObject(line) {
+    auto* row = new QHBoxLayout(line);
+    row->setContentsMargins(8, 4, 8, 4);
+    row->setSpacing(4);
+    const std::array<std::pair<QString, const char*>, steps> titles{{{JobLine::tr("Part"), "stepPart"},
+                                                                     {JobLine::tr("Stock"), "stepStock"},
+                                                                     {JobLine::tr("Material"), "stepMaterial"},
+                                                                     {JobLine::tr("Tool"), "stepTool"},
+                                                                     {JobLine::tr("Allowance"), "stepAllowance"},
+                                                                     {JobLine::tr("Mill"), "stepMill"},
+                                                                     {JobLine::tr("Path"), "stepPath"},
+                                                                     {JobLine::tr("Program"), "stepProgram"}}};
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+        auto* button = new StepButton(static_cast<JobStep>(i), titles[i].first, line);
+        button->setObjectName(QLatin1String(titles[i].second));
+        button->installEventFilter(this);
+        connect(button, &QAbstractButton::clicked, line, [line, button] { emit line->stepChosen(button->step()); });
+        row->addWidget(button, 1);
+        buttons[i] = button;
+    }
+}
+
+/// Left and right go along the line, Enter chooses as Space does.
+bool JobLine::Fields::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::KeyPress) return false;
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const auto at = std::ranges::find(buttons, watched, [](StepButton* button) -> QObject* { return button; });
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+        (*at)->click();
+        return true;
+    }
+    if (key == Qt::Key_Right && at + 1 != buttons.end()) {
+        (*(at + 1))->setFocus(Qt::TabFocusReason);
+        return true;
+    }
+    if (key == Qt::Key_Left && at != buttons.begin()) {
+        (*(at - 1))->setFocus(Qt::BacktabFocusReason);
+        return true;
+    }
+    return false;
+}
+
+JobLine::JobLine(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
+    setObjectName(QStringLiteral("jobLine"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void JobLine::setState(const std::array<JobStepState, steps>& states, JobStep shown) {
+    for (std::size_t i = 0; i < states.size(); ++i)
+        fields_->buttons[i]->setState(states[i], static_cast<std::size_t>(shown) == i);
+}
+
+} // namespace burin

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/material_panel.h"
+
+#include "ui/panels/choice_box.h"
+#include "ui/panels/field_row.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/panels/row_list.h"
+#include "ui/panels/texts.h"
+
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace burin {
+
+class MaterialPanel::Fields : public QObject {
+public:
+    explicit Fields(MaterialPanel* panel);
+    void refresh();
+
+    MaterialState state;
+
+private:
+    ChoiceBox* addChoice(const QString& label, const QString& toolTip, const char* name);
+    void refreshChoices();
+    void refreshValues();
+    void showSource(int row);
+    std::string bodyMaterial() const; ///< id of the shown body's; the stock's where it has none of its own
+    const Property* material(const std::string& id) const;
+
+    MaterialPanel* panel_;
+    QVBoxLayout* column_;
+    ChoiceBox *stock_, *body_, *bodyMaterial_;
+    QWidget* bodies_;
+    QLabel *figuresTitle_, *source_;
+    RowList* values_;
+    Notice *estimate_, *locked_;
+    bool showsBody_ = false; ///< the figures are those of the body's material
+};
+
+namespace {
+
+/// Replaces what a choice offers only when that is something else, so that an open list stays open.
+void offer(ChoiceBox& choice, const QStringList& texts, const QStringList& ids, const QString& chosen) {
+    const QSignalBlocker quiet(&choice);
+    bool same = choice.count() == texts.size();
+    for (int i = 0; same && i < choice.count(); ++i)
+        same = choice.itemText(i) == texts[i] && choice.itemData(i).toString() == ids[i];
+    if (!same) {
+        choice.clear();
+        for (int i = 0; i < texts.size(); ++i) choice.addItem(texts[i], ids[i]);
+    }
+    choice.setCurrentIndex(choice.findData(chosen));
+}
+
+QString numberText(double value) {
+    return QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
+}
+
+} // namespace
+
+MaterialPanel::Fields::Fields(MaterialPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
+    column_->addWidget(makeSectionTitle(MaterialPanel::tr("Material"), panel));
+    stock_ = addChoice(MaterialPanel::tr("Stock"), MaterialPanel::tr("What the stock is made of"), "stockMaterial");
+    body_ = addChoice(MaterialPanel::tr("Body"), MaterialPanel::tr("The body whose material is shown below"), "body");
+    bodyMaterial_ =
+        addChoice(MaterialPanel::tr("Its material"), MaterialPanel::tr("What this body is made of"), "bodyMaterial");
+    locked_ = new Notice(panel);
+    column_->addWidget(locked_);
+    figuresTitle_ = makeSectionTitle({}, panel);
+    column_->addWidget(figuresTitle_);
+    values_ = new RowList(panel);
+    values_->setObjectName(QStringLiteral("materialValues"));
+    values_->setAccessibleName(MaterialPanel::tr("Figures of the material"));
+    values_->setMaximumRows(8);
+    column_->addWidget(values_);
+    estimate_ = new Notice(panel);
+    estimate_->setObjectName(QStringLiteral("estimateNotice"));
+    column_->addWidget(estimate_);
+    column_->addWidget(makeSectionTitle(MaterialPanel::tr("Source of the chosen figure"), panel));
+    source_ = makeWrappedLabel(panel);
+    source_->setObjectName(QStringLiteral("valueSource"));
+    source_->setProperty("look", "quiet");
+    source_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column_->addWidget(source_);
+    column_->addStretch(1);
+
+    connect(stock_, &ChoiceBox::activated, this, [this] {
+        showsBody_ = false;
+        state.stockMaterial = stock_->currentData().toString().toStdString();
+        refresh();
+        emit panel_->stockMaterialChosen(state.stockMaterial);
+    });
+    connect(body_, &ChoiceBox::activated, this, [this] {
+        showsBody_ = true;
+        refresh();
+    });
+    connect(bodyMaterial_, &ChoiceBox::activated, this, [this] {
+        showsBody_ = true;
+        const auto index = static_cast<std::size_t>(std::max(0, body_->currentIndex()));
+        const std::string id = bodyMaterial_->currentData().toString().toStdString();
+        if (state.bodyMaterials.size() <= index) state.bodyMaterials.resize(index + 1);
+        state.bodyMaterials[index] = id;
+        refresh();
+        emit panel_->bodyMaterialChosen(index, id);
+    });
+    connect(values_, &RowList::rowChosen, this, &Fields::showSource);
+}
+
+ChoiceBox* MaterialPanel::Fields::addChoice(const QString& label, const QString& toolTip, const char* name) {
+    auto* choice = new ChoiceBox(panel_);
+    choice->setObjectName(QLatin1String(name));
+    column_->addWidget(new FieldRow(label, choice, toolTip, panel_, FieldRow::choiceWidth));
+    return choice;
+}
+
+const Property* MaterialPanel::Fields::material(const std::string& id) const {
+    const auto found = std::ranges::find(state.materials, id, &Property::id);
+    return found == state.materials.end() ? nullptr : &*found;
+}
+
+std::string MaterialPanel::Fields::bodyMaterial() const {
+    const auto index = static_cast<std::size_t>(std::max(0, body_->currentIndex()));
+    return index < state.bodyMaterials.size() ? state.bodyMaterials[index] : std::string();
+}
+
+void MaterialPanel::Fields::refreshChoices() {
+    QStringList names, ids, bodies, places;
+    for (const Property& entry : state.materials) {
+        names.append(materialName(entry));
+        ids.append(QString::fromStdString(entry.id));
+    }
+    for (std::size_t i = 0; i < state.bodyNames.size(); ++i) {
+        bodies.append(QString::fromStdString(state.bodyNames[i]));
+        places.append(QString::number(i));
+    }
+    offer(*stock_, names, ids, QString::fromStdString(state.stockMaterial));
+    const int shown = std::clamp(body_->currentIndex(), 0, std::max(0, static_cast<int>(bodies.size()) - 1));
+    offer(*body_, bodies, places, QString::number(shown));
+    offer(*bodyMaterial_, QStringList(MaterialPanel::tr("As the stock")) + names, QStringList(QString()) + ids,
+          QString::fromStdString(bodyMaterial()));
+    stock_->setEnabled(!state.locked);
+    bodyMaterial_->setEnabled(!state.locked && !bodies.isEmpty());
+    body_->setEnabled(!bodies.isEmpty());
+    locked_->tell(Notice::Kind::information,
+                  state.locked ? MaterialPanel::tr("There are recordings: stock and material stay as they are.")
+                               : QString());
+}
+
+void MaterialPanel::Fields::refreshValues() {
+    const std::string ofBody = bodyMaterial();
+    const Property* shown = material(showsBody_ && !ofBody.empty() ? ofBody : state.stockMaterial);
+    figuresTitle_->setText(shown != nullptr ? MaterialPanel::tr("Figures of %1").arg(materialName(*shown)).toUpper()
+                                            : MaterialPanel::tr("Figures").toUpper());
+    std::vector<ListRow> rows;
+    int estimates = 0;
+    if (shown != nullptr) {
+        for (const auto& [name, figure] : shown->values) {
+            ListRow row;
+            row.title = valueNameText(name);
+            row.value = numberText(figure.value);
+            if (const QString unit = prettyUnit(figure.unit); !unit.isEmpty()) row.value += QChar(QChar::Nbsp) + unit;
+            row.badge = figure.estimate ? MaterialPanel::tr("estimate") : QString();
+            row.detail = row.toolTip = QString::fromStdString(figure.source);
+            estimates += figure.estimate ? 1 : 0;
+            rows.push_back(row);
+        }
+    }
+    values_->setRows(rows);
+    if (values_->currentRow() < 0 && !rows.empty()) values_->setChosen(0);
+    estimate_->tell(
+        Notice::Kind::warning,
+        estimates == 0 ? QString()
+        : estimates == 1
+            ? MaterialPanel::tr("1 figure is an estimate: calibrate it before you trust what depends on it.")
+            : MaterialPanel::tr("%n figures are estimates: calibrate them before you trust what depends on "
+                                "them.",
+                                nullptr, estimates));
+    showSource(values_->currentRow());
+}
+
+void MaterialPanel::Fields::showSource(int row) {
+    const std::vector<ListRow>& rows = values_->rows();
+    const bool there = row >= 0 && static_cast<std::size_t>(row) < rows.size();
+    setWrappedText(source_, there ? rows[static_cast<std::size_t>(row)].toolTip : QStringLiteral("–"));
+}
+
+void MaterialPanel::Fields::refresh() {
+    refreshChoices();
+    refreshValues();
+}
+
+MaterialPanel::MaterialPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
+    setObjectName(QStringLiteral("materialPanel"));
+    fields_->refresh();
+}
+
+// The figures are shown in the unit that their source states; none is a length.
+void MaterialPanel::setUnit(LengthUnit) {}
+
+void MaterialPanel::setState(const MaterialState& state) {
+    fields_->state = state;
+    fields_->refresh();
+}
+
+} // namespace burin

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/theme/theme.h"
+
+#include <QWidget>
+
+namespace burin {
+
+/// A bar beside a number: how much of its scale a value takes.
+class MeterBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit MeterBar(ColourRole role, QWidget* parent = nullptr);
+    void setShare(double share); ///< 0 … 1; more and less is cut off
+    double share() const noexcept { return share_; }
+
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    ColourRole role_;
+    double share_ = 0.0;
+};
+
+} // namespace burin

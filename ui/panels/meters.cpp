@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/meters.h"
+
+#include "ui/panels/meter_bar.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/panels/texts.h"
+#include "ui/panels/value_row.h"
+
+namespace burin {
+
+class Meters::Fields : public QObject {
+public:
+    explicit Fields(Meters* meters);
+    void refresh();
+
+    MeterState state;
+    LengthUnit unit = LengthUnit::millimetre;
+
+private:
+    ValueRow* addRow(const QString& label, const char* name, const QString& toolTip);
+    MeterBar* addBar(ColourRole role);
+    void addPosition();
+
+    Meters* meters_;
+    QVBoxLayout* column_;
+    ValueRow *stylus_, *force_, *removal_, *rate_, *work_, *missed_, *x_, *y_, *z_;
+    MeterBar *forceBar_, *removalBar_;
+};
+
+Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), column_(makePanelLayout(meters)) {
+    column_->setSpacing(4);
+    column_->addWidget(makeSectionTitle(Meters::tr("Now"), meters));
+    force_ =
+        addRow(Meters::tr("Force"), "forceMeter", Meters::tr("Cutting force, not scaled; beside it the most so far"));
+    forceBar_ = addBar(&Palette::force);
+    removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed a second"));
+    removalBar_ = addBar(&Palette::accent);
+    rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks a second that are really reached"));
+    work_ = addRow(Meters::tr("Work, p99.9"), "workMeter",
+                   Meters::tr("999 of 1000 ticks take no longer than this, thread CPU time"));
+    missed_ = addRow(Meters::tr("Missed"), "missedMeter", Meters::tr("Ticks that came too late"));
+    addPosition();
+    stylus_ = addRow(Meters::tr("Stylus"), "stylusName", Meters::tr("What leads the tool"));
+}
+
+/// The three coordinates beside each other, each at its place however many digits the others have.
+void Meters::Fields::addPosition() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(16);
+    for (auto [field, axis] : {std::pair{&x_, "X"}, {&y_, "Y"}, {&z_, "Z"}}) {
+        *field = new ValueRow(QLatin1String(axis), meters_);
+        (*field)->setObjectName(QStringLiteral("position") + QLatin1String(axis));
+        row->addWidget(*field, 1);
+    }
+    column_->addLayout(row);
+}
+
+ValueRow* Meters::Fields::addRow(const QString& label, const char* name, const QString& toolTip) {
+    auto* row = new ValueRow(label, meters_);
+    row->setObjectName(QLatin1String(name));
+    row->setToolTip(toolTip);
+    column_->addWidget(row);
+    return row;
+}
+
+MeterBar* Meters::Fields::addBar(ColourRole role) {
+    auto* bar = new MeterBar(role, meters_);
+    column_->addWidget(bar);
+    column_->addSpacing(4);
+    return bar;
+}
+
+void Meters::Fields::refresh() {
+    const QString none = QStringLiteral("–");
+    const bool runs = state.running;
+    const QLocale locale;
+    const auto newtons = [&locale](double force) { return locale.toString(force, 'f', 1); };
+    force_->setValue(runs ? Meters::tr("%1 N of %2").arg(newtons(state.force), newtons(state.forceScale)) : none);
+    forceBar_->setShare(runs && state.forceScale > 0.0 ? state.force / state.forceScale : 0.0);
+    removal_->setValue(runs ? rateText(state.removalRate, unit) : none);
+    removalBar_->setShare(runs && state.removalScale > 0.0 ? state.removalRate / state.removalScale : 0.0);
+    rate_->setValue(runs ? locale.toString(state.rateHz, 'f', 0) + QStringLiteral(" Hz") : none);
+    work_->setValue(runs ? locale.toString(state.workP999, 'f', 0) + QStringLiteral(" µs") : none);
+    missed_->setValue(runs ? countText(static_cast<std::size_t>(state.missed)) : none);
+    const QString from = Meters::tr("Tip of the tool from program zero, in %1").arg(unitText(unit));
+    for (auto [field, place] : {std::pair{x_, state.tip.x}, {y_, state.tip.y}, {z_, state.tip.z}}) {
+        field->setValue(runs ? lengthNumber(place, unit) : none);
+        field->setToolTip(from);
+    }
+    stylus_->setValue(state.stylus.isEmpty() ? none : state.stylus);
+}
+
+Meters::Meters(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
+    setObjectName(QStringLiteral("meters"));
+    fields_->refresh();
+}
+
+void Meters::setUnit(LengthUnit unit) {
+    fields_->unit = unit;
+    fields_->refresh();
+}
+
+void Meters::setState(const MeterState& state) {
+    fields_->state = state;
+    fields_->refresh();
+}
+
+} // namespace burin

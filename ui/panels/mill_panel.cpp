@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/mill_panel.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/field_row.h"
+#include "ui/panels/how_to_mill.h"
+#include "ui/panels/length_field.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/panels/take_list.h"
+#include "ui/panels/texts.h"
+#include "ui/theme/number_font.h"
+
+namespace burin {
+
+class MillPanel::Fields : public QObject {
+public:
+    explicit Fields(MillPanel* panel);
+    void refresh();
+    void setUnit(LengthUnit unit);
+
+    MillState state;
+
+private:
+    void addButtons();
+    void addDepth();
+    QuantityField* addField(QuantityField* field, const QString& label, const QString& toolTip, const char* name,
+                            double low, double high, void (MillPanel::*edited)(double));
+    void chooseRule(DepthChoice rule);
+    void refreshButtons();
+    void refreshDepth();
+
+    MillPanel* panel_;
+    QVBoxLayout* column_;
+    QPushButton *mill_, *record_, *undo_, *redo_, *level_, *part_, *show_;
+    QuantityField *depthOfCut_, *press_, *speed_;
+    Notice *missing_, *alarm_;
+    QLabel* noTakes_;
+    TakeList* takes_;
+};
+
+MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
+    column_->addWidget(makeSectionTitle(MillPanel::tr("Mill"), panel));
+    addButtons();
+    missing_ = new Notice(panel);
+    missing_->setObjectName(QStringLiteral("millMissing"));
+    column_->addWidget(missing_);
+    alarm_ = new Notice(panel);
+    alarm_->setObjectName(QStringLiteral("millAlarm"));
+    column_->addWidget(alarm_);
+    column_->addWidget(makeSectionTitle(MillPanel::tr("How the tool follows the hand"), panel));
+    addDepth();
+    column_->addWidget(makeSectionTitle(MillPanel::tr("Takes"), panel));
+    noTakes_ = makeWrappedLabel(panel);
+    noTakes_->setProperty("look", "quiet");
+    setWrappedText(noTakes_,
+                   MillPanel::tr("Nothing is recorded yet. Record while you mill, or let the virtual operator "
+                                 "show it to you."));
+    column_->addWidget(noTakes_);
+    takes_ = new TakeList(panel);
+    takes_->setObjectName(QStringLiteral("takeList"));
+    takes_->setAccessibleName(MillPanel::tr("Takes"));
+    column_->addWidget(takes_);
+    connect(takes_, &TakeList::removalRequested, panel, &MillPanel::takeRemovalRequested);
+    show_ = makeButton(MillPanel::tr("Show me"), QStringLiteral("play"), QStringLiteral("showMeButton"), panel);
+    connect(show_, &QPushButton::clicked, panel, &MillPanel::showMeRequested);
+    column_->addWidget(show_);
+    column_->addWidget(makeSectionTitle(MillPanel::tr("Mouse and keys"), panel));
+    column_->addWidget(new HowToMill(panel));
+    column_->addStretch(1);
+}
+
+void MillPanel::Fields::addButtons() {
+    record_ = makeButton({}, {}, QStringLiteral("recordButton"), panel_);
+    record_->setProperty("look", "record");
+    record_->setCheckable(true);
+    record_->setFont(numberFont(record_->font()));
+    mill_ = makeButton({}, QStringLiteral("mill"), QStringLiteral("millButton"), panel_);
+    mill_->setCheckable(true);
+    undo_ =
+        makeButton(MillPanel::tr("Undo stroke"), QStringLiteral("undo"), QStringLiteral("undoStrokeButton"), panel_);
+    redo_ =
+        makeButton(MillPanel::tr("Redo stroke"), QStringLiteral("redo"), QStringLiteral("redoStrokeButton"), panel_);
+    undo_->setToolTip(MillPanel::tr("Take the newest stroke back"));
+    redo_->setToolTip(MillPanel::tr("Put the stroke back that was taken back last"));
+    auto* first = new QHBoxLayout;
+    first->setSpacing(8);
+    first->addWidget(record_, 1);
+    first->addWidget(mill_, 1);
+    auto* second = new QHBoxLayout;
+    second->setSpacing(8);
+    second->addWidget(undo_, 1);
+    second->addWidget(redo_, 1);
+    column_->addLayout(first);
+    column_->addLayout(second);
+    // The state decides what is on: a click is a wish.
+    connect(record_, &QPushButton::clicked, this, [this] {
+        record_->setChecked(state.recording);
+        emit panel_->recordToggled(!state.recording);
+    });
+    connect(mill_, &QPushButton::clicked, this, [this] {
+        mill_->setChecked(state.active);
+        emit panel_->millModeToggled(!state.active);
+    });
+    connect(undo_, &QPushButton::clicked, panel_, &MillPanel::undoStrokeRequested);
+    connect(redo_, &QPushButton::clicked, panel_, &MillPanel::redoStrokeRequested);
+}
+
+void MillPanel::Fields::addDepth() {
+    level_ = makeChoiceButton(MillPanel::tr("Level"),
+                              MillPanel::tr("A stroke stays on the height of its first place, less the depth of cut"),
+                              QStringLiteral("levelButton"), panel_);
+    part_ = makeChoiceButton(MillPanel::tr("Along the part"),
+                             MillPanel::tr("A stroke presses onto the part, whose push-back leads the tool along it"),
+                             QStringLiteral("alongPartButton"), panel_);
+    auto* choice = new QHBoxLayout;
+    choice->setSpacing(4);
+    choice->addWidget(level_, 1);
+    choice->addWidget(part_, 1);
+    column_->addLayout(choice);
+    connect(level_, &QPushButton::clicked, this, [this] { chooseRule(DepthChoice::level); });
+    connect(part_, &QPushButton::clicked, this, [this] { chooseRule(DepthChoice::part); });
+    depthOfCut_ = addField(new LengthField(panel_), MillPanel::tr("Depth of cut"),
+                           MillPanel::tr("How deep the tip goes below what is under the pointer"), "depthOfCutField",
+                           0.0, 100.0, &MillPanel::depthOfCutEdited);
+    press_ = addField(new LengthField(panel_), MillPanel::tr("Press"),
+                      MillPanel::tr("How far the hand goes into the part, against its push-back"), "pressField", 0.0,
+                      20.0, &MillPanel::pressEdited);
+    speed_ = addField(new QuantityField(Quantity::speed, panel_), MillPanel::tr("Speed"),
+                      MillPanel::tr("The tool follows the pointer no faster than this while it cuts"), "speedField",
+                      1.0, 400.0, &MillPanel::speedEdited);
+}
+
+QuantityField* MillPanel::Fields::addField(QuantityField* field, const QString& label, const QString& toolTip,
+                                           const char* name, double low, double high,
+                                           void (MillPanel::*edited)(double)) {
+    field->setObjectName(QLatin1String(name));
+    field->limit(low, high);
+    column_->addWidget(new FieldRow(label, field, toolTip, panel_));
+    connect(field, &QuantityField::valueEdited, panel_, edited);
+    return field;
+}
+
+void MillPanel::Fields::chooseRule(DepthChoice rule) {
+    const bool other = rule != state.depthRule;
+    state.depthRule = rule;
+    refreshDepth();
+    if (other) emit panel_->depthRuleChosen(rule);
+}
+
+void MillPanel::Fields::refreshButtons() {
+    const QString missing =
+        state.missing.isEmpty() ? MillPanel::tr("Embed the part and choose a tool first.") : state.missing;
+    const QString reason = state.ready ? QString() : missing;
+    record_->setChecked(state.recording);
+    record_->setText(state.recording ? MillPanel::tr("Stop %1").arg(durationText(state.recordedSeconds))
+                                     : MillPanel::tr("Record"));
+    showIcon(record_, state.recording ? QStringLiteral("stop") : QStringLiteral("record"),
+             state.recording ? &Palette::field : &Palette::force);
+    enableUnless(record_, state.recording ? QString() : reason,
+                 state.recording ? MillPanel::tr("End the take")
+                                 : MillPanel::tr("Record what the hand does, as a take"));
+    mill_->setChecked(state.active);
+    mill_->setText(state.active ? MillPanel::tr("Stop milling") : MillPanel::tr("Mill"));
+    setLook(mill_, state.ready && !state.active ? "primary" : "");
+    showIcon(mill_, QStringLiteral("mill"), state.ready && !state.active ? &Palette::field : &Palette::text);
+    enableUnless(mill_, state.active ? QString() : reason,
+                 state.active ? MillPanel::tr("Put the tool away") : MillPanel::tr("The tool follows the mouse"));
+    undo_->setEnabled(state.canUndoStroke);
+    redo_->setEnabled(state.canRedoStroke);
+    enableUnless(show_,
+                 state.showing     ? QString()
+                 : state.recording ? MillPanel::tr("Stop the recording first.")
+                                   : reason,
+                 state.showing ? MillPanel::tr("End what the virtual operator does")
+                               : MillPanel::tr("The virtual operator mills the part before your eyes"));
+    show_->setText(state.showing ? MillPanel::tr("Stop showing") : MillPanel::tr("Show me"));
+    missing_->tell(Notice::Kind::information, reason);
+    alarm_->tell(Notice::Kind::error, state.alarm);
+}
+
+void MillPanel::Fields::refreshDepth() {
+    const bool level = state.depthRule == DepthChoice::level;
+    level_->setChecked(level);
+    part_->setChecked(!level);
+    depthOfCut_->parentWidget()->setVisible(level);
+    press_->parentWidget()->setVisible(!level);
+    depthOfCut_->showValue(state.depthOfCut);
+    press_->showValue(state.press);
+    speed_->showValue(state.speed);
+}
+
+void MillPanel::Fields::refresh() {
+    refreshButtons();
+    refreshDepth();
+    takes_->setTakes(state.takes);
+    takes_->setRemovable(!state.recording && !state.showing);
+    noTakes_->setVisible(state.takes.empty());
+}
+
+void MillPanel::Fields::setUnit(LengthUnit unit) {
+    for (QuantityField* field : {depthOfCut_, press_, speed_}) field->setLengthUnit(unit);
+}
+
+MillPanel::MillPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
+    setObjectName(QStringLiteral("millPanel"));
+    fields_->refresh();
+}
+
+void MillPanel::setUnit(LengthUnit unit) {
+    fields_->setUnit(unit);
+}
+
+void MillPanel::setState(const MillState& state) {
+    fields_->state = state;
+    fields_->refresh();
+}
+
+} // namespace burin

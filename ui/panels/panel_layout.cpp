@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/panel_layout.h"
+
+#include <QStyle>
+#include <QVariant>
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+constexpr int panelWidth = 320, panelMargin = 16, panelSpacing = 8;
+constexpr int longestUnbroken = 20; // characters that fit a panel at any rate
+constexpr QChar breakHere(0x200B);  // zero width space
+
+/// A column whose smallest height is the one that it has on a panel. (QVBoxLayout takes that of its smallest width,
+/// where wrapped texts have many lines; a scroll area then ends far below them.)
+class PanelLayout : public QVBoxLayout {
+public:
+    using QVBoxLayout::QVBoxLayout;
+    QSize minimumSize() const override {
+        const QSize smallest = QVBoxLayout::minimumSize();
+        if (!hasHeightForWidth()) return smallest;
+        return {smallest.width(), minimumHeightForWidth(std::max(smallest.width(), panelWidth))};
+    }
+};
+
+QString breakable(const QString& text) {
+    QString result;
+    int unbroken = 0;
+    for (const QChar c : text) {
+        result.append(c);
+        unbroken = c.isSpace() && c != QChar(QChar::Nbsp) ? 0 : unbroken + 1;
+        const bool joint = QStringLiteral("/\\_-.").contains(c) && unbroken > 4;
+        if (!joint && unbroken < longestUnbroken) continue;
+        if (c.isHighSurrogate()) continue;
+        result.append(breakHere);
+        unbroken = 0;
+    }
+    return result;
+}
+
+} // namespace
+
+QVBoxLayout* makePanelLayout(QWidget* panel) {
+    auto* layout = new PanelLayout(panel);
+    layout->setContentsMargins(panelMargin, panelMargin, panelMargin, panelMargin);
+    layout->setSpacing(panelSpacing);
+    return layout;
+}
+
+QLabel* makeSectionTitle(const QString& text, QWidget* parent) {
+    auto* title = new QLabel(text.toUpper(), parent);
+    title->setProperty("look", "section");
+    title->setContentsMargins(0, panelSpacing, 0, 0);
+    title->setAccessibleName(text);
+    return title;
+}
+
+QLabel* makeWrappedLabel(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    label->setSizePolicy(policy);
+    label->setMinimumWidth(1);
+    return label;
+}
+
+void setWrappedText(QLabel* label, const QString& text) {
+    if (label->accessibleName() == text && !label->text().isEmpty() == !text.isEmpty()) return;
+    label->setAccessibleName(text);
+    label->setText(breakable(text));
+}
+
+void setLook(QWidget* widget, const char* look) {
+    if (widget->property("look").toByteArray() == look) return;
+    widget->setProperty("look", QByteArray(look));
+    widget->style()->unpolish(widget);
+    widget->style()->polish(widget);
+    widget->update();
+}
+
+} // namespace burin

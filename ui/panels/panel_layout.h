@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace burin {
+
+/// What panels are laid out with: a column on the 8-pixel grid.
+QVBoxLayout* makePanelLayout(QWidget* panel);
+
+/// A quiet heading in capitals over a part of a panel.
+QLabel* makeSectionTitle(const QString& text, QWidget* parent);
+
+/// Wrapped plain text; it breaks inside of long words and file names rather than widening the panel.
+QLabel* makeWrappedLabel(QWidget* parent);
+/// Sets the text of such a label; nothing is done when it has it.
+void setWrappedText(QLabel* label, const QString& text);
+
+/// Changes the look that the style sheet gives a widget (ui/theme/style_sheet.h); nothing is done when it has it.
+void setLook(QWidget* widget, const char* look);
+
+} // namespace burin

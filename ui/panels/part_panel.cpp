@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/part_panel.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/elided_label.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/panels/row_list.h"
+#include "ui/panels/texts.h"
+#include "ui/panels/value_row.h"
+
+#include <QFileInfo>
+
+namespace burin {
+
+class PartPanel::Fields : public QObject {
+public:
+    explicit Fields(PartPanel* panel);
+    void refresh();
+
+    PartState state;
+    LengthUnit unit = LengthUnit::millimetre;
+
+private:
+    void refreshModel();
+    std::vector<ListRow> bodyRows() const;
+    std::vector<ListRow> noteRows() const;
+
+    QPushButton* import_;
+    QLabel* empty_;
+    QWidget* content_;
+    ElidedLabel* file_;
+    ValueRow *format_, *size_, *volume_;
+    QLabel *bodiesTitle_, *notesTitle_;
+    RowList *bodies_, *notes_;
+};
+
+PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
+    QVBoxLayout* column = makePanelLayout(panel);
+    column->addWidget(makeSectionTitle(PartPanel::tr("Part"), panel));
+    import_ = makePrimaryButton(PartPanel::tr("Import a part…"), QStringLiteral("importButton"), panel);
+    connect(import_, &QPushButton::clicked, panel, &PartPanel::importRequested);
+    column->addWidget(import_);
+    empty_ = makeWrappedLabel(panel);
+    empty_->setProperty("look", "quiet");
+    column->addWidget(empty_);
+
+    content_ = new QWidget(panel);
+    auto* inner = new QVBoxLayout(content_);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(column->spacing());
+    file_ = new ElidedLabel({}, content_);
+    file_->setObjectName(QStringLiteral("partFile"));
+    file_->setElideMode(Qt::ElideMiddle);
+    file_->setProperty("look", "title");
+    inner->addWidget(file_);
+    for (auto [row, text] : {std::pair{&format_, PartPanel::tr("Format")},
+                             {&size_, PartPanel::tr("Size")},
+                             {&volume_, PartPanel::tr("Volume")}}) {
+        *row = new ValueRow(text, content_);
+        inner->addWidget(*row);
+    }
+    bodiesTitle_ = makeSectionTitle(PartPanel::tr("Bodies"), content_);
+    bodies_ = new RowList(content_);
+    bodies_->setObjectName(QStringLiteral("bodyList"));
+    bodies_->setAccessibleName(PartPanel::tr("Bodies"));
+    notesTitle_ = makeSectionTitle(PartPanel::tr("Notes of the import"), content_);
+    notes_ = new RowList(content_);
+    notes_->setObjectName(QStringLiteral("noteList"));
+    notes_->setAccessibleName(PartPanel::tr("Notes of the import"));
+    for (QWidget* widget : {static_cast<QWidget*>(bodiesTitle_), static_cast<QWidget*>(bodies_),
+                            static_cast<QWidget*>(notesTitle_), static_cast<QWidget*>(notes_)})
+        inner->addWidget(widget);
+    column->addWidget(content_);
+    column->addStretch(1);
+}
+
+void PartPanel::Fields::refresh() {
+    const bool shown = state.model != nullptr;
+    import_->setText(shown ? PartPanel::tr("Import another part…") : PartPanel::tr("Import a part…"));
+    setLook(import_, shown ? "" : "primary");
+    enableUnless(import_, state.busy ? PartPanel::tr("A part is being read.") : QString(),
+                 PartPanel::tr("Read a STEP, IGES, BREP or STL file"));
+    setWrappedText(empty_, state.busy ? PartPanel::tr("The part is being read…")
+                           : shown    ? QString()
+                                   : PartPanel::tr("The CAD solid that is to be made. STEP keeps the exact surfaces, "
+                                                   "an STL file has triangles alone."));
+    empty_->setVisible(state.busy || !shown);
+    content_->setVisible(shown);
+    if (shown) refreshModel();
+}
+
+void PartPanel::Fields::refreshModel() {
+    const Model& model = *state.model;
+    const QString file = QString::fromStdString(model.sourceFile);
+    file_->setText(QFileInfo(file).fileName());
+    file_->setToolTip(file);
+    const QString scale = QString::fromStdString(model.lengthUnit);
+    format_->setValue(QString::fromStdString(model.format) +
+                      (scale.isEmpty() || scale == QLatin1String("none") ? QString() : QStringLiteral(", ") + scale));
+    const Box box = model.box();
+    size_->setValue(box.empty() ? QString() : sizeText(box.size(), unit));
+    volume_->setValue(volumeText(model.volume(), unit));
+    bodies_->setRows(bodyRows());
+    notes_->setRows(noteRows());
+    notesTitle_->setVisible(!model.notes.empty());
+    notes_->setVisible(!model.notes.empty());
+}
+
+std::vector<ListRow> PartPanel::Fields::bodyRows() const {
+    std::vector<ListRow> rows;
+    for (const Body& body : state.model->bodies) {
+        ListRow row;
+        row.title = row.toolTip = QString::fromStdString(body.name);
+        row.value = volumeText(body.volume, unit);
+        QStringList details;
+        if (!body.box.empty()) details.append(sizeText(body.box.size(), unit));
+        if (body.openEdges > 0)
+            details.prepend(body.openEdges == 1
+                                ? PartPanel::tr("1 open edge")
+                                : PartPanel::tr("%n open edges", nullptr, static_cast<int>(body.openEdges)));
+        if (body.faceCount > 0)
+            details.append(body.faceCount == 1 ? PartPanel::tr("1 face")
+                                               : PartPanel::tr("%n faces", nullptr, static_cast<int>(body.faceCount)));
+        row.detail = details.join(QStringLiteral(" · "));
+        if (body.openEdges > 0) {
+            row.icon = QStringLiteral("warning");
+            row.iconRole = &Palette::accent;
+        } else if (body.colour) {
+            row.swatch = QColor((*body.colour)[0], (*body.colour)[1], (*body.colour)[2]);
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+std::vector<ListRow> PartPanel::Fields::noteRows() const {
+    std::vector<ListRow> rows;
+    for (const ImportNote& note : state.model->notes) {
+        ListRow row;
+        row.detail = row.toolTip = QString::fromStdString(note.text);
+        switch (note.kind) {
+        case ImportNote::Kind::unit:
+            row.title = PartPanel::tr("Unit");
+            row.icon = QStringLiteral("information");
+            row.iconRole = &Palette::part;
+            break;
+        case ImportNote::Kind::healing:
+            row.title = PartPanel::tr("Healed");
+            row.icon = QStringLiteral("passed");
+            row.iconRole = &Palette::inOrder;
+            break;
+        case ImportNote::Kind::warning:
+            row.title = PartPanel::tr("Doubtful");
+            row.icon = QStringLiteral("warning");
+            row.iconRole = &Palette::accent;
+            break;
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+PartPanel::PartPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
+    setObjectName(QStringLiteral("partPanel"));
+    fields_->refresh();
+}
+
+void PartPanel::setUnit(LengthUnit unit) {
+    fields_->unit = unit;
+    fields_->refresh();
+}
+
+void PartPanel::setState(const PartState& state) {
+    fields_->state = state;
+    fields_->refresh();
+}
+
+} // namespace burin

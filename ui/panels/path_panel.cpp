@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/path_panel.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/edit_card.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/panels/texts.h"
+#include "ui/panels/value_row.h"
+
+#include <algorithm>
+
+namespace burin {
+
+class PathPanel::Fields : public QObject {
+public:
+    explicit Fields(PathPanel* panel);
+    void refresh();
+
+    PathState state;
+    LengthUnit unit = LengthUnit::millimetre;
+
+private:
+    void addHead();
+    void refreshButtons();
+    void refreshFigures();
+    void refreshEdits();
+    void makeCards();
+    bool cardsFit() const;
+    void tell();
+
+    PathPanel* panel_;
+    QVBoxLayout* column_;
+    QPushButton *new_, *update_;
+    QToolButton* eye_;
+    Notice* notice_;
+    QWidget* content_;
+    ValueRow *takes_, *points_, *length_, *budget_;
+    QVBoxLayout* list_;
+    std::vector<EditCard*> cards_;
+};
+
+PathPanel::Fields::Fields(PathPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
+    addHead();
+    content_ = new QWidget(panel);
+    auto* inner = new QVBoxLayout(content_);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(8);
+    for (auto [row, text, name] : {std::tuple{&takes_, PathPanel::tr("Takes"), "pathTakes"},
+                                   {&points_, PathPanel::tr("Points"), "pathPoints"},
+                                   {&length_, PathPanel::tr("Cutting length"), "pathLength"},
+                                   {&budget_, PathPanel::tr("Error of all edits"), "pathErrorBudget"}}) {
+        *row = new ValueRow(text, content_);
+        (*row)->setObjectName(QLatin1String(name));
+        inner->addWidget(*row);
+    }
+    budget_->setToolTip(PathPanel::tr("At most so far is the path from what the hand did"));
+    inner->addWidget(makeSectionTitle(PathPanel::tr("Edits, in order"), content_));
+    list_ = new QVBoxLayout;
+    list_->setSpacing(4);
+    inner->addLayout(list_);
+    column_->addWidget(content_);
+    column_->addStretch(1);
+}
+
+void PathPanel::Fields::addHead() {
+    auto* head = new QHBoxLayout;
+    head->addWidget(makeSectionTitle(PathPanel::tr("Path"), panel_), 1);
+    eye_ = makeIconButton(QStringLiteral("eye"), PathPanel::tr("Show the path in the view"),
+                          QStringLiteral("pathVisibleButton"), panel_);
+    eye_->setCheckable(true);
+    eye_->setChecked(true);
+    head->addWidget(eye_);
+    column_->addLayout(head);
+    new_ = makePrimaryButton(PathPanel::tr("New path from the takes"), QStringLiteral("newPathButton"), panel_);
+    update_ = makePrimaryButton(PathPanel::tr("Update path"), QStringLiteral("updatePathButton"), panel_);
+    column_->addWidget(new_);
+    column_->addWidget(update_);
+    notice_ = new Notice(panel_);
+    notice_->setObjectName(QStringLiteral("pathNotice"));
+    column_->addWidget(notice_);
+    connect(new_, &QPushButton::clicked, panel_, &PathPanel::newPathRequested);
+    connect(update_, &QPushButton::clicked, panel_, &PathPanel::evaluateRequested);
+    connect(eye_, &QToolButton::clicked, this, [this](bool shown) {
+        showIcon(eye_, shown ? QStringLiteral("eye") : QStringLiteral("eye-off"));
+        emit panel_->visibilityToggled(shown);
+    });
+}
+
+void PathPanel::Fields::refreshButtons() {
+    const QString busy = state.busy ? PathPanel::tr("Work is under way.") : QString();
+    new_->setVisible(!state.exists);
+    enableUnless(new_, state.hasTakes ? busy : PathPanel::tr("Record a take first."),
+                 PathPanel::tr("Make a path of all takes, with the standard edits"));
+    update_->setVisible(state.exists);
+    const bool wanted = state.outdated || !state.problem.isEmpty();
+    enableUnless(update_,
+                 !busy.isEmpty() ? busy
+                 : wanted        ? QString()
+                                 : PathPanel::tr("The path is up to date."),
+                 PathPanel::tr("Apply the edits again"));
+    eye_->setEnabled(state.exists);
+}
+
+void PathPanel::Fields::tell() {
+    if (state.busy)
+        notice_->tell(Notice::Kind::information, PathPanel::tr("The edits are being applied…"));
+    else if (!state.problem.isEmpty())
+        notice_->tell(Notice::Kind::error, state.problem);
+    else if (!state.hasTakes)
+        notice_->tell(Notice::Kind::information, PathPanel::tr("Record a take first."));
+    else if (state.exists && state.outdated)
+        notice_->tell(Notice::Kind::warning, PathPanel::tr("Takes or edits changed: update the path."));
+    else
+        notice_->clear();
+}
+
+void PathPanel::Fields::refreshFigures() {
+    const bool evaluated = state.points > 0;
+    const QString none = QStringLiteral("–");
+    takes_->setValue(countText(state.path.takes.size()));
+    points_->setValue(evaluated ? countText(state.points) : none);
+    length_->setValue(evaluated ? lengthText(state.cuttingLength, unit) : none);
+    budget_->setValue(state.errorBudget ? lengthText(*state.errorBudget, unit) : none);
+}
+
+bool PathPanel::Fields::cardsFit() const {
+    return std::ranges::equal(cards_, state.path.edits, [](const EditCard* card, const Edit& edit) {
+        return card->kind() == idOf(edit.parameters);
+    });
+}
+
+void PathPanel::Fields::makeCards() {
+    for (EditCard* card : cards_) {
+        card->hide();
+        card->deleteLater();
+    }
+    cards_.clear();
+    for (std::size_t i = 0; i < state.path.edits.size(); ++i) {
+        auto* card = new EditCard(i, state.path.edits[i], content_);
+        connect(card, &EditCard::edited, this, [this, i](const Edit& edit) {
+            if (i < state.path.edits.size()) state.path.edits[i] = edit;
+            emit panel_->editChanged(i, edit);
+        });
+        list_->addWidget(card);
+        cards_.push_back(card);
+    }
+}
+
+void PathPanel::Fields::refreshEdits() {
+    if (!cardsFit()) makeCards();
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < cards_.size(); ++i) {
+        const Edit& edit = state.path.edits[i];
+        cards_[i]->setUnit(unit);
+        cards_[i]->showEdit(edit);
+        const bool reported =
+            edit.enabled && next < state.reports.size() && state.reports[next].edit == cards_[i]->kind();
+        cards_[i]->showReport(reported ? &state.reports[next] : nullptr, unit);
+        next += reported ? 1 : 0;
+        cards_[i]->setEnabled(!state.busy);
+    }
+}
+
+void PathPanel::Fields::refresh() {
+    refreshButtons();
+    tell();
+    content_->setVisible(state.exists);
+    refreshFigures();
+    refreshEdits();
+}
+
+PathPanel::PathPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
+    setObjectName(QStringLiteral("pathPanel"));
+    fields_->refresh();
+}
+
+void PathPanel::setUnit(LengthUnit unit) {
+    fields_->unit = unit;
+    fields_->refresh();
+}
+
+void PathPanel::setState(const PathState& state) {
+    fields_->state = state;
+    fields_->refresh();
+}
+
+} // namespace burin

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/program_panel.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/field_row.h"
+#include "ui/panels/length_field.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/panels/program_view.h"
+#include "ui/panels/row_list.h"
+#include "ui/panels/texts.h"
+#include "ui/panels/value_row.h"
+
+namespace burin {
+
+namespace {
+
+constexpr double smallestTolerance = 0.001, largestTolerance = 1.0; // mm
+
+} // namespace
+
+class ProgramPanel::Fields : public QObject {
+public:
+    explicit Fields(ProgramPanel* panel);
+    void refresh();
+    void setUnit(LengthUnit next);
+
+    ProgramState state;
+
+private:
+    void addFigures();
+    void refreshVerdict();
+    void refreshFigures();
+    QString reasonAgainstExport() const;
+    QString failure() const;
+    std::vector<ListRow> findingRows() const;
+
+    ProgramPanel* panel_;
+    QVBoxLayout* column_;
+    LengthUnit unit_ = LengthUnit::millimetre;
+    QPushButton *post_, *export_;
+    LengthField* tolerance_;
+    Notice *verdict_, *notice_;
+    RowList* findings_;
+    QWidget* figures_;
+    ValueRow *gouge_, *excess_, *onPart_, *removed_, *time_, *blocks_;
+    ProgramView* text_;
+};
+
+ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
+    column_->addWidget(makeSectionTitle(ProgramPanel::tr("Program"), panel));
+    post_ = makePrimaryButton(ProgramPanel::tr("Post and check"), QStringLiteral("postButton"), panel);
+    export_ = makeButton(ProgramPanel::tr("Export…"), QStringLiteral("export"), QStringLiteral("exportButton"), panel);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(post_, 1);
+    buttons->addWidget(export_, 1);
+    column_->addLayout(buttons);
+    tolerance_ = new LengthField(panel);
+    tolerance_->setObjectName(QStringLiteral("gougeToleranceField"));
+    tolerance_->limit(smallestTolerance, largestTolerance);
+    column_->addWidget(new FieldRow(ProgramPanel::tr("Gouge tolerance"), tolerance_,
+                                    ProgramPanel::tr("A cut into the part up to this deep is let through"), panel));
+    notice_ = new Notice(panel);
+    notice_->setObjectName(QStringLiteral("programNotice"));
+    column_->addWidget(notice_);
+    verdict_ = new Notice(panel);
+    verdict_->setObjectName(QStringLiteral("verdict"));
+    column_->addWidget(verdict_);
+    findings_ = new RowList(panel);
+    findings_->setObjectName(QStringLiteral("findingList"));
+    findings_->setAccessibleName(ProgramPanel::tr("Findings of the check"));
+    findings_->setMaximumRows(5);
+    column_->addWidget(findings_);
+    addFigures();
+    text_ = new ProgramView(panel);
+    text_->setObjectName(QStringLiteral("programText"));
+    text_->setAccessibleName(ProgramPanel::tr("Text of the program"));
+    text_->setMinimumHeight(160);
+    column_->addWidget(text_, 1);
+
+    connect(post_, &QPushButton::clicked, panel, &ProgramPanel::postRequested);
+    connect(export_, &QPushButton::clicked, panel, &ProgramPanel::exportRequested);
+    connect(tolerance_, &LengthField::valueEdited, panel, &ProgramPanel::gougeToleranceEdited);
+    connect(text_, &ProgramView::lineChosen, panel, &ProgramPanel::lineChosen);
+    connect(findings_, &RowList::rowChosen, this, [this](int row) {
+        if (!state.report || static_cast<std::size_t>(row) >= state.report->findings.size()) return;
+        const int line = static_cast<int>(state.report->findings[static_cast<std::size_t>(row)].line);
+        text_->showLine(line);
+        emit panel_->lineChosen(line);
+    });
+}
+
+void ProgramPanel::Fields::addFigures() {
+    figures_ = new QWidget(panel_);
+    auto* rows = new QVBoxLayout(figures_);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(4);
+    for (auto [row, text, name] : {std::tuple{&gouge_, ProgramPanel::tr("Deepest gouge"), "gougeMax"},
+                                   {&excess_, ProgramPanel::tr("Excess, mean and most"), "excess"},
+                                   {&onPart_, ProgramPanel::tr("On the part"), "onPartShare"},
+                                   {&removed_, ProgramPanel::tr("Removed"), "removedVolume"},
+                                   {&time_, ProgramPanel::tr("Machining time"), "machiningTime"},
+                                   {&blocks_, ProgramPanel::tr("Blocks"), "blockCount"}}) {
+        *row = new ValueRow(text, figures_);
+        (*row)->setObjectName(QLatin1String(name));
+        rows->addWidget(*row);
+    }
+    column_->addWidget(figures_);
+}
+
+QString ProgramPanel::Fields::reasonAgainstExport() const {
+    if (state.text.isEmpty()) return ProgramPanel::tr("Post the path first.");
+    if (state.busy) return ProgramPanel::tr("Work is under way.");
+    if (state.outdated) return ProgramPanel::tr("The path changed since: post and check it again.");
+    if (!state.report) return ProgramPanel::tr("The program is not checked yet.");
+    if (!state.report->passed()) return ProgramPanel::tr("The program did not pass its check.");
+    return {};
+}
+
+QString ProgramPanel::Fields::failure() const {
+    const int count = static_cast<int>(state.report->findings.size());
+    return count == 1 ? ProgramPanel::tr("Not passed: 1 finding.")
+                      : ProgramPanel::tr("Not passed: %n findings.", nullptr, count);
+}
+
+std::vector<ListRow> ProgramPanel::Fields::findingRows() const {
+    std::vector<ListRow> rows;
+    if (!state.report) return rows;
+    for (const Finding& finding : state.report->findings) {
+        ListRow row;
+        row.title = row.toolTip = findingText(finding, unit_);
+        row.value = ProgramPanel::tr("line %1").arg(finding.line);
+        row.icon = QStringLiteral("error");
+        row.iconRole = &Palette::force;
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+void ProgramPanel::Fields::refreshVerdict() {
+    if (state.busy)
+        notice_->tell(Notice::Kind::information, ProgramPanel::tr("The program is being posted and checked…"));
+    else if (!state.problem.isEmpty())
+        notice_->tell(Notice::Kind::error, state.problem);
+    else if (!state.hasPath)
+        notice_->tell(Notice::Kind::information, ProgramPanel::tr("Make a path first."));
+    else if (!state.text.isEmpty() && state.outdated)
+        notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The path changed since: post and check it again."));
+    else
+        notice_->clear();
+    if (!state.report)
+        verdict_->clear();
+    else if (state.report->passed())
+        verdict_->tell(Notice::Kind::passed,
+                       ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")
+                           .arg(lengthText(state.report->gougeMax, unit_), lengthText(state.gougeTolerance, unit_)));
+    else
+        verdict_->tell(Notice::Kind::error, failure());
+    const std::vector<ListRow> rows = findingRows();
+    findings_->setRows(rows);
+    findings_->setVisible(!rows.empty());
+}
+
+void ProgramPanel::Fields::refreshFigures() {
+    figures_->setVisible(state.report.has_value());
+    if (!state.report) return;
+    const VerifyReport& report = *state.report;
+    gouge_->setValue(lengthText(report.gougeMax, unit_));
+    gouge_->setToolTip(report.exactSamples > 0 ? ProgramPanel::tr("Judged on the exact surfaces at the worst places")
+                                               : ProgramPanel::tr("Judged on the fine mesh"));
+    excess_->setValue(lengthNumber(report.excessMean, unit_) + QStringLiteral(" / ") +
+                      lengthText(report.excessMax, unit_));
+    onPart_->setValue(QLocale().toString(100.0 * report.onPartShare, 'f', 1) + QChar(QChar::Nbsp) + QLatin1Char('%'));
+    removed_->setValue(volumeText(report.removed, unit_));
+    time_->setValue(durationText(report.machiningSeconds));
+    blocks_->setValue(countText(state.blocks));
+}
+
+void ProgramPanel::Fields::refresh() {
+    enableUnless(post_,
+                 !state.hasPath ? ProgramPanel::tr("Make a path first.")
+                 : state.busy   ? ProgramPanel::tr("Work is under way.")
+                                : QString(),
+                 ProgramPanel::tr("Write the program, read it back and mill it again on a fresh workpiece"));
+    enableUnless(export_, reasonAgainstExport(), ProgramPanel::tr("Write the program to a file for the machine"));
+    tolerance_->showValue(state.gougeTolerance);
+    refreshVerdict();
+    refreshFigures();
+    text_->showProgram(state.text);
+    text_->setVisible(!state.text.isEmpty());
+}
+
+void ProgramPanel::Fields::setUnit(LengthUnit next) {
+    unit_ = next;
+    tolerance_->setLengthUnit(next);
+    refresh();
+}
+
+ProgramPanel::ProgramPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
+    setObjectName(QStringLiteral("programPanel"));
+    fields_->refresh();
+}
+
+void ProgramPanel::setUnit(LengthUnit unit) {
+    fields_->setUnit(unit);
+}
+
+void ProgramPanel::setState(const ProgramState& state) {
+    fields_->state = state;
+    fields_->refresh();
+}
+
+} // namespace burin

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/quantity_field.h"
+
+#include "ui/theme/number_font.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+// Far more than is shown: changing the display unit must not change the value.
+constexpr int innerDecimals = 9;
+constexpr double largest = 1e6;
+
+/// A tenth of the size of `shown`, a power of ten, not below the last digit that is shown.
+double stepOf(double shown, int decimals) {
+    const double smallest = std::pow(10.0, -decimals);
+    const double size = std::abs(shown);
+    if (size < smallest) return smallest;
+    return std::max(smallest, std::pow(10.0, std::floor(std::log10(size) + 1e-9) - 1.0));
+}
+
+} // namespace
+
+QuantityField::QuantityField(Quantity quantity, QWidget* parent) : QDoubleSpinBox(parent), quantity_(quantity) {
+    setDecimals(innerDecimals);
+    limit(0.0, largest);
+    setKeyboardTracking(false);
+    setButtonSymbols(QAbstractSpinBox::NoButtons);
+    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setFocusPolicy(Qt::StrongFocus);
+    setFont(numberFont(font()));
+    setLengthUnit(unit_);
+    connect(this, &QAbstractSpinBox::editingFinished, this, &QuantityField::commit);
+}
+
+void QuantityField::setLengthUnit(LengthUnit unit) {
+    const QSignalBlocker quiet(this);
+    if (isTyping()) restore();
+    unit_ = unit;
+    setSuffix(QChar(QChar::Nbsp) + displayUnit(quantity_, unit).text);
+}
+
+void QuantityField::limit(double low, double high) {
+    if (low == minimum() && high == maximum()) return;
+    const QSignalBlocker quiet(this);
+    setRange(low, high);
+}
+
+void QuantityField::showValue(double value) {
+    shown_ = value;
+    if (isTyping()) return;
+    const QSignalBlocker quiet(this);
+    setValue(value);
+    shown_ = this->value();
+}
+
+QString QuantityField::textFromValue(double value) const {
+    return quantityNumber(value, quantity_, unit_, locale());
+}
+
+std::optional<double> QuantityField::read(const QString& text) const {
+    QString bare = text;
+    if (bare.endsWith(suffix())) bare.chop(suffix().size());
+    return readQuantity(bare, quantity_, unit_);
+}
+
+double QuantityField::valueFromText(const QString& text) const {
+    // What is shown is rounded: reading it back must not change the value.
+    if (text == textFromValue(value()) + suffix() || text == textFromValue(value())) return value();
+    return std::clamp(read(text).value_or(value()), minimum(), maximum());
+}
+
+QValidator::State QuantityField::validate(QString& text, int&) const {
+    const std::optional<double> typed = read(text);
+    if (!typed) {
+        const bool possible = std::ranges::all_of(text, [](QChar c) {
+            return c.isDigit() || c.isLetter() || c.isSpace() || QStringLiteral(".,+-−/\"″").contains(c);
+        });
+        return possible ? QValidator::Intermediate : QValidator::Invalid;
+    }
+    return *typed >= minimum() && *typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+void QuantityField::fixup(QString& text) const {
+    const double typed = read(text).value_or(value());
+    text = textFromValue(std::clamp(typed, minimum(), maximum())) + suffix();
+}
+
+void QuantityField::stepBy(int steps) {
+    interpretText();
+    const DisplayUnit unit = displayUnit(quantity_, unit_);
+    const double shown = value() / unit.size;
+    // Downwards from 1 the steps are those below 1.
+    const double step = stepOf(steps < 0 ? shown * (1.0 - 1e-6) : shown, unit.decimals);
+    const double before = value();
+    {
+        const QSignalBlocker quiet(this);
+        setValue((std::round(shown / step) + steps) * step * unit.size);
+    }
+    selectAll();
+    if (value() != before || value() != shown_) commit();
+}
+
+QAbstractSpinBox::StepEnabled QuantityField::stepEnabled() const {
+    if (isReadOnly()) return StepNone;
+    StepEnabled enabled = StepNone;
+    if (value() < maximum()) enabled |= StepUpEnabled;
+    if (value() > minimum()) enabled |= StepDownEnabled;
+    return enabled;
+}
+
+void QuantityField::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && isTyping()) {
+        restore();
+        selectAll();
+        event->accept();
+        return;
+    }
+    QDoubleSpinBox::keyPressEvent(event);
+}
+
+void QuantityField::wheelEvent(QWheelEvent* event) {
+    if (hasFocus())
+        QDoubleSpinBox::wheelEvent(event);
+    else
+        event->ignore(); // scrolling the panel must not turn a number
+}
+
+bool QuantityField::isTyping() const {
+    return hasFocus() && lineEdit()->isModified();
+}
+
+void QuantityField::commit() {
+    lineEdit()->setModified(false);
+    if (value() == shown_) return;
+    shown_ = value();
+    emit valueEdited(shown_);
+}
+
+void QuantityField::restore() {
+    const QSignalBlocker quiet(this);
+    lineEdit()->setModified(false);
+    setValue(shown_);
+}
+
+} // namespace burin

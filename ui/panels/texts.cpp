@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/texts.h"
+
+#include "ui/panels/quantity.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <array>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+class PanelTexts {
+    Q_DECLARE_TR_FUNCTIONS(PanelTexts)
+};
+
+// What Burin is shipped with; names that the user gave stay as they are.
+[[maybe_unused]] constexpr std::array shippedNames{
+    QT_TRANSLATE_NOOP("Resource", "Aluminium 6061-T6"),
+    QT_TRANSLATE_NOOP("Resource", "Machinable wax"),
+    QT_TRANSLATE_NOOP("Resource", "Tooling board (polyurethane)"),
+    QT_TRANSLATE_NOOP("Resource", "Ball-end mill 1 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Ball-end mill 10 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Ball-end mill 3 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Ball-end mill 6 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Bull-nose end mill 10 mm, corner radius 2 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Bull-nose end mill 16 mm, corner radius 3 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Bull-nose end mill 6 mm, corner radius 1 mm"),
+    QT_TRANSLATE_NOOP("Resource", "End mill 10 mm"),
+    QT_TRANSLATE_NOOP("Resource", "End mill 3 mm"),
+    QT_TRANSLATE_NOOP("Resource", "End mill 6 mm"),
+};
+
+QString shippedName(const std::string& name) {
+    return QCoreApplication::translate("Resource", name.c_str());
+}
+
+/// So many digits that three or four count.
+QString fewDigits(double value) {
+    const double size = std::abs(value);
+    const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3;
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString withUnit(const QString& number, const QString& unit) {
+    return number + QChar(QChar::Nbsp) + unit;
+}
+
+QString withoutTrailingZeros(QString number) {
+    const QString point = QLocale().decimalPoint();
+    if (!number.contains(point)) return number;
+    while (number.endsWith(QLocale().zeroDigit())) number.chop(1);
+    if (number.endsWith(point)) number.chop(point.size());
+    return number;
+}
+
+} // namespace
+
+QString toolName(const Tool& tool) {
+    return shippedName(tool.name);
+}
+
+QString materialName(const Property& material) {
+    return shippedName(material.name);
+}
+
+QString toolSummary(const Tool& tool, LengthUnit unit) {
+    QStringList parts{QStringLiteral("Ø ") + shortLength(tool.cutter.diameter, unit)};
+    if (tool.cutter.cornerRadius > 0.0)
+        parts.append(QStringLiteral("R ") + shortLength(tool.cutter.cornerRadius, unit));
+    parts.append(tool.fluteCount == 1 ? PanelTexts::tr("1 flute")
+                                      : PanelTexts::tr("%n flutes", nullptr, tool.fluteCount));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString valueNameText(const std::string& name) {
+    if (name == specificCuttingEnergy) return PanelTexts::tr("Specific cutting energy");
+    if (name == radialForceRatio) return PanelTexts::tr("Radial force ratio");
+    if (name == density) return PanelTexts::tr("Density");
+    if (name == surfaceSpeed) return PanelTexts::tr("Surface speed");
+    if (name == chipLoadPerDiameter) return PanelTexts::tr("Chip load per diameter");
+    if (name == plungeFeedRatio) return PanelTexts::tr("Plunge feed ratio");
+    QString words = QString::fromStdString(name).replace(QLatin1Char('_'), QLatin1Char(' '));
+    if (!words.isEmpty()) words[0] = words[0].toUpper();
+    return words;
+}
+
+QString prettyUnit(const std::string& unit) {
+    if (unit == "1") return {};
+    return QString::fromStdString(unit)
+        .replace(QStringLiteral("^2"), QStringLiteral("²"))
+        .replace(QStringLiteral("^3"), QStringLiteral("³"));
+}
+
+QString countText(std::size_t count) {
+    return QLocale().toString(static_cast<qulonglong>(count));
+}
+
+QString shortLength(double millimetres, LengthUnit unit) {
+    return withUnit(withoutTrailingZeros(lengthNumber(millimetres, unit)), unitText(unit));
+}
+
+QString sizeText(const glm::dvec3& size, LengthUnit unit) {
+    QStringList numbers;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double shown = unit == LengthUnit::inch ? size[axis] / millimetresPerInch : size[axis];
+        numbers.append(withoutTrailingZeros(fixedNumber(shown, unit == LengthUnit::inch ? 3 : 2)));
+    }
+    return withUnit(numbers.join(QStringLiteral(" × ")), unitText(unit));
+}
+
+QString volumeText(double cubicMillimetres, LengthUnit unit) {
+    if (unit == LengthUnit::inch)
+        return withUnit(fewDigits(cubicMillimetres / std::pow(millimetresPerInch, 3)), QStringLiteral("in³"));
+    if (std::abs(cubicMillimetres) < 1000.0) return withUnit(fewDigits(cubicMillimetres), QStringLiteral("mm³"));
+    return withUnit(fewDigits(cubicMillimetres / 1000.0), QStringLiteral("cm³"));
+}
+
+QString rateText(double cubicMillimetresPerSecond, LengthUnit unit) {
+    if (unit == LengthUnit::inch) {
+        const double cubicInchesPerMinute = cubicMillimetresPerSecond * 60.0 / std::pow(millimetresPerInch, 3);
+        return withUnit(QLocale().toString(cubicInchesPerMinute, 'f', 2), QStringLiteral("in³/min"));
+    }
+    return withUnit(QLocale().toString(cubicMillimetresPerSecond, 'f', 0), QStringLiteral("mm³/s"));
+}
+
+QString durationText(double seconds) {
+    const auto whole = static_cast<long long>(std::max(0.0, std::floor(std::isfinite(seconds) ? seconds : 0.0)));
+    const auto two = [](long long number) { return QStringLiteral("%1").arg(number, 2, 10, QLatin1Char('0')); };
+    if (whole < 3600) return two(whole / 60) + QLatin1Char(':') + two(whole % 60);
+    return QString::number(whole / 3600) + QLatin1Char(':') + two(whole / 60 % 60) + QLatin1Char(':') + two(whole % 60);
+}
+
+QString findingText(const Finding& finding, LengthUnit unit) {
+    const QString volume = volumeText(finding.amount, unit);
+    const QString length = lengthText(finding.amount, unit);
+    switch (finding.kind) {
+    case FindingKind::gouge:
+        return PanelTexts::tr("Gouge of %1").arg(length);
+    case FindingKind::rapidInStock:
+        return PanelTexts::tr("Rapid through %1").arg(volume);
+    case FindingKind::shankCollision:
+        return PanelTexts::tr("Shank collision, %1").arg(volume);
+    case FindingKind::holderCollision:
+        return PanelTexts::tr("Holder collision, %1").arg(volume);
+    case FindingKind::spindleOff:
+        return PanelTexts::tr("Spindle off in %1").arg(volume);
+    case FindingKind::travelLimit:
+        return PanelTexts::tr("Travel of %1 needed").arg(length);
+    case FindingKind::feedLimit:
+        return PanelTexts::tr("Feed of %1 mm/min").arg(QLocale().toString(finding.amount, 'f', 0));
+    case FindingKind::spindleLimit:
+        return PanelTexts::tr("Spindle at %1 rpm").arg(QLocale().toString(finding.amount, 'f', 0));
+    case FindingKind::unknownStart:
+        return PanelTexts::tr("Cuts from an unknown place");
+    }
+    return {};
+}
+
+} // namespace burin

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/tool/tool.h"
+#include "core/verify/verify.h"
+#include "core/volume/property_list.h"
+#include "ui/theme/length_unit.h"
+
+#include <QString>
+
+namespace burin {
+
+// How panels word what core records. All of it for display alone.
+
+QString toolName(const Tool& tool);                     ///< of a tool that Burin is shipped with in the user's language
+QString toolSummary(const Tool& tool, LengthUnit unit); ///< "Ø 10 mm, R 2 mm, 4 flutes"
+QString materialName(const Property& material);         ///< as `toolName`
+/// "specific_cutting_energy" in words; a name that Burin does not know, with spaces.
+QString valueNameText(const std::string& name);
+QString prettyUnit(const std::string& unit); ///< "J/mm^3" with a raised 3; empty for "1"
+
+QString countText(std::size_t count);                                ///< grouped: "12,408"
+QString shortLength(double millimetres, LengthUnit unit);            ///< without trailing zeros, with its unit
+QString sizeText(const glm::dvec3& size, LengthUnit unit);           ///< "120 × 70 × 45 mm"
+QString volumeText(double cubicMillimetres, LengthUnit unit);        ///< "24.51 cm³", "1.496 in³"
+QString rateText(double cubicMillimetresPerSecond, LengthUnit unit); ///< "412 mm³/s"
+QString durationText(double seconds);                                ///< "01:42", "1:02:07"
+
+QString findingText(const Finding& finding, LengthUnit unit); ///< "Gouge of 0.034 mm"
+
+} // namespace burin

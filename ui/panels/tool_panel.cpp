@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/tool_panel.h"
+
+#include "ui/panels/notice.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/panels/row_list.h"
+#include "ui/panels/texts.h"
+#include "ui/panels/tool_drawing.h"
+#include "ui/panels/value_row.h"
+
+#include <algorithm>
+
+namespace burin {
+
+class ToolPanel::Fields : public QObject {
+public:
+    explicit Fields(ToolPanel* panel);
+    void refresh();
+
+    ToolState state;
+    LengthUnit unit = LengthUnit::millimetre;
+
+private:
+    ValueRow* addRow(const QString& label, const char* name);
+    void showMeasures(const Tool& tool);
+    void showConditions();
+
+    ToolPanel* panel_;
+    QVBoxLayout* column_;
+    RowList* tools_;
+    ToolDrawing* drawing_;
+    ValueRow *diameter_, *corner_, *flutes_, *stickOut_, *depth_, *feed_, *plunge_, *speed_;
+    QLabel* source_;
+    Notice *notice_, *estimate_;
+};
+
+ToolPanel::Fields::Fields(ToolPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
+    column_->addWidget(makeSectionTitle(ToolPanel::tr("Tool"), panel));
+    tools_ = new RowList(panel);
+    tools_->setObjectName(QStringLiteral("toolList"));
+    tools_->setAccessibleName(ToolPanel::tr("Tools"));
+    tools_->setToolTip(ToolPanel::tr("Choose the tool to mill with"));
+    tools_->setMaximumRows(5);
+    column_->addWidget(tools_);
+    notice_ = new Notice(panel);
+    notice_->setObjectName(QStringLiteral("toolNotice"));
+    column_->addWidget(notice_);
+    drawing_ = new ToolDrawing(panel);
+    column_->addWidget(drawing_);
+    diameter_ = addRow(ToolPanel::tr("Diameter"), "toolDiameter");
+    corner_ = addRow(ToolPanel::tr("Corner radius"), "toolCornerRadius");
+    flutes_ = addRow(ToolPanel::tr("Flutes"), "toolFlutes");
+    stickOut_ = addRow(ToolPanel::tr("Stick-out"), "toolStickOut");
+    depth_ = addRow(ToolPanel::tr("Deepest cut"), "toolDepthOfCut");
+    column_->addWidget(makeSectionTitle(ToolPanel::tr("In this stock"), panel));
+    feed_ = addRow(ToolPanel::tr("Feed"), "feed");
+    plunge_ = addRow(ToolPanel::tr("Plunge feed"), "plungeFeed");
+    speed_ = addRow(ToolPanel::tr("Spindle speed"), "spindleSpeed");
+    estimate_ = new Notice(panel);
+    column_->addWidget(estimate_);
+    column_->addWidget(makeSectionTitle(ToolPanel::tr("Source of the measures"), panel));
+    source_ = makeWrappedLabel(panel);
+    source_->setProperty("look", "quiet");
+    source_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column_->addWidget(source_);
+    column_->addStretch(1);
+    connect(tools_, &RowList::rowChosen, this, [this](int row) {
+        const auto index = static_cast<std::size_t>(row);
+        if (index >= state.tools.size() || state.tools[index].id == state.current) return;
+        state.current = state.tools[index].id;
+        refresh();
+        emit panel_->toolChosen(state.current);
+    });
+}
+
+ValueRow* ToolPanel::Fields::addRow(const QString& label, const char* name) {
+    auto* row = new ValueRow(label, panel_);
+    row->setObjectName(QLatin1String(name));
+    column_->addWidget(row);
+    return row;
+}
+
+void ToolPanel::Fields::showMeasures(const Tool& tool) {
+    diameter_->setValue(lengthText(tool.cutter.diameter, unit));
+    corner_->setValue(lengthText(tool.cutter.cornerRadius, unit));
+    flutes_->setValue(ToolPanel::tr("%1, %2 long").arg(tool.fluteCount).arg(lengthText(tool.cutter.fluteLength, unit)));
+    stickOut_->setValue(lengthText(tool.cutter.stickOut, unit));
+    depth_->setValue(lengthText(tool.maximumDepthOfCut, unit));
+    setWrappedText(source_, QString::fromStdString(tool.source));
+}
+
+void ToolPanel::Fields::showConditions() {
+    const bool inch = unit == LengthUnit::inch;
+    const auto feedText = [inch](double millimetresPerMinute) {
+        if (!(millimetresPerMinute > 0.0)) return QStringLiteral("–");
+        const double shown = inch ? millimetresPerMinute / millimetresPerInch : millimetresPerMinute;
+        return QLocale().toString(shown, 'f', inch ? 1 : 0) + QChar(QChar::Nbsp) +
+               (inch ? QStringLiteral("in/min") : QStringLiteral("mm/min"));
+    };
+    feed_->setValue(feedText(state.feed));
+    plunge_->setValue(feedText(state.plungeFeed));
+    speed_->setValue(state.spindleSpeed > 0.0
+                         ? QLocale().toString(state.spindleSpeed, 'f', 0) + QChar(QChar::Nbsp) + ToolPanel::tr("rpm")
+                         : QStringLiteral("–"));
+    estimate_->tell(Notice::Kind::warning, state.conditionsEstimated && state.feed > 0.0
+                                               ? ToolPanel::tr("Feed and speed come from figures that are estimates.")
+                                               : QString());
+}
+
+void ToolPanel::Fields::refresh() {
+    std::vector<ListRow> rows;
+    int chosen = -1;
+    for (const Tool& tool : state.tools) {
+        if (tool.id == state.current) chosen = static_cast<int>(rows.size());
+        ListRow row;
+        row.title = row.toolTip = toolName(tool);
+        row.value = QStringLiteral("T%1").arg(tool.number);
+        row.detail = toolSummary(tool, unit);
+        rows.push_back(row);
+    }
+    tools_->setRows(rows);
+    tools_->setChosen(chosen);
+    tools_->setEnabled(!state.locked);
+    if (state.locked)
+        notice_->tell(Notice::Kind::information, ToolPanel::tr("A recording runs: the tool stays."));
+    else if (state.fieldBusy)
+        notice_->tell(Notice::Kind::information, ToolPanel::tr("The boundary for this tool is being computed…"));
+    else
+        notice_->clear();
+    const std::optional<Tool> tool =
+        chosen < 0 ? std::nullopt : std::optional(state.tools[static_cast<std::size_t>(chosen)]);
+    drawing_->setTool(tool);
+    drawing_->setUnit(unit);
+    if (tool) showMeasures(*tool);
+    showConditions();
+}
+
+ToolPanel::ToolPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
+    setObjectName(QStringLiteral("toolPanel"));
+    fields_->refresh();
+}
+
+void ToolPanel::setUnit(LengthUnit unit) {
+    fields_->unit = unit;
+    fields_->refresh();
+}
+
+void ToolPanel::setState(const ToolState& state) {
+    fields_->state = state;
+    fields_->refresh();
+}
+
+} // namespace burin

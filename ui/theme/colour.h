@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QColor>
+
+namespace burin {
+
+/// Contrast of two opaque colours, 1 … 21. Source: WCAG 2.1, relative luminance and contrast ratio.
+double contrast(const QColor& one, const QColor& other);
+
+/// `share` of `over` on `ground`, 0 … 1, mixed in sRGB as a half-transparent layer would be; opaque.
+QColor mixed(const QColor& ground, const QColor& over, double share);
+
+/// Near-black or white, whichever reads better on `ground`.
+QColor readableOn(const QColor& ground);
+
+} // namespace burin

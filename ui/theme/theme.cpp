@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/theme/theme.h"
+
+#include "core/base/json_object.h"
+#include "core/base/resource_folder.h"
+#include "ui/theme/colour.h"
+#include "ui/theme/style_sheet.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QFontDatabase>
+#include <QPalette>
+#include <QStyleFactory>
+
+#include <algorithm>
+#include <optional>
+
+namespace burin {
+
+namespace {
+
+constexpr ResourceKind themeResource{"theme", "themes"};
+constexpr double smallestPointSize = 10.0;
+
+std::optional<Palette>& applied() {
+    static std::optional<Palette> palette;
+    return palette;
+}
+
+const char* idOf(Theme theme) {
+    return theme == Theme::light ? "light" : "dark";
+}
+
+/// "#1b2026": an opaque colour.
+bool isColour(const std::string& text) {
+    return text.size() == 7 && text[0] == '#' &&
+           std::all_of(text.begin() + 1, text.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
+}
+
+Palette systemRoles() {
+    const QPalette system = QGuiApplication::palette();
+    Palette palette;
+    for (const auto& [key, role] : colourRoles) palette.*role = system.color(QPalette::WindowText);
+    palette.window = palette.panel = palette.sceneTop = palette.sceneBottom = system.color(QPalette::Window);
+    palette.field = system.color(QPalette::Base);
+    palette.border = palette.grid = system.color(QPalette::Mid);
+    return palette;
+}
+
+/// The desktop's font. Where there is none ("Sans Serif" and the like stand for whatever is installed), the first of
+/// some families that read well small and whose digits are equally wide.
+QFont windowFont(QFont font) {
+    const QString family = font.family();
+    const bool chosen = !family.isEmpty() && !family.startsWith(QStringLiteral("sans"), Qt::CaseInsensitive);
+    for (const char* preferred : {"Roboto", "Noto Sans", "Open Sans"}) {
+        if (chosen || !QFontDatabase::hasFamily(QLatin1String(preferred))) continue;
+        font.setFamilies(QStringList{QLatin1String(preferred), family});
+        break;
+    }
+    // Some systems without a desktop hand out 9 points, too small for a screen that is looked at from a machine.
+    if (font.pointSizeF() < smallestPointSize) font.setPointSizeF(smallestPointSize);
+    return font;
+}
+
+QPalette systemPalette(const Palette& roles) {
+    QPalette palette;
+    const auto set = [&palette](QPalette::ColorRole role, const QColor& colour) { palette.setColor(role, colour); };
+    set(QPalette::Window, roles.panel);
+    set(QPalette::WindowText, roles.text);
+    set(QPalette::Base, roles.field);
+    set(QPalette::AlternateBase, mixed(roles.field, roles.panel, 0.5));
+    set(QPalette::Text, roles.text);
+    set(QPalette::PlaceholderText, roles.quietText);
+    set(QPalette::Button, mixed(roles.panel, roles.text, 0.08));
+    set(QPalette::ButtonText, roles.text);
+    set(QPalette::BrightText, roles.force);
+    set(QPalette::Light, mixed(roles.panel, roles.text, 0.15));
+    set(QPalette::Midlight, mixed(roles.panel, roles.text, 0.1));
+    set(QPalette::Mid, roles.border);
+    set(QPalette::Dark, mixed(roles.panel, Qt::black, 0.3));
+    set(QPalette::Shadow, mixed(roles.panel, Qt::black, 0.6));
+    set(QPalette::Highlight, roles.accent);
+    set(QPalette::HighlightedText, readableOn(roles.accent));
+    set(QPalette::Link, roles.part);
+    set(QPalette::LinkVisited, roles.part);
+    set(QPalette::ToolTipBase, roles.field);
+    set(QPalette::ToolTipText, roles.text);
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, mixed(roles.panel, roles.quietText, 0.6));
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, roles.border);
+    palette.setColor(QPalette::Disabled, QPalette::HighlightedText, roles.quietText);
+    return palette;
+}
+
+} // namespace
+
+Result<Palette> paletteFromJson(std::string_view text, const std::string& origin) {
+    Result<JsonObject> file = JsonObject::parse(text, origin);
+    if (!file) return file.error();
+    file->text("id");
+    Palette palette;
+    file->object("colours", [&palette](JsonObject& colours) {
+        for (const auto& [key, role] : colourRoles) {
+            const std::string colour = colours.text(key);
+            if (isColour(colour))
+                palette.*role = QColor(QString::fromStdString(colour));
+            else
+                colours.fail(key, "has to be a colour such as \"#1b2026\"");
+        }
+    });
+    if (Result<void> read = file->finish(); !read) return read.error();
+    return palette;
+}
+
+Result<Palette> loadPalette(Theme theme) {
+    Result<ResourceText> file = findResource(themeResource, idOf(theme));
+    if (!file) {
+        if (file.error().code != ErrorCode::nameUnknown) return file.error();
+        const std::filesystem::path missing = resourceSearchPath(themeResource).back() / idOf(theme);
+        return Error{ErrorCode::fileNotFound, missing.string() + ".json", {}, {}};
+    }
+    return paletteFromJson(file->text, file->file);
+}
+
+void applyTheme(QApplication& application, const Palette& palette) {
+    applied() = palette;
+    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setFont(windowFont(QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
+    application.setPalette(systemPalette(palette));
+    application.setStyleSheet(styleSheet(palette));
+}
+
+const Palette& activePalette() {
+    if (applied()) return *applied();
+    static const Palette system = systemRoles();
+    return system;
+}
+
+} // namespace burin
