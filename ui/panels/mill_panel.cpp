@@ -78,10 +78,8 @@ void MillPanel::Fields::addButtons() {
     record_->setFont(numberFont(record_->font()));
     mill_ = makeButton({}, QStringLiteral("mill"), QStringLiteral("millButton"), panel_);
     mill_->setCheckable(true);
-    undo_ =
-        makeButton(MillPanel::tr("Undo stroke"), QStringLiteral("undo"), QStringLiteral("undoStrokeButton"), panel_);
-    redo_ =
-        makeButton(MillPanel::tr("Redo stroke"), QStringLiteral("redo"), QStringLiteral("redoStrokeButton"), panel_);
+    undo_ = makeButton(MillPanel::tr("Undo"), QStringLiteral("undo"), QStringLiteral("undoStrokeButton"), panel_);
+    redo_ = makeButton(MillPanel::tr("Redo"), QStringLiteral("redo"), QStringLiteral("redoStrokeButton"), panel_);
     undo_->setToolTip(MillPanel::tr("Take the newest stroke back"));
     redo_->setToolTip(MillPanel::tr("Put the stroke back that was taken back last"));
     auto* first = new QHBoxLayout;

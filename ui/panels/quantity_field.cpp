@@ -53,6 +53,7 @@ void QuantityField::limit(double low, double high) {
     if (low == minimum() && high == maximum()) return;
     const QSignalBlocker quiet(this);
     setRange(low, high);
+    if (!isTyping()) shown_ = value(); // what the limits changed is nothing that the user did
 }
 
 void QuantityField::showValue(double value) {

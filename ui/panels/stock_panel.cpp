@@ -61,6 +61,7 @@ StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), c
     top_ = addField(StockPanel::tr("Margin, top"), StockPanel::tr("Stock above the part"), "topMarginField");
     bottom_ = addField(StockPanel::tr("Margin, bottom"), StockPanel::tr("Stock below the part"), "bottomMarginField");
     sidesNotice_ = new Notice(panel);
+    sidesNotice_->setObjectName(QStringLiteral("sideMarginNotice"));
     column_->addWidget(sidesNotice_);
     size_ = new ValueRow(StockPanel::tr("Stock size"), panel);
     size_->setObjectName(QStringLiteral("stockSize"));

@@ -35,7 +35,7 @@ QFrame[look="card"] { background: @card; border: none; border-radius: 8px; }
 QFrame[look="line"] { background: @border; border: none; max-height: 1px; }
 
 QPushButton, QToolButton { background: @button; color: @text; border: 1px solid @button; border-radius: 8px;
-    padding: 7px 14px; }
+    padding: 7px 10px; }
 QToolButton { padding: 6px; }
 QPushButton:hover, QToolButton:hover { background: @buttonHover; border-color: @buttonHover; }
 QPushButton:pressed, QToolButton:pressed { background: @buttonPressed; border-color: @buttonPressed; }
@@ -44,11 +44,11 @@ QPushButton:disabled, QToolButton:disabled { background: @buttonOff; border-colo
 QPushButton[look="primary"] { background: @accent; border-color: @accent; color: @onAccent; font-weight: 600; }
 QPushButton[look="primary"]:hover { background: @accentHover; border-color: @accentHover; }
 QPushButton[look="primary"]:pressed { background: @accentPressed; border-color: @accentPressed; }
-QPushButton[look="primary"]:focus { border: 2px solid @text; padding: 6px 13px; }
+QPushButton[look="primary"]:focus { border: 2px solid @text; padding: 6px 9px; }
 QPushButton[look="primary"]:disabled { background: @buttonOff; border-color: @buttonOff; color: @disabled; }
 QPushButton[look="record"] { background: @forceFill; border-color: @force; color: @force; font-weight: 600; }
 QPushButton[look="record"]:hover { background: @forceHover; }
-QPushButton[look="record"]:focus { border: 2px solid @text; padding: 6px 13px; }
+QPushButton[look="record"]:focus { border: 2px solid @text; padding: 6px 9px; }
 QPushButton[look="record"]:checked { background: @force; border-color: @force; color: @onForce; }
 QPushButton[look="record"]:disabled { background: @buttonOff; border-color: @buttonOff; color: @disabled; }
 QPushButton[look="choice"] { border-radius: 6px; padding: 5px 8px; background: @field; border-color: @border; }

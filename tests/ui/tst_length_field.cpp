@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/length_field.h"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QWheelEvent>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace burin;
+
+namespace {
+
+/// A field that shows 5 mm, a second one to go to, in a window that is active.
+struct Bench {
+    explicit Bench(const char* locale = "en_US", LengthUnit unit = LengthUnit::millimetre)
+        : edited(&field, &QuantityField::valueEdited) {
+        auto* row = new QHBoxLayout(&window);
+        row->addWidget(&field);
+        row->addWidget(&other);
+        for (QWidget* widget : {static_cast<QWidget*>(&field), static_cast<QWidget*>(&other)})
+            widget->setLocale(QLocale(QString::fromLatin1(locale)));
+        field.limit(0.0, 100.0);
+        field.setLengthUnit(unit);
+        field.showValue(5.0);
+        window.show();
+        window.activateWindow();
+        window.raise();
+        shown = QTest::qWaitForWindowActive(&window);
+        field.setFocus(Qt::TabFocusReason);
+    }
+    ~Bench() { // the members' order: a layout must not delete what is no child of its own making
+        field.setParent(nullptr);
+        other.setParent(nullptr);
+    }
+    void type(const QString& text) {
+        field.selectAll();
+        QTest::keyClicks(&field, text);
+    }
+    void commit() { QTest::keyClick(&field, Qt::Key_Return); }
+    QString text() const { return field.text().replace(QChar(QChar::Nbsp), QLatin1Char(' ')); }
+
+    QWidget window;
+    LengthField field, other;
+    QSignalSpy edited;
+    bool shown = false;
+};
+
+bool near(double a, double b) {
+    return std::abs(a - b) < 1e-8;
+}
+
+} // namespace
+
+class TestLengthField : public QObject {
+    Q_OBJECT
+private slots:
+    void whatIsTypedIsMillimetres_data() {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<int>("unit");
+        QTest::addColumn<double>("mm");
+        const int mm = static_cast<int>(LengthUnit::millimetre), inch = static_cast<int>(LengthUnit::inch);
+        QTest::newRow("a number") << "12.5" << mm << 12.5;
+        QTest::newRow("a comma") << "12,5" << mm << 12.5;
+        QTest::newRow("its unit") << "12,5 mm" << mm << 12.5;
+        QTest::newRow("inches in millimetres") << "0.5in" << mm << 12.7;
+        QTest::newRow("inches by their sign") << "0.5\"" << mm << 12.7;
+        QTest::newRow("in words") << "2 inch" << mm << 50.8;
+        QTest::newRow("micrometres") << "80 um" << mm << 0.08;
+        QTest::newRow("centimetres") << "1,5cm" << mm << 15.0;
+        QTest::newRow("capitals") << "3 MM" << mm << 3.0;
+        QTest::newRow("no leading nought") << ".5" << mm << 0.5;
+        QTest::newRow("trailing point") << "7." << mm << 7.0;
+        QTest::newRow("inches") << "0.5" << inch << 12.7;
+        QTest::newRow("inches with a comma") << "0,5" << inch << 12.7;
+        QTest::newRow("millimetres in inches") << "3 mm" << inch << 3.0;
+        QTest::newRow("finer than is shown") << "1.23456" << mm << 1.23456;
+    }
+    void whatIsTypedIsMillimetres() {
+        QFETCH(QString, typed);
+        QFETCH(int, unit);
+        QFETCH(double, mm);
+        for (const char* locale : {"C", "de_DE"}) {
+            Bench bench(locale, static_cast<LengthUnit>(unit));
+            QVERIFY(bench.shown);
+            bench.type(typed);
+            QCOMPARE(bench.edited.size(), 0); // not before it is committed
+            bench.commit();
+            QCOMPARE(bench.edited.size(), 1);
+            QVERIFY2(near(bench.edited[0][0].toDouble(), mm),
+                     qPrintable(QString::number(bench.edited[0][0].toDouble())));
+            QVERIFY(near(bench.field.value(), mm));
+            bench.commit();
+            QCOMPARE(bench.edited.size(), 1); // once
+        }
+    }
+
+    void itShowsWhatTheLocaleWrites() {
+        QCOMPARE(Bench("de_DE").text(), QStringLiteral("5,000 mm"));
+        QCOMPARE(Bench("C").text(), QStringLiteral("5.000 mm"));
+        QCOMPARE(Bench("de_DE", LengthUnit::inch).text(), QStringLiteral("0,1969 in"));
+    }
+
+    void leavingTheFieldCommits() {
+        Bench bench;
+        bench.type(QStringLiteral("8"));
+        QTest::keyClick(&bench.field, Qt::Key_Tab);
+        QVERIFY(bench.other.hasFocus());
+        QCOMPARE(bench.edited.size(), 1);
+        QCOMPARE(bench.edited[0][0].toDouble(), 8.0);
+    }
+
+    void passingThroughChangesNothing() {
+        // 1 mm is 0.03937… in: what is shown is rounded, and must not become the value.
+        Bench bench("C", LengthUnit::inch);
+        bench.field.showValue(1.0);
+        QTest::keyClick(&bench.field, Qt::Key_Tab);
+        QTest::keyClick(&bench.other, Qt::Key_Tab, Qt::ShiftModifier);
+        bench.commit();
+        QCOMPARE(bench.edited.size(), 0);
+        QCOMPARE(bench.field.value(), 1.0);
+        bench.type(QStringLiteral("0.0394")); // typing what is shown is no change either
+        bench.commit();
+        QCOMPARE(bench.field.value(), 1.0);
+        QCOMPARE(bench.edited.size(), 0);
+        bench.field.setLengthUnit(LengthUnit::millimetre);
+        QCOMPARE(bench.text(), QStringLiteral("1.000 mm"));
+        QCOMPARE(bench.edited.size(), 0);
+    }
+
+    void outOfRangeGoesToTheNearestEnd_data() {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<double>("mm");
+        QTest::newRow("too large") << "500" << 100.0;
+        QTest::newRow("too large in inches") << "30 in" << 100.0;
+        QTest::newRow("below nought") << "-3" << 0.0;
+    }
+    void outOfRangeGoesToTheNearestEnd() {
+        QFETCH(QString, typed);
+        QFETCH(double, mm);
+        Bench bench;
+        bench.type(typed);
+        bench.commit();
+        QCOMPARE(bench.field.value(), mm);
+        QCOMPARE(bench.edited.size(), 1);
+        QCOMPARE(bench.edited[0][0].toDouble(), mm);
+    }
+
+    void nonsenseChangesNothing_data() {
+        QTest::addColumn<QString>("typed");
+        QTest::newRow("letters") << "abc";
+        QTest::newRow("an unknown unit") << "5 furlong";
+        QTest::newRow("a weight") << "5 kg";
+        QTest::newRow("two points") << "1.2.3";
+        QTest::newRow("groups") << "1.234,5";
+        QTest::newRow("a sign alone") << "-";
+        QTest::newRow("nothing") << " ";
+    }
+    void nonsenseChangesNothing() {
+        QFETCH(QString, typed);
+        Bench bench;
+        bench.type(typed);
+        bench.commit();
+        QCOMPARE(bench.edited.size(), 0);
+        QCOMPARE(bench.field.value(), 5.0);
+        QCOMPARE(bench.text(), QStringLiteral("5.000 mm"));
+    }
+
+    void escapeTakesTypingBack() {
+        Bench bench;
+        bench.type(QStringLiteral("77"));
+        QTest::keyClick(&bench.field, Qt::Key_Escape);
+        QCOMPARE(bench.text(), QStringLiteral("5.000 mm"));
+        bench.commit();
+        QCOMPARE(bench.edited.size(), 0);
+    }
+
+    void stepsFitTheNumber_data() {
+        QTest::addColumn<double>("from");
+        QTest::addColumn<int>("unit");
+        QTest::addColumn<QString>("up");
+        QTest::addColumn<QString>("down");
+        const int mm = static_cast<int>(LengthUnit::millimetre), inch = static_cast<int>(LengthUnit::inch);
+        QTest::newRow("some") << 5.0 << mm << "5.100 mm"
+                              << "4.900 mm";
+        QTest::newRow("a tolerance") << 0.02 << mm << "0.021 mm"
+                                     << "0.019 mm";
+        QTest::newRow("large") << 40.0 << mm << "41.000 mm"
+                               << "39.000 mm";
+        QTest::newRow("a power of ten") << 10.0 << mm << "11.000 mm"
+                                        << "9.900 mm";
+        QTest::newRow("nothing") << 0.0 << mm << "0.001 mm"
+                                 << "0.000 mm";
+        QTest::newRow("inch") << 25.4 << inch << "1.1000 in"
+                              << "0.9900 in";
+        QTest::newRow("the end") << 99.5 << mm << "100.000 mm"
+                                 << "99.000 mm";
+    }
+    void stepsFitTheNumber() {
+        QFETCH(double, from);
+        QFETCH(int, unit);
+        QFETCH(QString, up);
+        QFETCH(QString, down);
+        Bench bench("C", static_cast<LengthUnit>(unit));
+        bench.field.showValue(from);
+        QTest::keyClick(&bench.field, Qt::Key_Up);
+        QCOMPARE(bench.text(), up);
+        QCOMPARE(bench.edited.size(), 1);
+        QCOMPARE(bench.edited[0][0].toDouble(), bench.field.value());
+        bench.field.showValue(from);
+        QTest::keyClick(&bench.field, Qt::Key_Down);
+        QCOMPARE(bench.text(), down);
+        QCOMPARE(bench.edited.size(), from > 0.0 ? 2 : 1);
+    }
+
+    void theWheelNeedsTheFocus() {
+        Bench bench;
+        const auto turn = [&bench](QWidget& field) {
+            const QPointF place = field.rect().center();
+            QWheelEvent event(place, field.mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                              Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&field, &event);
+        };
+        bench.other.setFocus();
+        turn(bench.field);
+        QCOMPARE(bench.field.value(), 5.0);
+        QCOMPARE(bench.edited.size(), 0);
+        bench.field.setFocus();
+        turn(bench.field);
+        QVERIFY(near(bench.field.value(), 5.1));
+        QCOMPARE(bench.edited.size(), 1);
+    }
+
+    void showingNeverTells() {
+        Bench bench;
+        bench.field.showValue(7.0);
+        bench.field.limit(0.0, 6.0);
+        bench.field.setLengthUnit(LengthUnit::inch);
+        QCOMPARE(bench.edited.size(), 0);
+        QCOMPARE(bench.field.value(), 6.0);
+        QTest::keyClick(&bench.field, Qt::Key_Tab);
+        QCOMPARE(bench.edited.size(), 0);
+    }
+
+    void typingIsLeftAlone() {
+        Bench bench;
+        bench.type(QStringLiteral("12"));
+        bench.field.findChild<QLineEdit*>()->setCursorPosition(1);
+        for (const double news : {5.0, 6.0, 6.5}) bench.field.showValue(news); // as the state does, many times a second
+        QVERIFY(bench.text().startsWith(QStringLiteral("12")));
+        QCOMPARE(bench.field.findChild<QLineEdit*>()->cursorPosition(), 1);
+        bench.commit();
+        QCOMPARE(bench.edited.size(), 1);
+        QCOMPARE(bench.edited[0][0].toDouble(), 12.0);
+        bench.type(QStringLiteral("30"));
+        bench.field.showValue(9.0);
+        QTest::keyClick(&bench.field, Qt::Key_Escape); // back to the newest news
+        QCOMPARE(bench.field.value(), 9.0);
+        QCOMPARE(bench.edited.size(), 1);
+    }
+
+    void otherQuantitiesHaveTheirUnits_data() {
+        QTest::addColumn<int>("quantity");
+        QTest::addColumn<int>("unit");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("shown");
+        const auto row = [](const char* name, Quantity quantity, LengthUnit unit, const char* typed, double value,
+                            const char* shown) {
+            QTest::newRow(name) << static_cast<int>(quantity) << static_cast<int>(unit) << typed << value << shown;
+        };
+        row("speed", Quantity::speed, LengthUnit::millimetre, "60", 60.0, "60 mm/s");
+        row("speed a minute", Quantity::speed, LengthUnit::millimetre, "600 mm/min", 10.0, "10 mm/s");
+        row("speed in inches", Quantity::speed, LengthUnit::inch, "2", 50.8, "2 in/s");
+        row("time", Quantity::time, LengthUnit::millimetre, "0,15", 0.15, "0.15 s");
+        row("milliseconds", Quantity::time, LengthUnit::millimetre, "250 ms", 0.25, "0.25 s");
+        row("frequency", Quantity::frequency, LengthUnit::inch, "7.5 Hz", 7.5, "7.5 Hz");
+    }
+    void otherQuantitiesHaveTheirUnits() {
+        QFETCH(int, quantity);
+        QFETCH(int, unit);
+        QFETCH(QString, typed);
+        QFETCH(double, value);
+        QFETCH(QString, shown);
+        QuantityField field(static_cast<Quantity>(quantity));
+        field.setLocale(QLocale::c());
+        field.setLengthUnit(static_cast<LengthUnit>(unit));
+        QSignalSpy edited(&field, &QuantityField::valueEdited);
+        field.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&field));
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, typed);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(edited.size(), 1);
+        QVERIFY(near(edited[0][0].toDouble(), value));
+        QCOMPARE(field.text().replace(QChar(QChar::Nbsp), QLatin1Char(' ')), shown);
+    }
+};
+
+QTEST_MAIN(TestLengthField)
+#include "tst_length_field.moc"

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/panel_bench.h"
+#include "tests/ui/panel_examples.h"
+#include "ui/panels/job_line.h"
+#include "ui/panels/meters.h"
+#include "ui/panels/mill_panel.h"
+#include "ui/panels/notice.h"
+#include "ui/theme/theme.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+
+using namespace burin;
+
+class TestMillPanels : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale(QStringLiteral("en_US")));
+        applyTheme(*qApp, *loadPalette(Theme::dark));
+    }
+
+    void millingIsLedByItsButtons() {
+        MillPanel panel;
+        MillState state = examples::mill();
+        state.recording = state.active = false;
+        panel.setState(state);
+        show(panel);
+        QSignalSpy mill(&panel, &MillPanel::millModeToggled), record(&panel, &MillPanel::recordToggled),
+            undo(&panel, &MillPanel::undoStrokeRequested), redo(&panel, &MillPanel::redoStrokeRequested),
+            showMe(&panel, &MillPanel::showMeRequested), remove(&panel, &MillPanel::takeRemovalRequested);
+        click(panel, "millButton");
+        QCOMPARE(mill.size(), 1);
+        QCOMPARE(mill[0][0].toBool(), true);
+        QVERIFY(!child<QPushButton>(panel, "millButton").isChecked()); // a wish, until the state says so
+        click(panel, "recordButton");
+        QCOMPARE(record[0][0].toBool(), true);
+        click(panel, "undoStrokeButton");
+        click(panel, "redoStrokeButton"); // there is none
+        click(panel, "showMeButton");
+        click(panel, "removeTake2");
+        QCOMPARE(undo.size(), 1);
+        QCOMPARE(redo.size(), 0);
+        QCOMPARE(showMe.size(), 1);
+        QCOMPARE(remove.size(), 1);
+        QCOMPARE(remove[0][0].toLongLong(), 2);
+        panel.setState(examples::mill());
+        QCOMPARE(child<QPushButton>(panel, "recordButton").text(), QStringLiteral("Stop 01:42"));
+        QVERIFY(child<QPushButton>(panel, "recordButton").isChecked());
+        QVERIFY(child<Notice>(panel, "millAlarm").isVisible());
+        click(panel, "recordButton");
+        click(panel, "millButton");
+        click(panel, "removeTake2"); // not while one is recorded
+        QCOMPARE(record[1][0].toBool(), false);
+        QCOMPARE(mill[1][0].toBool(), false);
+        QCOMPARE(remove.size(), 1);
+        state.ready = false;
+        state.missing = QStringLiteral("Embed the part first.");
+        panel.setState(state);
+        click(panel, "recordButton");
+        click(panel, "millButton");
+        QCOMPARE(record.size() + mill.size(), 4);
+        QCOMPARE(child<Notice>(panel, "millMissing").sentence(), state.missing);
+    }
+
+    void depthAndSpeedAreEdited() {
+        MillPanel panel;
+        MillState state = examples::mill();
+        panel.setState(state);
+        show(panel);
+        QSignalSpy rule(&panel, &MillPanel::depthRuleChosen), depth(&panel, &MillPanel::depthOfCutEdited),
+            press(&panel, &MillPanel::pressEdited), speed(&panel, &MillPanel::speedEdited);
+        type(panel, "depthOfCutField", "0.4");
+        type(panel, "speedField", "2 in/s");
+        QCOMPARE(depth[0][0].toDouble(), 0.4);
+        QVERIFY(std::abs(speed[0][0].toDouble() - 50.8) < 1e-9);
+        QVERIFY(!child<QWidget>(panel, "pressField").isVisible());
+        click(panel, "levelButton"); // is chosen
+        QCOMPARE(rule.size(), 0);
+        click(panel, "alongPartButton");
+        QCOMPARE(rule.size(), 1);
+        QCOMPARE(rule[0][0].value<DepthChoice>(), DepthChoice::part);
+        QVERIFY(child<QWidget>(panel, "pressField").isVisible());
+        type(panel, "pressField", "3");
+        QCOMPARE(press[0][0].toDouble(), 3.0);
+        QCOMPARE(depth.size(), 1);
+    }
+
+    void metersTellTheFigures() {
+        Meters meters;
+        QCOMPARE(valueOf(meters, "forceMeter"), QStringLiteral("–"));
+        meters.setState(examples::meters());
+        QCOMPARE(valueOf(meters, "forceMeter"), QStringLiteral("1.8 N of 3.3"));
+        QCOMPARE(valueOf(meters, "removalMeter"), QStringLiteral("412 mm³/s"));
+        QCOMPARE(valueOf(meters, "rateMeter"), QStringLiteral("1,000 Hz"));
+        QCOMPARE(valueOf(meters, "missedMeter"), QStringLiteral("3"));
+        QCOMPARE(valueOf(meters, "positionZ"), QStringLiteral("-11.380"));
+        meters.setUnit(LengthUnit::inch);
+        QCOMPARE(valueOf(meters, "positionZ"), QStringLiteral("-0.4480"));
+    }
+
+    void stepsAreChosenByMouseAndKeyboard() {
+        JobLine line;
+        line.setState(examples::job(), JobStep::mill);
+        line.resize(1280, line.sizeHint().height());
+        line.show();
+        line.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&line));
+        std::vector<JobStep> chosen;
+        connect(&line, &JobLine::stepChosen, this, [&chosen](JobStep step) { chosen.push_back(step); });
+        click(line, "stepStock");
+        auto& part = child<QAbstractButton>(line, "stepPart");
+        part.setFocus(Qt::TabFocusReason);
+        QTest::keyClick(&part, Qt::Key_Right);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Left);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Enter);
+        QCOMPARE(chosen, (std::vector{JobStep::stock, JobStep::material, JobStep::tool, JobStep::material}));
+        QCOMPARE(child<QWidget>(line, "stepPart").accessibleName(), QStringLiteral("Part"));
+        QCOMPARE(child<QWidget>(line, "stepPart").accessibleDescription(), QStringLiteral("done: mouse.step"));
+    }
+};
+
+QTEST_MAIN(TestMillPanels)
+#include "tst_mill_panels.moc"

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/panel_bench.h"
+#include "tests/ui/panel_examples.h"
+#include "ui/panels/edit_parameters.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/path_panel.h"
+#include "ui/panels/program_panel.h"
+#include "ui/panels/program_view.h"
+#include "ui/panels/program_words.h"
+#include "ui/theme/theme.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTextBlock>
+
+using namespace burin;
+
+class TestPathPanels : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale(QStringLiteral("en_US")));
+        applyTheme(*qApp, *loadPalette(Theme::dark));
+    }
+
+    void editsAreChanged() {
+        PathPanel panel;
+        panel.setState(examples::path());
+        show(panel);
+        std::vector<std::pair<std::size_t, Edit>> changed;
+        connect(&panel, &PathPanel::editChanged, this,
+                [&changed](std::size_t index, const Edit& edit) { changed.emplace_back(index, edit); });
+        type(panel, "edit2_tolerance_mm", "0.05");
+        QCOMPARE(changed.size(), std::size_t{1});
+        QCOMPARE(changed[0].first, std::size_t{2});
+        QCOMPARE(std::get<Smooth>(changed[0].second.parameters).tolerance, 0.05);
+        QCOMPARE(std::get<Smooth>(changed[0].second.parameters).cutOff, 5.0);
+        QTest::mouseClick(&child<QCheckBox>(panel, "edit1Switch"), Qt::LeftButton, {}, {10, 10});
+        QCOMPARE(changed.size(), std::size_t{2});
+        QCOMPARE(changed[1].first, std::size_t{1});
+        QVERIFY(changed[1].second.enabled);
+        QVERIFY(child<QLabel>(panel, "edit2Report").text().contains(QStringLiteral("0.018")));
+        QVERIFY(!child<QLabel>(panel, "edit1Report").isVisible()); // there is no report of an edit that was off
+        QCOMPARE(valueOf(panel, "pathErrorBudget"), QStringLiteral("0.033 mm"));
+        QCOMPARE(valueOf(panel, "pathPoints"), QStringLiteral("12,408"));
+    }
+
+    void aPathIsMadeAndUpdated() {
+        PathPanel panel;
+        QSignalSpy made(&panel, &PathPanel::newPathRequested), update(&panel, &PathPanel::evaluateRequested),
+            seen(&panel, &PathPanel::visibilityToggled);
+        PathState state;
+        panel.setState(state);
+        show(panel);
+        click(panel, "newPathButton"); // no take yet
+        QCOMPARE(made.size(), 0);
+        state.hasTakes = true;
+        panel.setState(state);
+        click(panel, "newPathButton");
+        QCOMPARE(made.size(), 1);
+        panel.setState(examples::path());
+        panel.adjustSize();
+        click(panel, "updatePathButton");
+        QCOMPARE(update.size(), 1);
+        click(panel, "pathVisibleButton");
+        click(panel, "pathVisibleButton");
+        QCOMPARE(seen[0][0].toBool(), false);
+        QCOMPARE(seen[1][0].toBool(), true);
+        state = examples::path();
+        state.outdated = false;
+        panel.setState(state);
+        click(panel, "updatePathButton");
+        QCOMPARE(update.size(), 1); // it is up to date
+    }
+
+    void editParametersAreCores() {
+        for (const Edit& edit : standardEdits()) {
+            std::string json = toJson(edit);
+            const std::vector<EditParameter> parameters = parametersOf(edit.parameters);
+            for (const EditParameter& parameter : parameters) {
+                Edit changed = edit;
+                const auto accepts = [&](double value) {
+                    parameter.setValue(changed.parameters, value);
+                    return validate(changed).hasValue();
+                };
+                QVERIFY2(accepts(parameter.low) && accepts(parameter.high), qPrintable(parameter.key));
+                QVERIFY2(!accepts(parameter.high * 1.001) && !accepts(parameter.low - 1e-4), qPrintable(parameter.key));
+                QVERIFY2(json.find('"' + parameter.key.toStdString() + '"') != std::string::npos, json.c_str());
+                parameter.setValue(changed.parameters, parameter.high);
+                QVERIFY(toJson(changed) != json);
+                QCOMPARE(parameter.value(changed.parameters), parameter.high);
+            }
+            QCOMPARE(std::ranges::count(json, ':'), static_cast<std::ptrdiff_t>(parameters.size() + 2)); // all of them
+        }
+    }
+
+    void theVerdictDecidesOnExport() {
+        ProgramPanel panel;
+        QSignalSpy post(&panel, &ProgramPanel::postRequested), exported(&panel, &ProgramPanel::exportRequested),
+            tolerance(&panel, &ProgramPanel::gougeToleranceEdited);
+        panel.setState(examples::program());
+        show(panel);
+        click(panel, "postButton");
+        click(panel, "exportButton");
+        QCOMPARE(post.size(), 1);
+        QCOMPARE(exported.size(), 1);
+        QCOMPARE(child<Notice>(panel, "verdict").kind(), Notice::Kind::passed);
+        QVERIFY(child<Notice>(panel, "verdict").sentence().startsWith(QStringLiteral("Passed: gouge 0.002")));
+        QCOMPARE(valueOf(panel, "machiningTime"), QStringLiteral("25:04"));
+        type(panel, "gougeToleranceField", "0,01");
+        QCOMPARE(tolerance[0][0].toDouble(), 0.01);
+        const auto refuses = [&](ProgramState state) {
+            panel.setState(state);
+            click(panel, "exportButton");
+            return exported.size() == 1 &&
+                   child<QPushButton>(panel, "exportButton").toolTip().endsWith(QLatin1Char('.'));
+        };
+        ProgramState state = examples::program();
+        state.outdated = true;
+        QVERIFY(refuses(state));
+        state = examples::program();
+        state.report.reset();
+        QVERIFY(refuses(state));
+        QVERIFY(refuses(examples::failedProgram()));
+        QVERIFY(refuses({}));
+    }
+
+    void findingsLeadToTheirLine() {
+        ProgramPanel panel;
+        panel.setState(examples::failedProgram());
+        show(panel);
+        QCOMPARE(child<Notice>(panel, "verdict").kind(), Notice::Kind::error);
+        QSignalSpy line(&panel, &ProgramPanel::lineChosen);
+        auto& text = child<QPlainTextEdit>(panel, "programText");
+        clickRow(panel, "findingList", 2);
+        QCOMPARE(line.size(), 1);
+        QCOMPARE(line[0][0].toInt(), 33);
+        QCOMPARE(text.textCursor().blockNumber(), 32);
+        clickRow(panel, "findingList", 2);
+        QCOMPARE(line.size(), 2); // once more
+        text.setFocus();
+        QTest::keyClick(&text, Qt::Key_Down);
+        QCOMPARE(line.size(), 3);
+        QCOMPARE(line[2][0].toInt(), 34);
+        QTest::keyClick(&text, Qt::Key_A); // read only
+        QCOMPARE(text.toPlainText(), examples::programText());
+    }
+
+    void aLongProgramComesInPiecemeal() {
+        ProgramView view;
+        view.resize(320, 400);
+        view.show();
+        QString text;
+        for (int i = 1; i <= 50000; ++i) text += QStringLiteral("N%1 G1 X12.345 Y-3.456\n").arg(i);
+        QSignalSpy line(&view, &ProgramView::lineChosen);
+        view.showProgram(text);
+        QVERIFY(!view.complete());
+        view.showLine(30000); // which has not come yet
+        QCOMPARE(view.textCursor().block().text(), QStringLiteral("N30000 G1 X12.345 Y-3.456"));
+        QTRY_VERIFY(view.complete());
+        QCOMPARE(view.toPlainText(), text);
+        QCOMPARE(view.textCursor().blockNumber(), 29999);
+        view.showProgram(text + QStringLiteral("M30"));
+        view.showProgram(QStringLiteral("M5\nM30")); // the next one, before that one is there
+        QTest::qWait(50);
+        QCOMPARE(view.toPlainText(), QStringLiteral("M5\nM30"));
+        QCOMPARE(view.textCursor().blockNumber(), 0);
+        view.showProgram({});
+        QCOMPARE(view.toPlainText(), QString());
+        QCOMPARE(line.size(), 0);
+    }
+
+    void wordsAreTold_data() {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<QString>("kinds"); // one letter a character
+        QTest::newRow("a move") << "G1 X-1.5 Y+2 F1400"
+                                << "cc aaaaa aaa sssss";
+        QTest::newRow("no spaces") << "N10G0X1M3"
+                                   << "nnnccaacc";
+        QTest::newRow("comments") << "G4 (X1 (G0) P0.5 ; G1"
+                                  << "cc //////// nnnn ////";
+        QTest::newRow("lower case") << "g1 z-.5"
+                                    << "cc aaaa";
+        QTest::newRow("no words") << "% L X"
+                                  << "     ";
+        QTest::newRow("an open comment") << "M5 (end"
+                                         << "cc ////";
+    }
+    void wordsAreTold() {
+        QFETCH(QString, line);
+        QFETCH(QString, kinds);
+        QString told(line.size(), QLatin1Char(' '));
+        for (const ProgramWord& word : programWords(line))
+            for (int i = 0; i < word.length; ++i)
+                told[word.start + i] = QLatin1Char("cas/n"[static_cast<int>(word.kind)]);
+        QCOMPARE(told, kinds);
+    }
+};
+
+QTEST_MAIN(TestPathPanels)
+#include "tst_path_panels.moc"

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/panel_bench.h"
+#include "tests/ui/panel_examples.h"
+#include "ui/panels/allowance_panel.h"
+#include "ui/panels/material_panel.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/part_panel.h"
+#include "ui/panels/stock_panel.h"
+#include "ui/panels/tool_panel.h"
+#include "ui/theme/theme.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+
+using namespace burin;
+
+class TestSetupPanels : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QLocale::setDefault(QLocale(QStringLiteral("en_US")));
+        applyTheme(*qApp, *loadPalette(Theme::dark));
+    }
+
+    void thePartIsShown() {
+        PartPanel panel;
+        panel.setState({});
+        show(panel);
+        QSignalSpy asked(&panel, &PartPanel::importRequested);
+        click(panel, "importButton");
+        QCOMPARE(asked.size(), 1);
+        panel.setState({nullptr, true});
+        click(panel, "importButton");
+        QCOMPARE(asked.size(), 1); // not twice at once
+        panel.setState(examples::part());
+        auto& bodies = child<RowList>(panel, "bodyList");
+        QCOMPARE(bodies.count(), 2);
+        QCOMPARE(bodies.rows()[0].title, QStringLiteral("Shell"));
+        QCOMPARE(plain(bodies.rows()[0].value), QStringLiteral("84.5 cm³"));
+        QVERIFY(bodies.rows()[1].detail.contains(QStringLiteral("3 open edges")));
+        QCOMPARE(bodies.rows()[1].icon, QStringLiteral("warning"));
+        QVERIFY(bodies.item(1)->data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("3 open edges")));
+        QCOMPARE(child<RowList>(panel, "noteList").count(), 3);
+        panel.setUnit(LengthUnit::inch);
+        QCOMPARE(plain(bodies.rows()[0].value), QStringLiteral("5.16 in³"));
+    }
+
+    void marginsAndVoxelsAreEdited() {
+        StockPanel panel;
+        panel.setState(examples::stock());
+        show(panel);
+        std::vector<Setup> setups;
+        connect(&panel, &StockPanel::setupEdited, this, [&setups](const Setup& setup) { setups.push_back(setup); });
+        type(panel, "sideMarginField", "7,5");
+        QCOMPARE(setups.size(), std::size_t{1});
+        QCOMPARE(setups[0].marginLow, glm::dvec3(7.5, 7.5, 2.0));
+        QCOMPARE(setups[0].marginHigh, glm::dvec3(7.5, 7.5, 1.0));
+        type(panel, "topMarginField", "3");
+        type(panel, "bottomMarginField", "0.1in");
+        type(panel, "voxelField", "0.5");
+        QCOMPARE(setups.size(), std::size_t{4});
+        // Each entry stands on those before, though nobody called setState meanwhile.
+        QCOMPARE(setups[3].marginHigh, glm::dvec3(7.5, 7.5, 3.0));
+        QCOMPARE(setups[3].marginLow.x, 7.5);
+        QVERIFY(std::abs(setups[3].marginLow.z - 2.54) < 1e-9);
+        QCOMPARE(setups[3].voxel, 0.5);
+        QVERIFY(child<QLabel>(panel, "voxelCount")
+                    .accessibleName()
+                    .startsWith(QStringLiteral("480 × 280 × 180 voxels = 24.2")));
+        QCOMPARE(valueOf(panel, "stockSize"), QStringLiteral("120 × 70 × 45 mm"));
+    }
+
+    void embeddingNeedsAReasonNotTo() {
+        StockPanel panel;
+        QSignalSpy embed(&panel, &StockPanel::embedRequested);
+        const StockState ready = examples::stock();
+        StockState state = ready;
+        panel.setState(state);
+        show(panel);
+        click(panel, "embedButton");
+        QCOMPARE(embed.size(), 1);
+        const auto refuses = [&](auto change, const char* reason) {
+            state = ready;
+            change(state);
+            panel.setState(state);
+            click(panel, "embedButton");
+            auto& button = child<QPushButton>(panel, "embedButton");
+            return embed.size() == 1 && !button.isEnabled() && button.toolTip().contains(QLatin1String(reason));
+        };
+        QVERIFY(refuses([](StockState& s) { s.hasPart = false; }, "Import"));
+        QVERIFY(refuses([](StockState& s) { s.busy = true; }, "under way"));
+        QVERIFY(refuses([](StockState& s) { s.locked = true; }, "recordings"));
+        QVERIFY(refuses([](StockState& s) { s.embedded = true; }, "stands"));
+        QVERIFY(refuses([](StockState& s) { s.problem = QStringLiteral("Too large."); }, "Too large."));
+        QCOMPARE(child<Notice>(panel, "stockNotice").sentence(), QStringLiteral("Too large."));
+        QCOMPARE(child<Notice>(panel, "stockNotice").kind(), Notice::Kind::error);
+    }
+
+    void marginsThatDifferAreTold() {
+        StockPanel panel;
+        StockState state = examples::stock();
+        state.setup.marginLow.x = 2.0;
+        panel.setState(state);
+        show(panel);
+        const QString told = plain(child<Notice>(panel, "sideMarginNotice").sentence());
+        QVERIFY2(told.contains(QStringLiteral("2.000 mm to 5.000 mm")), qPrintable(told));
+        QSignalSpy edited(&panel, &StockPanel::setupEdited);
+        type(panel, "sideMarginField", "4");
+        QCOMPARE(edited[0][0].value<Setup>().marginLow, glm::dvec3(4.0, 4.0, 2.0));
+    }
+
+    void materialsAreChosen() {
+        MaterialPanel panel;
+        panel.setState(examples::material());
+        show(panel);
+        QStringList stock, bodies;
+        connect(&panel, &MaterialPanel::stockMaterialChosen, this,
+                [&stock](const std::string& id) { stock.append(QString::fromStdString(id)); });
+        connect(&panel, &MaterialPanel::bodyMaterialChosen, this, [&bodies](std::size_t body, const std::string& id) {
+            bodies.append(QString::number(body) + QLatin1Char(' ') + QString::fromStdString(id));
+        });
+        auto& values = child<RowList>(panel, "materialValues");
+        QCOMPARE(static_cast<std::size_t>(values.count()), loadMaterial("aluminium-6061")->values.size());
+        const auto figure = [&values](const QString& title) {
+            for (const ListRow& row : values.rows())
+                if (row.title == title) return row;
+            return ListRow{};
+        };
+        QCOMPARE(QString(figure(QStringLiteral("Density")).value).replace(QChar(QChar::Nbsp), QLatin1Char(' ')),
+                 QStringLiteral("2.7 g/cm³"));
+        QVERIFY(figure(QStringLiteral("Density")).badge.isEmpty());
+        QCOMPARE(figure(QStringLiteral("Plunge feed ratio")).badge, QStringLiteral("estimate"));
+        QVERIFY(child<Notice>(panel, "estimateNotice").isVisible());
+        clickRow(panel, "materialValues", 1); // its source can be read in whole
+        QCOMPARE(child<QLabel>(panel, "valueSource").accessibleName(), values.rows()[1].toolTip);
+
+        const auto pick = [&panel](const char* name, int down) {
+            auto& choice = child<QComboBox>(panel, name);
+            choice.setFocus();
+            for (int i = 0; i < std::abs(down); ++i) QTest::keyClick(&choice, down > 0 ? Qt::Key_Down : Qt::Key_Up);
+        };
+        pick("stockMaterial", 1);
+        QCOMPARE(stock, QStringList{"machinable-wax"});
+        pick("body", 1);
+        QCOMPARE(child<QComboBox>(panel, "bodyMaterial").currentData().toString(), QStringLiteral("machinable-wax"));
+        pick("bodyMaterial", -2); // "As the stock" stands first
+        QCOMPARE(bodies, (QStringList{"1 aluminium-6061", "1 "}));
+        QCOMPARE(stock.size(), 1);
+    }
+
+    void aToolIsChosen() {
+        ToolPanel panel;
+        panel.setState(examples::tool());
+        show(panel);
+        QStringList chosen;
+        connect(&panel, &ToolPanel::toolChosen, this,
+                [&chosen](const std::string& id) { chosen.append(QString::fromStdString(id)); });
+        QCOMPARE(valueOf(panel, "toolDiameter"), QStringLiteral("10.000 mm"));
+        QCOMPARE(valueOf(panel, "feed"), QStringLiteral("1,528 mm/min"));
+        auto& list = child<RowList>(panel, "toolList");
+        const int first = list.currentRow() + 1;
+        clickRow(panel, "toolList", first);
+        QTest::keyClick(&list, Qt::Key_Up);
+        QCOMPARE(chosen,
+                 (QStringList{QString::fromStdString(toolIds()[static_cast<std::size_t>(first)]), "bull-10-r2"}));
+        clickRow(panel, "toolList", list.currentRow());
+        QCOMPARE(chosen.size(), 2); // it is the current one
+        ToolState locked = examples::tool();
+        locked.locked = true;
+        panel.setState(locked);
+        clickRow(panel, "toolList", first);
+        QCOMPARE(chosen.size(), 2);
+    }
+
+    void theAllowanceIsEdited() {
+        AllowancePanel panel;
+        panel.setState({0.3, 5.0, false});
+        show(panel);
+        QSignalSpy edited(&panel, &AllowancePanel::allowanceEdited);
+        type(panel, "allowanceField", "0.5");
+        type(panel, "allowanceField", "9"); // no more than there is
+        QCOMPARE(edited.size(), 2);
+        QCOMPARE(edited[0][0].toDouble(), 0.5);
+        QCOMPARE(edited[1][0].toDouble(), 5.0);
+        panel.setState({0.5, 5.0, true});
+        QVERIFY(!child<QWidget>(panel, "allowanceField").isEnabled());
+    }
+
+    void typingIsLeftAloneByTheState() {
+        StockPanel panel;
+        panel.setState(examples::stock());
+        show(panel);
+        auto& field = child<QDoubleSpinBox>(panel, "topMarginField");
+        QSignalSpy edited(&panel, &StockPanel::setupEdited);
+        field.setFocus(Qt::TabFocusReason);
+        field.selectAll();
+        QTest::keyClicks(&field, QStringLiteral("1"));
+        StockState news = examples::stock();
+        for (int i = 0; i < 5; ++i) {
+            news.size->megabytes += 1.0;
+            panel.setState(news);
+            QTest::keyClicks(&field, QString::number(i));
+        }
+        QVERIFY(field.hasFocus());
+        QVERIFY2(field.text().startsWith(QStringLiteral("101234")), qPrintable(field.text()));
+        QCOMPARE(edited.size(), 0);
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QCOMPARE(field.value(), 1.0);
+    }
+
+    void tabGoesFromTopToBottom() {
+        StockPanel panel;
+        panel.setState(examples::stock());
+        show(panel);
+        child<QWidget>(panel, "sideMarginField").setFocus(Qt::TabFocusReason);
+        QStringList passed;
+        for (int i = 0; i < 5; ++i) {
+            passed.append(QApplication::focusWidget()->objectName());
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        }
+        QCOMPARE(passed,
+                 (QStringList{"sideMarginField", "topMarginField", "bottomMarginField", "voxelField", "embedButton"}));
+    }
+};
+
+QTEST_MAIN(TestSetupPanels)
+#include "tst_setup_panels.moc"
