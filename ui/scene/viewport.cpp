@@ -21,6 +21,7 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace burin {
 
@@ -268,13 +269,27 @@ void Viewport::resetStatistics() {
     impl_->clock.reset();
 }
 
+QString Viewport::obstacleOf(const QOpenGLContext* context) {
+    if (context == nullptr || !context->isValid())
+        return tr("The 3D view needs OpenGL 3.2 or later; this computer offers none. A driver of the graphics card may "
+                  "be missing.");
+    const QSurfaceFormat format = context->format();
+    if (format.version() >= qMakePair(3, 2) && !context->isOpenGLES()) return {};
+    return tr("The 3D view needs OpenGL 3.2 or later; this computer offers %1.%2. A newer driver of the graphics card "
+              "may help.")
+        .arg(format.majorVersion())
+        .arg(format.minorVersion());
+}
+
+QString Viewport::drawingObstacle() {
+    QOpenGLContext context;
+    return obstacleOf(context.create() ? &context : nullptr);
+}
+
 void Viewport::initializeGL() {
-    const QSurfaceFormat format = context()->format();
-    if (format.version() < qMakePair(3, 2) || context()->isOpenGLES()) {
-        tellFailure(tr("The 3D view needs OpenGL 3.2 or later; this computer offers %1.%2. A newer driver of the "
-                       "graphics card may help.")
-                        .arg(format.majorVersion())
-                        .arg(format.minorVersion()));
+    const QString obstacle = obstacleOf(context());
+    if (!obstacle.isEmpty()) {
+        if (!std::exchange(impl_->failureTold, true)) emit drawingFailed(obstacle);
         return;
     }
     impl_->initializeWindow();
@@ -308,22 +323,6 @@ void Viewport::paintGL() {
     impl_->clock.add(begin, FrameClock::Clock::now(), cut);
     if (flying) impl_->moved();
     emit painted();
-}
-
-void Viewport::showEvent(QShowEvent* event) {
-    QOpenGLWidget::showEvent(event);
-    // Where no context can be made at all, initializeGL is never called.
-    QTimer::singleShot(0, this, [this] {
-        if (isVisible() && !isValid())
-            tellFailure(tr("The 3D view needs OpenGL 3.2 or later; this computer offers none. A driver of the graphics "
-                           "card may be missing."));
-    });
-}
-
-void Viewport::tellFailure(const QString& sentence) {
-    if (impl_->failureTold) return;
-    impl_->failureTold = true;
-    emit drawingFailed(sentence);
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
