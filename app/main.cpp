@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/workstation.h"
 #include "ui/messages/messages.h"
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <iostream>
@@ -29,7 +31,18 @@ std::optional<burin::Error> unknownCommand(const CLI::App& program, int argc, ch
     return burin::Error{burin::ErrorCode::nameUnknown, "command", argv[1], known};
 }
 
+/// The commands as the command line knows them.
+bool isCommand(const std::string& word) {
+    CLI::App program;
+    burin::CommandContext context;
+    int status = 0;
+    for (const burin::Register registerCommand : commands) registerCommand(program, context, status);
+    return std::ranges::any_of(program.get_subcommands({}),
+                               [&](const CLI::App* command) { return command->get_name() == word; });
+}
+
 int run(int argc, char** argv) {
+    if (burin::asksForWindow(argc, argv, isCommand)) return burin::runWorkstation(argc, argv);
     QCoreApplication application(argc, argv); // translations need it
     QCoreApplication::setApplicationName("Burin");
     burin::Messages::install(QLocale::system());

@@ -3,6 +3,7 @@
 #include "app/report.h"
 
 #include "core/base/numbers.h"
+#include "core/verify/report_json.h"
 
 #include <sstream>
 
@@ -57,25 +58,7 @@ json jsonOf(const Tool& tool) {
 }
 
 json jsonOf(const VerifyReport& report) {
-    json findings = json::array();
-    for (const Finding& finding : report.findings)
-        findings.push_back({{"kind", idOf(finding.kind)},
-                            {"line", finding.line},
-                            {"place_mm", jsonOf(finding.place)},
-                            {"amount", finding.amount}});
-    return {{"passed", report.passed()},
-            {"gouge_max_mm", report.gougeMax},
-            {"gouge_max_mesh_mm", report.gougeMaxMesh},
-            {"excess_max_mm", report.excessMax},
-            {"excess_mean_mm", report.excessMean},
-            {"reachable_share", report.reachableShare},
-            {"removed_mm3", report.removed},
-            {"on_part_share", report.onPartShare},
-            {"on_part_samples", report.onPartSamples},
-            {"samples_checked", report.samples},
-            {"samples_exact", report.exactSamples},
-            {"machining_s", report.machiningSeconds},
-            {"findings", findings}};
+    return json::parse(toJson(report));
 }
 
 json jsonOf(const std::vector<EditReport>& reports) {

@@ -99,5 +99,5 @@ function(burin_test place name)
         math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 10")
     endif()
     set_tests_properties(${place}.${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}"
-        ENVIRONMENT "QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
+        ENVIRONMENT "QTEST_FUNCTION_TIMEOUT=${arg_TIMEOUT}000;QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
 endfunction()

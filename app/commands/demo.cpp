@@ -152,7 +152,7 @@ json jsonOf(const DemoResult& result) {
     answer["tool"] = burin::jsonOf(result.bench.tool);
     answer["voxel_mm"] = result.bench.setup.voxel;
     answer["part_volume_mm3"] = result.bench.embedded.partVolume;
-    answer["model_volume_mm3"] = result.bench.model.volume();
+    answer["model_volume_mm3"] = result.bench.model->volume();
     answer["stock_volume_mm3"] = result.bench.embedded.stockVolume;
     answer["levels_mm"] = result.milling.plan.levels;
     answer["step_over_mm"] = result.milling.plan.finishingStepOver;

@@ -76,6 +76,11 @@ CutResult MaterialRemoval::cut(RunVolume& workpiece, const glm::dvec3& fromTip, 
     return result;
 }
 
+void MaterialRemoval::reset() noexcept {
+    pending_.fill(0.0);
+    lastPlace_ = glm::dvec3(0.0);
+}
+
 void MaterialRemoval::report(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
                              CutResult& result) noexcept {
     const double step = glm::length(motion);

@@ -46,6 +46,8 @@ public:
     /// 1/64 of what the sum of the reported lags the exact one is added each tick that the tool moves.
     /// Cost: grows with the scanlines under the cutter, not with the grid.
     CutResult cut(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
+    /// Forgets what is still to be reported: the workpiece changed by other means, or the tool was taken elsewhere.
+    void reset() noexcept;
 
 private:
     struct Tally;

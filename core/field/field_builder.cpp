@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/field_builder.h"
 
+#include "core/base/parallel.h"
 #include "core/field/brick_sampler.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -25,7 +23,7 @@ template <class Work>
 void spread(std::size_t count, double from, double to, Progress& progress, const Work& work) {
     std::atomic<std::size_t> done{0};
     const std::thread::id caller = std::this_thread::get_id(); // Progress has one writer
-    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+    parallelFor(std::size_t{0}, count, [&](std::size_t i) {
         if (progress.cancelled()) return;
         work(i);
         const std::size_t ready = done.fetch_add(1, std::memory_order_relaxed) + 1;

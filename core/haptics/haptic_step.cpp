@@ -66,6 +66,8 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     sample.stylusTip = settings_.mapping.toSetup(sample.device.position);
     sample.proxy.tip = started_ ? tip_ : parkedAbove(sample.stylusTip);
     if (memoryFull_) sample.flags |= sampleMemoryFull;
+    if (reading != Reading::fault) buttonDown_ = (state.buttons & 1u) != 0;
+    if (!cuts()) sample.flags |= sampleSpindleOff;
     if (reading == Reading::fault) {
         sample.flags |= sampleStylusInvalid;
         noForce(true, sample);
@@ -79,6 +81,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     }
     Motion motion = moveTool(sample.stylusTip, period);
     const CuttingForce cutting = cut(motion, period, sample);
+    takesUp_ = false;
     tip_ = motion.to;
     if (motion.barred) allowance_.limitTo(proxy_.clearance(tip_));
     proxyVelocity_.add(tip_, period);
@@ -102,10 +105,26 @@ Sample HapticStep::beginSample(double period) noexcept {
     return sample;
 }
 
+void HapticStep::beginTake() noexcept {
+    tick_ = 0;
+    time_ = 0.0;
+    takesUp_ = true;
+}
+
+void HapticStep::workpieceChanged() noexcept {
+    removal_.reset();
+    travelSinceRemoval_ = std::numeric_limits<double>::infinity();
+    memoryFull_ = false;
+    deviceForce_ = glm::dvec3(0.0);
+    fadeIn();
+}
+
 bool HapticStep::start(const glm::dvec3& hand) noexcept {
     allowance_.settle();
-    if (!proxy_.feasible(hand, allowance_.inForce()) || brake_.at(*workpiece_, hand).touches) return false;
+    if (!proxy_.feasible(hand, allowance_.inForce())) return false;
+    if (cuts() && brake_.at(*workpiece_, hand).touches) return false;
     tip_ = hand;
+    takesUp_ = true;
     travelSinceRemoval_ = std::numeric_limits<double>::infinity();
     proxyVelocity_.reset();
     started_ = true;
@@ -130,7 +149,9 @@ HapticStep::Motion HapticStep::moveTool(const glm::dvec3& hand, double period) n
     motion.from = tip_;
     const glm::dvec3 standing = allowance_.advance(proxy_, tip_, period);
     const auto barred = [&](const glm::dvec3& to) noexcept {
+        if (!cuts()) return false;
         const ShankContact contact = brake_.onTheWay(*workpiece_, tip_, to);
+        if (contact.touches) shank_ = contact;
         motion.shankContact = motion.shankContact || contact.touches;
         return contact.touches || (memoryFull_ && brake_.onTheWayWithFlutes(*workpiece_, tip_, to).touches);
     };
@@ -148,7 +169,8 @@ HapticStep::Motion HapticStep::moveTool(const glm::dvec3& hand, double period) n
 }
 
 CuttingForce HapticStep::cut(Motion& motion, double period, Sample& sample) noexcept {
-    if (motion.shankContact || memoryFull_) return {};
+    if (!cuts()) travelSinceRemoval_ = std::numeric_limits<double>::infinity();
+    if (!cuts() || takesUp_ || motion.shankContact || memoryFull_) return {};
     const CutResult cut = removal_.cut(*workpiece_, motion.from, motion.to);
     for (std::size_t i = 0; i < sample.removed.size() && i < cut.removed.size(); ++i)
         sample.removed[i] = {cut.removed[i].units, cut.removed[i].property};
@@ -197,13 +219,18 @@ void HapticStep::send(const glm::dvec3& wanted, const Pose& device, double perio
     ramp_.advance(period);
 }
 
-void HapticStep::noForce(bool fadeIn, Sample& sample) noexcept {
+void HapticStep::noForce(bool fadesIn, Sample& sample) noexcept {
     deviceForce_ = glm::dvec3(0.0);
     sample.force = glm::dvec3(0.0);
     sample.flags |= sampleForcesOff;
     limiter_.reset();
     passivity_.reset();
-    if (!fadeIn) return;
+    if (fadesIn) fadeIn();
+}
+
+void HapticStep::fadeIn() noexcept {
+    limiter_.reset();
+    passivity_.reset();
     ramp_.restart();
     cuttingRendering_.reset();
     deviceVelocity_.reset();

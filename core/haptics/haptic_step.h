@@ -30,6 +30,7 @@ struct HapticSettings {
     double forceShare = 0.6;         ///< of the stylus' maximum force
     double rampSeconds = 1.5;        ///< forces fade in after start and after any fault
     double tickPeriod = 0.001;       ///< s that the loop intends; later ticks count as late
+    bool cutsOnButton = false;       ///< the spindle turns only while the stylus' first button is down
 };
 
 /// One tick of milling: mapping, proxy, swept cut, force, coupling, limits (design.md section 4). A function of its
@@ -42,7 +43,9 @@ public:
 
     /// @param state what the stylus read; @param period s since the tick before, > 0.
     /// @return the tick's record; `Sample::force` is what goes to the device, in the device frame via `deviceForce`.
-    /// Until `started`, the record's proxy is parked clear above the hand, and nothing is cut.
+    /// Until `started`, the record's proxy is parked clear above the hand, and nothing is cut. Neither is anything in
+    /// the first tick of a take: the tool is taken up where it stands, so that what is cut lies between two samples.
+    /// While the spindle stands (sampleSpindleOff) the part alone holds the tool; stock, shank and holder don't count.
     Sample operator()(const StylusState& state, double period) noexcept;
 
     /// Force of the last tick in the device frame, N.
@@ -53,6 +56,15 @@ public:
     void setAllowance(double allowance) noexcept { allowance_.want(allowance); }
     /// Cuts again after the reserved memory had run out and the owner has made room.
     void resumeCutting() noexcept { memoryFull_ = false; }
+    /// Ticks and time of the samples start again from 0 with the next tick.
+    void beginTake() noexcept;
+    /// @param released false: the spindle stands, whatever the button says. A new step's is released.
+    void releaseSpindle(bool released) noexcept { spindleReleased_ = released; }
+    /// The owner put another state of the workpiece in place, between two ticks: what the step knew of it is forgotten,
+    /// and forces fade in again.
+    void workpieceChanged() noexcept;
+    /// What shank or holder touched in the last tick; meaningful with sampleShankContact.
+    const ShankContact& shankContact() const noexcept { return shank_; }
 
     /// What the limits were made from, for meters and tests.
     double couplingStiffness() const noexcept { return coupling_.stiffness(); } ///< N/m, device space
@@ -61,6 +73,7 @@ public:
 private:
     struct Motion;
     Sample beginSample(double period) noexcept;
+    bool cuts() const noexcept { return spindleReleased_ && (!settings_.cutsOnButton || buttonDown_); }
     bool start(const glm::dvec3& hand) noexcept;
     glm::dvec3 parkedAbove(const glm::dvec3& hand) const noexcept;
     Motion moveTool(const glm::dvec3& hand, double period) noexcept;
@@ -68,7 +81,8 @@ private:
     glm::dvec3 wantedForce(const Motion& motion, const CuttingForce& cutting, const glm::dvec3& hand,
                            double period) noexcept;
     void send(const glm::dvec3& wanted, const Pose& device, double period, Sample& sample) noexcept;
-    void noForce(bool fadeIn, Sample& sample) noexcept;
+    void noForce(bool fadesIn, Sample& sample) noexcept;
+    void fadeIn() noexcept;
 
     RunVolume* workpiece_;
     HapticSettings settings_;
@@ -91,8 +105,11 @@ private:
     glm::dvec3 tip_{0.0};
     double travelSinceRemoval_ = 0.0; ///< mm
     glm::dvec3 deviceForce_{0.0};
+    ShankContact shank_;
     bool started_ = false;
     bool memoryFull_ = false;
+    bool spindleReleased_ = true, buttonDown_ = false;
+    bool takesUp_ = true; ///< the next tick does not cut
 };
 
 } // namespace burin

@@ -10,11 +10,9 @@ namespace burin {
 
 namespace {
 
-constexpr double tolerance = 1e-3;       // mm: what lowestFeasibleHeight resolves
-constexpr double surfaceTolerance = 0.1; // mm of clearance: good enough to foresee where the tip will be
-constexpr double steepSlope = 1.0;       // 45 degrees across the rows
-constexpr double shortestStretch = 1.0;  // mm: less lies between two rows
-constexpr double longestGap = 1.0;       // mm along a pass that is milled through rather than around
+constexpr double steepSlope = 1.0;      // 45 degrees across the rows
+constexpr double shortestStretch = 1.0; // mm: less lies between two rows
+constexpr double longestGap = 1.0;      // mm along a pass that is milled through rather than around
 
 /// Where the hand aims, and where the part holds the tip then.
 struct Touch {
@@ -30,16 +28,16 @@ struct Stretch {
 class Crosswise {
 public:
     Crosswise(const ClearanceField& field, const Tool& tool, const FinishingRequest& request, WorkpieceHeights& heights)
-        : field_(field), tool_(tool), request_(request), heights_(heights), writer_(heights, request.speeds) {
-        sampling_ = std::clamp(0.125 * tool.cutter.radius(), 0.02, 0.4);
-    }
+        : field_(field)
+        , tool_(tool)
+        , request_(request)
+        , heights_(heights)
+        , writer_(heights, request.speeds)
+        , sampling_(passSampling(tool.cutter)) {}
 
     std::vector<IntentPoint> plan() {
-        const double reach = tool_.cutter.radius() + request_.floorMargin;
-        const double low = request_.part.low.x - reach;
-        const double width = request_.part.size().x + 2.0 * reach;
-        const int intervals = std::max(1, static_cast<int>(std::ceil(width / request_.crosswiseStepOver - 1e-6)));
-        for (int i = 0; i <= intervals; ++i) passes_.push_back(steepStretches(low + width * i / intervals));
+        const EvenPlaces passes = passesOver(request_, tool_.cutter, 0, request_.crosswiseStepOver);
+        for (int i = 0; i <= passes.intervals; ++i) passes_.push_back(steepStretches(passes.at(i)));
         for (std::size_t i = 0; i < passes_.size(); ++i)
             for (Stretch& stretch : passes_[i])
                 if (!stretch.done) millFrom(i, stretch);
@@ -50,16 +48,13 @@ public:
 private:
     /// The stretches of the pass at x on which neighbouring rows lie far apart.
     std::vector<Stretch> steepStretches(double x) const {
-        const double reach = tool_.cutter.radius() + request_.floorMargin;
-        const double low = request_.part.low.y - reach;
-        const double length = request_.part.size().y + 2.0 * reach;
-        const int rows = std::max(1, static_cast<int>(std::ceil(length / request_.stepOver)));
+        const EvenPlaces rows = passesOver(request_, tool_.cutter, 1, request_.stepOver);
         std::vector<Stretch> stretches;
-        glm::dvec3 before = reachedAt(x, low);
+        glm::dvec3 before = reachedAt(x, rows.low);
         double gap = 0.0; // mm since the last steep place
         bool open = false;
-        for (int row = 1; row <= rows; ++row) {
-            const glm::dvec3 now = reachedAt(x, low + length * row / rows);
+        for (int row = 1; row <= rows.intervals; ++row) {
+            const glm::dvec3 now = reachedAt(x, rows.at(row));
             const double way = now.y - before.y;
             const bool known = std::isfinite(now.z) && std::isfinite(before.z);
             const bool steep = known && std::abs(now.z - before.z) > steepSlope * way;
@@ -90,7 +85,7 @@ private:
             const std::optional<Touch> touch = touchNear(glm::mix(from, to, static_cast<double>(i) / steps));
             if (!touch) continue; // an edge, where no one face is the nearest
             // Standing stock beside the wall: the shank must not come there.
-            if (heights_.safeHeight(touch->tip, sampling_) > touch->tip.z + tolerance) return false;
+            if (heights_.safeHeight(touch->tip, sampling_) > touch->tip.z + heightTolerance) return false;
             stretch.touches.push_back(*touch);
         }
         return true;
@@ -165,7 +160,7 @@ private:
         const int steps = static_cast<int>(std::ceil(glm::distance(from, to.tip) / sampling_));
         for (int i = 1; i < steps; ++i) {
             const std::optional<Touch> touch = touchNear(glm::mix(from, to.tip, static_cast<double>(i) / steps));
-            if (touch && heights_.safeHeight(touch->tip, sampling_) <= touch->tip.z + tolerance)
+            if (touch && heights_.safeHeight(touch->tip, sampling_) <= touch->tip.z + heightTolerance)
                 writer_.cutTo(touch->aim, touch->tip);
         }
     }
@@ -176,7 +171,7 @@ private:
     WorkpieceHeights& heights_;
     StrokeWriter writer_;
     std::vector<std::vector<Stretch>> passes_;
-    double sampling_ = 0.4; ///< mm along a pass
+    double sampling_; ///< mm along a pass
 };
 
 } // namespace

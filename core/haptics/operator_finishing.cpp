@@ -10,9 +10,6 @@ namespace burin {
 
 namespace {
 
-constexpr double tolerance = 1e-3;       // mm: what lowestFeasibleHeight resolves
-constexpr double surfaceTolerance = 0.1; // mm of clearance: good enough to foresee where the tip will be
-
 /// A place of a pass: where the hand aims and where the part stops the tool.
 struct Touch {
     double x = 0.0;
@@ -22,25 +19,24 @@ struct Touch {
 class Finishing {
 public:
     Finishing(const ClearanceField& field, const Tool& tool, const FinishingRequest& request, WorkpieceHeights& heights)
-        : field_(field), tool_(tool), request_(request), heights_(heights), writer_(heights, request.speeds) {
-        // Fine enough for walls and fillets, no finer than the field can say.
-        sampling_ = std::clamp(0.125 * tool.cutter.radius(), 0.02, 0.4);
-    }
+        : field_(field)
+        , tool_(tool)
+        , request_(request)
+        , heights_(heights)
+        , writer_(heights, request.speeds)
+        , sampling_(passSampling(tool.cutter)) {}
 
     std::vector<IntentPoint> plan() {
-        const double reach = tool_.cutter.radius() + request_.floorMargin;
-        const double low = request_.part.low.y - reach;
-        const double width = request_.part.size().y + 2.0 * reach;
-        const int intervals = std::max(1, static_cast<int>(std::ceil(width / request_.stepOver - 1e-6)));
+        const EvenPlaces rows = passesOver(request_, tool_.cutter, 1, request_.stepOver);
         bool forward = true;
-        for (int i = 0; i <= intervals; ++i) {
-            std::vector<std::vector<Touch>> stretches = pass(low + width * i / intervals);
+        for (int i = 0; i <= rows.intervals; ++i) {
+            std::vector<std::vector<Touch>> stretches = pass(rows.at(i));
             if (stretches.empty()) continue;
             if (!forward) {
                 std::reverse(stretches.begin(), stretches.end());
                 for (std::vector<Touch>& stretch : stretches) std::reverse(stretch.begin(), stretch.end());
             }
-            for (const std::vector<Touch>& stretch : stretches) mill(stretch, low + width * i / intervals);
+            for (const std::vector<Touch>& stretch : stretches) mill(stretch, rows.at(i));
             forward = !forward;
         }
         writer_.finish();
@@ -54,17 +50,14 @@ private:
 
     /// The stretches of the pass at y that lie over the part or close beside it.
     std::vector<std::vector<Touch>> pass(double y) const {
-        const double reach = tool_.cutter.radius() + request_.floorMargin;
-        const double low = request_.part.low.x - reach;
-        const double length = request_.part.size().x + 2.0 * reach;
-        const int steps = static_cast<int>(std::ceil(length / sampling_));
+        const EvenPlaces places = passesOver(request_, tool_.cutter, 0, sampling_);
         std::vector<std::vector<Touch>> stretches;
         std::vector<Touch> gap; // floor since the part was near; crossed where it is short
         bool touchesPart = false;
         const std::size_t longestGap = static_cast<std::size_t>(4.0 * tool_.cutter.radius() / sampling_);
-        for (int i = 0; i <= steps; ++i) {
-            const Touch touch{low + length * i / steps, reachedAt(low + length * i / steps, y)};
-            const bool over = touch.reached > request_.floor + tolerance;
+        for (int i = 0; i <= places.intervals; ++i) {
+            const Touch touch{places.at(i), reachedAt(places.at(i), y)};
+            const bool over = touch.reached > request_.floor + heightTolerance;
             const double beside = over ? 0.0 : field_.at({touch.x, y, request_.floor}).clearance;
             touchesPart = touchesPart || beside < request_.stepOver;
             if (beside > request_.floorMargin || !std::isfinite(touch.reached)) {
@@ -154,9 +147,9 @@ private:
     FinishingRequest request_;
     WorkpieceHeights& heights_;
     StrokeWriter writer_;
-    double sampling_ = 0.4; ///< mm along a pass
-    glm::dvec3 aim_{0.0};   ///< of the last stroke
-    bool heldUp_ = false;   ///< it was kept above where the hand would have pressed
+    double sampling_;     ///< mm along a pass
+    glm::dvec3 aim_{0.0}; ///< of the last stroke
+    bool heldUp_ = false; ///< it was kept above where the hand would have pressed
 };
 
 } // namespace

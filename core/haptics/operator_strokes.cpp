@@ -55,4 +55,17 @@ Result<void> checkSpeeds(const HandSpeeds& speeds) {
                        {"travelling speed", speeds.travelling}});
 }
 
+EvenPlaces evenPlaces(double low, double high, double spacing) {
+    return {low, high - low, std::max(1, static_cast<int>(std::ceil((high - low) / spacing - 1e-6)))};
+}
+
+EvenPlaces passesOver(const FinishingRequest& request, const Cutter& cutter, int axis, double spacing) {
+    const double reach = cutter.radius() + request.floorMargin;
+    return evenPlaces(request.part.low[axis] - reach, request.part.high[axis] + reach, spacing);
+}
+
+double passSampling(const Cutter& cutter) {
+    return std::clamp(0.125 * cutter.radius(), 0.02, 0.4);
+}
+
 } // namespace burin

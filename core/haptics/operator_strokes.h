@@ -42,6 +42,25 @@ Result<void> checkAbove(NamedNumbers numbers);
 /// Errors: argumentInvalid where a number is not finite or below 0.
 Result<void> checkNotBelow(NamedNumbers numbers);
 Result<void> checkSpeeds(const HandSpeeds& speeds);
+/// Evenly spaced places over an interval, both its ends among them.
+struct EvenPlaces {
+    double low = 0.0, length = 0.0; ///< mm
+    int intervals = 1;
+    double at(int i) const noexcept { return low + length * i / intervals; }
+};
+/// @param spacing mm, > 0, that neighbours keep at most (but for what a sum of doubles loses)
+EvenPlaces evenPlaces(double low, double high, double spacing);
+/// Where finishing passes run along one axis (0: x, 1: y): over the part, and as far beside it as tool and margin
+/// reach.
+EvenPlaces passesOver(const FinishingRequest& request, const Cutter& cutter, int axis, double spacing);
+/// How far apart the places of a pass are looked at, mm: fine enough for walls and fillets, no finer than a field can
+/// say.
+double passSampling(const Cutter& cutter);
+/// mm: what lowestFeasibleHeight resolves.
+inline constexpr double heightTolerance = 1e-3;
+/// mm of clearance: good enough to foresee where the tip will be.
+inline constexpr double surfaceTolerance = 0.1;
+
 /// What both kinds of finishing passes need. Errors: argumentInvalid.
 Result<void> checkFinishing(const Tool& tool, const FinishingRequest& request);
 /// The request with its own rules put in for step-overs of 0.

@@ -53,11 +53,11 @@ struct Histograms {
 
 class ServoLoop {
 public:
-    ServoLoop(Stylus& stylus, HapticStep& step, Ring<Sample>& samples, const ServoSettings& settings,
+    ServoLoop(Stylus& stylus, HapticStep& step, TickSink& sink, const ServoSettings& settings,
               const std::atomic<bool>& stop)
         : stylus_(stylus)
         , step_(step)
-        , samples_(samples)
+        , sink_(sink)
         , settings_(settings)
         , stop_(stop)
         , periodNanoseconds_(std::llround(settings.period * static_cast<double>(nanosecondsPerSecond)))
@@ -68,22 +68,23 @@ public:
 private:
     enum class End : std::uint8_t { done, overflow };
     bool finished() const noexcept;
-    bool full() const noexcept { return samples_.size() >= samples_.capacity(); }
+    AtEdge edge() noexcept;
     End runFast() noexcept;
     End runRealtime() noexcept;
+    AtEdge lapse() noexcept;
     void tick(double period) noexcept;
     LoopStatistics statistics(double wallSeconds) const noexcept;
 
     Stylus& stylus_;
     HapticStep& step_;
-    Ring<Sample>& samples_;
+    TickSink& sink_;
     const ServoSettings& settings_;
     const std::atomic<bool>& stop_;
     std::int64_t periodNanoseconds_;
     std::unique_ptr<Histograms> histograms_;
-    std::uint64_t ticks_ = 0, missed_ = 0;
+    std::uint64_t ticks_ = 0;
     double time_ = 0.0; ///< s of the session
-    SchedulingClass scheduling_ = SchedulingClass::normal;
+    TickTiming timing_;
 };
 
 bool ServoLoop::finished() const noexcept {
@@ -92,20 +93,30 @@ bool ServoLoop::finished() const noexcept {
            time_ >= settings_.maximumSeconds - 0.5 * settings_.period;
 }
 
+AtEdge ServoLoop::edge() noexcept {
+    const AtEdge answer = sink_.edge();
+    if (answer == AtEdge::stand) stylus_.write(glm::dvec3(0.0));
+    return answer;
+}
+
 void ServoLoop::tick(double period) noexcept {
     const std::int64_t wall = now(CLOCK_MONOTONIC), cpu = now(CLOCK_THREAD_CPUTIME_ID);
     const StylusState state = stylus_.read(time_);
     const Sample sample = step_(state, period);
     stylus_.write(step_.deviceForce());
-    samples_.push(sample); // room was seen before the tick, and this thread is the only writer
-    histograms_->cpu.add(now(CLOCK_THREAD_CPUTIME_ID) - cpu);
-    histograms_->work.add(now(CLOCK_MONOTONIC) - wall);
+    timing_.period = period;
+    timing_.over = now(CLOCK_MONOTONIC);
+    sink_.tick(sample, timing_);
+    timing_.cpu = now(CLOCK_THREAD_CPUTIME_ID) - cpu;
+    timing_.work = now(CLOCK_MONOTONIC) - wall;
+    histograms_->cpu.add(timing_.cpu);
+    histograms_->work.add(timing_.work);
     ++ticks_;
 }
 
 ServoLoop::End ServoLoop::runFast() noexcept {
     while (!finished()) {
-        if (full()) {
+        if (edge() != AtEdge::tick) {
             std::this_thread::sleep_for(std::chrono::microseconds(200));
             continue;
         }
@@ -117,23 +128,38 @@ ServoLoop::End ServoLoop::runFast() noexcept {
 
 ServoLoop::End ServoLoop::runRealtime() noexcept {
     const RealtimeScheduling scheduling;
-    scheduling_ = scheduling.obtained();
+    timing_.scheduling = scheduling.obtained();
+    const bool lapsing = settings_.ticksPerEdge > 1;
     const std::int64_t start = now(CLOCK_MONOTONIC);
-    std::int64_t edge = 0, edgeBefore = -1; // counted from the start
+    std::int64_t edge = 0, edgeBefore = -1, lastTick = -1; // counted from the start
     while (!finished()) {
-        if (full()) return End::overflow;
-        tick(static_cast<double>(edge - edgeBefore) * settings_.period);
+        const AtEdge answer = lapsing ? lapse() : this->edge();
+        if (answer == AtEdge::full && !lapsing) return End::overflow;
+        if (answer == AtEdge::tick && !lapsing) {
+            tick(static_cast<double>(edge - lastTick) * settings_.period);
+            lastTick = edge;
+        }
         edgeBefore = edge;
         // Never catch up in a burst: after an overrun the next edge that is still ahead.
         const std::int64_t passed = (now(CLOCK_MONOTONIC) - start) / periodNanoseconds_;
         edge = passed > edge ? passed + 1 : edge + 1;
-        missed_ += static_cast<std::uint64_t>(edge - edgeBefore - 1);
+        if (answer == AtEdge::tick) timing_.missed += static_cast<std::uint64_t>(edge - edgeBefore - 1);
         const std::int64_t due = start + edge * periodNanoseconds_;
         sleepUntil(due);
         histograms_->lateness.add(now(CLOCK_MONOTONIC) - due);
-        time_ = static_cast<double>(edge) * settings_.period;
+        if (!lapsing) time_ = static_cast<double>(edge) * settings_.period;
     }
     return End::done;
+}
+
+/// The ticks of one edge. What kept the last of them from being made, if anything did.
+AtEdge ServoLoop::lapse() noexcept {
+    for (int i = 0; i < settings_.ticksPerEdge && !finished(); ++i) {
+        if (const AtEdge answer = edge(); answer != AtEdge::tick) return answer;
+        tick(settings_.period);
+        time_ = static_cast<double>(ticks_) * settings_.period;
+    }
+    return AtEdge::tick;
 }
 
 Result<LoopStatistics> ServoLoop::run() {
@@ -161,18 +187,26 @@ LoopStatistics ServoLoop::statistics(double wallSeconds) const noexcept {
     result.cpuP999 = histograms_->cpu.quantileMicroseconds(0.999);
     result.latenessP50 = histograms_->lateness.quantileMicroseconds(0.5);
     result.latenessP999 = histograms_->lateness.quantileMicroseconds(0.999);
-    result.missed = missed_;
-    result.scheduling = scheduling_;
+    result.missed = timing_.missed;
+    result.scheduling = timing_.scheduling;
     return result;
 }
 
 } // namespace
 
-Result<LoopStatistics> runServoLoop(Stylus& stylus, HapticStep& step, Ring<Sample>& samples,
-                                    const ServoSettings& settings, const std::atomic<bool>& stop) {
+Result<LoopStatistics> runServoLoop(Stylus& stylus, HapticStep& step, TickSink& sink, const ServoSettings& settings,
+                                    const std::atomic<bool>& stop) {
     if (!std::isfinite(settings.period) || settings.period < 1e-6)
         return Error{ErrorCode::argumentInvalid, "period", formatShortest(settings.period), "1e-6 s or more"};
-    return ServoLoop(stylus, step, samples, settings, stop).run();
+    if (settings.ticksPerEdge < 1)
+        return Error{ErrorCode::argumentInvalid, "ticks per edge", std::to_string(settings.ticksPerEdge), "1 or more"};
+    return ServoLoop(stylus, step, sink, settings, stop).run();
+}
+
+Result<LoopStatistics> runServoLoop(Stylus& stylus, HapticStep& step, Ring<Sample>& samples,
+                                    const ServoSettings& settings, const std::atomic<bool>& stop) {
+    RingSink sink(samples);
+    return runServoLoop(stylus, step, sink, settings, stop);
 }
 
 } // namespace burin

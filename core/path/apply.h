@@ -20,14 +20,14 @@ struct Deviation {
 // One function an edit, each in the file of its name. They change `state` in place and say how far the path went from
 // what it was. Strokes stay in their order; each edit treats a stroke by itself, so they run in parallel and give the
 // same result with any number of threads. Errors: argumentInvalid, cancelled, and what each one states.
-Result<Deviation> apply(const DropAirCuts& edit, PathState& state, const PathContext& context, Progress& progress);
-Result<Deviation> apply(const DropDwells& edit, PathState& state, const PathContext& context, Progress& progress);
-Result<Deviation> apply(const Smooth& edit, PathState& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const DropAirCuts& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const DropDwells& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Smooth& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 /// Errors: pathGouges, where no place nearby is clear of the part.
-Result<Deviation> apply(const HoldOut& edit, PathState& state, const PathContext& context, Progress& progress);
-Result<Deviation> apply(const Simplify& edit, PathState& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Simplify& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 /// Errors: pathGouges, where the tool can't get to a stroke from above without entering the part.
-Result<Deviation> apply(const Link& edit, PathState& state, const PathContext& context, Progress& progress);
-Result<Deviation> apply(const SetFeed& edit, PathState& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 } // namespace burin

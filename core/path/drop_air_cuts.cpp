@@ -19,10 +19,10 @@ double lengthOf(const std::vector<StrokePoint>& points, std::size_t first, std::
 }
 
 /// The parts of a stroke that are left, cut where it ran through air for too long.
-void cutUp(const Stroke& stroke, double shortest, std::vector<Stroke>& left) {
+void cutUp(const PathStroke& stroke, double shortest, std::vector<PathStroke>& left) {
     const std::vector<StrokePoint>& points = stroke.points;
     if (std::ranges::none_of(points, works)) return; // nothing in it needs to be reached
-    Stroke part = stroke;
+    PathStroke part = stroke;
     part.points.clear();
     const auto finish = [&] {
         if (!part.points.empty()) left.push_back(part);
@@ -51,9 +51,9 @@ void cutUp(const Stroke& stroke, double shortest, std::vector<Stroke>& left) {
 
 } // namespace
 
-Result<Deviation> apply(const DropAirCuts& edit, PathState& state, const PathContext&, Progress&) {
-    std::vector<Stroke> left;
-    for (const Stroke& stroke : state.strokes) cutUp(stroke, edit.shortest, left);
+Result<Deviation> apply(const DropAirCuts& edit, PathUnderEdit& state, const PathContext&, Progress&) {
+    std::vector<PathStroke> left;
+    for (const PathStroke& stroke : state.strokes) cutUp(stroke, edit.shortest, left);
     state.strokes = std::move(left);
     return Deviation{}; // what is left lies where it was
 }

@@ -16,7 +16,7 @@ constexpr double speedWindow = 0.1; // s
 constexpr double creep = 0.05; // mm
 
 /// Which points the tool stands still at, by the way it makes around each of them.
-std::vector<bool> slowPoints(const Stroke& stroke, double speed) {
+std::vector<bool> slowPoints(const PathStroke& stroke, double speed) {
     const std::vector<StrokePoint>& points = stroke.points;
     const auto half = static_cast<std::size_t>(std::max(1.0, std::round(0.5 * speedWindow / stroke.tickPeriod)));
     std::vector<bool> slow(points.size());
@@ -29,7 +29,7 @@ std::vector<bool> slowPoints(const Stroke& stroke, double speed) {
     return slow;
 }
 
-Deviation dropDwells(Stroke& stroke, const DropDwells& edit) {
+Deviation dropDwells(PathStroke& stroke, const DropDwells& edit) {
     const std::vector<bool> slow = slowPoints(stroke, edit.speed);
     std::vector<StrokePoint>& points = stroke.points;
     std::vector<std::size_t> kept;
@@ -50,9 +50,9 @@ Deviation dropDwells(Stroke& stroke, const DropDwells& edit) {
 
 } // namespace
 
-Result<Deviation> apply(const DropDwells& edit, PathState& state, const PathContext&, Progress&) {
+Result<Deviation> apply(const DropDwells& edit, PathUnderEdit& state, const PathContext&, Progress&) {
     Deviation deviation;
-    for (Stroke& stroke : state.strokes) deviation.include(dropDwells(stroke, edit));
+    for (PathStroke& stroke : state.strokes) deviation.include(dropDwells(stroke, edit));
     return deviation;
 }
 

@@ -90,7 +90,7 @@ struct EvaluatedPath {
 
 /// Takes in order, each edit in order; edits that are not enabled are skipped. The order has to keep what the edits
 /// promise: DropAirCuts, DropDwells and Smooth first, then HoldOut and Simplify, then at most one Link, then at most one
-/// SetFeed. Stretches with shank contact are never part of a path. Without Link each stroke is reached by a straight rapid
+/// SetFeed. Stretches with shank contact, with the spindle off, or that were taken back are never part of a path. Without Link each stroke is reached by a straight rapid
 /// move, which only a drawing may use. Any thread; the work is shared among all cores, the result does not depend on them.
 /// Cost: 300,000 ticks on 360,000 triangles in about 8 s on two cores. Cancellable.
 /// Errors: pathEmpty, argumentInvalid, notSupported (tilted axis), pathGouges (no way around the part), cancelled.

@@ -40,7 +40,7 @@ Result<void> checkOrder(const std::vector<Edit>& edits) {
     return {};
 }
 
-Result<EditReport> applyOne(const Edit& edit, PathState& state, const PathContext& context, Progress& progress) {
+Result<EditReport> applyOne(const Edit& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     EditReport report;
     report.edit = idOf(edit.parameters);
     report.pointsBefore = state.count();
@@ -58,7 +58,7 @@ Result<EditReport> applyOne(const Edit& edit, PathState& state, const PathContex
 Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>& takes, const std::vector<Edit>& edits,
                                const PathContext& context, Progress& progress) {
     if (Result<void> order = checkOrder(edits); !order) return order.error();
-    Result<PathState> state = strokesOf(takes, context);
+    Result<PathUnderEdit> state = strokesOf(takes, context);
     if (!state) return state.error();
     EvaluatedPath evaluated;
     double done = 0.0;

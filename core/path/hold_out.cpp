@@ -3,10 +3,9 @@
 #include "core/path/apply.h"
 
 #include "core/base/numbers.h"
+#include "core/base/parallel.h"
 #include "core/path/part_guard.h"
 #include "core/path/polyline.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -155,7 +154,7 @@ void hold(Piece& piece, const std::vector<Held>& points, const Holder& holder) {
 
 } // namespace
 
-Result<Deviation> apply(const HoldOut& edit, PathState& state, const PathContext& context, Progress& progress) {
+Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
     const auto anyShortcut = [](const glm::dvec3&, const glm::dvec3&) { return true; };
@@ -169,13 +168,13 @@ Result<Deviation> apply(const HoldOut& edit, PathState& state, const PathContext
         keepOnly(points, kept);
         const Holder holder(*guard, edit, state.strokes[s].allowance);
         strokes[s].resize(points.size());
-        tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+        parallelFor(std::size_t{0}, points.size(), [&](std::size_t i) {
             strokes[s][i] = {points[i], points[i].tip};
             if (!progress.cancelled()) holder.push(strokes[s][i].point.tip);
         });
     }
     std::vector<Piece> pieces = piecesOf(strokes);
-    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+    parallelFor(std::size_t{0}, pieces.size(), [&](std::size_t i) {
         Piece& piece = pieces[i];
         const Holder holder(*guard, edit, state.strokes[piece.stroke].allowance);
         if (!progress.cancelled()) hold(piece, strokes[piece.stroke], holder);

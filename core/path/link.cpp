@@ -3,10 +3,9 @@
 #include "core/path/apply.h"
 
 #include "core/base/numbers.h"
+#include "core/base/parallel.h"
 #include "core/path/cleared_heights.h"
 #include "core/path/part_guard.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -29,7 +28,7 @@ bool isFreeAbove(const PartGuard& guard, const glm::dvec3& tip, double height) {
     return guard.isClear(tip, {tip.x, tip.y, height}, required, sampling);
 }
 
-Access accessOf(const Stroke& stroke, const PartGuard& guard, double height) {
+Access accessOf(const PathStroke& stroke, const PartGuard& guard, double height) {
     const std::size_t count = stroke.points.size();
     Access access;
     while (access.entry < count && !isFreeAbove(guard, stroke.points[access.entry].tip, height)) ++access.entry;
@@ -50,7 +49,7 @@ public:
         , guard_(guard)
         , cleared_(context.stock, guard.pieces()) {}
 
-    void add(const Stroke& stroke, const Access& access) {
+    void add(const PathStroke& stroke, const Access& access) {
         const glm::dvec3& start = stroke.points.front().tip;
         const bool joined = !points.empty() && canJoin(start, std::min(lastRequired_, stroke.required));
         if (!joined) {
@@ -78,7 +77,7 @@ public:
 private:
     void go(const glm::dvec3& tip, MoveKind kind) { points.push_back({tip, kind, 0.0, 0, -1}); }
 
-    void cut(const Stroke& stroke, std::size_t index) {
+    void cut(const PathStroke& stroke, std::size_t index) {
         const StrokePoint& point = stroke.points[index];
         cleared_.cut(points.empty() ? point.tip : points.back().tip, point.tip);
         points.push_back({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample});
@@ -86,7 +85,7 @@ private:
 
     /// To the stroke's first point: across at the safe height, rapidly down to the approach above what is left there,
     /// and on at the plunge feed.
-    void enter(const Stroke& stroke, const Access& access) {
+    void enter(const PathStroke& stroke, const Access& access) {
         const StrokePoint& entry = stroke.points[access.entry];
         const glm::dvec3& tip = entry.tip;
         go({tip.x, tip.y, safeHeight_}, MoveKind::rapid);
@@ -117,13 +116,13 @@ private:
     double lastRequired_ = 0.0;            // mm from the part, of the stroke before
     const PartGuard& guard_;
     ClearedHeights cleared_;
-    std::vector<std::pair<const Stroke*, std::size_t>> back_; // the way to where the last stroke can be left
+    std::vector<std::pair<const PathStroke*, std::size_t>> back_; // the way to where the last stroke can be left
 };
 
 /// Above the stock, the part and every tip.
-double safeHeightOf(const Link& edit, const PathState& state, const PathContext& context, const PartGuard& guard) {
+double safeHeightOf(const Link& edit, const PathUnderEdit& state, const PathContext& context, const PartGuard& guard) {
     double height = std::max(context.stock.high.z, guard.top()) + edit.clearanceAbove;
-    for (const Stroke& stroke : state.strokes) {
+    for (const PathStroke& stroke : state.strokes) {
         for (const StrokePoint& point : stroke.points) height = std::max(height, point.tip.z);
     }
     return height;
@@ -131,20 +130,20 @@ double safeHeightOf(const Link& edit, const PathState& state, const PathContext&
 
 } // namespace
 
-Result<Deviation> apply(const Link& edit, PathState& state, const PathContext& context, Progress& progress) {
+Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
     if (context.stock.empty()) return Error{ErrorCode::argumentInvalid, "stock", "", "links need the stock's box"};
-    std::erase_if(state.strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
+    std::erase_if(state.strokes, [](const PathStroke& stroke) { return stroke.points.empty(); });
     const double height = safeHeightOf(edit, state, context, *guard);
     std::vector<Access> accesses(state.strokes.size());
-    tbb::parallel_for(std::size_t{0}, accesses.size(), [&](std::size_t i) {
+    parallelFor(std::size_t{0}, accesses.size(), [&](std::size_t i) {
         if (!progress.cancelled()) accesses[i] = accessOf(state.strokes[i], *guard, height);
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
     Linker linker(edit, *guard, context, height);
     for (std::size_t i = 0; i < accesses.size(); ++i) {
-        const Stroke& stroke = state.strokes[i];
+        const PathStroke& stroke = state.strokes[i];
         if (!accesses[i].found) {
             const StrokePoint& point = stroke.points.front();
             return Error{ErrorCode::pathGouges, "take " + std::to_string(stroke.take),

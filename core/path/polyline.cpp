@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/polyline.h"
-
-#include <tbb/parallel_for.h>
+#include "core/base/parallel.h"
 
 #include <algorithm>
 
@@ -47,7 +46,7 @@ std::vector<std::size_t> simplifyInGroups(std::span<const StrokePoint> points, d
                                           const ShortcutTest& allowed, const Progress& progress) {
     const std::size_t groups = points.size() < 2 ? 1 : (points.size() - 2) / simplifyGroup + 1;
     std::vector<std::vector<std::size_t>> parts(groups);
-    tbb::parallel_for(std::size_t{0}, groups, [&](std::size_t group) {
+    parallelFor(std::size_t{0}, groups, [&](std::size_t group) {
         if (progress.cancelled()) return;
         const std::size_t first = group * simplifyGroup;
         const std::size_t count = std::min(simplifyGroup + 1, points.size() - first); // ends are shared

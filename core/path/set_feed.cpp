@@ -17,7 +17,7 @@ bool goesDownSteeply(const glm::dvec3& from, const glm::dvec3& to) noexcept {
 
 } // namespace
 
-Result<Deviation> apply(const SetFeed&, PathState& state, const PathContext& context, Progress&) {
+Result<Deviation> apply(const SetFeed&, PathUnderEdit& state, const PathContext& context, Progress&) {
     const CuttingConditions& conditions = context.conditions;
     for (const auto& [name, value] :
          {std::pair{"feed", conditions.feed}, std::pair{"plunge feed", conditions.plungeFeed},

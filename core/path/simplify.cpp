@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/apply.h"
 
+#include "core/base/parallel.h"
 #include "core/path/part_guard.h"
 #include "core/path/polyline.h"
 
-#include <tbb/parallel_for.h>
-
 namespace burin {
 
-Result<Deviation> apply(const Simplify& edit, PathState& state, const PathContext& context, Progress& progress) {
+Result<Deviation> apply(const Simplify& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
     std::vector<Deviation> deviations(state.strokes.size());
-    tbb::parallel_for(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
-        Stroke& stroke = state.strokes[i];
+    parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
+        PathStroke& stroke = state.strokes[i];
         const auto staysClear = [&](const glm::dvec3& from, const glm::dvec3& to) {
             return !progress.cancelled() && guard->isClear(from, to, stroke.required, defaultSampling);
         };

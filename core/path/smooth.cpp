@@ -3,9 +3,8 @@
 #include "core/path/apply.h"
 
 #include "core/base/numbers.h"
+#include "core/base/parallel.h"
 #include "core/base/units.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +43,7 @@ struct LowPass {
 
 /// Forward and backward: no delay, gain 1 / (1 + (f / cut-off)⁴). The ends are continued by their point reflection, so
 /// that a line stays a line and the ends stay about where they are.
-std::vector<glm::dvec3> lowPassed(const Stroke& stroke, double cutOff) {
+std::vector<glm::dvec3> lowPassed(const PathStroke& stroke, double cutOff) {
     const std::vector<StrokePoint>& points = stroke.points;
     const double cutOffPart = cutOff * stroke.tickPeriod;
     // The impulse response has died down to 1e-5 of its peak after 3 periods of the cut-off.
@@ -72,7 +71,7 @@ constexpr double motionShare = 0.6;
 /// Holding the low-passed tips within the tolerance of the *recorded* ones would bring the encoder's steps back
 /// wherever the tolerance is used up. They are held within a share of it of the steadied tips, which are smooth
 /// themselves, and only what is still too far from the recorded ones is cut off.
-Deviation smooth(Stroke& stroke, const Smooth& edit) {
+Deviation smooth(PathStroke& stroke, const Smooth& edit) {
     Deviation deviation;
     if (stroke.points.size() < 3) return deviation;
     const std::vector<glm::dvec3> tips = lowPassed(stroke, edit.cutOff);
@@ -90,14 +89,14 @@ Deviation smooth(Stroke& stroke, const Smooth& edit) {
 
 } // namespace
 
-Result<Deviation> apply(const Smooth& edit, PathState& state, const PathContext&, Progress& progress) {
-    for (const Stroke& stroke : state.strokes) {
+Result<Deviation> apply(const Smooth& edit, PathUnderEdit& state, const PathContext&, Progress& progress) {
+    for (const PathStroke& stroke : state.strokes) {
         if (edit.cutOff * stroke.tickPeriod >= 0.5)
             return Error{ErrorCode::argumentInvalid, "cut_off_hz", formatShortest(edit.cutOff),
                          "below half of the recording's rate"};
     }
     std::vector<Deviation> deviations(state.strokes.size());
-    tbb::parallel_for(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
+    parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
         if (!progress.cancelled()) deviations[i] = smooth(state.strokes[i], edit);
     });
     Deviation deviation;

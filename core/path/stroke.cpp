@@ -11,6 +11,8 @@ namespace {
 constexpr std::uint64_t longestGap = 5; // ticks
 /// A tip that is faster than any hand was moved by something else (another mapping): the way between is not work.
 constexpr double fastestHand = 2000.0; // mm/s, estimate
+/// Shank or holder touched something, or the tool only moved.
+constexpr std::uint32_t notWork = sampleShankContact | sampleSpindleOff;
 constexpr double tiltTolerance = 1e-6; // of a unit vector's components
 
 bool removes(const Sample& sample) noexcept {
@@ -21,16 +23,17 @@ bool isUpright(const glm::dvec3& axis) noexcept {
     return std::abs(axis.x) < tiltTolerance && std::abs(axis.y) < tiltTolerance && axis.z > 0.0;
 }
 
-Result<void> append(std::vector<Stroke>& strokes, const Take& take, const PathContext& context) {
+Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const PathContext& context) {
     const TakeInfo& info = take.info;
     if (!info.toolId.empty() && info.toolId != context.tool.id)
         return Error{ErrorCode::argumentInvalid, "tool", info.toolId,
                      "take " + std::to_string(info.id) + "; the path is for " + context.tool.id};
     const double period = info.tickPeriod > 0.0 ? info.tickPeriod : context.tickPeriod;
     bool begins = true;
-    std::uint64_t lastTick = 0;
+    std::uint64_t lastTick = 0, index = 0;
+    UndoneSamples undone(take);
     for (const Sample& sample : take.samples) {
-        if ((sample.flags & sampleShankContact) != 0 || !isFinite(sample.proxy.tip)) {
+        if (undone.holds(index++) || (sample.flags & notWork) != 0 || !isFinite(sample.proxy.tip)) {
             begins = true;
             continue;
         }
@@ -52,26 +55,26 @@ Result<void> append(std::vector<Stroke>& strokes, const Take& take, const PathCo
 
 } // namespace
 
-std::size_t PathState::count() const noexcept {
+std::size_t PathUnderEdit::count() const noexcept {
     if (linked) return points.size();
     std::size_t sum = 0;
-    for (const Stroke& stroke : strokes) sum += stroke.points.size();
+    for (const PathStroke& stroke : strokes) sum += stroke.points.size();
     return sum;
 }
 
-Result<PathState> strokesOf(const std::vector<Take>& takes, const PathContext& context) {
-    PathState state;
+Result<PathUnderEdit> strokesOf(const std::vector<Take>& takes, const PathContext& context) {
+    PathUnderEdit state;
     for (const Take& take : takes) {
         if (Result<void> done = append(state.strokes, take, context); !done) return done.error();
     }
     return state;
 }
 
-std::vector<PathPoint> pointsOf(const PathState& state) {
+std::vector<PathPoint> pointsOf(const PathUnderEdit& state) {
     if (state.linked) return state.points;
     std::vector<PathPoint> points;
     points.reserve(state.count());
-    for (const Stroke& stroke : state.strokes) {
+    for (const PathStroke& stroke : state.strokes) {
         MoveKind kind = MoveKind::rapid;
         for (const StrokePoint& point : stroke.points) {
             points.push_back({point.tip, kind, 0.0, stroke.take, point.sample});

@@ -22,7 +22,7 @@ struct StrokePoint {
 };
 
 /// A stretch of one take without a gap: the tool goes from point to point in straight lines.
-struct Stroke {
+struct PathStroke {
     std::int64_t take = 0;
     double allowance = 0.0; ///< mm, of the take
     double required =
@@ -32,8 +32,8 @@ struct Stroke {
 };
 
 /// A path between two edits: strokes until they are linked, points from then on.
-struct PathState {
-    std::vector<Stroke> strokes;
+struct PathUnderEdit {
+    std::vector<PathStroke> strokes;
     std::vector<PathPoint> points; ///< what Link made of the strokes
     bool linked = false;
     double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
@@ -41,13 +41,13 @@ struct PathState {
     std::size_t count() const noexcept;
 };
 
-/// The strokes of takes, in order: the proxy's tip at every tick. A stretch in which shank or holder touched something
-/// is left out. A new stroke begins there, with each take, where more than a few ticks are
-/// missing, and where the tip went faster than a hand can. Errors:
-/// notSupported (an axis that is not +Z), argumentInvalid (a take of another tool).
-Result<PathState> strokesOf(const std::vector<Take>& takes, const PathContext& context);
+/// The strokes of takes, in order: the proxy's tip at every tick. A stretch in which shank or holder touched something,
+/// in which the spindle stood, or which was taken back, is left out. A new stroke begins there, with each take, where
+/// more than a few ticks are missing, and where the tip went faster than a hand can. Errors: notSupported (an axis that
+/// is not +Z), argumentInvalid (a take of another tool).
+Result<PathUnderEdit> strokesOf(const std::vector<Take>& takes, const PathContext& context);
 
 /// The points of a state: its linked points, or the strokes one behind the other, each reached by a rapid move.
-std::vector<PathPoint> pointsOf(const PathState& state);
+std::vector<PathPoint> pointsOf(const PathUnderEdit& state);
 
 } // namespace burin

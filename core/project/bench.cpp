@@ -38,7 +38,11 @@ double Bench::safeHeight() const {
 }
 
 Box Bench::tipRegion() const {
-    Box region = setup.stock.grown(2.0 * tool.cutter.diameter + travelAboveStock);
+    return tipRegion(tool);
+}
+
+Box Bench::tipRegion(const Tool& other) const {
+    Box region = setup.stock.grown(2.0 * other.cutter.diameter + travelAboveStock);
     region.high.z = safeHeight() + 2.0 * travelAboveStock;
     return region;
 }
@@ -60,38 +64,91 @@ Result<Tool> toolFor(const Project& project, const std::string& id) {
     return loadTool(id);
 }
 
-Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress) {
+Result<Bench> makeBench(const BenchRequest& request, Progress& progress) {
     progress.stage(0.0, 0.3);
+    Result<MachineProfile> machine = loadMachine(request.machineId);
+    if (!machine) return std::move(machine).error();
+    MeshDistance part = wholePart(*request.model);
+    progress.stage(0.3, 1.0);
+    Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
+    if (!embedded) return std::move(embedded).error();
+    const Property& material = embedded->workpiece.properties()[embedded->stockProperty];
+    const Result<CuttingConditions> conditions =
+        cuttingConditions(request.tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
+    if (!conditions) return conditions.error();
+    return Bench{request.model, request.setup,   request.tool,        std::move(*machine),
+                 *conditions,   std::move(part), std::move(*embedded)};
+}
+
+Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress) {
     Result<Model> model = project.model();
     if (!model) return std::move(model).error();
     Result<Setup> setup = project.setup();
     if (!setup) return std::move(setup).error();
-    Result<MachineProfile> machine = loadMachine(machineId);
-    if (!machine) return std::move(machine).error();
-    MeshDistance part = wholePart(*model);
-    progress.stage(0.3, 1.0);
-    Result<EmbeddedSetup> embedded = embed(*model, *setup, progress);
-    if (!embedded) return std::move(embedded).error();
-    const Property& material = embedded->workpiece.properties()[embedded->stockProperty];
-    const Result<CuttingConditions> conditions =
-        cuttingConditions(tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
-    if (!conditions) return conditions.error();
-    return Bench{std::move(*model), std::move(*setup),   tool, std::move(*machine), *conditions,
-                 std::move(part),   std::move(*embedded)};
+    Result<std::vector<Property>> materials = project.materials();
+    if (!materials && materials.error().code != ErrorCode::projectIncomplete) return std::move(materials).error();
+    BenchRequest request{std::make_shared<const Model>(std::move(*model)), std::move(*setup), tool, machineId, {}};
+    if (materials) request.materials = std::move(*materials);
+    return makeBench(request, progress);
 }
 
 Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
                                                              Progress& progress) {
+    return clearanceField(bench, bench.tool, maximumAllowance, progress);
+}
+
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, const Tool& tool,
+                                                             double maximumAllowance, Progress& progress) {
     using Field = std::unique_ptr<const ClearanceField>;
-    if (bench.model.bodies.empty()) return Field(std::make_unique<OpenField>(bench.setup.voxel));
+    if (bench.model->bodies.empty()) return Field(std::make_unique<OpenField>(bench.setup.voxel));
     ToolFieldRequest request;
-    request.tool = pieces(bench.tool.cutter);
-    request.tips = bench.tipRegion();
+    request.tool = pieces(tool.cutter);
+    request.tips = bench.tipRegion(tool);
     request.voxel = bench.setup.voxel;
     request.maximumAllowance = maximumAllowance;
     Result<ToolField> field = ToolField::build(bench.part, request, progress);
     if (!field) return std::move(field).error();
     return Field(std::make_unique<ToolField>(std::move(*field)));
+}
+
+Result<std::vector<TakeWithTool>> takesOf(const Project& project) {
+    const Result<std::vector<TakeInfo>> infos = project.takes();
+    if (!infos) return infos.error();
+    std::vector<TakeWithTool> takes;
+    for (const TakeInfo& info : *infos) {
+        Result<Take> take = project.take(info.id);
+        if (!take) return std::move(take).error();
+        Result<Tool> tool = toolFor(project, info.toolId);
+        if (!tool) return std::move(tool).error();
+        takes.push_back({std::move(*take), std::move(*tool)});
+    }
+    return takes;
+}
+
+Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const Progress& progress) {
+    RunVolume& workpiece = bench.embedded.workpiece;
+    MaterialRemoval removal(tool.cutter, workpiece.grid());
+    UndoneSamples undone(take);
+    for (std::size_t i = 1; i < take.samples.size(); ++i) {
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "replaying takes", {}, {}};
+        const Sample& sample = take.samples[i];
+        // Where the hand's tick removed nothing, replaying must not either: braking, forces off, memory full.
+        const bool cut = std::any_of(sample.removed.begin(), sample.removed.end(),
+                                     [](const RemovedMaterial& removed) { return removed.units > 0; });
+        if (!cut || undone.holds(i)) continue;
+        const CutResult result = removal.cut(workpiece, take.samples[i - 1].proxy.tip, sample.proxy.tip);
+        if (result.outOfMemory)
+            return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
+    }
+    return {};
+}
+
+Result<void> replayTakes(const std::vector<TakeWithTool>& takes, Bench& bench, Progress& progress) {
+    for (std::size_t index = 0; index < takes.size(); ++index) {
+        if (Result<void> done = replayTake(takes[index].take, takes[index].tool, bench, progress); !done) return done;
+        progress.report(static_cast<double>(index + 1) / static_cast<double>(takes.size()));
+    }
+    return {};
 }
 
 Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress) {
@@ -102,20 +159,7 @@ Result<void> replayTakes(const Project& project, Bench& bench, Progress& progres
         if (!take) return take.error();
         const Result<Tool> tool = toolFor(project, take->info.toolId);
         if (!tool) return tool.error();
-        MaterialRemoval removal(tool->cutter, bench.embedded.workpiece.grid());
-        for (std::size_t i = 1; i < take->samples.size(); ++i) {
-            if (progress.cancelled()) return Error{ErrorCode::cancelled, "replaying takes", {}, {}};
-            const Sample& sample = take->samples[i];
-            // Where the hand's tick removed nothing, replaying must not either: braking, forces off, memory full.
-            const bool cut = std::any_of(sample.removed.begin(), sample.removed.end(),
-                                         [](const RemovedMaterial& removed) { return removed.units > 0; });
-            if (!cut) continue;
-            const CutResult result =
-                removal.cut(bench.embedded.workpiece, take->samples[i - 1].proxy.tip, sample.proxy.tip);
-            if (result.outOfMemory)
-                return Error{
-                    ErrorCode::volumeOutOfMemory, std::to_string(bench.embedded.workpiece.reservedBytes()), {}, {}};
-        }
+        if (Result<void> done = replayTake(*take, *tool, bench, progress); !done) return done;
         progress.report(static_cast<double>(index + 1) / static_cast<double>(takes->size()));
     }
     return {};

@@ -9,13 +9,17 @@
 #include "core/project/project.h"
 #include "core/setup/setup.h"
 
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace burin {
 
 /// What a project is worked on with: its part on a fine mesh, its workpiece as the takes so far left it, one tool in
 /// one machine. Made from a project in seconds; the project stays the truth.
 /// Thread: one at a time; the haptic loop while it mills.
 struct Bench {
-    Model model;
+    std::shared_ptr<const Model> model; ///< never null
     Setup setup;
     Tool tool;
     MachineProfile machine;
@@ -23,12 +27,24 @@ struct Bench {
     MeshDistance part;            ///< all bodies
     EmbeddedSetup embedded;
 
-    Box tipRegion() const;          ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
-    double safeHeight() const;      ///< mm, setup frame: travel is free above it
-    double workpieceVolume() const; ///< mm³ of machinable material
+    Box tipRegion() const; ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
+    Box tipRegion(const Tool& other) const; ///< the same for another tool
+    double safeHeight() const;              ///< mm, setup frame: travel is free above it
+    double workpieceVolume() const;         ///< mm³ of machinable material
 };
 
-/// Errors: projectIncomplete, those of loadMaterial, loadMachine, embed, cuttingConditions, cancelled.
+/// What a bench is made of, as values: no project is needed on the thread that makes it.
+struct BenchRequest {
+    std::shared_ptr<const Model> model;
+    Setup setup;
+    Tool tool;
+    std::string machineId;
+    std::vector<Property> materials; ///< by id; the library has the others
+};
+
+/// Errors: those of loadMaterial, loadMachine, embed, cuttingConditions, cancelled.
+Result<Bench> makeBench(const BenchRequest& request, Progress& progress);
+/// The same from a project. Errors: also projectIncomplete.
 Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress);
 
 /// The tool of a project by id, or of the library where the project has none of that name.
@@ -38,9 +54,24 @@ Result<Tool> toolFor(const Project& project, const std::string& id);
 /// Errors: cancelled, outOfMemory.
 Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,
                                                              Progress& progress);
+/// The same for a tool that the bench is about to get: its own stays in force meanwhile.
+Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, const Tool& tool,
+                                                             double maximumAllowance, Progress& progress);
 
-/// Cuts again what the takes of a project cut, in order: the workpiece as it stands. Errors: fileDamaged,
-/// volumeOutOfMemory, cancelled.
+/// A recording with the cutter that it was made with.
+struct TakeWithTool {
+    Take take;
+    Tool tool;
+};
+
+/// All takes of a project, in order. Errors: those of Project::take, toolFor.
+Result<std::vector<TakeWithTool>> takesOf(const Project& project);
+
+/// Cuts again what a take cut, but for what was taken back. Errors: volumeOutOfMemory, cancelled.
+Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const Progress& progress);
+/// All of them, in order: the workpiece as it stands.
+Result<void> replayTakes(const std::vector<TakeWithTool>& takes, Bench& bench, Progress& progress);
+/// Those of a project, one after the other in memory. Errors: also fileDamaged.
 Result<void> replayTakes(const Project& project, Bench& bench, Progress& progress);
 
 } // namespace burin

@@ -3,8 +3,7 @@
 #include "core/project/milling.h"
 
 #include "core/base/units.h"
-#include "core/haptics/operator.h"
-#include "core/project/recorder.h"
+#include "core/project/milling_session.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,58 +13,12 @@ namespace burin {
 
 namespace {
 
-/// A second of ticks at 1 kHz and then some: what the disk may keep the recorder waiting for.
-constexpr std::size_t ringCapacity = 16384;
 /// The tip may be led this far above the stock's top and beyond its sides.
 constexpr double travelMargin = 10.0; // mm
 /// A part's surface is pressed on, but the hand needs way below it.
 constexpr double pressMargin = 5.0; // mm
-
-double unixTime() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-TakeInfo takeInfo(const Bench& bench, const Stylus& stylus, const TakeRequest& request, double period) {
-    TakeInfo info;
-    info.name = request.name;
-    info.toolId = bench.tool.id;
-    info.allowance = request.allowance;
-    info.tickPeriod = period;
-    info.startedUnixTime = unixTime();
-    info.stylus = stylus.description().name;
-    return info;
-}
-
-HapticSettings hapticSettings(const Bench& bench, const Stylus& stylus, const TakeRequest& request) {
-    HapticSettings settings;
-    settings.mapping = request.mapping;
-    settings.stylus = stylus.description();
-    settings.allowance = request.allowance;
-    settings.cuttingSpeed = bench.conditions.surfaceSpeed;
-    return settings;
-}
-
-/// Ends the loop when the user stops it, or when the disk refuses what was recorded: nobody mills on into a recording
-/// that can't be kept.
-class SessionWatch {
-public:
-    SessionWatch(const std::atomic<bool>& stop, const Recorder& recorder)
-        : thread_([this, &stop, &recorder] {
-            while (!ended_ && !stop && !recorder.failing()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            endLoop_ = true;
-        }) {}
-    ~SessionWatch() {
-        ended_ = true;
-        thread_.join();
-    }
-    SessionWatch(const SessionWatch&) = delete;
-    SessionWatch& operator=(const SessionWatch&) = delete;
-    const std::atomic<bool>& endLoop() const noexcept { return endLoop_; }
-
-private:
-    std::atomic<bool> ended_{false}, endLoop_{false};
-    std::thread thread_; // last: it uses the flags
-};
+/// Between two looks at whether a session has ended.
+constexpr std::chrono::milliseconds glance{5};
 
 /// Figures of a take out of the project: what is on the disk, not what was meant to be.
 Result<TakeOutcome> outcomeOf(const Project& project, const Bench& bench, std::int64_t id) {
@@ -74,8 +27,10 @@ Result<TakeOutcome> outcomeOf(const Project& project, const Bench& bench, std::i
     TakeOutcome outcome;
     outcome.take = id;
     outcome.samples = take->samples.size();
-    std::uint64_t units = 0;
+    std::uint64_t units = 0, index = 0;
+    UndoneSamples undone(*take);
     for (const Sample& sample : take->samples) {
+        if (undone.holds(index++)) continue;
         for (const RemovedMaterial& removed : sample.removed) units += removed.units;
         if ((sample.flags & sampleShankContact) != 0) ++outcome.shankTicks;
         outcome.largestForce = std::max(outcome.largestForce, glm::length(sample.force));
@@ -113,20 +68,20 @@ std::vector<IntentPoint> freeHandGrooves(const Bench& bench) {
 
 Result<MillingPlan> planFor(const Bench& bench, const ClearanceField& field, const OperatorRequest& request,
                             const OperatorSettings& hand, double scale) {
-    if (bench.model.bodies.empty()) {
+    if (bench.model->bodies.empty()) {
         MillingPlan plan;
         plan.roughing = freeHandGrooves(bench);
         return plan;
     }
     MillingRequest wanted;
     wanted.stock = bench.setup.stock;
-    wanted.roughing.bottom = bench.model.box().low.z;
+    wanted.roughing.bottom = bench.model->box().low.z;
     wanted.roughing.allowance = request.allowance;
     wanted.roughing.stepOver = request.roughingStepOver;
     wanted.roughing.levelDepth = request.levelDepth;
     wanted.roughing.finishingDepth = request.finishingDepth;
-    wanted.finishing.part = bench.model.box();
-    wanted.finishing.floor = bench.model.box().low.z;
+    wanted.finishing.part = bench.model->box();
+    wanted.finishing.floor = bench.model->box().low.z;
     wanted.finishing.press = request.press;
     wanted.finishing.stepOver = request.finishingStepOver;
     wanted.motion = inSetup(hand.motion, scale);
@@ -144,66 +99,63 @@ WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus)
 
 Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceField& field, Stylus& stylus,
                                const TakeRequest& request, const std::atomic<bool>& stop) {
-    if (const Result<void> opened = stylus.open(); !opened) return opened.error();
-    if (const Result<void> kept = project.setTool(bench.tool); !kept) return kept.error();
-    RunVolume& workpiece = bench.embedded.workpiece;
     const double volumeBefore = bench.workpieceVolume();
-    ServoSettings servo;
-    servo.pace = request.pace;
-    servo.maximumSeconds = request.maximumSeconds;
-    Result<Project::TakeWriter> writer = project.beginTake(takeInfo(bench, stylus, request, servo.period));
-    if (!writer) return std::move(writer).error();
-    Ring<Sample> ring(ringCapacity);
-    HapticStep step(workpiece, field, bench.tool, hapticSettings(bench, stylus, request));
-    Recorder recorder(ring, std::move(*writer));
-    const Result<LoopStatistics> loop = [&] {
-        const SessionWatch watch(stop, recorder);
-        return runServoLoop(stylus, step, ring, servo, watch.endLoop());
-    }();
-    stylus.close();
-    const Result<std::uint64_t> kept = recorder.finish();
+    SessionRequest session;
+    session.allowance = request.allowance;
+    session.mapping = request.mapping;
+    session.pace = request.pace;
+    session.undoable = false; // nobody is there who could
+    session.takeName = request.name;
+    session.maximumSeconds = request.maximumSeconds;
+    StrokeHistory strokes;
+    const Result<std::unique_ptr<MillingSession>> live =
+        MillingSession::begin(project, bench, field, stylus, strokes, session);
+    if (!live) return live.error();
+    while (!(*live)->ended() && !stop) std::this_thread::sleep_for(glance);
+    const Result<LoopStatistics> loop = (*live)->end();
     const Result<void> saved = project.save();
-    if (!kept) return kept.error(); // the disk's refusal, not the full ring that came of it
     if (!loop) return loop.error();
     if (!saved) return saved.error();
-    Result<TakeOutcome> outcome = outcomeOf(project, bench, recorder.take());
+    Result<TakeOutcome> outcome = outcomeOf(project, bench, (*live)->take());
     if (!outcome) return outcome;
     outcome->loop = *loop;
     outcome->drop = volumeBefore - bench.workpieceVolume();
     return outcome;
 }
 
+Result<OperatorPlan> planOperator(const Bench& bench, const ClearanceField& field, const OperatorRequest& request) {
+    OperatorPlan planned;
+    planned.hand.seed = request.seed;
+    planned.mapping = mappingFor(bench, planned.hand.stylus);
+    Result<MillingPlan> plan = planFor(bench, field, request, planned.hand, planned.mapping.scale);
+    if (!plan) return std::move(plan).error();
+    planned.plan = std::move(*plan);
+    const bool freeHand = bench.model->bodies.empty();
+    planned.stages = {{freeHand ? "free hand" : "roughing", planned.plan.roughing, freeHand ? 0.0 : request.allowance},
+                      {"finishing", planned.plan.finishing, 0.0}};
+    std::erase_if(planned.stages, [](const OperatorStage& stage) { return stage.intent.empty(); });
+    return planned;
+}
+
 Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ClearanceField& field,
                                          const OperatorRequest& request, const std::atomic<bool>& stop) {
-    OperatorSettings hand;
-    hand.seed = request.seed;
-    const WorkspaceMapping mapping = mappingFor(bench, hand.stylus);
-    Result<MillingPlan> plan = planFor(bench, field, request, hand, mapping.scale);
-    if (!plan) return std::move(plan).error();
+    Result<OperatorPlan> planned = planOperator(bench, field, request);
+    if (!planned) return std::move(planned).error();
     OperatorOutcome outcome;
-    const bool freeHand = bench.model.bodies.empty();
-    struct Stage {
-        const char* name;
-        const std::vector<IntentPoint>* intent;
-        double allowance;
-    };
-    const Stage stages[] = {{freeHand ? "free hand" : "roughing", &plan->roughing, freeHand ? 0.0 : request.allowance},
-                            {"finishing", &plan->finishing, 0.0}};
-    for (const Stage& stage : stages) {
-        if (stage.intent->empty()) continue;
+    for (const OperatorStage& stage : planned->stages) {
         if (stop.load()) return Error{ErrorCode::cancelled, "milling", {}, {}};
-        VirtualOperator stylus(*stage.intent, mapping, hand);
+        VirtualOperator stylus(stage.intent, planned->mapping, planned->hand);
         TakeRequest take;
         take.name = stage.name;
         take.allowance = stage.allowance;
-        take.mapping = mapping;
+        take.mapping = planned->mapping;
         take.pace = request.pace;
         if (request.timeLimit > 0.0) take.maximumSeconds = request.timeLimit;
         Result<TakeOutcome> recorded = recordTake(project, bench, field, stylus, take, stop);
         if (!recorded) return std::move(recorded).error();
         outcome.takes.push_back(*recorded);
     }
-    outcome.plan = std::move(*plan);
+    outcome.plan = std::move(planned->plan);
     return outcome;
 }
 

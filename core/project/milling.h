@@ -4,12 +4,14 @@
 
 #include "core/device/stylus.h"
 #include "core/haptics/haptic_step.h"
+#include "core/haptics/operator.h"
 #include "core/haptics/operator_plan.h"
 #include "core/haptics/servo_loop.h"
 #include "core/project/bench.h"
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -56,6 +58,24 @@ struct OperatorOutcome {
     MillingPlan plan;
     std::vector<TakeOutcome> takes; ///< roughing, then finishing; one that has nothing to do is left out
 };
+
+/// One take of a virtual operator.
+struct OperatorStage {
+    std::string name;                ///< of the take
+    std::vector<IntentPoint> intent; ///< tips, setup frame
+    double allowance = 0.0;          ///< mm
+};
+
+/// What a virtual operator is about to do: a VirtualOperator with a stage's intent, `mapping` and `hand` mills it.
+struct OperatorPlan {
+    MillingPlan plan;
+    WorkspaceMapping mapping;
+    OperatorSettings hand;
+    std::vector<OperatorStage> stages; ///< in order; one that has nothing to do is left out
+};
+
+/// Errors: those of planMilling. Any thread; seconds.
+Result<OperatorPlan> planOperator(const Bench& bench, const ClearanceField& field, const OperatorRequest& request);
 
 /// Roughs in levels and finishes in parallel passes with a virtual hand, a take each. A model without bodies is cut in
 /// free-hand grooves instead (paper, figure 13 b). Errors: those of planMilling and recordTake; cancelled.

@@ -10,6 +10,7 @@
 #include "core/recording/sample.h"
 
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,27 +50,39 @@ struct SessionRequest {
     Pace pace = Pace::realtime;
     int ticksPerEdge = 1;      ///< time lapse: so many ticks at each edge of the clock; virtual operators only
     bool cutsOnButton = false; ///< the spindle turns only while the stylus' first button is down
+    /// Keeps the workpiece as each stroke found it, so that it can be taken back. That holds back memory of the volume:
+    /// when it runs out, the older half of the strokes stays for good.
+    bool undoable = true;
+    std::string takeName; ///< of a take that begins with the very first tick; empty: none does
+    double maximumSeconds = std::numeric_limits<double>::infinity(); ///< of the session's time
 };
 
 /// Mills with a stylus on a thread of its own while others watch: what the window and the command line share.
 /// The loop owns the bench's workpiece until `end`. All functions belong to the owner's thread (the user interface),
-/// none takes longer than some ticks and one flush of the disk; the loop never waits for any of them.
+/// none takes longer than some ticks and one flush of the disk; the loop waits for undo and redo alone, without force.
+/// The spindle turns only while a take is recorded: what is not recorded is not cut, so that the workpiece always is
+/// what replaying the takes gives.
 class MillingSession {
 public:
     /// Opens the stylus and starts the loop. Project, bench, field, stylus and strokes outlive the session.
-    /// Errors: those of Stylus::open.
+    /// Errors: those of Stylus::open; with `takeName` also those of startRecording.
     static Result<std::unique_ptr<MillingSession>> begin(Project& project, Bench& bench, const ClearanceField& field,
                                                          Stylus& stylus, StrokeHistory& strokes,
                                                          const SessionRequest& request);
     virtual ~MillingSession(); ///< as `end`, its outcome unheard
 
-    /// Starts a take: from the next tick on every one is recorded. Errors: those of Project::beginTake.
+    /// Starts a take: from the next tick on every one is recorded; ticks and time of its samples begin with 0.
+    /// Errors: those of Project::setTool and beginTake, argumentInvalid (one is recorded, or the loop has ended).
     virtual Result<void> startRecording(const std::string& name) = 0;
-    /// Ends the take; all of it is on the disk when this returns. Errors: those of Recorder::finish.
+    /// Ends the take; all of it is on the disk when this returns. Errors: those of Recorder::finish, argumentInvalid
+    /// (none is recorded).
     virtual Result<void> stopRecording() = 0;
-    /// Takes the newest stroke of the take under way back, or puts it back: the workpiece at a tick's edge, the
-    /// recording through a mark in the project (nothing is erased). Errors: argumentInvalid (there is none), those of
-    /// Project.
+    /// The take that is recorded, or the last one that was; 0: none.
+    virtual std::int64_t take() const = 0;
+    /// Takes the newest stroke back, or puts it back: the workpiece at a tick's edge, the recording through a mark in
+    /// the project (nothing is erased). A stroke under way ends there first. While the disk notes it the loop stands
+    /// without force; afterwards forces fade in. Also after the loop ended. Errors: argumentInvalid (there is none),
+    /// those of Project.
     virtual Result<void> undoStroke() = 0;
     virtual Result<void> redoStroke() = 0;
     /// Without a kick. @param allowance mm, >= 0
@@ -78,10 +91,11 @@ public:
     /// The newest tick. False when there is none since the last call.
     virtual bool newest(SessionState& state) = 0;
     /// Asks the loop for a view; it comes with one of the next ticks. False while none is ready. Cheap: ask at each
-    /// frame.
+    /// frame; then a view is no older than the frame before. Once the loop has ended it is the final state.
     virtual bool newestView(WorkpieceView& view) = 0;
     /// Places of the proxy since the last call, for drawing the path as it grows: a tip each tick that was recorded
-    /// with the spindle turning, in order; a gap between strokes is told by `strokeBegins`.
+    /// with the spindle turning, in order; a gap between strokes is told by `strokeBegins`. Who does not ask for a
+    /// minute misses some; the stroke begins anew there. @param points replaced
     struct TracePoint {
         glm::vec3 tip{0.0F};
         bool strokeBegins = false;
@@ -90,7 +104,8 @@ public:
 
     /// True when the loop has ended by itself: the stylus finished, or a fault, which `end` then gives.
     virtual bool ended() const = 0;
-    /// Ends the recording and the loop. Errors: the fault that ended the loop, those of the recorder.
+    /// Ends the recording and the loop, and closes the stylus. Errors: those of the recorder, the fault that ended the
+    /// loop. Again: the same answer.
     virtual Result<LoopStatistics> end() = 0;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/opening.h"
 
+#include "core/project/saving.h"
 #include "core/project/schema.h"
 
 #include <optional>
@@ -172,6 +173,14 @@ Result<OpenedCopy> openBeside(std::shared_ptr<WorkingCopy> copy, SavedFile& save
     return opened;
 }
 
+/// For a new working copy: what stands in its place goes, or aside where nobody saved it. The name that it got then.
+Result<fs::path> makeRoom(WorkingCopy& copy) {
+    copy.removeAbandonedParts();
+    if (!copy.exists()) return fs::path();
+    const std::optional<DocumentState> left = copy.state();
+    return !left || left->unsaved() ? copy.setAside() : Result<fs::path>(fs::path());
+}
+
 } // namespace
 
 Result<OpenedCopy> createWorkingCopy(const fs::path& file) {
@@ -179,16 +188,8 @@ Result<OpenedCopy> createWorkingCopy(const fs::path& file) {
     if (!copy) return std::move(copy).error();
     const Result<std::string> standing = standingSave(file);
     if (!standing) return standing.error();
-    (*copy)->removeAbandonedParts();
-    fs::path keptAside;
-    if ((*copy)->exists()) {
-        const std::optional<DocumentState> left = (*copy)->state();
-        if (!left || left->unsaved()) {
-            Result<fs::path> aside = (*copy)->setAside();
-            if (!aside) return std::move(aside).error();
-            keptAside = std::move(*aside);
-        }
-    }
+    Result<fs::path> keptAside = makeRoom(**copy);
+    if (!keptAside) return std::move(keptAside).error();
     const Result<void> placed = (*copy)->place([&](Database& empty) -> Result<void> {
         if (Result<void> made = createSchema(empty); !made) return made;
         DocumentState state;
@@ -198,7 +199,21 @@ Result<OpenedCopy> createWorkingCopy(const fs::path& file) {
     if (!placed) return placed.error();
     Result<Database> database = (*copy)->connect();
     if (!database) return std::move(database).error();
-    return OpenedCopy{std::move(*copy), std::move(*database), false, std::move(keptAside)};
+    return OpenedCopy{std::move(*copy), std::move(*database), false, std::move(*keptAside)};
+}
+
+Result<OpenedCopy> saveUnderAnotherName(Database& from, const fs::path& file) {
+    Result<std::shared_ptr<WorkingCopy>> copy = WorkingCopy::lock(file);
+    if (!copy) return std::move(copy).error();
+    if (const Result<std::string> standing = standingSave(file); !standing) return standing.error();
+    Result<fs::path> keptAside = makeRoom(**copy);
+    if (!keptAside) return std::move(keptAside).error();
+    if (Result<void> saved = saveSnapshot(from, file); !saved) return std::move(saved).error();
+    Result<SavedFile> whole = openSaved(file);
+    if (!whole) return std::move(whole).error();
+    Result<OpenedCopy> opened = startFrom(std::move(*copy), *whole);
+    if (opened) opened->keptAside = std::move(*keptAside);
+    return opened;
 }
 
 Result<OpenedCopy> openWorkingCopy(const fs::path& file) {

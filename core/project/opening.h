@@ -20,5 +20,7 @@ struct OpenedCopy {
 /// @param file absolute. Errors: as Project::create and Project::open.
 Result<OpenedCopy> createWorkingCopy(const std::filesystem::path& file);
 Result<OpenedCopy> openWorkingCopy(const std::filesystem::path& file);
+/// Saves what `from` holds as `file` and opens that. Errors: as Project::saveAs.
+Result<OpenedCopy> saveUnderAnotherName(Database& from, const std::filesystem::path& file);
 
 } // namespace burin

@@ -17,8 +17,8 @@ std::vector<std::string> headerLines(const Bench& bench) {
     const Box& stock = bench.setup.stock;
     std::vector<std::string> lines;
     lines.push_back("Burin: path authored by hand, checked by re-simulation before export");
-    if (!bench.model.sourceFile.empty())
-        lines.push_back("Part: " + std::filesystem::path(bench.model.sourceFile).filename().string());
+    if (!bench.model->sourceFile.empty())
+        lines.push_back("Part: " + std::filesystem::path(bench.model->sourceFile).filename().string());
     lines.push_back("Stock: " + bench.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
     lines.push_back("Program zero: centre of the stock's top face; in the model's frame " +
                     place(bench.setup.workOffset));
@@ -41,14 +41,18 @@ Result<StoredPath> standardPath(const Project& project) {
     return path;
 }
 
-Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
-                                     Progress& progress) {
+Result<std::vector<Take>> takesOf(const Project& project, const StoredPath& path) {
     std::vector<Take> takes;
     for (const std::int64_t id : path.takes) {
         Result<Take> take = project.take(id);
         if (!take) return std::move(take).error();
         takes.push_back(std::move(*take));
     }
+    return takes;
+}
+
+Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const StoredPath& path,
+                                     Progress& progress) {
     PathContext context;
     context.part = &bench.part;
     context.tool = bench.tool;
@@ -57,6 +61,13 @@ Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench,
     context.stock = bench.setup.stock;
     if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
     return evaluate(path.name, takes, path.edits, context, progress);
+}
+
+Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
+                                     Progress& progress) {
+    const Result<std::vector<Take>> takes = takesOf(project, path);
+    if (!takes) return takes.error();
+    return evaluateStored(*takes, bench, path, progress);
 }
 
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
@@ -84,7 +95,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     if (!parsed) return parsed.error();
     VerifyRequest verification;
     verification.program = &*parsed;
-    verification.model = &bench.model;
+    verification.model = bench.model.get();
     verification.part = &bench.part;
     verification.setup = bench.setup;
     verification.tool = bench.tool;

@@ -7,10 +7,16 @@
 #include "core/verify/verify.h"
 
 #include <string>
+#include <vector>
 
 namespace burin {
 
-/// Takes and edits of a stored path, evaluated on a bench. Errors: those of Project::take and evaluate.
+/// The takes of a stored path, in its order. Errors: those of Project::take.
+Result<std::vector<Take>> takesOf(const Project& project, const StoredPath& path);
+/// A stored path, evaluated on a bench; `takes` are its own. Errors: those of evaluate.
+Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const StoredPath& path,
+                                     Progress& progress);
+/// The same with takes out of a project. Errors: also those of Project::take.
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
                                      Progress& progress);
 

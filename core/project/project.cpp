@@ -74,6 +74,31 @@ Result<void> Project::save() {
     return saveSnapshot(impl_->database, impl_->file);
 }
 
+Result<void> Project::saveAs(const fs::path& file) {
+    fs::path plain = plainName(file);
+    if (plain == impl_->file && !readOnly()) return save();
+    if (impl_->copy.use_count() > 1) // a TakeWriter has it too, and would go on beside the old file
+        return Error{ErrorCode::argumentInvalid, "take", {}, "no take under way"};
+    if (readOnly())
+        if (Result<void> writable = impl_->database.execute("PRAGMA query_only = OFF"); !writable) return writable;
+    Result<OpenedCopy> opened = saveUnderAnotherName(impl_->database, plain);
+    if (!opened) {
+        if (readOnly()) static_cast<void>(impl_->database.execute("PRAGMA query_only = ON"));
+        return std::move(opened).error();
+    }
+    impl_->database = std::move(opened->database); // the old connection closes before its working copy goes
+    impl_->copy = std::move(opened->copy);
+    impl_->file = std::move(plain);
+    impl_->recovered = false;
+    impl_->keptAside = std::move(opened->keptAside);
+    return {};
+}
+
+Result<void> Project::abandonChanges() {
+    if (readOnly()) return {};
+    return run(impl_->database, "UPDATE document SET saved_changes = changes");
+}
+
 Result<void> Project::setModel(const Model& model) {
     return impl_->change([&](Database& database) { return storeModel(database, model); });
 }
@@ -89,6 +114,13 @@ Result<Take> Project::take(std::int64_t id) const {
 }
 Result<void> Project::removeTake(std::int64_t id) {
     return impl_->change([id](Database& database) { return eraseTake(database, id); });
+}
+
+Result<void> Project::undoStretch(std::int64_t take, const SampleRange& stretch) {
+    return impl_->change([&](Database& database) { return storeUndone(database, take, stretch); });
+}
+Result<void> Project::redoStretch(std::int64_t take, const SampleRange& stretch) {
+    return impl_->change([&](Database& database) { return eraseUndone(database, take, stretch); });
 }
 
 Result<Project::TakeWriter> Project::beginTake(const TakeInfo& info) {

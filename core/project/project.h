@@ -67,6 +67,14 @@ public:
     /// Recordings may go on meanwhile; the file then holds what they had written when it began.
     /// Errors: diskFull, fileNotWritable; the file is then what it was before.
     Result<void> save();
+    /// Saves under another name and goes on there; the file that it had stays as it was last saved. What stands at the
+    /// new name is replaced, if it is a project that nobody has open. Afterwards `readOnly` is false.
+    /// Errors: as `save`, projectInUse, projectNotBurin, argumentInvalid (a take is being recorded); nothing has changed
+    /// then.
+    Result<void> saveAs(const std::filesystem::path& file);
+    /// What was not saved is no longer wanted: the working copy goes with this object, and the next `open` finds the
+    /// file as it was saved. Errors: diskFull, fileNotWritable.
+    Result<void> abandonChanges();
 
     // Each setter is one transaction; errors: diskFull, fileNotWritable. Each getter: fileDamaged, projectIncomplete.
     // Lists are empty where nothing was stored yet; what there is only one of is then projectIncomplete.
@@ -85,6 +93,13 @@ public:
     Result<Take> take(std::int64_t id) const;
     /// Errors: as `take`, argumentInvalid while a path uses it.
     Result<void> removeTake(std::int64_t id);
+
+    /// Notes that a stretch of a take was taken back: its samples stay, and count no more. The take may still be
+    /// recorded, and the stretch run ahead of what the recorder has written. Errors: nameUnknown (the take),
+    /// argumentInvalid (an empty stretch, or one that overlaps another).
+    Result<void> undoStretch(std::int64_t take, const SampleRange& stretch);
+    /// Takes such a note back. Errors: argumentInvalid (there is none of just this stretch).
+    Result<void> redoStretch(std::int64_t take, const SampleRange& stretch);
 
     /// Its id; `path.id` is ignored. Errors: nameUnknown (a take).
     Result<std::int64_t> addPath(const StoredPath& path);

@@ -90,6 +90,15 @@ CREATE TABLE program(
     report_json TEXT NOT NULL);
 )sql";
 
+constexpr const char* undoneStretch = R"sql(
+CREATE TABLE undone_stretch(
+    id INTEGER PRIMARY KEY,
+    take INTEGER NOT NULL REFERENCES take(id),
+    first INTEGER NOT NULL,
+    count INTEGER NOT NULL,
+    UNIQUE(take, first));
+)sql";
+
 Result<void> setVersion(Database& file, int version) {
     return file.execute(("PRAGMA user_version = " + std::to_string(version)).c_str());
 }
@@ -102,8 +111,13 @@ Result<void> createSchema(Database& file) {
     const std::string identity = "PRAGMA application_id = " + std::to_string(projectApplicationId);
     if (Result<void> done = file.execute(identity.c_str()); !done) return done;
     if (Result<void> done = setVersion(file, projectVersion); !done) return done;
-    if (Result<void> done = file.execute(tables); !done) return done;
+    for (const char* part : {tables, undoneStretch})
+        if (Result<void> done = file.execute(part); !done) return done;
     return whole->commit();
+}
+
+Result<void> addUndoneStretches(Database& file) {
+    return file.execute(undoneStretch);
 }
 
 Result<void> checkIdentity(Database& file, int newest) {

@@ -21,7 +21,10 @@ struct Migration {
 };
 
 /// In order; the first starts from version 1. Every released version has its witness in tests/fixtures/projects.
-inline constexpr std::array<Migration, 0> projectMigrations{};
+Result<void> addUndoneStretches(Database& file); // schema.cpp
+inline constexpr std::array projectMigrations{
+    Migration{1, BURIN_TEXT("Migration", "Strokes of a recording can be taken back."), addUndoneStretches},
+};
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 
 /// Makes the tables of the current version in an empty database.

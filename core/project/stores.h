@@ -29,6 +29,8 @@ Result<std::int64_t> storeTake(Database& database, const TakeInfo& info);
 Result<std::vector<TakeInfo>> loadTakes(Database& database);
 Result<Take> loadTake(Database& database, std::int64_t id);
 Result<void> eraseTake(Database& database, std::int64_t id);
+Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch);
+Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch);
 
 // path_store.cpp
 Result<std::int64_t> storePath(Database& database, const StoredPath& path); ///< as a new one; its id

@@ -17,13 +17,19 @@ struct Stroke {
     VolumeSnapshot before;              ///< the workpiece as the stroke found it
 };
 
-/// The newest strokes of a bench, so that they can be taken back, during a session and after it. Owner's thread.
+/// The newest strokes of a bench, so that they can be taken back, during a session and after it. It belongs to one
+/// workpiece: to be cleared when that is made anew, changed by others, or a take of it is removed. Owner's thread.
+/// Each stroke holds back what of the volume's memory has changed since.
 class StrokeHistory {
 public:
     static constexpr std::size_t maximum = 32; ///< strokes that can be taken back; older ones stay
     bool canUndo() const noexcept { return !done_.empty(); }
     bool canRedo() const noexcept { return !undone_.empty(); }
     std::size_t count() const noexcept { return done_.size(); }
+    /// All strokes that were ever added, whatever became of them.
+    std::uint64_t added() const noexcept { return added_; }
+    /// The stroke that `undo` would take back; there must be one.
+    const Stroke& newest() const noexcept { return done_.back(); }
     void clear();
 
     /// For the session alone: a stroke that was just ended. What could be redone is forgotten.
@@ -33,9 +39,13 @@ public:
     /// changed then.
     Result<void> undo(Project& project, RunVolume& workpiece);
     Result<void> redo(Project& project, RunVolume& workpiece);
+    /// The oldest half stays for good, and gives the memory that it held back to the volume. False: there is none.
+    bool forgetOldest();
 
 private:
-    std::deque<Stroke> done_, undone_;
+    std::deque<Stroke> done_, undone_; ///< newest last; of the undone, the one that is redone first
+    std::uint64_t added_ = 0;
+    VolumeSnapshot after_; ///< the workpiece before anything was undone
 };
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #include "core/project/sample_chunk.h"
 #include "core/project/stores.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace burin {
@@ -12,6 +13,7 @@ namespace {
 constexpr const char* selectTakes =
     "SELECT id, name, tool_id, allowance, tick_period, started_unix_time, stylus, complete, "
     "(SELECT COALESCE(SUM(count), 0) FROM sample_chunk WHERE take = take.id) FROM take";
+constexpr std::int64_t mostSamples = std::int64_t{1} << 62; ///< so that the end of a stretch is a number
 
 TakeInfo infoOf(const Statement& row) {
     TakeInfo info;
@@ -54,6 +56,30 @@ Result<void> loadSamples(Database& database, Take& take) {
     });
 }
 
+/// A stretch may run beyond the samples: those behind its end were lost with their recorder.
+Result<void> loadUndone(Database& database, std::int64_t id, std::uint64_t samples, std::vector<SampleRange>& undone) {
+    Result<Statement> rows =
+        Statement::prepare(database, "SELECT first, count FROM undone_stretch WHERE take = ? ORDER BY first");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(id); !bound) return bound;
+    std::uint64_t end = 0;
+    return forEachRow(*rows, [&]() -> Result<void> {
+        const std::int64_t first = rows->integer(0), count = rows->integer(1);
+        if (count <= 0 || count > mostSamples || first > mostSamples || std::cmp_less(first, end))
+            return damaged(database, "take " + std::to_string(id) + ", undone stretch");
+        end = static_cast<std::uint64_t>(first + count);
+        const auto from = static_cast<std::uint64_t>(first);
+        if (from < samples) undone.push_back({from, std::min(end, samples) - from});
+        return {};
+    });
+}
+
+Result<void> loadUndone(Database& database, TakeInfo& info, std::vector<SampleRange>& undone) {
+    if (Result<void> read = loadUndone(database, info.id, info.sampleCount, undone); !read) return read;
+    for (const SampleRange& range : undone) info.undoneCount += range.count;
+    return {};
+}
+
 } // namespace
 
 Result<std::int64_t> storeTake(Database& database, const TakeInfo& info) {
@@ -76,6 +102,10 @@ Result<std::vector<TakeInfo>> loadTakes(Database& database) {
         return {};
     });
     if (!read) return std::move(read).error();
+    for (TakeInfo& info : takes) {
+        std::vector<SampleRange> undone;
+        if (read = loadUndone(database, info, undone); !read) return std::move(read).error();
+    }
     return takes;
 }
 
@@ -91,6 +121,7 @@ Result<Take> loadTake(Database& database, std::int64_t id) {
         take.info = infoOf(*row);
     }
     if (Result<void> read = loadSamples(database, take); !read) return std::move(read).error();
+    if (Result<void> read = loadUndone(database, take.info, take.undone); !read) return std::move(read).error();
     return take;
 }
 
@@ -104,11 +135,48 @@ Result<void> eraseTake(Database& database, std::int64_t id) {
     if (*used)
         return Error{ErrorCode::argumentInvalid, "take", std::to_string(id),
                      "a take that no path uses (this one: " + std::string(user->text(0)) + ")"};
-    if (Result<void> done = run(database, "DELETE FROM sample_chunk WHERE take = ?", id); !done) return done;
+    for (const char* table : {"DELETE FROM sample_chunk WHERE take = ?", "DELETE FROM undone_stretch WHERE take = ?"})
+        if (Result<void> done = run(database, table, id); !done) return done;
     if (Result<void> done = run(database, "DELETE FROM take WHERE id = ?", id); !done) return done;
     const Result<std::int64_t> erased = database.integer("SELECT changes()");
     if (!erased) return erased.error();
     if (*erased == 0) return unknownTake(database, id);
+    return {};
+}
+
+Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch) {
+    const auto refused = [&] {
+        return Error{ErrorCode::argumentInvalid, "stretch",
+                     std::to_string(stretch.first) + " + " + std::to_string(stretch.count),
+                     "samples of take " + std::to_string(take) + " that were not taken back yet"};
+    };
+    if (stretch.count == 0 || std::cmp_greater(stretch.first, mostSamples) ||
+        std::cmp_greater(stretch.count, mostSamples))
+        return refused();
+    const Result<std::vector<TakeInfo>> takes = loadTakes(database);
+    if (!takes) return takes.error();
+    if (std::ranges::none_of(*takes, [&](const TakeInfo& info) { return info.id == take; }))
+        return unknownTake(database, take);
+    // Unclipped, for the take may still grow.
+    std::vector<SampleRange> undone;
+    if (Result<void> read = loadUndone(database, take, ~std::uint64_t{0}, undone); !read) return read;
+    for (const SampleRange& other : undone)
+        if (other.contains(stretch.first) || stretch.contains(other.first)) return refused();
+    return run(database, "INSERT INTO undone_stretch(take, first, count) VALUES(?, ?, ?)", take, stretch.first,
+               stretch.count);
+}
+
+Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch) {
+    if (Result<void> done = run(database, "DELETE FROM undone_stretch WHERE take = ? AND first = ? AND count = ?", take,
+                                stretch.first, stretch.count);
+        !done)
+        return done;
+    const Result<std::int64_t> erased = database.integer("SELECT changes()");
+    if (!erased) return erased.error();
+    if (*erased == 0)
+        return Error{ErrorCode::argumentInvalid, "stretch",
+                     std::to_string(stretch.first) + " + " + std::to_string(stretch.count),
+                     "a stretch of take " + std::to_string(take) + " that was taken back"};
     return {};
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -19,6 +20,7 @@ enum SampleFlag : std::uint32_t {
     sampleStylusInvalid = 1u << 3, ///< the device gave no valid reading: zero force
     sampleForcesOff = 1u << 4,     ///< ramp-in or start inside the part: no force yet
     sampleMemoryFull = 1u << 5,    ///< the reserved memory of the volume is used up: cutting stopped
+    sampleSpindleOff = 1u << 6,    ///< the tool only moved: nothing was cut, stock did not hold it; never part of a path
 };
 
 /// Removed volume of one material in one tick.
@@ -44,6 +46,13 @@ struct Sample {
 };
 static_assert(std::is_trivially_copyable_v<Sample>);
 
+/// A stretch of a take, counted in samples from its first.
+struct SampleRange {
+    std::uint64_t first = 0, count = 0;
+    bool contains(std::uint64_t sample) const noexcept { return sample >= first && sample - first < count; }
+    friend bool operator==(const SampleRange&, const SampleRange&) = default;
+};
+
 /// What is constant over one recording.
 struct TakeInfo {
     std::int64_t id = 0;           ///< in its project
@@ -54,13 +63,32 @@ struct TakeInfo {
     double startedUnixTime = 0.0;  ///< s since 1970, UTC
     std::string stylus;            ///< description of the input
     std::uint64_t sampleCount = 0;
+    std::uint64_t undoneCount = 0; ///< of these, taken back
     bool complete = false;         ///< false: the program ended while it was recorded
 };
 
-/// A recording. Immutable once it is complete.
+/// A recording. Its samples are immutable once it is complete; strokes that were taken back stay among them.
 struct Take {
     TakeInfo info;
     std::vector<Sample> samples;
+    std::vector<SampleRange> undone; ///< rising, apart from each other, within the samples
+};
+
+/// Goes through a take from its first sample on and tells which ones were taken back: they are no part of paths, of the
+/// workpiece, or of figures.
+class UndoneSamples {
+public:
+    explicit UndoneSamples(const Take& take) noexcept : UndoneSamples(take.undone) {}
+    explicit UndoneSamples(std::span<const SampleRange> rising) noexcept : ranges_(rising) {}
+    /// @param sample no smaller than in the call before
+    bool holds(std::uint64_t sample) noexcept {
+        while (!ranges_.empty() && sample >= ranges_.front().first + ranges_.front().count)
+            ranges_ = ranges_.subspan(1);
+        return !ranges_.empty() && ranges_.front().contains(sample);
+    }
+
+private:
+    std::span<const SampleRange> ranges_;
 };
 
 } // namespace burin

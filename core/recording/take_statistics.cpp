@@ -40,15 +40,14 @@ void addFlags(TakeStatistics& statistics, std::uint32_t flags) {
     statistics.stylusInvalid += count(sampleStylusInvalid);
     statistics.forcesOff += count(sampleForcesOff);
     statistics.memoryFull += count(sampleMemoryFull);
+    statistics.spindleOff += count(sampleSpindleOff);
 }
 
-} // namespace
-
-TakeStatistics takeStatistics(std::span<const Sample> samples) {
-    TakeStatistics statistics;
-    statistics.samples = samples.size();
-    if (samples.empty()) return statistics;
-    statistics.seconds = samples.back().time - samples.front().time;
+/// One stretch without a gap of samples that were taken back.
+void addStretch(TakeStatistics& statistics, std::span<const Sample> samples) {
+    if (samples.empty()) return;
+    statistics.samples += samples.size();
+    statistics.seconds += samples.back().time - samples.front().time;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const Sample& sample = samples[i];
         if (i > 0) addMotion(statistics, samples[i - 1], sample);
@@ -58,6 +57,27 @@ TakeStatistics takeStatistics(std::span<const Sample> samples) {
         keepGreater(statistics.greatestCuttingForce, glm::length(sample.cuttingForce));
         keepGreater(statistics.greatestPress, glm::length(sample.stylusTip - sample.proxy.tip));
     }
+}
+
+} // namespace
+
+TakeStatistics takeStatistics(std::span<const Sample> samples) {
+    TakeStatistics statistics;
+    addStretch(statistics, samples);
+    return statistics;
+}
+
+TakeStatistics standingStatistics(const Take& take) {
+    TakeStatistics statistics;
+    std::span<const Sample> rest(take.samples);
+    std::uint64_t passed = 0;
+    for (const SampleRange& range : take.undone) {
+        addStretch(statistics, rest.first(range.first - passed));
+        rest = rest.subspan(range.first - passed + range.count);
+        passed = range.first + range.count;
+        statistics.undone += range.count;
+    }
+    addStretch(statistics, rest);
     return statistics;
 }
 

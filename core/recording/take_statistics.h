@@ -28,9 +28,13 @@ struct TakeStatistics {
     std::uint64_t stylusInvalid = 0;
     std::uint64_t forcesOff = 0;
     std::uint64_t memoryFull = 0;
+    std::uint64_t spindleOff = 0;
+    std::uint64_t undone = 0; ///< samples that were taken back; they count in nothing else
 };
 
 /// @param samples in the order of their ticks. Samples with numbers that are not finite add nothing to lengths.
 TakeStatistics takeStatistics(std::span<const Sample> samples);
+/// Of what stands: the way to and from what was taken back counts as little as that itself.
+TakeStatistics standingStatistics(const Take& take);
 
 } // namespace burin

@@ -35,9 +35,15 @@ Result<PropertyIndex> addNumbered(PropertyList& list, Property property) {
     return list.add(std::move(property));
 }
 
-Result<Materials> gatherMaterials(const Model& model, const Setup& setup) {
+Result<Property> materialOf(const std::string& id, const std::vector<Property>& known) {
+    for (const Property& material : known)
+        if (material.id == id) return material;
+    return loadMaterial(id);
+}
+
+Result<Materials> gatherMaterials(const Model& model, const Setup& setup, const std::vector<Property>& known) {
     Materials materials;
-    Result<Property> stock = loadMaterial(setup.stockMaterial);
+    Result<Property> stock = materialOf(setup.stockMaterial, known);
     if (!stock) return stock.error();
     stock->machinability = Machinability::machinable;
     const Property stockMaterial = *stock;
@@ -46,7 +52,7 @@ Result<Materials> gatherMaterials(const Model& model, const Setup& setup) {
     materials.stock = *stockIndex;
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
         const bool own = i < setup.bodyMaterials.size() && !setup.bodyMaterials[i].empty();
-        Result<Property> material = own ? loadMaterial(setup.bodyMaterials[i]) : Result<Property>(stockMaterial);
+        Result<Property> material = own ? materialOf(setup.bodyMaterials[i], known) : Result<Property>(stockMaterial);
         if (!material) return material.error();
         material->machinability = Machinability::isProtected;
         material->id += " (" + nameOf(model, i) + ")";
@@ -120,10 +126,15 @@ Result<void> fillBody(const Model& model, std::size_t body, EmbeddedSetup& embed
 } // namespace
 
 Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, Progress& progress) {
+    return embed(model, setup, {}, progress);
+}
+
+Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::vector<Property>& known,
+                            Progress& progress) {
     const Result<EmbeddingSize> size = embeddingSize(setup);
     if (!size) return size.error();
     if (Result<void> inside = requireInside(model, setup.stock); !inside) return inside.error();
-    Result<Materials> materials = gatherMaterials(model, setup);
+    Result<Materials> materials = gatherMaterials(model, setup, known);
     if (!materials) return materials.error();
     const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size->voxels, RunAxis::z);
     if (!grid) return grid.error();

@@ -14,13 +14,13 @@ namespace burin {
 
 /// How a part lies in its stock: one clamping. The setup frame is the model's frame.
 struct Setup {
-    double voxel = 0.5;              ///< mm
-    glm::dvec3 marginLow{5.0};       ///< mm of stock below the part along x, y, z
-    glm::dvec3 marginHigh{5.0};      ///< mm above
+    double voxel = 0.5;         ///< mm
+    glm::dvec3 marginLow{5.0};  ///< mm of stock below the part along x, y, z
+    glm::dvec3 marginHigh{5.0}; ///< mm above
     std::string stockMaterial = "aluminium-6061";
     std::vector<std::string> bodyMaterials; ///< per body; empty: the stock's
-    Box stock;                       ///< mm; filled by `placeStock`
-    glm::dvec3 workOffset{0.0};      ///< program zero in the setup frame, mm; filled by `placeStock`
+    Box stock;                              ///< mm; filled by `placeStock`
+    glm::dvec3 workOffset{0.0};             ///< program zero in the setup frame, mm; filled by `placeStock`
 };
 
 /// Box stock around a model: its box grown by the margins. Program zero: centre of the stock's top face.
@@ -39,14 +39,17 @@ struct EmbeddedSetup {
     RunVolume workpiece;
     std::vector<PropertyIndex> bodyProperties; ///< protected, per body
     PropertyIndex stockProperty = airProperty; ///< machinable
-    double partVolume = 0.0;   ///< mm³ of protected runs
-    double stockVolume = 0.0;  ///< mm³ of machinable runs
-    std::vector<std::string> warnings; ///< English: open meshes, overlapping bodies
+    double partVolume = 0.0;                   ///< mm³ of protected runs
+    double stockVolume = 0.0;                  ///< mm³ of machinable runs
+    std::vector<std::string> warnings;         ///< English: open meshes, overlapping bodies
 };
 
 /// Fills a grid with the stock (machinable) and the bodies (protected). Stock faces lie on run ends along z exactly and
 /// on voxel faces across (the grid is the stock box, rounded up to whole voxels; the overhang is air).
 /// Errors: volumeTooLarge, outOfMemory, nameUnknown (a material), modelNotWatertight, partOutsideStock, cancelled.
 Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, Progress& progress);
+/// @param materials looked through by id before the library: those that a project keeps
+Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::vector<Property>& materials,
+                            Progress& progress);
 
 } // namespace burin

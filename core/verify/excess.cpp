@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/excess.h"
+#include "core/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 namespace burin {
 
@@ -101,9 +100,9 @@ Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, c
     const std::vector<RevolvedPiece> stack = pieces(request.tool.cutter);
     const double lowest = request.model->box().low.z;
     std::vector<DeviationSample> samples(points.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256), [&](const auto& range) {
+    parallelStretches(std::size_t{0}, points.size(), 256, [&](std::size_t from, std::size_t to) {
         if (progress.cancelled()) return;
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        for (std::size_t i = from; i != to; ++i)
             samples[i] = {points[i].place, excessAt(workpiece, points[i]),
                           isReachable(request, stack, points[i], lowest)};
     });

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/gouge.h"
+#include "core/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 namespace burin {
 
@@ -36,12 +35,12 @@ std::vector<Sample> samplesAlong(const std::vector<ToolMove>& moves, double samp
 bool judgeOnMesh(std::vector<Sample>& samples, const VerifyRequest& request, Progress& progress) {
     const std::vector<RevolvedPiece> stack = pieces(request.tool.cutter);
     std::atomic<std::size_t> done{0};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), 512), [&](const auto& range) {
+    parallelStretches(std::size_t{0}, samples.size(), 512, [&](std::size_t from, std::size_t to) {
         if (progress.cancelled()) return;
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        for (std::size_t i = from; i != to; ++i)
             samples[i].clearance =
                 request.part->clearance(stack, ToolPose{samples[i].tip, {0.0, 0.0, 1.0}}, searchDistance);
-        done += range.size();
+        done += to - from;
         progress.report(static_cast<double>(done.load()) / static_cast<double>(samples.size()));
     });
     return !progress.cancelled();

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/assembly.h"
-
-#include <oneapi/tbb/parallel_for.h>
+#include "core/base/parallel.h"
 
 #include <algorithm>
 #include <new>
@@ -24,7 +23,7 @@ Result<RunVolume> assemble(const Grid& grid, PropertyList properties,
                            const std::function<void(LineIndex, std::vector<Segment>&)>& describe) {
     try {
         std::vector<Row> rows(static_cast<std::size_t>(grid.lineCountV()));
-        oneapi::tbb::parallel_for(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
+        parallelFor(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
             Row& row = rows[static_cast<std::size_t>(v)];
             for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {
                 describe({u, v}, row.segments);

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/boundary.h"
 
+#include "core/base/parallel.h"
 #include "core/volume/stretches.h"
-
-#include <oneapi/tbb/parallel_for.h>
 
 #include <utility>
 
@@ -87,7 +86,7 @@ std::vector<VoxelStretch> boundaryOfLine(const VolumeSnapshot& volume, LineIndex
 std::vector<VoxelIndex> boundaryVoxels(const VolumeSnapshot& volume) {
     const Grid& grid = volume.grid();
     std::vector<std::vector<VoxelIndex>> rows(static_cast<std::size_t>(grid.lineCountV()));
-    oneapi::tbb::parallel_for(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
+    parallelFor(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
         BoundaryFinder finder(volume);
         for (std::int32_t u = 0; u < grid.lineCountU(); ++u)
             finder.onLine({u, v}, [&](VoxelStretch stretch) {

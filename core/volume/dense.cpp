@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/dense.h"
 
+#include "core/base/parallel.h"
 #include "core/volume/assembly.h"
 #include "core/volume/voxel_runs.h"
-
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <utility>
@@ -47,7 +46,7 @@ Result<RunVolume> fromDense(const Grid& grid, PropertyList properties, std::span
 std::vector<PropertyIndex> toDense(const VolumeSnapshot& volume) {
     const Grid& grid = volume.grid();
     std::vector<PropertyIndex> voxels(voxelCount(grid), airProperty);
-    oneapi::tbb::parallel_for(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
+    parallelFor(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
         for (std::int32_t u = 0; u < grid.lineCountU(); ++u)
             forEachVoxelRun(volume.line({u, v}), [&](const Run& run) {
                 for (std::int32_t along = run.first; along <= run.last; ++along)

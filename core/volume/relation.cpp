@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/relation.h"
 
+#include "core/base/parallel.h"
 #include "core/volume/stretches.h"
-
-#include <oneapi/tbb/parallel_for.h>
 
 #include <atomic>
 
@@ -43,7 +42,7 @@ void stretchesOf(std::span<const Segment> line, PropertyIndex property, std::vec
 template <class ReadA, class ReadB>
 SpatialRelation compare(const Grid& grid, ReadA readA, ReadB readB) {
     std::atomic<bool> intersecting{false}, adjacent{false};
-    oneapi::tbb::parallel_for(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
+    parallelFor(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
         std::vector<Stretch> a, b;
         for (std::int32_t u = 0; u < grid.lineCountU() && !intersecting; ++u) {
             readA({u, v}, a);

@@ -66,6 +66,11 @@ public:
     std::span<const Segment> line(LineIndex line) const noexcept;
     /// Total of every property, recounted over all scanlines (parallel).
     RunAmounts amounts() const;
+    /// Whether both show moments of one and the same volume.
+    bool sameVolume(const VolumeSnapshot& other) const noexcept;
+    /// Whether the brick of 8 × 8 scanlines around `line` is one and the same in both: nothing in it changed in between
+    /// (otherwise it may have). Both must show the same volume. Cost: two look-ups.
+    bool sharesBrick(const VolumeSnapshot& other, LineIndex line) const noexcept;
 
 private:
     friend class RunVolume;
@@ -127,7 +132,7 @@ public:
 
     /// Total of every property, kept up to date with each edit: O(1).
     const RunAmounts& amounts() const noexcept;
-    /// Cost: below a tick. Bricks are copied when they are next written. Allocates only when more than eight snapshots
+    /// Cost: below a tick. Bricks are copied when they are next written. Allocates only when more than 64 snapshots
     /// are held at once. Writer's thread.
     VolumeSnapshot snapshot();
     /// Puts back what a snapshot of this volume held (undo). Needs no memory; snapshots taken since stay as they are.

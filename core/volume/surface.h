@@ -30,6 +30,8 @@ struct SurfaceMesh {
     void clear();
 };
 
+inline constexpr int coarsestSurfaceLevel = 3;
+
 /// How fine a surface is drawn.
 struct SurfaceDetail {
     int level = 0;          ///< cells of 2^level voxels, 0 … 3
@@ -58,6 +60,8 @@ glm::ivec2 surfaceTiles(const Grid& grid);
 
 /// Tiles whose surface may differ between two snapshots of one volume, those beside a change included.
 /// Everything when `before` is empty or shows another volume.
-std::vector<SurfaceTile> changedSurface(const VolumeSnapshot& before, const VolumeSnapshot& now);
+/// @param level the coarsest that is drawn: the coarser, the farther a change reaches
+std::vector<SurfaceTile> changedSurface(const VolumeSnapshot& before, const VolumeSnapshot& now,
+                                        int level = coarsestSurfaceLevel);
 
 } // namespace burin

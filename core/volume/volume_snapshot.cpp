@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/parallel.h"
 #include "core/volume/volume_store.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace burin {
 
@@ -39,24 +39,38 @@ std::span<const Segment> VolumeSnapshot::line(LineIndex line) const noexcept {
     return state_->store->line(state_->pages, line);
 }
 
+bool VolumeSnapshot::sameVolume(const VolumeSnapshot& other) const noexcept {
+    return state_ != nullptr && other.state_ != nullptr && state_->store == other.state_->store;
+}
+
+bool VolumeSnapshot::sharesBrick(const VolumeSnapshot& other, LineIndex line) const noexcept {
+    const VolumeStore& store = *state_->store;
+    const std::size_t page = store.table.pageOf(line);
+    const BlockIndex own = state_->pages[page], others = other.state_->pages[page];
+    if (own == others) return true;
+    const auto entry = static_cast<std::size_t>(TileTable::entryOf(line));
+    return store.page(own)[entry] == store.page(others)[entry];
+}
+
 RunAmounts VolumeSnapshot::amounts() const {
-    const auto addLines = [&](const oneapi::tbb::blocked_range<std::int32_t>& rows, RunAmounts sum) {
-        for (std::int32_t v = rows.begin(); v != rows.end(); ++v)
+    constexpr std::int32_t rowsPerPart = 16;
+    const std::int32_t rows = grid().lineCountV();
+    std::vector<RunAmounts> parts(static_cast<std::size_t>((rows + rowsPerPart - 1) / rowsPerPart));
+    parallelFor(std::size_t{0}, parts.size(), [&](std::size_t part) {
+        const std::int32_t first = static_cast<std::int32_t>(part) * rowsPerPart;
+        for (std::int32_t v = first; v < std::min(first + rowsPerPart, rows); ++v)
             for (std::int32_t u = 0; u < grid().lineCountU(); ++u) {
                 RunPosition start = 0;
                 for (const Segment segment : line({u, v})) {
-                    sum.units[segment.property()] += segment.end() - start;
+                    parts[part].units[segment.property()] += segment.end() - start;
                     start = segment.end();
                 }
             }
-        return sum;
-    };
-    const auto join = [](RunAmounts a, const RunAmounts& b) {
-        for (std::size_t i = 0; i < a.units.size(); ++i) a.units[i] += b.units[i];
-        return a;
-    };
-    return oneapi::tbb::parallel_reduce(oneapi::tbb::blocked_range<std::int32_t>(0, grid().lineCountV(), 16),
-                                        RunAmounts{}, addLines, join);
+    });
+    RunAmounts total;
+    for (const RunAmounts& part : parts)
+        for (std::size_t i = 0; i < total.units.size(); ++i) total.units[i] += part.units[i];
+    return total;
 }
 
 } // namespace burin

@@ -84,7 +84,7 @@ public:
 
     // ---- Writer's thread
 
-    /// A state to fill in; allocates only when more than eight snapshots are held at once.
+    /// A state to fill in; allocates only when more than 64 snapshots are held at once.
     VolumeState* obtainState();
     /// Hands a snapshot over to the readers.
     void publish(VolumeState* state) noexcept;
@@ -104,7 +104,9 @@ private:
     void freeYoungerThan(DeadList& list, std::uint64_t epoch) noexcept;
     void unlist(DeadList& list) noexcept;
 
-    static constexpr int preparedStates = 8;
+    /// 32 strokes to take back, the one under way, what waits to be handed over and what others look at (3 kB each,
+    /// and 4 bytes more for every 128 x 128 scanlines).
+    static constexpr int preparedStates = 64;
 
     std::vector<std::unique_ptr<VolumeState>> states_; ///< all there are; writer's
     VolumeState* spare_ = nullptr;                     ///< writer's

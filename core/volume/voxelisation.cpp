@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/voxelisation.h"
 
+#include "core/base/parallel.h"
 #include "core/volume/line_crossings.h"
-
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <new>
@@ -138,7 +137,7 @@ Result<VoxelisationReport> fillInside(const TriangleMesh& mesh, PropertyIndex pr
     for (std::int32_t first = 0; first < slabCount; first += slabsAtOnce) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "voxelisation", {}, {}};
         std::vector<Slab> slabs(static_cast<std::size_t>(std::min(slabsAtOnce, slabCount - first)));
-        oneapi::tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t i) {
+        parallelFor(std::size_t{0}, slabs.size(), [&](std::size_t i) {
             const std::int32_t slab = first + static_cast<std::int32_t>(i);
             slabs[i] = crossSlab(*projected, bins.in(slab), slab, grid);
         });

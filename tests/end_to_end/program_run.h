@@ -29,7 +29,8 @@ inline ProgramRun runBurin(const QStringList& arguments) {
     process.setProcessEnvironment(environment);
     process.start(burinProgram(), arguments);
     ProgramRun run;
-    if (!process.waitForFinished(600'000)) process.kill();
+    const int limit = qEnvironmentVariableIntValue("QTEST_FUNCTION_TIMEOUT"); // longer under sanitizers
+    if (!process.waitForFinished(limit > 0 ? limit : 600'000)) process.kill();
     if (process.exitStatus() == QProcess::NormalExit && process.error() == QProcess::UnknownError)
         run.status = process.exitCode();
     run.output = process.readAllStandardOutput();

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "canonical_moves.h"
+#include "part_judge.h"
 #include "program_run.h"
 
 #include "core/base/units.h"
-#include "core/cad/import.h"
-#include "core/geometry/mesh_distance.h"
 #include "core/project/project.h"
 #include "core/tool/tool.h"
 
@@ -20,27 +18,6 @@
 using namespace burin;
 
 namespace {
-
-struct ToolSample {
-    glm::dvec3 tip{0.0};
-    bool cutting = false; ///< at the cutting feed
-    double clearance = 0.0;
-};
-
-/// Places every 0.1 mm along the moves, in the model's frame. The first moves come from nowhere.
-std::vector<ToolSample> samplesAlong(const std::vector<CanonicalMove>& moves, const glm::dvec3& workOffset) {
-    double cuttingFeed = 0.0;
-    for (const CanonicalMove& move : moves) cuttingFeed = std::max(cuttingFeed, move.feed);
-    std::vector<ToolSample> samples;
-    for (std::size_t i = 1; i < moves.size(); ++i) {
-        const glm::dvec3 from = moves[i - 1].to, to = moves[i].to;
-        const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(to - from) / 0.1)));
-        for (int step = 1; step <= steps; ++step)
-            samples.push_back({glm::mix(from, to, static_cast<double>(step) / steps) + workOffset,
-                               !moves[i].rapid && moves[i].feed == cuttingFeed, 0.0});
-    }
-    return samples;
-}
 
 /// Is a place over the part's outline, shrunk by the radius? The sample part is a column over its base from z = 0 up,
 /// so its outline is that of a cut just above the base.
@@ -73,8 +50,7 @@ private slots:
 private:
     QTemporaryDir folder_;
     QJsonObject answer_;
-    std::optional<Model> model_;
-    std::optional<MeshDistance> part_;
+    std::optional<PartJudge> judge_;
     std::vector<ToolSample> samples_;
 };
 
@@ -83,13 +59,8 @@ void MainJobTest::initTestCase() {
     QVERIFY2(run.status == 0, run.messages.constData());
     QVERIFY2(run.messages.isEmpty(), run.messages.constData());
     answer_ = run.json();
-    ImportOptions options;
-    options.worker = BURIN_BUILD_DIRECTORY "/burin-import";
-    Progress progress;
-    Result<Model> model = importModel(BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", options, progress);
-    QVERIFY(model);
-    model_ = std::move(*model);
-    part_.emplace(model_->bodies.front().mesh);
+    judge_ = PartJudge::of(BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", 3.0);
+    QVERIFY(judge_);
 }
 
 void MainJobTest::answersWithEveryFigure() {
@@ -114,7 +85,7 @@ void MainJobTest::leavesFilesBehind() {
 }
 
 void MainJobTest::volumesAgree() {
-    const double exact = model_->bodies.front().volume; // OpenCASCADE's integral over the B-rep
+    const double exact = judge_->model().bodies.front().volume; // OpenCASCADE's integral over the B-rep
     QVERIFY(std::abs(answer_["part_volume_mm3"].toDouble() - exact) <= 0.005 * exact);
     const double removed = answer_["removed_mm3"].toDouble(), drop = answer_["workpiece_drop_mm3"].toDouble();
     QVERIFY(removed > 1000.0);
@@ -126,27 +97,14 @@ void MainJobTest::interpreterAcceptsTheProgramAndNothingGouges() {
                                       answer_["tool"].toObject()["number"].toInt(), 6.0);
     QVERIFY2(moves.has_value(), "rs274 refused the program");
     const QJsonArray offset = answer_["work_offset_mm"].toArray();
-    samples_ = samplesAlong(*moves, {offset[0].toDouble(), offset[1].toDouble(), offset[2].toDouble()});
+    samples_ = judge_->along(*moves, {offset[0].toDouble(), offset[1].toDouble(), offset[2].toDouble()});
     QVERIFY(samples_.size() > 100'000);
-    const RevolvedPiece cutter{0.0, 60.0, 3.0, 3.0, 3.0}; // ball and shank as one, 60 mm long
-    for (ToolSample& sample : samples_)
-        sample.clearance = part_->clearance({&cutter, 1}, ToolPose{sample.tip, {0.0, 0.0, 1.0}}, 2.0).clearance;
-
-    std::vector<ToolSample> worst = samples_;
-    const auto nearer = [](const ToolSample& a, const ToolSample& b) { return a.clearance < b.clearance; };
-    std::nth_element(worst.begin(), worst.begin() + 500, worst.end(), nearer);
-    std::vector<glm::dvec3> centres;
-    for (std::size_t i = 0; i < 500; ++i) centres.push_back(worst[i].tip + glm::dvec3(0.0, 0.0, 3.0));
-    ImportOptions options;
-    options.worker = BURIN_BUILD_DIRECTORY "/burin-import";
-    Progress progress;
-    const Result<std::vector<double>> distances = exactSignedDistances(model_->brep, centres, options, progress);
-    QVERIFY(distances);
-    double gouge = 0.0;
-    for (const double distance : *distances) gouge = std::max(gouge, 3.0 - distance);
-    QVERIFY2(gouge <= 0.02, qPrintable(QString("gouge %1 mm").arg(gouge)));
-    QVERIFY2(-worst.front().clearance <= 0.02,
-             qPrintable(QString("gouge %1 mm on the mesh").arg(-worst.front().clearance)));
+    const std::optional<double> gouge = judge_->exactGouge(samples_, 500);
+    QVERIFY(gouge);
+    QVERIFY2(*gouge <= 0.02, qPrintable(QString("gouge %1 mm").arg(*gouge)));
+    double clearance = 1e9;
+    for (const ToolSample& sample : samples_) clearance = std::min(clearance, sample.clearance);
+    QVERIFY2(clearance >= -0.02, qPrintable(QString("gouge %1 mm on the mesh").arg(-clearance)));
 }
 
 void MainJobTest::finishingLiesOnThePart() {
@@ -154,7 +112,7 @@ void MainJobTest::finishingLiesOnThePart() {
     std::size_t all = 0, onPart = 0;
     for (std::size_t i = 0; i < samples_.size(); i += 5) { // every half millimetre: enough for a share
         const ToolSample& sample = samples_[i];
-        if (!sample.cutting || !overShrunkOutline(*part_, sample.tip, 3.0)) continue;
+        if (!sample.cutting || !overShrunkOutline(judge_->part(), sample.tip, 3.0)) continue;
         ++all;
         if (sample.clearance <= 0.1) ++onPart;
     }
@@ -168,7 +126,6 @@ void MainJobTest::proxyNeverEntersThePart() {
     const Result<Project> project = Project::open(answer_["project"].toString().toStdString());
     QVERIFY(project);
     const Tool tool = loadTool("ball-6").value();
-    const RevolvedPiece cutter = flutes(tool.cutter);
     const double voxel = answer_["voxel_mm"].toDouble();
     const auto takes = project->takes().value();
     QCOMPARE(takes.size(), std::size_t(2));
@@ -176,11 +133,10 @@ void MainJobTest::proxyNeverEntersThePart() {
     QCOMPARE(takes[1].allowance, 0.0);
     for (const TakeInfo& info : takes) {
         const Take take = project->take(info.id).value();
-        double deepest = -1e9, deepestPress = 0.0;
-        for (const Sample& sample : take.samples) {
-            deepest = std::max(deepest, -part_->clearance({&cutter, 1}, sample.proxy, 2.0).clearance);
+        double deepestPress = 0.0;
+        for (const Sample& sample : take.samples)
             deepestPress = std::max(deepestPress, glm::length(sample.stylusTip - sample.proxy.tip));
-        }
+        const double deepest = judge_->deepestProxy(take, tool);
         QVERIFY2(deepest <= 0.05 * voxel - info.allowance, qPrintable(QString("%1 mm").arg(deepest)));
         if (info.allowance == 0.0) QVERIFY(deepestPress > 1.5); // the push-back does the work
     }

@@ -4,10 +4,12 @@
 
 #include "core/tool/tool.h"
 #include "core/volume/run_volume.h"
+#include "ui/input/fine_pointer.h"
 #include "ui/input/mouse_stylus.h"
 #include "ui/scene/interactive_tool.h"
 
 #include <QObject>
+#include <QTimer>
 
 #include <functional>
 #include <optional>
@@ -27,10 +29,13 @@ struct MillToolSettings {
     double speed = 60.0;     ///< mm/s at most while cutting
 };
 
-/// The mouse over the workpiece as a stylus. Hovering, the tool floats above what is under the pointer, the spindle
-/// off. Left drag cuts a stroke. Wheel moves the tool along its axis (0.5 mm a notch, with Shift 0.05 mm); Shift makes
-/// the pointer fine (a tenth). The right button is the camera's. Esc leaves. Arrow keys move by a voxel, Page up and
-/// down along the axis, Space holds the spindle on: the keyboard alone can mill.
+/// The mouse over the workpiece as a stylus. Hovering, the tool floats above what is under the pointer and on the way
+/// there, the spindle off, and settles when it has arrived. Left drag cuts a stroke. Wheel moves the tool along its
+/// axis during strokes (0.5 mm a notch, with Shift 0.05 mm; with Ctrl it is the camera's); Shift makes the pointer
+/// fine: a tenth of its motion from where Shift went down, until the stroke is over. The right button is the camera's.
+/// Esc leaves. The keyboard alone can mill: arrow keys move by a voxel, as seen by the user (Ctrl: ten voxels, Shift: a
+/// tenth), Page up and down along the axis, Space switches the spindle on and off. While it turns by the keyboard, the
+/// pointer does nothing; otherwise the next motion of the pointer takes the tool again. Thread: user interface.
 class MillTool final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
@@ -54,10 +59,32 @@ signals:
     void depthChanged(double offset); ///< mm along the axis that the wheel added
 
 private:
+    enum class Stroke : std::uint8_t { none, pointer, keyboard };
+
+    void hoverOver(const Sight& sight);
+    void hoverAt(const glm::dvec3& place);
+    void aim(const Sight& sight);
+    std::optional<glm::dvec3> strokePlace(const VolumeSnapshot& workpiece, const Sight& sight);
+    void cutTo(const glm::dvec3& tip, double clearHeight);
+    void settle();
+    void endStroke();
+    void step(const glm::dvec3& way);
+    void toggleSpindle();
+
     MouseStylus& stylus_;
     Tool tool_;
     std::function<VolumeSnapshot()> view_;
     MillToolSettings settings_;
+    FinePointer fine_;
+    QTimer settling_;
+    Stroke stroke_ = Stroke::none;
+    glm::dvec3 target_;                   ///< mm, that was wished last
+    double wantedHeight_ = 0.0;           ///< mm, z that a hover asked for; clearance may lift it
+    std::optional<double> surfaceHeight_; ///< mm, z of what was under the pointer last
+    double levelHeight_ = 0.0;            ///< mm, z of the stroke's plane, the wheel not counted
+    double wheelOffset_ = 0.0;            ///< mm along the axis
+    Sight lastSight_;                     ///< as the fine pointer has it
+    glm::dvec3 lookingAlong_{0.0, 0.0, -1.0};
 };
 
 } // namespace burin

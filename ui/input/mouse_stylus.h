@@ -5,38 +5,77 @@
 #include "core/base/mailbox.h"
 #include "core/device/stylus.h"
 
+#include <optional>
+
 namespace burin {
 
 /// Where the mouse or the keyboard wants the tool.
 struct StylusTarget {
     glm::dvec3 tip{0.0};         ///< mm, setup frame
-    double maximumSpeed = 400.0; ///< mm/s on the way there
+    double maximumSpeed = 400.0; ///< mm/s on the way there, at most MouseStylus::maximumSpeed
     bool cutting = false;        ///< first button: the spindle turns
+    /// mm, z: with this height or more the way to a stroke's start is clear. Read from a stroke's first target only;
+    /// the height of the newest target that doesn't cut counts as well.
+    double clearHeight = -1.0e9;
 };
 
 /// The simulated stylus: mouse or keyboard. Its device frame is the setup frame (mapping 1 : 1). It leads the tip to
-/// the newest target along a smooth, speed-limited way, so that the loop sees a hand and not an event queue. Thread:
-/// `wish` the user interface's, the rest the haptic loop's. No lock, no allocation.
+/// the newest target along a smooth, speed-limited way, so that the loop sees a hand and not an event queue: a function
+/// of the targets and the times of reading alone.
+///
+/// Hovering, it first rises to within `clearance` of where the target is higher, and comes down last. A stroke begins
+/// at the first cutting target: the tip goes above that place at hover height, then the button goes down (the spindle
+/// turns), then the tip goes straight down to it, and only then does it follow the newest target. So no stroke drags
+/// through stock on its way to its start. When the target no longer cuts, the button goes up at once and the tip rises
+/// before anything else. A stroke that is taken back before its start was reached never presses the button.
+///
+/// Thread: `wish` and `tip` the user interface's, the rest the haptic loop's. No lock, no allocation.
 class MouseStylus final : public Stylus {
 public:
+    static constexpr double maximumSpeed = 400.0;  ///< mm/s, never exceeded
+    static constexpr double acceleration = 6000.0; ///< mm/s², never exceeded but for the last 0.1 mm/s before rest
+    static constexpr double lag = 0.025;           ///< s behind a moving target
+    /// mm that hover heights have to spare: so far below one the tip may already move aside.
+    static constexpr double clearance = 1.5;
+
     /// @param start where the tip is first, mm, setup frame; clear of everything
     explicit MouseStylus(const glm::dvec3& start);
 
     /// The newest one counts.
     void wish(const StylusTarget& target) noexcept;
+    /// Where the tip was at the newest reading, mm, setup frame.
+    glm::dvec3 tip() noexcept;
 
     StylusDescription description() const override;
     Result<void> open() override;
+    /// @param time s; goes on in steps of at most 10 ms, however late the reading is
     StylusState read(double time) noexcept override;
+    /// A mouse has no motors: the force is for the eye alone.
     void write(const glm::dvec3& force) noexcept override;
     void close() noexcept override;
 
 private:
+    enum class Phase : std::uint8_t {
+        hover,
+        approach, ///< at hover height to the stroke's start
+        plunge,   ///< straight down to it, spindle on
+        follow    ///< the newest target, spindle on
+    };
+    void takeWish() noexcept;
+    glm::dvec3 goal() const noexcept;
+    glm::dvec3 above(const glm::dvec3& place) const noexcept;
+    void step(double seconds) noexcept;
+    void changePhase() noexcept;
+
     Mailbox<StylusTarget> wishes_;
+    Mailbox<glm::dvec3> places_;
+    glm::dvec3 shownTip_{0.0}; ///< the user interface's copy
     StylusTarget target_;
     glm::dvec3 tip_{0.0}, velocity_{0.0}; ///< mm, mm/s
-    double lastTime_ = 0.0;
-    bool cutting_ = false;
+    glm::dvec3 strokeStart_{0.0};         ///< mm
+    double hoverHeight_ = 0.0;            ///< mm, z at which the way to the goal is clear
+    std::optional<double> lastTime_;
+    Phase phase_ = Phase::hover;
 };
 
 } // namespace burin

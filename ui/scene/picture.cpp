@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/picture.h"
 
+#include "ui/scene/bench_lights.h"
 #include "ui/scene/offscreen_context.h"
 #include "ui/scene/tool_surface.h"
 #include "ui/scene/workpiece_surface.h"
@@ -10,7 +11,6 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPNGWriter.h>
@@ -82,21 +82,6 @@ vtkSmartPointer<vtkPolyData> cuttingLines(const Path& path) {
     return data;
 }
 
-/// Key from the upper left, weak fill from the right: what faces the viewer is never black.
-void addLights(vtkRenderer& renderer) {
-    renderer.AutomaticLightCreationOff();
-    constexpr std::array<std::array<double, 4>, 3> lights{
-        {{-0.8, 1.1, 1.0, 0.55}, {1.2, 0.3, 0.8, 0.32}, {0.0, 0.0, 1.0, 0.45}}}; // camera frame, and intensity
-    for (const auto& [x, y, z, intensity] : lights) {
-        vtkNew<vtkLight> light;
-        light->SetLightTypeToCameraLight();
-        light->SetPosition(x, y, z);
-        light->SetFocalPoint(0.0, 0.0, 0.0);
-        light->SetIntensity(intensity);
-        renderer.AddLight(light);
-    }
-}
-
 /// VTK 9.1 logs two lines about GLEW for every context that has no X server behind it; they mean nothing.
 class QuietVtk {
 public:
@@ -147,7 +132,7 @@ Result<std::string> drawPicture(const PictureContent& content) {
     renderer->SetBackground(backgroundBottom.data());
     renderer->SetBackground2(backgroundTop.data());
     renderer->GradientBackgroundOn();
-    addLights(*renderer);
+    addBenchLights(*renderer);
     renderer->AddActor(workpieceActor(content.workpiece));
     if (!content.path.points.empty()) {
         vtkSmartPointer<vtkActor> path = actorFor(cuttingLines(content.path), pathColour);

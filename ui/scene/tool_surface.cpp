@@ -42,7 +42,6 @@ vtkSmartPointer<vtkPolyData> pieceSurface(const RevolvedPiece& piece) {
     vtkNew<vtkPolyDataNormals> normals;
     normals->SetInputConnection(revolve->GetOutputPort());
     normals->SetFeatureAngle(40.0);
-    normals->FlipNormalsOn(); // the profile runs outwards and up, which revolves inside out
     normals->Update();
     return normals->GetOutput();
 }

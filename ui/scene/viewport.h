@@ -96,6 +96,7 @@ protected:
     void initializeGL() override;
     void resizeGL(int width, int height) override;
     void paintGL() override;
+    void showEvent(QShowEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -105,6 +106,8 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    void tellFailure(const QString& sentence);
+
     class Impl;
     std::unique_ptr<Impl> impl_;
 };

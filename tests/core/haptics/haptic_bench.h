@@ -87,6 +87,7 @@ struct Bench {
         StylusState state;
         state.time = 0.0;
         state.pose.position = device;
+        state.buttons = buttons;
         state.valid = true;
         return step(state, period);
     }
@@ -120,6 +121,7 @@ struct Bench {
     RunVolume volume;
     HapticStep step;
     glm::dvec3 hand{0.0};
+    std::uint32_t buttons = 0;
 };
 
 } // namespace burin::test

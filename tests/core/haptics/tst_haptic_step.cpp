@@ -241,6 +241,83 @@ private slots:
         QVERIFY(bench.volume.amounts().units[1] < before.units[1]);
     }
 
+    /// A hovering tool is held by the part alone: not by stock, nor by what shank and holder would touch.
+    void aStandingSpindleMovesThroughStockAndCutsNothing() {
+        HapticSettings settings = Bench::settings();
+        settings.cutsOnButton = true;
+        Bench bench(settings, ballTool(5.0, 12.0)); // a shank wider than the flutes
+        const RunAmounts before = bench.volume.amounts();
+        bench.begin({0, 0, 3});
+        bench.onTick = [&](const Sample& sample) {
+            QVERIFY(sample.flags & sampleSpindleOff);
+            QVERIFY(!(sample.flags & sampleShankContact));
+            QVERIFY(glm::length(sample.proxy.tip - sample.stylusTip) < 1e-9);
+            QCOMPARE(sample.reportedRemoval, 0.0);
+            QCOMPARE(sample.cuttingForce, glm::dvec3(0.0));
+        };
+        bench.moveTo({0, 0, -9}, 200.0);
+        bench.moveTo({8, 3, -9}, 200.0);
+        bench.onTick = [](const Sample&) {};
+        const Sample pressed = bench.moveTo({8, 3, -14}, 200.0);
+        QVERIFY(pressed.proxy.tip.z >= floorHeight);
+        QVERIFY(pressed.flags & sampleOnBoundary);
+        QVERIFY(bench.volume.amounts() == before);
+
+        bench.moveTo({8, 3, -3}, 200.0);
+        bench.buttons = 1;
+        QVERIFY(!(bench.rest(1).flags & sampleSpindleOff));
+        std::uint64_t recorded = 0;
+        for (std::size_t i = 0; i < 256; ++i)
+            recorded += i == 0 ? 0 : before.units[i] - bench.volume.amounts().units[i];
+        QVERIFY(recorded > 0); // what stood within the flutes when the spindle started
+        bench.moveTo({2, 3, -3}, 100.0);
+        const std::uint64_t cut = bench.volume.amounts().units[1];
+        bench.buttons = 0;
+        bench.moveTo({-8, 3, -3}, 100.0);
+        QCOMPARE(bench.volume.amounts().units[1], cut);
+    }
+
+    /// What a take removed lies between two of its samples, whenever it begins.
+    void aTakeBeginsWithoutACut() {
+        Bench bench;
+        bench.begin({-12, 0, -3});
+        bench.moveTo({-2, 0, -3}, 100.0);
+        bench.step.releaseSpindle(false);
+        bench.moveTo({4, 0, -3}, 100.0);
+        bench.step.releaseSpindle(true);
+        bench.step.beginTake();
+        const Sample first = bench.rest(1);
+        QCOMPARE(first.tick, std::uint64_t{0});
+        QCOMPARE(first.time, 0.0);
+        QCOMPARE(removedUnits(first), std::uint64_t{0});
+        QVERIFY(!(first.flags & sampleSpindleOff));
+        const Sample second = bench.feed({4.05, 0, -3});
+        QCOMPARE(second.tick, std::uint64_t{1});
+        QVERIFY(removedUnits(second) > 0);
+    }
+
+    void anotherWorkpieceUnderTheToolGivesNoKick() {
+        HapticSettings settings = Bench::settings();
+        settings.rampSeconds = 0.2;
+        Bench bench(settings);
+        const VolumeSnapshot whole = bench.volume.snapshot();
+        bench.begin({-14, 0, -3});
+        bench.moveTo({4, 0, -3}, 50.0);
+        bench.volume.restore(whole);
+        bench.step.workpieceChanged();
+        QVERIFY(bench.volume.amounts() == whole.amounts());
+        glm::dvec3 last(0.0);
+        bool first = true;
+        bench.onTick = [&](const Sample& sample) {
+            if (std::exchange(first, false)) QVERIFY(glm::length(sample.force) < 1e-9);
+            QVERIFY(glm::length(sample.force - last) < 0.2);
+            last = sample.force;
+        };
+        bench.moveTo({9, 0, -3}, 50.0);
+        QVERIFY(!first);
+        QVERIFY(glm::length(last) > 0.0);
+    }
+
     void changedAllowanceGivesNoKick() {
         Bench bench(Bench::settings(), ballTool(), stockOnPart(0, false));
         bench.begin({0, 0, 3});

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/duration_histogram.h"
+#include "core/haptics/loop_figures.h"
 #include "core/haptics/servo_loop.h"
 #include "tests/core/haptics/haptic_bench.h"
 
@@ -188,6 +189,85 @@ private slots:
         QVERIFY(result.hasValue());
         QCOMPARE(static_cast<std::size_t>(result->ticks), ring.size());
         QCOMPARE(stylus.lastForce, glm::dvec3(0.0));
+    }
+
+    /// A sink that asks the loop to stand gets no tick meanwhile, and the hand no force; such time is not missed.
+    void standsWithoutForceWhenTheSinkAsks_data() {
+        QTest::addColumn<int>("pace");
+        QTest::newRow("fast") << int(Pace::fast);
+        QTest::newRow("in real time") << int(Pace::realtime);
+    }
+    void standsWithoutForceWhenTheSinkAsks() {
+        QFETCH(int, pace);
+        struct StandingSink final : TickSink {
+            AtEdge edge() noexcept override {
+                const bool stands = ticks == 50 && stood < 20;
+                if (stands && stood++ > 0) zeroForce = zeroForce && stylus.lastForce == glm::dvec3(0.0);
+                return stands ? AtEdge::stand : AtEdge::tick;
+            }
+            void tick(const Sample& sample, const TickTiming& timing) noexcept override {
+                ordered = ordered && sample.tick == ticks && timing.missed >= missed && timing.period > 0.0;
+                missed = timing.missed;
+                ++ticks;
+            }
+            CirclingStylus stylus;
+            std::uint64_t ticks = 0, missed = 0;
+            int stood = 0;
+            bool zeroForce = true, ordered = true;
+        } sink;
+        Bench bench;
+        const std::atomic<bool> stop{false};
+        const Result<LoopStatistics> result =
+            runServoLoop(sink.stylus, bench.step, sink, {period, static_cast<Pace>(pace), 0.15}, stop);
+        QVERIFY(result.hasValue());
+        QCOMPARE(sink.stood, 20);
+        QVERIFY(sink.zeroForce && sink.ordered);
+        QCOMPARE(result->ticks, sink.ticks);
+        const auto edges = static_cast<std::uint64_t>(std::llround(result->simulatedSeconds / period));
+        if (pace == int(Pace::realtime))
+            QVERIFY(result->ticks + result->missed + 20 <= edges); // each time it stood took an edge or more
+        else
+            QCOMPARE(result->ticks, edges);
+    }
+
+    /// Time lapse: the hand's time runs ahead of the clock, tick by tick of the nominal period.
+    void timeLapseMakesManyTicksAtAnEdge() {
+        Bench bench;
+        CirclingStylus stylus;
+        Ring<Sample> ring(1024);
+        const std::atomic<bool> stop{false};
+        ServoSettings settings{period, Pace::realtime, 0.4};
+        settings.ticksPerEdge = 8;
+        const Result<LoopStatistics> result = runServoLoop(stylus, bench.step, ring, settings, stop);
+        QVERIFY(result.hasValue());
+        QCOMPARE(result->ticks, std::uint64_t{400});
+        QVERIFY(std::abs(result->simulatedSeconds - 0.4) < 1e-9);
+        QVERIFY(result->wallSeconds >= 0.048); // fifty edges
+        std::vector<Sample> samples(ring.size());
+        ring.pop(samples);
+        for (const Sample& sample : samples)
+            QVERIFY(std::abs(sample.time - static_cast<double>(sample.tick) * period) < 1e-9);
+        settings.ticksPerEdge = 0;
+        QCOMPARE(runServoLoop(stylus, bench.step, ring, settings, stop).error().code, ErrorCode::argumentInvalid);
+    }
+
+    /// Figures of a loop under way are those of its ticks.
+    void liveFiguresFollowTheTicks() {
+        const auto figures = std::make_unique<LoopFigures>();
+        TickTiming timing;
+        int posted = 0;
+        for (int i = 0; i < 2000; ++i) {
+            timing.over = 5'000'000'000 + std::int64_t{i} * 2'000'000; // 500 Hz
+            timing.work = i % 100 == 0 ? 90'000 : 20'000;
+            timing.cpu = 10'000;
+            timing.missed = static_cast<std::uint64_t>(i);
+            posted += figures->add(timing) ? 1 : 0;
+        }
+        QVERIFY(posted >= 14 && posted <= 16); // four times a second
+        QVERIFY(std::abs(figures->newest().rateHz - 500.0) < 1.0);
+        QVERIFY(std::abs(figures->newest().workP999 - 90.0) < 3.0);
+        QVERIFY(std::abs(figures->newest().cpuP999 - 10.0) < 0.4);
+        QVERIFY(figures->newest().ticks >= 1875 && figures->newest().missed + 1 == figures->newest().ticks);
     }
 
     void refusesAPeriodThatIsNone() {

@@ -112,9 +112,19 @@ private slots:
         QCOMPARE(path.error().code, ErrorCode::notSupported);
     }
 
-    void shankContactIsNeverPartOfThePath() {
+    void whatIsNoWorkIsNeverPartOfThePath_data() {
+        QTest::addColumn<int>("flag");
+        QTest::addColumn<bool>("undone");
+        QTest::newRow("shank contact") << int{sampleShankContact} << false;
+        QTest::newRow("spindle off") << int{sampleSpindleOff} << false;
+        QTest::newRow("taken back") << 0 << true;
+    }
+    void whatIsNoWorkIsNeverPartOfThePath() {
+        QFETCH(int, flag);
+        QFETCH(bool, undone);
         Take take = cut();
-        for (std::size_t i = 100; i < 150; ++i) take.samples[i].flags |= sampleShankContact;
+        for (std::size_t i = 100; i < 150; ++i) take.samples[i].flags |= static_cast<std::uint32_t>(flag);
+        if (undone) take.undone = {{100, 50}};
         const auto path = run({take}, {}, context());
         QVERIFY(path);
         QCOMPARE(path->path.points.size(), take.samples.size() - 50);

@@ -9,6 +9,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+/// For tests whose forked children start threads, which the thread sanitizer can't follow.
+#ifdef __SANITIZE_THREAD__
+#define BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS()                                                             \
+    QSKIP("The thread sanitizer can't follow threads of a forked child.")
+#else
+#define BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS() static_cast<void>(0)
+#endif
+
 namespace burin::fixture {
 
 /// Runs `work` in a child process. What `work` gives (0 … 125) is the result; -1: it died of a signal. Work that calls

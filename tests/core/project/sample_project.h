@@ -22,7 +22,10 @@ Tool tool();
 
 /// A saved project with one of everything, and whether a project holds just that (whole_project.cpp).
 bool fillProject(const std::filesystem::path& file);
-bool holdsFixture(const Project& project);
+/// @param version that wrote it: an old one knew less
+bool holdsFixture(const Project& project, int version = 2);
+/// What `fillProject` takes back of its first take, since version 2.
+inline constexpr SampleRange undoneInFixture{100, 50};
 
 /// Equal bit for bit; padding apart.
 bool identical(const Sample& one, const Sample& other);

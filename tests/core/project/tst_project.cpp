@@ -46,13 +46,65 @@ private slots:
         QVERIFY(fixture::holdsFixture(*project));
     }
 
-    /// A file that the first version wrote, kept in the repository.
-    void aProjectOfVersionOneOpens() {
+    /// Files that each version wrote, kept in the repository.
+    void aProjectOfEachVersionOpens_data() {
+        QTest::addColumn<int>("version");
+        QTest::newRow("first") << 1;
+        QTest::newRow("with strokes that were taken back") << 2;
+    }
+    void aProjectOfEachVersionOpens() {
+        QFETCH(int, version);
         const QTemporaryDir folder;
-        fs::copy_file(fs::path(BURIN_FIXTURES) / "projects/v1/small.burin", fileIn(folder));
+        fs::copy_file(fs::path(BURIN_FIXTURES) / ("projects/v" + std::to_string(version)) / "small.burin",
+                      fileIn(folder));
         Result<Project> project = Project::open(fileIn(folder));
         QVERIFY(project);
-        QVERIFY(fixture::holdsFixture(*project));
+        QVERIFY(fixture::holdsFixture(*project, version));
+        // And takes what only today's version knows.
+        const std::int64_t take = project->takes()->front().id;
+        QVERIFY(project->undoStretch(take, {200, 10}) && project->save());
+        QCOMPARE(project->take(take)->undone.back(), (SampleRange{200, 10}));
+    }
+
+    /// What is taken back stays in the file, is told, and comes again.
+    void whatIsTakenBackIsKept() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("a"));
+        const std::int64_t id = writer->id();
+        QVERIFY(writer->append(fixture::handSamples(0, 100)));
+        // While it is recorded, and ahead of what the disk has.
+        QVERIFY(project->undoStretch(id, {90, 60}) && project->undoStretch(id, {10, 5}));
+        QVERIFY(writer->append(fixture::handSamples(100, 30)));
+        Result<Take> take = project->take(id);
+        QVERIFY(take);
+        QCOMPARE(take->samples.size(), std::size_t{130});
+        QCOMPARE(take->undone, (std::vector<SampleRange>{{10, 5}, {90, 40}})); // no more than there is
+        QCOMPARE(project->takes()->front().undoneCount, std::uint64_t{45});
+        QVERIFY(writer->append(fixture::handSamples(130, 70)) && writer->finish() && project->save());
+        QCOMPARE(project->take(id)->undone.back(), (SampleRange{90, 60}));
+        QVERIFY(project->redoStretch(id, {10, 5}));
+        take = project->take(id);
+        QCOMPARE(take->undone, (std::vector<SampleRange>{{90, 60}}));
+        QVERIFY(fixture::identical(take->samples, fixture::handSamples(0, 200)));
+        QVERIFY(*project->unsaved());
+        QVERIFY(project->removeTake(id) && project->save());
+    }
+
+    void aStretchThatCantBeTakenBackChangesNothing() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        const std::int64_t id = project->takes()->front().id;
+        constexpr std::uint64_t beyond = ~std::uint64_t{0};
+        for (const SampleRange& wrong :
+             {SampleRange{5, 0}, SampleRange{149, 10}, SampleRange{90, 11}, SampleRange{0, 500}, SampleRange{120, 5},
+              SampleRange{beyond, 1}, SampleRange{1, beyond}})
+            QCOMPARE(project->undoStretch(id, wrong).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(project->undoStretch(99, {0, 1}).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->redoStretch(id, {100, 49}).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(project->redoStretch(99, {100, 50}).error().code, ErrorCode::argumentInvalid);
+        QVERIFY(fixture::holdsFixture(*project) && !*project->unsaved());
     }
 
     void anUnplacedStockComesBackEmpty() {

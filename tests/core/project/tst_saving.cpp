@@ -175,6 +175,7 @@ private slots:
 
     /// A full disk stops nothing for good: what the hand did waits and is written once there is room.
     void aFullDiskPausesARecording() {
+        BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS();
         const QTemporaryDir folder;
         const fs::path file = savedProject(folder);
         const std::vector<Sample> hand = fixture::handSamples(0, 20000);
@@ -199,6 +200,7 @@ private slots:
     }
 
     void aFullDiskAtTheEndIsReported() {
+        BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS();
         const QTemporaryDir folder;
         const fs::path file = savedProject(folder);
         const int outcome = fixture::inAnotherProcess([&] {

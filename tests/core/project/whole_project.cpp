@@ -44,14 +44,17 @@ bool same(const Setup& one, const Setup& other) {
            one.stock.low == other.stock.low && one.stock.high == other.stock.high && one.workOffset == other.workOffset;
 }
 
-bool holdsTakes(const Project& project) {
+bool holdsTakes(const Project& project, int version) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes || takes->size() != 2) return false;
     const TakeInfo& first = takes->front();
     const TakeInfo original = takeInfo("Schruppen");
     const Result<Take> take = project.take(first.id);
-    return take && identical(take->samples, handSamples(0, 500)) && first.name == original.name &&
-           first.toolId == original.toolId && first.allowance == original.allowance &&
+    const std::vector<SampleRange> undone =
+        version < 2 ? std::vector<SampleRange>{} : std::vector<SampleRange>{undoneInFixture};
+    if (first.undoneCount != (undone.empty() ? 0 : undoneInFixture.count)) return false;
+    return take && take->undone == undone && identical(take->samples, handSamples(0, 500)) &&
+           first.name == original.name && first.toolId == original.toolId && first.allowance == original.allowance &&
            first.tickPeriod == original.tickPeriod && first.startedUnixTime == original.startedUnixTime &&
            first.stylus == original.stylus && first.sampleCount == 500 && first.complete && !takes->back().complete;
 }
@@ -75,17 +78,18 @@ bool fillProject(const std::filesystem::path& file) {
     Result<Project::TakeWriter> writer = project->beginTake(takeInfo("Schruppen"));
     for (std::size_t first = 0; first < 500; first += 50)
         if (!writer || !writer->append(handSamples(first, 50))) return false;
+    if (!project->undoStretch(writer->id(), undoneInFixture)) return false;
     if (!writer->finish() || !project->beginTake(takeInfo("broken off"))) return false;
     return project->addPath(path({writer->id()})) && project->addProgram(program()) && project->save();
 }
 
-bool holdsFixture(const Project& project) {
+bool holdsFixture(const Project& project, int version) {
     const Result<Model> storedModel = project.model();
     const Result<Setup> storedSetup = project.setup();
     if (!storedModel || !identical(*storedModel, model()) || !storedSetup || !same(*storedSetup, setup())) return false;
     const Result<std::vector<StoredPath>> paths = project.paths();
     const Result<std::vector<StoredProgram>> programs = project.programs();
-    return holdsTakes(project) && holdsResources(project) && paths && paths->size() == 1 &&
+    return holdsTakes(project, version) && holdsResources(project) && paths && paths->size() == 1 &&
            same(paths->front(), path({project.takes()->front().id})) && programs && programs->size() == 1 &&
            same(programs->front(), program());
 }

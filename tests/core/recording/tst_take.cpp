@@ -44,6 +44,7 @@ class TakeTest final : public QObject {
     Q_OBJECT
 private slots:
     void figuresOfATake();
+    void whatWasTakenBackCountsAsThatAlone();
     void figuresOfNothing();
     void valuesStandUnderTheirNames();
     void longTakesAreWrittenWhole();
@@ -68,6 +69,25 @@ void TakeTest::figuresOfATake() {
     QCOMPARE(figures.onBoundary, std::uint64_t{1});
     QCOMPARE(figures.forceSaturated, std::uint64_t{1});
     QCOMPARE(figures.shankContact, std::uint64_t{0});
+}
+
+void TakeTest::whatWasTakenBackCountsAsThatAlone() {
+    Take take;
+    take.samples = samples();
+    take.samples[3].flags |= sampleSpindleOff;
+    take.undone = {{1, 2}};
+    const TakeStatistics figures = standingStatistics(take);
+    QCOMPARE(figures.samples, std::uint64_t{2});
+    QCOMPARE(figures.undone, std::uint64_t{2});
+    QCOMPARE(figures.travelled, 0.0); // the way there and back was taken back with it
+    QCOMPARE(figures.cutting, std::uint64_t{0});
+    QVERIFY(figures.removedUnits.empty());
+    QCOMPARE(figures.greatestForce, 1.5); // of the last one
+    QCOMPARE(figures.spindleOff, std::uint64_t{1});
+    take.undone = {{0, 4}};
+    QCOMPARE(standingStatistics(take).samples, std::uint64_t{0});
+    take.undone.clear();
+    QCOMPARE(standingStatistics(take).travelled, takeStatistics(take.samples).travelled);
 }
 
 void TakeTest::figuresOfNothing() {

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/workstation.h"
+
+#include "core/base/error.h"
+#include "ui/dialogs/preferences.h"
+#include "ui/messages/messages.h"
+#include "ui/theme/icon.h"
+#include "ui/window/main_window.h"
+#include "ui/window/unix_signals.h"
+
+#include <QApplication>
+#include <QSurfaceFormat>
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+namespace burin {
+
+namespace {
+
+std::atomic<bool> atWork{false};
+
+/// When the X server dies, its library calls exit() in the middle of everything. Threads still run then; taking down
+/// static objects beneath them helps nobody, and what was recorded is on the disk already.
+void leaveAtOnce() {
+    if (atWork) std::_Exit(EXIT_FAILURE);
+}
+
+bool hasDisplay() {
+    const auto set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value != nullptr && *value != '\0';
+    };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
+}
+
+void installLanguage() {
+    const QString language = UserSettings().preferences().language;
+    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    QLocale::setDefault(locale);
+    Messages::install(locale);
+}
+
+} // namespace
+
+bool asksForWindow(int argc, char** argv, bool (*isCommand)(const std::string& word)) {
+    if (argc == 1) return true;
+    if (argc != 2 || argv[1][0] == '-' || isCommand(argv[1])) return false;
+    std::error_code ignored;
+    return std::filesystem::exists(argv[1], ignored);
+}
+
+int runWorkstation(int argc, char** argv) {
+    if (!hasDisplay()) {
+        std::cerr << "There is no display to open the window on; log in to a desktop, set DISPLAY, or use a command: "
+                     "\"burin demo\" does the whole job without one, \"burin --help\" lists the others.\n";
+        return static_cast<int>(ErrorClass::wrongUse);
+    }
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("Burin"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));
+    QGuiApplication::setWindowIcon(themedIcon(QStringLiteral("mill"), &Palette::accent));
+    installLanguage();
+
+    MainWindow window;
+    const UnixSignals signals_;
+    QObject::connect(&signals_, &UnixSignals::endRequested, &window, &MainWindow::endQuietly);
+    window.show();
+    if (argc > 1) window.openFile(QString::fromLocal8Bit(argv[1]));
+    std::atexit(leaveAtOnce);
+    atWork = true;
+    const int status = QApplication::exec();
+    atWork = false;
+    return status;
+}
+
+} // namespace burin

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <cstddef>
+
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace burin {
+
+/// Tells the thread sanitizer what oneTBB, which is not built for it, orders: what was done before `give` is seen after
+/// `take`. Does nothing without it.
+class HandOver {
+public:
+#ifdef __SANITIZE_THREAD__
+    void give() noexcept {
+        __tsan_release(&token_);
+    }
+    void take() noexcept {
+        __tsan_acquire(&token_);
+    }
+#else
+    void give() noexcept {}
+    void take() noexcept {}
+#endif
+
+private:
+    char token_ = 0;
+};
+
+/// Calls `body(from, to)` for stretches that together make up first … end - 1, shared among all cores (oneTBB). Returns
+/// when all are done and what they wrote is there. Stretches run at the same time: they must not write the same data.
+/// @param grain a stretch is not split below so many. An exception of `body` ends the work and goes on to the caller.
+template <class Index, class Body>
+void parallelStretches(Index first, Index end, std::size_t grain, const Body& body) {
+    HandOver started, done;
+    started.give();
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<Index>(first, end, grain),
+                              [&](const oneapi::tbb::blocked_range<Index>& range) {
+                                  started.take();
+                                  body(range.begin(), range.end());
+                                  done.give();
+                              });
+    done.take();
+}
+
+/// Calls `body(i)` for i from first to end - 1. As parallelStretches.
+template <class Index, class Body>
+void parallelFor(Index first, Index end, const Body& body) {
+    parallelStretches(first, end, 1, [&](Index from, Index to) {
+        for (Index i = from; i != to; ++i) body(i);
+    });
+}
+
+} // namespace burin

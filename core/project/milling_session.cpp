@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/milling_session.h"
+
+#include "core/project/session_loop.h"
+
+#include <algorithm>
+#include <array>
+#include <thread>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Wish = SessionLoop::Wish;
+
+/// A view that waited longer than a slow frame is not shown any more.
+constexpr std::chrono::milliseconds oldestView{100};
+/// Between two looks at what the loop does: a fraction of a tick.
+constexpr std::chrono::microseconds glance{200};
+
+double unixTime() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+HapticSettings hapticSettings(const Bench& bench, const Stylus& stylus, const SessionRequest& request) {
+    HapticSettings settings;
+    settings.mapping = request.mapping;
+    settings.stylus = stylus.description();
+    settings.allowance = request.allowance;
+    settings.cuttingSpeed = bench.conditions.surfaceSpeed;
+    settings.cutsOnButton = request.cutsOnButton;
+    return settings;
+}
+
+ServoSettings servoSettings(const SessionRequest& request) {
+    ServoSettings settings;
+    settings.pace = request.pace;
+    settings.maximumSeconds = request.maximumSeconds;
+    settings.ticksPerEdge = request.ticksPerEdge;
+    return settings;
+}
+
+Error nothingToDo(const char* what, const char* needed) {
+    return {ErrorCode::argumentInvalid, what, {}, needed};
+}
+
+/// The owner's side.
+class LiveSession final : public MillingSession {
+public:
+    LiveSession(Project& project, Bench& bench, const ClearanceField& field, Stylus& stylus, StrokeHistory& strokes,
+                const SessionRequest& request)
+        : project_(project)
+        , bench_(bench)
+        , stylus_(stylus)
+        , strokes_(strokes)
+        , allowance_(request.allowance)
+        , servo_(servoSettings(request))
+        , step_(bench.embedded.workpiece, field, bench.tool, hapticSettings(bench, stylus, request))
+        , loop_(step_, bench.embedded.workpiece, request.undoable, stop_) {}
+    ~LiveSession() override { static_cast<void>(end()); }
+    LiveSession(const LiveSession&) = delete;
+    LiveSession& operator=(const LiveSession&) = delete;
+
+    /// Errors: those of startRecording.
+    Result<void> start(const std::string& takeName);
+
+    Result<void> startRecording(const std::string& name) override;
+    Result<void> stopRecording() override;
+    std::int64_t take() const override { return take_; }
+    Result<void> undoStroke() override;
+    Result<void> redoStroke() override;
+    void setAllowance(double allowance) override;
+    bool newest(SessionState& state) override;
+    bool newestView(WorkpieceView& view) override;
+    void takeTrace(std::vector<TracePoint>& points) override;
+    bool ended() const override { return ended_.load(std::memory_order_acquire); }
+    Result<LoopStatistics> end() override;
+
+private:
+    Result<void> beginTake(const std::string& name);
+    bool fulfilled();
+    void settle();
+    void collectStrokes();
+    void makeRoom(const TickNews& news);
+    void noteCut(const WorkpieceView& view);
+    template <class Change>
+    Result<void> changeWorkpiece(Change change);
+
+    Project& project_;
+    Bench& bench_;
+    Stylus& stylus_;
+    StrokeHistory& strokes_;
+    double allowance_;
+    const ServoSettings servo_;
+    std::atomic<bool> stop_{false}, ended_{false};
+    HapticStep step_;
+    SessionLoop loop_;
+    std::unique_ptr<Recorder> recorder_;
+    std::int64_t take_ = 0;
+    LiveFigures figures_;
+    std::optional<Clock::time_point> unseenCut_;
+    std::uint64_t roomMade_ = 0; ///< ticks when the memory's last room was made
+    std::optional<Error> diskFault_;
+    Result<LoopStatistics> outcome_ = LoopStatistics{}; ///< the loop's until it ended
+    bool over_ = false;                                 ///< `end` was called
+    std::thread thread_;                                // last: it uses the above
+};
+
+Result<void> LiveSession::start(const std::string& takeName) {
+    if (!takeName.empty())
+        if (Result<void> begun = beginTake(takeName); !begun) return begun;
+    thread_ = std::thread([this] {
+        outcome_ = runServoLoop(stylus_, step_, loop_, servo_, stop_);
+        ended_.store(true, std::memory_order_release);
+    });
+    return {};
+}
+
+/// Waits until the loop has done what was wished. False: it ended before.
+bool LiveSession::fulfilled() {
+    while (!loop_.fulfilled()) {
+        if (ended()) {
+            settle();
+            return false;
+        }
+        collectStrokes();
+        std::this_thread::sleep_for(glance);
+    }
+    return true;
+}
+
+/// Once the loop has ended, everything of it is the owner's.
+void LiveSession::settle() {
+    if (!ended() && thread_.joinable()) return;
+    if (thread_.joinable()) thread_.join();
+    collectStrokes();
+    loop_.fulfil();
+    collectStrokes();
+}
+
+void LiveSession::collectStrokes() {
+    for (Stroke stroke; loop_.takeStroke(stroke);) strokes_.add(std::move(stroke));
+}
+
+Result<void> LiveSession::startRecording(const std::string& name) {
+    if (recorder_) return nothingToDo("recording", "one that ended");
+    if (ended()) return nothingToDo("session", "one that has not ended");
+    if (Result<void> begun = beginTake(name); !begun) return begun;
+    if (fulfilled()) return {};
+    static_cast<void>(stopRecording());
+    return nothingToDo("session", "one that has not ended");
+}
+
+Result<void> LiveSession::beginTake(const std::string& name) {
+    if (Result<void> kept = project_.setTool(bench_.tool); !kept) return kept;
+    TakeInfo info;
+    info.name = name;
+    info.toolId = bench_.tool.id;
+    info.allowance = allowance_;
+    info.tickPeriod = servo_.period;
+    info.startedUnixTime = unixTime();
+    info.stylus = stylus_.description().name;
+    Result<Project::TakeWriter> writer = project_.beginTake(info);
+    if (!writer) return std::move(writer).error();
+    recorder_ = std::make_unique<Recorder>(loop_.samples(), std::move(*writer));
+    take_ = recorder_->take();
+    loop_.wishTake({take_, recorder_.get()});
+    return {};
+}
+
+Result<void> LiveSession::stopRecording() {
+    if (!recorder_) return nothingToDo("recording", "one under way");
+    settle();
+    loop_.wish(Wish::finish);
+    if (thread_.joinable())
+        fulfilled();
+    else
+        settle();
+    collectStrokes();
+    const Result<std::uint64_t> kept = std::exchange(recorder_, nullptr)->finish();
+    if (kept) return {};
+    diskFault_ = kept.error();
+    return kept.error();
+}
+
+/// @param change what is to be done while nobody else uses the workpiece
+template <class Change>
+Result<void> LiveSession::changeWorkpiece(Change change) {
+    settle();
+    const bool running = thread_.joinable();
+    if (running) {
+        loop_.wish(Wish::stand);
+        fulfilled();
+    }
+    collectStrokes();
+    loop_.endStroke();
+    collectStrokes();
+    Result<void> changed = change();
+    if (changed) loop_.workpieceChanged();
+    if (running) {
+        loop_.wish(Wish::goOn);
+        fulfilled();
+    }
+    return changed;
+}
+
+Result<void> LiveSession::undoStroke() {
+    collectStrokes();
+    if (!strokes_.canUndo() && !loop_.strokeUnderWay()) return strokes_.undo(project_, bench_.embedded.workpiece);
+    return changeWorkpiece([this] { return strokes_.undo(project_, bench_.embedded.workpiece); });
+}
+
+Result<void> LiveSession::redoStroke() {
+    collectStrokes();
+    if (!strokes_.canRedo()) return strokes_.redo(project_, bench_.embedded.workpiece);
+    return changeWorkpiece([this] { return strokes_.redo(project_, bench_.embedded.workpiece); });
+}
+
+void LiveSession::setAllowance(double allowance) {
+    allowance_ = allowance;
+    loop_.setAllowance(allowance);
+}
+
+bool LiveSession::newest(SessionState& state) {
+    collectStrokes();
+    loop_.takeFigures(figures_);
+    TickNews news;
+    if (!loop_.takeNews(news)) return false;
+    makeRoom(news);
+    state = {};
+    state.sample = news.sample;
+    state.wallTime = Clock::time_point(std::chrono::nanoseconds(news.timing.over));
+    state.recording = news.take != 0;
+    state.take = news.take;
+    state.recordedSeconds = state.recording ? news.sample.time : 0.0;
+    state.cutting = news.cutting;
+    state.rateHz = figures_.rateHz;
+    state.cpuP999 = figures_.cpuP999;
+    state.workP999 = figures_.workP999;
+    state.ticks = news.ticks;
+    state.missed = news.timing.missed;
+    state.scheduling = news.timing.scheduling;
+    state.removalRate = news.removalRate * bench_.embedded.workpiece.grid().unitVolume();
+    state.shankPiece = news.shank.piece;
+    state.shankTouches = news.shank.property;
+    return true;
+}
+
+/// Milling is worth more than taking back what was milled long ago.
+void LiveSession::makeRoom(const TickNews& news) {
+    constexpr std::uint64_t patience = 10; // ticks until the loop has heard of it
+    if ((news.sample.flags & sampleMemoryFull) == 0 || news.ticks < roomMade_ + patience) return;
+    if (!strokes_.forgetOldest()) return;
+    loop_.resumeCutting();
+    roomMade_ = news.ticks;
+}
+
+/// A view that is not shown after all hands what it would have shown on to the next one.
+void LiveSession::noteCut(const WorkpieceView& view) {
+    if (view.oldestCut) unseenCut_ = std::min(unseenCut_.value_or(*view.oldestCut), *view.oldestCut);
+}
+
+bool LiveSession::newestView(WorkpieceView& view) {
+    settle();
+    SessionLoop::TimedView timed;
+    bool there = loop_.takeView(timed);
+    noteCut(timed.view);
+    if (thread_.joinable()) {
+        loop_.wishView();
+        const Clock::time_point when{std::chrono::nanoseconds(timed.when)};
+        there = there && (timed.when == 0 || Clock::now() - when <= oldestView);
+    } else {
+        timed = loop_.finalView();
+        noteCut(timed.view);
+        there = true;
+    }
+    if (!there) return false;
+    view.workpiece = std::move(timed.view.workpiece);
+    view.oldestCut = std::exchange(unseenCut_, std::nullopt);
+    return true;
+}
+
+void LiveSession::takeTrace(std::vector<TracePoint>& points) {
+    points.clear();
+    std::array<TracePoint, 256> part;
+    while (const std::size_t count = loop_.takeTrace(part))
+        points.insert(points.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+Result<LoopStatistics> LiveSession::end() {
+    if (over_) return outcome_;
+    over_ = true;
+    stop_.store(true, std::memory_order_relaxed);
+    if (thread_.joinable()) thread_.join();
+    ended_.store(true, std::memory_order_release);
+    settle();
+    // The disk's refusal, not the full ring that came of it.
+    if (recorder_) static_cast<void>(stopRecording());
+    if (diskFault_) outcome_ = *diskFault_;
+    stylus_.close();
+    return outcome_;
+}
+
+} // namespace
+
+MillingSession::~MillingSession() = default;
+
+Result<std::unique_ptr<MillingSession>> MillingSession::begin(Project& project, Bench& bench,
+                                                              const ClearanceField& field, Stylus& stylus,
+                                                              StrokeHistory& strokes, const SessionRequest& request) {
+    if (Result<void> opened = stylus.open(); !opened) return std::move(opened).error();
+    auto session = std::make_unique<LiveSession>(project, bench, field, stylus, strokes, request);
+    if (Result<void> started = session->start(request.takeName); !started) return std::move(started).error();
+    return std::unique_ptr<MillingSession>(std::move(session));
+}
+
+} // namespace burin

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/handover.h"
+#include "core/base/mailbox.h"
+#include "core/haptics/haptic_step.h"
+#include "core/haptics/loop_figures.h"
+#include "core/project/milling_session.h"
+#include "core/project/recorder.h"
+#include "core/project/removal_rate.h"
+
+#include <atomic>
+
+namespace burin {
+
+/// What the loop tells of its newest tick.
+struct TickNews {
+    Sample sample;
+    TickTiming timing;
+    std::uint64_t ticks = 0;
+    std::int64_t take = 0;
+    double removalRate = 0.0; ///< run units a second
+    bool cutting = false;
+    ShankContact shank;
+};
+
+/// The loop's side of a session: follows takes and strokes from tick to tick, and does at a tick's edge what its owner
+/// wishes. Nothing in `edge` and `tick` allocates, waits or frees: what owns memory is handed to the owner.
+class SessionLoop final : public TickSink {
+public:
+    /// A take to record: the recorder reads `samples()`.
+    struct Recording {
+        std::int64_t take = 0;
+        const Recorder* recorder = nullptr;
+    };
+    enum class Wish : std::uint8_t { none, begin, finish, stand, goOn };
+
+    /// @param step whose spindle stands until a take begins. @param stop set when the recorder fails
+    SessionLoop(HapticStep& step, RunVolume& workpiece, bool undoable, std::atomic<bool>& stop);
+
+    // ---- Loop's thread
+    AtEdge edge() noexcept override;
+    void tick(const Sample& sample, const TickTiming& timing) noexcept override;
+
+    // ---- Owner's thread, at any time
+    Ring<Sample>& samples() noexcept { return samples_; }
+    /// The loop fulfils a wish at one of its next edges; one at a time.
+    void wish(Wish what) noexcept { wish_.store(what, std::memory_order_release); }
+    void wishTake(const Recording& recording) noexcept;
+    bool fulfilled() const noexcept { return wish_.load(std::memory_order_acquire) == Wish::none; }
+    void setAllowance(double allowance) noexcept { allowances_.post(allowance); }
+    void resumeCutting() noexcept { resume_.store(true, std::memory_order_release); }
+    bool strokeUnderWay() const noexcept { return strokeOpen_.load(std::memory_order_acquire); }
+    bool takeNews(TickNews& news) noexcept { return news_.take(news); }
+    bool takeFigures(LiveFigures& figures) noexcept { return figuresOut_.take(figures); }
+    bool takeStroke(Stroke& stroke) noexcept { return strokes_.take(stroke); }
+    std::size_t takeTrace(std::span<MillingSession::TracePoint> points) noexcept { return trace_.pop(points); }
+    struct TimedView {
+        WorkpieceView view;
+        std::int64_t when = 0; ///< ns, CLOCK_MONOTONIC; 0: before the first tick
+    };
+    void wishView() noexcept { viewWish_.store(true, std::memory_order_release); }
+    bool takeView(TimedView& view) noexcept { return views_.take(view); }
+
+    // ---- Owner's thread, while the loop stands or after it has ended
+    /// As at an edge: what was wished and not fulfilled yet.
+    void fulfil() noexcept;
+    /// Ends the stroke under way, if there is one. False: too many wait to be taken.
+    bool endStroke() noexcept;
+    /// Another state of the workpiece was put in place.
+    void workpieceChanged() noexcept;
+    TimedView finalView();
+
+private:
+    bool recording() const noexcept { return recording_.take != 0; }
+    void begin() noexcept;
+    void giveView();
+    WorkpieceView view();
+    void follow(const Sample& sample, bool cutting) noexcept;
+
+    static constexpr std::size_t sampleCapacity = 16384; ///< seconds of ticks that the disk may keep us waiting for
+    static constexpr std::size_t traceCapacity = 65536;
+
+    HapticStep& step_;
+    RunVolume& workpiece_;
+    const bool undoable_;
+    std::atomic<bool>& stop_;
+
+    std::atomic<Wish> wish_{Wish::none};
+    Recording wished_;
+    std::atomic<bool> resume_{false}, viewWish_{true};
+    Mailbox<double> allowances_;
+
+    Ring<Sample> samples_{sampleCapacity};
+    Ring<MillingSession::TracePoint> trace_{traceCapacity};
+    Handover<Stroke, 8> strokes_;
+    Handover<TimedView, 1> views_;
+    Mailbox<TickNews> news_;
+    Mailbox<LiveFigures> figuresOut_;
+
+    // Loop's alone.
+    Recording recording_;
+    bool standing_ = false;
+    std::uint64_t recorded_ = 0; ///< samples of the take
+    /// While no stroke is under way: the workpiece as it is, since only strokes change it.
+    VolumeSnapshot before_;
+    std::atomic<bool> strokeOpen_{false};
+    std::uint64_t strokeFirst_ = 0;
+    bool traceBegins_ = true;
+    std::int64_t over_ = 0, oldestCut_ = 0; ///< ns; 0: none
+    std::uint64_t ticks_ = 0;
+    RemovalRate rate_;
+    LoopFigures figures_;
+};
+
+} // namespace burin

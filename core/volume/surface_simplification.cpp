@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/surface_simplification.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace burin {
+
+namespace {
+
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+std::size_t hashOf(const glm::vec3& place) {
+    std::uint64_t hash = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        hash = (hash ^ std::bit_cast<std::uint32_t>(place[axis] + 0.0F)) * 0x9e3779b97f4a7c15U; // + 0: -0 is 0
+    return static_cast<std::size_t>(hash >> 20);
+}
+
+void addPoint(SurfaceMesh& mesh, const SurfaceMesh& from, std::size_t point) {
+    mesh.points.push_back(from.points[point]);
+    mesh.normals.push_back(from.normals[point]);
+    mesh.properties.push_back(from.properties[point]);
+}
+
+} // namespace
+
+void SurfaceSimplifier::simplify(SurfaceMesh& mesh, double tolerance, double cell) {
+    if (mesh.triangles.empty()) return mesh.clear();
+    chooseMaterials(mesh);
+    weldByPlace(mesh);
+    collapse_.run(mesh.points, mesh.normals, corners_, materialOf_, static_cast<float>(tolerance));
+    standByMaterial(mesh);
+    std::swap(mesh, work_);
+    leanOnFaces(mesh, cell);
+}
+
+/// A triangle has one material: that of most of its corners.
+void SurfaceSimplifier::chooseMaterials(const SurfaceMesh& mesh) {
+    materialOf_.clear();
+    for (std::size_t corner = 0; corner < mesh.triangles.size(); corner += 3) {
+        const PropertyIndex a = mesh.properties[mesh.triangles[corner]],
+                            b = mesh.properties[mesh.triangles[corner + 1]],
+                            c = mesh.properties[mesh.triangles[corner + 2]];
+        materialOf_.push_back(b == c ? b : a);
+    }
+}
+
+void SurfaceSimplifier::openTable(std::size_t points) {
+    table_.assign(std::bit_ceil(2 * points + 1), none);
+}
+
+/// The first point of the table that is equal to this one, which is entered if there is none.
+template <class Equal>
+std::uint32_t SurfaceSimplifier::entry(const SurfaceMesh& mesh, std::uint32_t point, Equal equal) {
+    const std::size_t mask = table_.size() - 1;
+    for (std::size_t slot = hashOf(mesh.points[point]) & mask;; slot = (slot + 1) & mask) {
+        if (table_[slot] == none) table_[slot] = point;
+        if (table_[slot] == point || equal(table_[slot])) return table_[slot];
+    }
+}
+
+/// Triangles by the place of their corners, whatever the material.
+void SurfaceSimplifier::weldByPlace(const SurfaceMesh& mesh) {
+    openTable(mesh.points.size());
+    placeOf_.resize(mesh.points.size());
+    for (std::uint32_t point = 0; point < mesh.points.size(); ++point)
+        placeOf_[point] =
+            entry(mesh, point, [&](std::uint32_t other) { return mesh.points[other] == mesh.points[point]; });
+    corners_.resize(mesh.triangles.size());
+    for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i] = placeOf_[mesh.triangles[i]];
+}
+
+/// Makes `work_` of the triangles that are left: a point for every material that meets in it.
+void SurfaceSimplifier::standByMaterial(const SurfaceMesh& mesh) {
+    work_.clear();
+    std::array<bool, 256> there{};
+    for (const PropertyIndex material : materialOf_) there[material] = true;
+    for (std::size_t material = 0; material < there.size(); ++material) {
+        if (!there[material]) continue;
+        newPoint_.assign(mesh.points.size(), none);
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            if (materialOf_[i / 3] != material) continue;
+            std::uint32_t& point = newPoint_[corners_[i]];
+            if (point == none) {
+                point = static_cast<std::uint32_t>(work_.points.size());
+                addPoint(work_, mesh, corners_[i]);
+                work_.properties.back() = static_cast<PropertyIndex>(material);
+            }
+            work_.triangles.push_back(point);
+        }
+    }
+}
+
+/// Visits every edge that has a triangle on one side only, by its two points.
+template <class Visit>
+void SurfaceSimplifier::eachOpenCorner(const SurfaceMesh& mesh, Visit visit) {
+    weldByPlace(mesh);
+    const auto eachEdge = [&](auto use) {
+        for (std::size_t corner = 0; corner < mesh.triangles.size(); ++corner)
+            use(corner, corner % 3 == 2 ? corner - 2 : corner + 1);
+    };
+    const auto edge = [](std::uint64_t from, std::uint64_t to) { return from << 32 | to; };
+    edges_.clear();
+    eachEdge([&](std::size_t from, std::size_t to) { edges_.push_back(edge(corners_[from], corners_[to])); });
+    std::sort(edges_.begin(), edges_.end());
+    eachEdge([&](std::size_t from, std::size_t to) {
+        if (!std::binary_search(edges_.begin(), edges_.end(), edge(corners_[to], corners_[from])))
+            visit(mesh.triangles[from], mesh.triangles[to]);
+    });
+}
+
+std::vector<std::uint32_t> SurfaceSimplifier::rim(const SurfaceMesh& mesh) {
+    std::vector<std::uint32_t> points;
+    eachOpenCorner(mesh, [&](std::uint32_t from, std::uint32_t to) { points.insert(points.end(), {from, to}); });
+    return points;
+}
+
+/// Leans the normals towards the large faces around a point.
+void SurfaceSimplifier::leanOnFaces(SurfaceMesh& mesh, double cell) {
+    weldByPlace(mesh);
+    const auto cellArea = static_cast<float>(cell * cell);
+    leaning_.assign(mesh.points.size(), glm::vec3(0.0F));
+    for (std::size_t corner = 0; corner < mesh.triangles.size(); corner += 3) {
+        const std::array at{corners_[corner], corners_[corner + 1], corners_[corner + 2]};
+        const glm::vec3& start = mesh.points[at[0]];
+        const glm::vec3 twice = glm::cross(mesh.points[at[1]] - start, mesh.points[at[2]] - start);
+        const float area = 0.5F * glm::length(twice);
+        if (area <= 2.0F * cellArea) continue; // no larger than unsimplified: the field knows better
+        for (const std::uint32_t point : at) leaning_[point] += twice * (0.5F * (area - 2.0F * cellArea) / area);
+    }
+    for (std::size_t point = 0; point < mesh.points.size(); ++point)
+        mesh.normals[point] = glm::normalize(mesh.normals[point] * cellArea + leaning_[placeOf_[point]]);
+}
+
+void SurfaceSimplifier::join(std::span<const SurfaceMesh* const> pieces, SurfaceMesh& whole) {
+    work_.clear();
+    for (const SurfaceMesh* piece : pieces) {
+        const auto first = static_cast<std::uint32_t>(work_.points.size());
+        work_.points.insert(work_.points.end(), piece->points.begin(), piece->points.end());
+        work_.normals.insert(work_.normals.end(), piece->normals.begin(), piece->normals.end());
+        work_.properties.insert(work_.properties.end(), piece->properties.begin(), piece->properties.end());
+        for (const std::uint32_t corner : piece->triangles) work_.triangles.push_back(first + corner);
+    }
+    whole.clear();
+    openTable(work_.points.size());
+    newPoint_.assign(work_.points.size(), none);
+    for (const std::uint32_t corner : work_.triangles) {
+        const std::uint32_t same = entry(work_, corner, [&](std::uint32_t other) {
+            return work_.points[other] == work_.points[corner] && work_.properties[other] == work_.properties[corner];
+        });
+        if (newPoint_[same] == none) {
+            newPoint_[same] = static_cast<std::uint32_t>(whole.points.size());
+            addPoint(whole, work_, same);
+        }
+        whole.triangles.push_back(newPoint_[same]);
+    }
+}
+
+} // namespace burin

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/edge_collapse.h"
+#include "core/volume/surface.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// Joins surfaces and takes triangles out of them where they are flat enough. Keeps its working storage: one object a
+/// thread.
+class SurfaceSimplifier {
+public:
+    /// Every triangle gets one material, and points between two materials stand twice, so that colours keep their
+    /// place. What borders on nothing (where the next tile begins) stays as it is, so that tiles still meet.
+    /// @param tolerance how far the surface may move, mm
+    /// @param cell      edge of the cells that the surface was made of, mm: triangles far larger than it decide the
+    ///                  normals of their corners, so that flat faces shade flat right up to an edge
+    void simplify(SurfaceMesh& mesh, double tolerance, double cell);
+    /// One mesh of several that meet: their common points are welded, and points that no triangle uses dropped.
+    void join(std::span<const SurfaceMesh* const> pieces, SurfaceMesh& whole);
+    /// Edges that have a triangle on one side only, two points each, in that triangle's turn.
+    std::vector<std::uint32_t> rim(const SurfaceMesh& mesh);
+
+private:
+    void weldByPlace(const SurfaceMesh& mesh);
+    void chooseMaterials(const SurfaceMesh& mesh);
+    void standByMaterial(const SurfaceMesh& mesh);
+    void leanOnFaces(SurfaceMesh& mesh, double cell);
+    template <class Equal>
+    std::uint32_t entry(const SurfaceMesh& mesh, std::uint32_t point, Equal equal);
+    void openTable(std::size_t points);
+    template <class Visit>
+    void eachOpenCorner(const SurfaceMesh& mesh, Visit visit);
+
+    EdgeCollapse collapse_;
+    std::vector<PropertyIndex> materialOf_; ///< of every triangle
+    std::vector<std::uint32_t> table_;      ///< points by a hash of their place
+    std::vector<std::uint32_t> placeOf_;    ///< of every point: the first one at the same place
+    std::vector<std::uint32_t> newPoint_, corners_;
+    std::vector<glm::vec3> leaning_;
+    std::vector<std::uint64_t> edges_;
+    SurfaceMesh work_;
+};
+
+} // namespace burin

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/session_loop.h"
+#include "tests/core/project/sample_project.h"
+#include "tests/core/project/session_bench.h"
+#include "tests/oracles/allocation_count.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace burin;
+using namespace burin::test;
+
+/// The loop's side of a session, driven tick by tick.
+class TestSessionLoop : public QObject {
+    Q_OBJECT
+private slots:
+    /// Takes, strokes, views, figures: none of it allocates in the loop, whatever the owner keeps of it.
+    void noTickAllocates() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(folder.filePath("p.burin").toStdString());
+        QVERIFY(project);
+        Bench bench = blockBench();
+        Progress progress;
+        const auto field = *clearanceField(bench, 0.5, progress);
+        StrokeHand hand;
+        HapticSettings settings;
+        settings.stylus = hand.description();
+        settings.cutsOnButton = true;
+        HapticStep step(bench.embedded.workpiece, *field, bench.tool, settings);
+        std::atomic<bool> stop{false};
+        const auto loop = std::make_unique<SessionLoop>(step, bench.embedded.workpiece, true, stop);
+        Ring<Sample> unused(16);
+        const Recorder recorder(unused, *project->beginTake(fixture::takeInfo("take")));
+
+        StrokeHistory strokes;
+        SessionLoop::TimedView view;
+        Stroke stroke;
+        std::vector<Sample> samples(256);
+        std::vector<MillingSession::TracePoint> trace(256);
+        TickNews news;
+        LiveFigures figures;
+        hand.mill(1000);
+        loop->wishTake({recorder.take(), &recorder});
+        std::size_t allocations = 0, strokesSeen = 0, views = 0, recorded = 0;
+        TickTiming timing;
+        timing.period = 0.001;
+        for (int tick = 0; tick < 6000; ++tick) {
+            const StylusState state = hand.read(0.001 * tick);
+            const std::size_t before = allocationCount;
+            if (loop->edge() != AtEdge::tick) QFAIL("no tick");
+            const Sample sample = step(state, timing.period);
+            timing.over += 1'000'000;
+            timing.work = timing.cpu = 10'000;
+            loop->tick(sample, timing);
+            allocations += allocationCount - before;
+
+            // The owner keeps as many strokes as it may, and one view, which it renews.
+            while (loop->takeStroke(stroke)) {
+                strokes.add(std::move(stroke));
+                ++strokesSeen;
+            }
+            if (tick % 16 == 0) {
+                views += loop->takeView(view) ? 1u : 0u;
+                loop->wishView();
+            }
+            recorded += loop->samples().pop(samples);
+            loop->takeTrace(trace);
+            loop->takeNews(news);
+            loop->takeFigures(figures);
+        }
+        QCOMPARE(allocations, std::size_t{0});
+        QVERIFY(strokesSeen > StrokeHistory::maximum);
+        QCOMPARE(strokes.count(), StrokeHistory::maximum);
+        QVERIFY(views > 300);
+        QCOMPARE(recorded, std::size_t{6000});
+        QCOMPARE(news.ticks, std::uint64_t{6000});
+        QVERIFY(std::abs(figures.rateHz - 1000.0) < 1.0);
+    }
+
+    /// An owner who does not look for long gets fewer strokes, and none with a hole in it.
+    void strokesThatNobodyTakesGrowTogether() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(folder.filePath("p.burin").toStdString());
+        Bench bench = blockBench();
+        Progress progress;
+        const auto field = *clearanceField(bench, 0.5, progress);
+        StrokeHand hand;
+        HapticSettings settings;
+        settings.stylus = hand.description();
+        settings.cutsOnButton = true;
+        HapticStep step(bench.embedded.workpiece, *field, bench.tool, settings);
+        std::atomic<bool> stop{false};
+        const auto loop = std::make_unique<SessionLoop>(step, bench.embedded.workpiece, true, stop);
+        Ring<Sample> unused(16);
+        const Recorder recorder(unused, *project->beginTake(fixture::takeInfo("take")));
+        hand.mill(20);
+        loop->wishTake({recorder.take(), &recorder});
+        TickTiming timing;
+        timing.period = 0.001;
+        std::vector<Lines> found; // the workpiece as each stroke found it
+        std::vector<std::uint64_t> firsts;
+        bool cutting = false;
+        for (std::uint64_t tick = 0; hand.done() < 20; ++tick) {
+            const StylusState state = hand.read(0.0);
+            const bool begins = state.buttons != 0 && !cutting;
+            cutting = state.buttons != 0;
+            if (begins) {
+                found.push_back(linesOf(bench.embedded.workpiece));
+                firsts.push_back(tick);
+            }
+            QCOMPARE(loop->edge(), AtEdge::tick);
+            loop->tick(step(state, timing.period), timing);
+        }
+        loop->wish(SessionLoop::Wish::finish);
+        loop->edge();
+        QVERIFY(!loop->fulfilled()); // waits for the owner
+        std::vector<Stroke> strokes;
+        for (Stroke stroke; loop->takeStroke(stroke); loop->edge()) strokes.push_back(std::move(stroke));
+        QVERIFY(loop->fulfilled());
+        QCOMPARE(strokes.size(), std::size_t{9});
+        for (std::size_t i = 0; i < strokes.size(); ++i) {
+            QCOMPARE(strokes[i].first, firsts[i]);
+            QVERIFY(linesOf(strokes[i].before) == found[i]);
+        }
+        QVERIFY(strokes.back().first + strokes.back().count > firsts.back()); // it holds all the others
+    }
+
+private:
+    using Lines = std::vector<std::vector<Segment>>;
+};
+
+QTEST_APPLESS_MAIN(TestSessionLoop)
+#include "tst_session_loop.moc"

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/bench_fixture.h"
+#include "ui/scene/frame_clock.h"
+#include "ui/scene/path_thinner.h"
+#include "ui/scene/round_spacing.h"
+#include "ui/scene/shaded_mesh.h"
+
+#include <QTest>
+
+#include <rapidcheck.h>
+
+using namespace burin;
+
+namespace {
+
+constexpr double crease = 25.0 * pi / 180.0;
+
+TriangleMesh cube() {
+    TriangleMesh mesh;
+    for (int i = 0; i < 8; ++i) mesh.vertices.emplace_back(i & 1, (i >> 1) & 1, (i >> 2) & 1);
+    mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return mesh;
+}
+
+float distanceTo(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 way = b - a;
+    const float length = glm::dot(way, way);
+    const float share = length > 0.0F ? std::clamp(glm::dot(p - a, way) / length, 0.0F, 1.0F) : 0.0F;
+    return glm::distance(p, a + way * share);
+}
+
+} // namespace
+
+class TestDrawing : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aCubeKeepsItsEdges() {
+        const ShadedMesh mesh = shaded(cube(), crease);
+        QCOMPARE(mesh.points.size(), std::size_t{24});  // a point a corner and face
+        QCOMPARE(mesh.creases.size(), std::size_t{24}); // twelve edges, no diagonal
+        for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+            const glm::vec3 &a = mesh.points[mesh.triangles[i]], &b = mesh.points[mesh.triangles[i + 1]],
+                            &c = mesh.points[mesh.triangles[i + 2]];
+            const glm::vec3 flat = glm::normalize(glm::cross(b - a, c - a));
+            for (std::size_t k = 0; k < 3; ++k)
+                QVERIFY(glm::distance(mesh.normals[mesh.triangles[i + k]], flat) < 1e-6F);
+        }
+    }
+
+    void aDomeIsSmoothButForItsFoot() {
+        const glm::dvec3 radii(24.0, 16.0, 14.0);
+        const ShadedMesh mesh = shaded(fixture::dome(radii), crease);
+        for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+            const glm::dvec3 place(mesh.points[i]), normal(mesh.normals[i]);
+            if (place.z < 1e-9) continue;                                               // the foot
+            QVERIFY(glm::dot(normal, glm::normalize(place / (radii * radii))) > 0.995); // the ellipsoid's own normal
+        }
+        QCOMPARE(mesh.creases.size(), std::size_t{2 * 72}); // the foot's edge alone
+    }
+
+    void aRayMeetsTheNearestTriangle() {
+        const ShadedMesh mesh = shaded(cube(), crease);
+        QCOMPARE(distanceAlong(mesh, {0.3, 0.4, 5.0}, {0.0, 0.0, -1.0}).value(), 4.0);
+        QVERIFY(!distanceAlong(mesh, {0.3, 0.4, 5.0}, {0.0, 0.0, 1.0}));
+        QVERIFY(!distanceAlong(mesh, {1.3, 0.4, 5.0}, {0.0, 0.0, -1.0}));
+    }
+
+    /// The drawn line passes every place that it leaves out, and ends where the path does.
+    void thinningKeepsThePathWithinItsTolerance() {
+        constexpr float tolerance = 0.01F;
+        QVERIFY(rc::check([] {
+            std::vector<glm::vec3> path{glm::vec3(0.0F)};
+            for (const int turn : *rc::gen::container<std::vector<int>>(rc::gen::inRange(-40, 41))) {
+                const float angle = static_cast<float>(turn) * 0.02F * static_cast<float>(path.size() % 7);
+                path.push_back(path.back() +
+                               0.06F * glm::vec3(std::cos(angle), std::sin(angle), 0.1F * std::sin(angle)));
+            }
+            PathThinner thinner(tolerance);
+            thinner.begin(path[0]);
+            std::vector<std::size_t> kept{0};
+            for (std::size_t i = 1; i < path.size(); ++i) {
+                if (thinner.add(path[i])) kept.push_back(i);
+                kept.back() = i;
+            }
+            RC_ASSERT(kept.back() == path.size() - 1);
+            for (std::size_t k = 1; k < kept.size(); ++k)
+                for (std::size_t i = kept[k - 1]; i <= kept[k]; ++i)
+                    RC_ASSERT(distanceTo(path[i], path[kept[k - 1]], path[kept[k]]) <= tolerance * 1.001F);
+        }));
+    }
+
+    void aStraightPathNeedsFewPoints() {
+        PathThinner thinner(0.01F);
+        thinner.begin(glm::vec3(0.0F));
+        int corners = 0;
+        for (int i = 1; i <= 1000; ++i)
+            if (thinner.add({0.05F * static_cast<float>(i), 0.0F, 0.0F})) ++corners;
+        QVERIFY(corners < 40);
+    }
+
+    void spacingsAreRound() {
+        QCOMPARE(roundSpacing(100.0), 10.0);
+        QCOMPARE(roundSpacing(180.0), 20.0);
+        QCOMPARE(roundSpacing(4.0), 0.5);
+        QCOMPARE(roundSpacing(0.09), 0.01);
+    }
+
+    void theFrameClockGivesTheSlowestTwentieth() {
+        using namespace std::chrono_literals;
+        FrameClock clock;
+        const FrameClock::Clock::time_point start{};
+        for (int i = 1; i <= 100; ++i)
+            clock.add(start, start + i * 1ms, i % 2 == 0 ? std::optional(start - 10ms) : std::nullopt);
+        const FrameStatistics statistics = clock.statistics();
+        QCOMPARE(statistics.frames, std::size_t{100});
+        QCOMPARE(statistics.paintP95, 95.0);
+        QCOMPARE(statistics.paintMaximum, 100.0);
+        QCOMPARE(statistics.cutsShown, std::size_t{50});
+        QCOMPARE(statistics.cutToScreenP95, 106.0); // the 48th of the even ones
+        QCOMPARE(statistics.cutToScreenMaximum, 110.0);
+        clock.reset();
+        QCOMPARE(clock.statistics().frames, std::size_t{0});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestDrawing)
+#include "tst_drawing.moc"

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/bench_fixture.h"
+#include "ui/input/mill_geometry.h"
+#include "ui/input/mill_tool.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace burin;
+
+namespace {
+
+constexpr double edge = 0.25;                                          // mm
+const Box block{{-20.0, -20.0, 0.0}, {20.0, 20.0, 30.0}};              // of the grid
+constexpr double top = 10.0, towerTop = 26.0, towerLow = 12.0;         // mm; the tower stands at x >= towerLow
+constexpr double pitLow = -16.0, pitHigh = -8.0, pitFloor = 4.0;       // x; a slot along y
+constexpr double plateauLow = -5.0, plateauHigh = 5.0, plateauZ = 6.0; // the protected part, |x|, |y| <= 5
+
+/// A block of stock with a slot, a tower and a protected plateau inside.
+VolumeSnapshot workpiece() {
+    static RunVolume volume = [] {
+        const Grid grid = Grid::make(block.low, edge, glm::ivec3(glm::round(block.size() / edge))).value();
+        PropertyList properties;
+        Property stock, part;
+        stock.id = "stock";
+        part.id = "part";
+        part.machinability = Machinability::isProtected;
+        const PropertyIndex s = properties.add(stock).value(), p = properties.add(part).value();
+        RunVolume made = RunVolume::make(grid, properties).value();
+        for (int v = 0; v < grid.lineCountV(); ++v)
+            for (int u = 0; u < grid.lineCountU(); ++u) {
+                const glm::dvec2 c = grid.lineCentre({u, v});
+                const double height = c.x >= towerLow ? towerTop : c.x > pitLow && c.x < pitHigh ? pitFloor : top;
+                made.fillSpan({u, v}, 0, grid.toRunPosition(height), s);
+                if (c.x > plateauLow && c.x < plateauHigh && c.y > plateauLow && c.y < plateauHigh)
+                    made.fillSpan({u, v}, 0, grid.toRunPosition(plateauZ), p);
+            }
+        return made;
+    }();
+    static const VolumeSnapshot shown = volume.snapshot();
+    return shown;
+}
+
+/// The pointer over a place of the setup, seen by an eye at the front left, so that the tower hides nothing.
+const glm::dvec3 eye(-60.0, -200.0, 260.0);
+ViewportEvent over(const glm::dvec3& place, Qt::MouseButtons buttons = Qt::NoButton,
+                   Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    ViewportEvent event;
+    event.rayOrigin = eye;
+    event.rayDirection = glm::normalize(place - eye);
+    event.buttons = buttons;
+    event.modifiers = modifiers;
+    return event;
+}
+ViewportEvent left(const glm::dvec3& place, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    ViewportEvent event = over(place, Qt::LeftButton, modifiers);
+    event.button = Qt::LeftButton;
+    return event;
+}
+
+Tool slimTool() { // flutes 2 mm in radius and 6 mm long, shank 3 mm, holder 8 mm from 20 mm up
+    Tool tool = fixture::ballTool();
+    tool.cutter = {CutterType::flat, 4.0, 0.0, 6.0, 6.0, 20.0, {{16.0, 16.0, 20.0}}};
+    return tool;
+}
+
+/// Distance of a tool from the tower and the block, reckoned with boxes and cylinders: negative where they meet.
+double clearance(const Cutter& cutter, const glm::dvec3& tip) {
+    double least = 1e9;
+    for (const RevolvedPiece& piece : pieces(cutter)) {
+        const double radius = std::max(piece.bottomRadius, piece.topRadius), low = tip.z + piece.bottom;
+        if (tip.x + radius > towerLow) least = std::min(least, low - towerTop);
+        least = std::min(least, low - top);
+    }
+    return least;
+}
+
+} // namespace
+
+class TestMillTool : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        stylus_ = std::make_unique<MouseStylus>(glm::dvec3(0.0, 0.0, 40.0));
+        (void)stylus_->open();
+        tool_ = std::make_unique<MillTool>(*stylus_, slimTool(), [] { return workpiece(); });
+        time_ = 0.0;
+        cutting_ = false;
+        rest(); // the newest tip is known
+    }
+
+    void aSightMeetsALevel() {
+        const Sight sight{{0.0, 0.0, 10.0}, glm::normalize(glm::dvec3(3.0, 0.0, -4.0))};
+        QVERIFY(glm::distance(onLevel(sight, 2.0).value(), glm::dvec3(6.0, 0.0, 2.0)) < 1e-12);
+        QVERIFY(!onLevel(sight, 11.0));
+        QVERIFY(!onLevel({{0.0, 0.0, 10.0}, {1.0, 0.0, 0.0}}, 2.0));
+    }
+
+    void hoversTwoMillimetresOverWhatIsUnderThePointer() {
+        tool_->move(over({0.0, 10.0, top}));
+        const glm::dvec3 tip = rest();
+        QVERIFY(std::abs(tip.x) < 1e-6 && std::abs(tip.y - 10.0) < 1e-6);
+        QCOMPARE(tip.z, top + hoverClearance);
+        QVERIFY(!cutting_);
+    }
+
+    /// Beside the tower the shank (3 mm in radius, 6 mm up) and the holder (8 mm, 20 mm up) reach over it.
+    void hoverHeightCountsShankAndHolder() {
+        tool_->move(over({towerLow - 2.5, 10.0, top}));
+        QCOMPARE(rest().z, towerTop - 6.0 + hoverClearance);
+        tool_->move(over({towerLow - 6.0, 10.0, top}));
+        QCOMPARE(rest().z, towerTop - 6.0 + hoverClearance); // it has to get there first
+        QTRY_COMPARE_WITH_TIMEOUT(rest(100).z, std::max(top, towerTop - 20.0) + hoverClearance, 5000);
+        const Cutter cutter = slimTool().cutter;
+        QCOMPARE(clearTipHeight(workpiece(), cutter, {16.0, 0.0}, {16.0, 0.0}), towerTop + hoverClearance);
+    }
+
+    void noHoverTouchesAnythingOnItsWay() {
+        const Cutter cutter = slimTool().cutter;
+        tool_->move(over({-2.0, 12.0, top}));
+        rest();
+        for (const double x : {17.0, -2.0, 14.0, 0.0, 19.0, 3.0}) { // to the tower and back, at full speed
+            tool_->move(over({x, 12.0, x >= towerLow ? towerTop : top}));
+            for (int tick = 0; tick < 400; ++tick) QVERIFY(clearance(cutter, read()) > 0.3);
+        }
+    }
+
+    void levelStrokeStaysOnItsPlane() {
+        tool_->setSettings({.rule = DepthRule::level, .depthOfCut = 1.5, .speed = 60.0});
+        tool_->move(over({0.0, 12.0, top}));
+        rest();
+        QSignalSpy begins(tool_.get(), &MillTool::strokeBegins), ends(tool_.get(), &MillTool::strokeEnds);
+        QVERIFY(tool_->press(left({0.0, 12.0, top})));
+        QCOMPARE(begins.count(), 1);
+        rest();
+        QVERIFY(cutting_);
+        // Over the slot and back: what lies deeper under the pointer doesn't matter.
+        for (const glm::dvec3& place : {glm::dvec3(-12.0, 12.0, top - 1.5), glm::dvec3(4.0, 15.0, top - 1.5)}) {
+            tool_->move(over(place, Qt::LeftButton));
+            glm::dvec3 before = rest(1);
+            for (int tick = 0; tick < 900; ++tick) {
+                const glm::dvec3 tip = read();
+                QVERIFY(std::abs(tip.z - (top - 1.5)) < 1e-6);
+                QVERIFY(glm::distance(tip, before) <= 60.0 * 0.001 * 1.000001);
+                before = tip;
+            }
+            QVERIFY(glm::distance(before, place) < 1e-6);
+        }
+        QVERIFY(tool_->release(left({4.0, 15.0, top})));
+        QCOMPARE(ends.count(), 1);
+        QVERIFY(rest().z >= top + hoverClearance - 1e-9);
+        QVERIFY(!cutting_);
+    }
+
+    void aStrokeMayBeginBesideTheStock() {
+        tool_->setSettings({.depthOfCut = 1.0});
+        tool_->move(over({0.0, 12.0, top}));
+        tool_->move(over({0.0, 24.0, top})); // beside the block: the level of what was under the pointer last
+        rest();
+        tool_->press(left({0.0, 24.0, top - 1.0}));
+        QVERIFY(glm::distance(rest(), glm::dvec3(0.0, 24.0, top - 1.0)) < 1e-6);
+    }
+
+    void wheelMovesAlongTheAxis() {
+        QSignalSpy depth(tool_.get(), &MillTool::depthChanged);
+        tool_->setSettings({.depthOfCut = 1.0});
+        ViewportEvent wheel = over({0.0, 12.0, top});
+        wheel.wheelSteps = -2.0;
+        QVERIFY(tool_->wheel(wheel));
+        QCOMPARE(depth.takeLast().at(0).toDouble(), -1.0);
+        wheel.modifiers = Qt::ShiftModifier;
+        tool_->wheel(wheel);
+        QCOMPARE(depth.takeLast().at(0).toDouble(), -1.1);
+        wheel.modifiers = Qt::ControlModifier; // the camera's
+        QVERIFY(!tool_->wheel(wheel));
+        tool_->press(left({0.0, 12.0, top}));
+        QVERIFY(std::abs(rest().z - (top - 1.0 - 1.1)) < 1e-6);
+        wheel.modifiers = Qt::NoModifier;
+        wheel.wheelSteps = 1.0;
+        tool_->wheel(wheel); // while it cuts
+        QVERIFY(std::abs(rest().z - (top - 1.0 - 0.6)) < 1e-6);
+    }
+
+    void partRulePressesIntoThePart() {
+        tool_->setSettings({.rule = DepthRule::part, .press = 2.0});
+        tool_->press(left({1.0, 2.0, plateauZ})); // the stock above it doesn't stop this sight
+        QVERIFY(glm::distance(rest(), glm::dvec3(1.0, 2.0, plateauZ - 2.0)) < edge);
+        QVERIFY(cutting_);
+        tool_->move(over({-3.0, 4.0, plateauZ}, Qt::LeftButton));
+        QVERIFY(glm::distance(rest(), glm::dvec3(-3.0, 4.0, plateauZ - 2.0)) < edge);
+        // Beside the part the stroke goes on at the height that it had.
+        tool_->move(over({-12.0, 8.0, plateauZ - 2.0}, Qt::LeftButton));
+        QVERIFY(glm::distance(rest(), glm::dvec3(-12.0, 8.0, plateauZ - 2.0)) < 2.0 * edge);
+    }
+
+    void shiftMakesThePointerFine() {
+        tool_->setSettings({.depthOfCut = 1.0});
+        tool_->press(left({0.0, 10.0, top - 1.0}));
+        const glm::dvec3 start = rest();
+        tool_->move(over({0.0, 10.0, top - 1.0}, Qt::LeftButton, Qt::ShiftModifier));
+        tool_->move(over({6.0, 10.0, top - 1.0}, Qt::LeftButton, Qt::ShiftModifier));
+        QVERIFY(glm::distance(rest(), start + glm::dvec3(0.6, 0.0, 0.0)) < 0.02);
+        // Without Shift it goes on from there, as far as the pointer does.
+        tool_->move(over({6.0, 10.0, top - 1.0}, Qt::LeftButton));
+        QVERIFY(glm::distance(rest(), start + glm::dvec3(0.6, 0.0, 0.0)) < 0.02);
+        tool_->move(over({9.0, 10.0, top - 1.0}, Qt::LeftButton));
+        QVERIFY(glm::distance(rest(), start + glm::dvec3(3.6, 0.0, 0.0)) < 0.1);
+    }
+
+    void leavesTheOtherButtonsToTheCamera() {
+        for (const Qt::MouseButton button : {Qt::RightButton, Qt::MiddleButton}) {
+            ViewportEvent event = over({0.0, 0.0, top}, button);
+            event.button = button;
+            QVERIFY(!tool_->press(event));
+            QVERIFY(!tool_->release(event));
+        }
+    }
+
+    void escapeAndLeavingEndTheStrokeSafely_data() {
+        QTest::addColumn<bool>("escape");
+        QTest::newRow("Esc") << true;
+        QTest::newRow("pointer left") << false;
+    }
+    void escapeAndLeavingEndTheStrokeSafely() {
+        QFETCH(bool, escape);
+        QSignalSpy ends(tool_.get(), &MillTool::strokeEnds), leaves(tool_.get(), &MillTool::leaveRequested);
+        tool_->press(left({0.0, 12.0, top}));
+        const glm::dvec3 where = rest();
+        QVERIFY(cutting_);
+        if (escape)
+            QVERIFY(tool_->key(Qt::Key_Escape, Qt::NoModifier));
+        else
+            tool_->leave();
+        QCOMPARE(ends.count(), 1);
+        QCOMPARE(leaves.count(), escape ? 1 : 0);
+        read();
+        QVERIFY(!cutting_);
+        const glm::dvec3 lifted = rest();
+        QVERIFY(std::hypot(lifted.x - where.x, lifted.y - where.y) < 1e-6);
+        QCOMPARE(lifted.z, top + hoverClearance);
+        tool_->move(over({5.0, 12.0, top}, Qt::LeftButton)); // the button is still down: no stroke
+        rest();
+        QVERIFY(!cutting_);
+    }
+
+    void theKeyboardAloneMills() {
+        tool_->move(over({0.0, 12.0, top})); // the eye at the front: Up leads to the back, +y
+        const glm::dvec3 start = rest();
+        QVERIFY(tool_->key(Qt::Key_Right, Qt::NoModifier));
+        QVERIFY(tool_->key(Qt::Key_Up, Qt::ControlModifier));
+        QVERIFY(glm::distance(rest(), start + glm::dvec3(edge, 10.0 * edge, 0.0)) < 1e-6);
+        QSignalSpy begins(tool_.get(), &MillTool::strokeBegins), ends(tool_.get(), &MillTool::strokeEnds);
+        QVERIFY(tool_->key(Qt::Key_Space, Qt::NoModifier));
+        QCOMPARE(begins.count(), 1);
+        for (int i = 0; i < 12; ++i) tool_->key(Qt::Key_PageDown, Qt::NoModifier);
+        const glm::dvec3 deep = rest();
+        QVERIFY(cutting_);
+        QVERIFY(std::abs(deep.z - (start.z - 12.0 * edge)) < 1e-6);
+        tool_->key(Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(glm::distance(rest(), deep - glm::dvec3(0.1 * edge, 0.0, 0.0)) < 1e-6);
+        tool_->move(over({9.0, 9.0, top})); // the pointer does nothing meanwhile
+        QVERIFY(glm::distance(rest(), deep - glm::dvec3(0.1 * edge, 0.0, 0.0)) < 1e-6);
+        tool_->key(Qt::Key_Space, Qt::NoModifier);
+        QCOMPARE(ends.count(), 1);
+        QVERIFY(rest().z >= top + hoverClearance - 1e-9);
+        QVERIFY(!cutting_);
+    }
+
+    void arrowsFollowTheView() {
+        QCOMPARE(keyStep(Qt::Key_Up, {0.0, 1.0, 0.0}), glm::dvec3(0.0, 1.0, 0.0));
+        QCOMPARE(keyStep(Qt::Key_Right, {0.0, 1.0, 0.0}), glm::dvec3(1.0, 0.0, 0.0));
+        QCOMPARE(keyStep(Qt::Key_Up, {-0.9, 0.1, -0.4}), glm::dvec3(-1.0, 0.0, 0.0)); // seen from the right
+        QCOMPARE(keyStep(Qt::Key_Right, {-0.9, 0.1, -0.4}), glm::dvec3(0.0, 1.0, 0.0));
+        QCOMPARE(keyStep(Qt::Key_Left, {0.0, 0.0, -1.0}), glm::dvec3(-1.0, 0.0, 0.0)); // from above
+        QCOMPARE(keyStep(Qt::Key_A, {0.0, 1.0, 0.0}), glm::dvec3(0.0));
+    }
+
+private:
+    glm::dvec3 read() {
+        const StylusState state = stylus_->read(time_ += 0.001);
+        cutting_ = (state.buttons & 1U) != 0;
+        return state.pose.position;
+    }
+    glm::dvec3 rest(int ticks = 3000) {
+        glm::dvec3 tip(0.0);
+        for (int i = 0; i < ticks; ++i) tip = read();
+        return tip;
+    }
+
+    std::unique_ptr<MouseStylus> stylus_;
+    std::unique_ptr<MillTool> tool_;
+    double time_ = 0.0;
+    bool cutting_ = false;
+};
+
+QTEST_GUILESS_MAIN(TestMillTool)
+#include "tst_mill_tool.moc"

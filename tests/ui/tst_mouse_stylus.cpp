@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/reading_guard.h"
+#include "ui/input/mouse_stylus.h"
+
+#include <QTest>
+
+#include <cstring>
+#include <random>
+
+using namespace burin;
+
+namespace {
+
+constexpr double period = 0.001; // s
+
+struct Tick {
+    glm::dvec3 tip{0.0};
+    bool cutting = false;
+};
+
+/// Runs a stylus as the loop does.
+class Hand {
+public:
+    explicit Hand(const glm::dvec3& start) : stylus(start) {
+        (void)stylus.open();
+        now();
+    }
+    Tick now() {
+        const StylusState state = stylus.read(time);
+        time += period;
+        return {state.pose.position, (state.buttons & 1U) != 0};
+    }
+    std::vector<Tick> run(int ticks) {
+        std::vector<Tick> way;
+        for (int i = 0; i < ticks; ++i) way.push_back(now());
+        return way;
+    }
+    MouseStylus stylus;
+    double time = 0.0;
+};
+
+double aside(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// Targets of a wild user: jumps, pauses, strokes, changing speeds. Every `n`-th tick has one.
+std::vector<std::pair<int, StylusTarget>> wildTargets(unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-80.0, 80.0), speed(1.0, 900.0);
+    std::uniform_int_distribution<int> pause(1, 120), coin(0, 1);
+    std::vector<std::pair<int, StylusTarget>> targets;
+    for (int tick = 0; tick < 6000; tick += pause(random))
+        targets.emplace_back(tick, StylusTarget{.tip = {place(random), place(random), 0.3 * place(random)},
+                                                .maximumSpeed = speed(random),
+                                                .cutting = coin(random) == 1});
+    return targets;
+}
+
+std::vector<Tick> runWild(unsigned seed) {
+    Hand hand({0.0, 0.0, 30.0});
+    const auto targets = wildTargets(seed);
+    std::vector<Tick> way;
+    std::size_t next = 0;
+    for (int tick = 0; tick < 6500; ++tick) {
+        if (next < targets.size() && targets[next].first == tick) hand.stylus.wish(targets[next++].second);
+        way.push_back(hand.now());
+    }
+    return way;
+}
+
+} // namespace
+
+class TestMouseStylus : public QObject {
+    Q_OBJECT
+
+private slots:
+    void restsWithoutATarget() {
+        Hand hand({1.0, 2.0, 3.0});
+        for (const Tick& tick : hand.run(50)) {
+            QCOMPARE(tick.tip, glm::dvec3(1.0, 2.0, 3.0));
+            QVERIFY(!tick.cutting);
+        }
+    }
+
+    void speedAndAccelerationStayBounded() {
+        for (unsigned seed = 1; seed <= 5; ++seed) {
+            const std::vector<Tick> way = runWild(seed);
+            glm::dvec3 before(0.0), last(0.0, 0.0, 30.0);
+            for (const Tick& tick : way) {
+                const glm::dvec3 velocity = (tick.tip - last) / period;
+                QVERIFY(glm::length(velocity) <= MouseStylus::maximumSpeed * 1.000001);
+                // 0.5 µm and 0.1 mm/s may go at once when the tip comes to rest.
+                QVERIFY(glm::length(velocity - before) <= MouseStylus::acceleration * period + 0.6);
+                before = velocity;
+                last = tick.tip;
+            }
+        }
+    }
+
+    void theSameTargetsAndTimesGiveTheSameWay() {
+        const std::vector<Tick> first = runWild(9), second = runWild(9);
+        for (std::size_t i = 0; i < first.size(); ++i)
+            QVERIFY(std::memcmp(&first[i].tip, &second[i].tip, sizeof(glm::dvec3)) == 0);
+    }
+
+    void arrivesWithoutOvershoot_data() {
+        QTest::addColumn<double>("distance");
+        for (const double distance : {0.001, 0.05, 1.0, 7.0, 60.0, 300.0}) QTest::addRow("%g mm", distance) << distance;
+    }
+    void arrivesWithoutOvershoot() {
+        QFETCH(double, distance);
+        Hand hand({0.0, 0.0, 0.0});
+        hand.stylus.wish({.tip = {distance, 0.0, 0.0}});
+        const std::vector<Tick> way = hand.run(1500);
+        double farthest = 0.0;
+        for (const Tick& tick : way) farthest = std::max(farthest, tick.tip.x);
+        QVERIFY2(farthest <= distance + 0.001, qPrintable(QString::number(farthest - distance)));
+        QCOMPARE(way.back().tip, glm::dvec3(distance, 0.0, 0.0));
+    }
+
+    void keepsTheSpeedThatIsAsked() {
+        Hand hand({0.0, 0.0, 0.0});
+        hand.stylus.wish({.tip = {50.0, 0.0, 0.0}, .maximumSpeed = 60.0});
+        double fastest = 0.0;
+        glm::dvec3 before(0.0);
+        for (const Tick& tick : hand.run(1200)) {
+            fastest = std::max(fastest, glm::length(tick.tip - before) / period);
+            before = tick.tip;
+        }
+        QVERIFY(fastest <= 60.0 * 1.000001 && fastest > 59.0);
+    }
+
+    void aStrokeGoesOverItsStartBeforeTheSpindleTurnsAndThenStraightDown() {
+        const glm::dvec3 start(25.0, -10.0, 4.0);
+        Hand hand({0.0, 0.0, 20.0});
+        hand.stylus.wish({.tip = start, .maximumSpeed = 80.0, .cutting = true});
+        bool cut = false;
+        for (const Tick& tick : hand.run(1500)) {
+            if (!tick.cutting) {
+                QVERIFY(!cut);
+                QVERIFY(tick.tip.z >= 20.0 - 1e-9);
+                continue;
+            }
+            cut = true;
+            QVERIFY2(aside(tick.tip, start) <= 0.03, qPrintable(QString::number(aside(tick.tip, start))));
+        }
+        QVERIFY(cut);
+    }
+
+    void aStrokeFollowsThePointerFromItsStartOn() {
+        const glm::dvec3 start(0.0, 0.0, 4.0), end(12.0, 5.0, 4.0);
+        Hand hand({0.0, 0.0, 20.0});
+        hand.stylus.wish({.tip = start, .cutting = true});
+        hand.now();
+        hand.stylus.wish({.tip = end, .cutting = true}); // the pointer is quicker than the tool
+        bool reachedStart = false;
+        for (const Tick& tick : hand.run(1500)) {
+            reachedStart = reachedStart || glm::distance(tick.tip, start) < 0.03;
+            if (aside(tick.tip, start) > 0.05) QVERIFY(reachedStart);
+        }
+        QCOMPARE(hand.now().tip, end);
+    }
+
+    void wayToTheStartIsClearOfWhatTheTargetNames() {
+        const glm::dvec3 start(40.0, 0.0, 3.0);
+        Hand hand({0.0, 0.0, 5.0});
+        hand.stylus.wish({.tip = start, .cutting = true, .clearHeight = 30.0});
+        for (const Tick& tick : hand.run(3000))
+            if (tick.tip.x > 0.05 && tick.tip.x < 39.95) QVERIFY(tick.tip.z >= 30.0 - MouseStylus::clearance - 1e-6);
+        QCOMPARE(hand.now().tip, start);
+    }
+
+    void liftsBeforeItMovesAside() {
+        Hand hand({0.0, 0.0, 20.0});
+        hand.stylus.wish({.tip = {0.0, 0.0, 4.0}, .cutting = true});
+        hand.run(1500);
+        hand.stylus.wish({.tip = {30.0, 0.0, 20.0}});
+        for (const Tick& tick : hand.run(1500)) {
+            QVERIFY(!tick.cutting);
+            if (tick.tip.z < 20.0 - MouseStylus::clearance) QVERIFY(std::abs(tick.tip.x) < 1e-9);
+        }
+        QCOMPARE(hand.now().tip, glm::dvec3(30.0, 0.0, 20.0));
+    }
+
+    void aStrokeTakenBackNeverTurnsTheSpindle() {
+        Hand hand({0.0, 0.0, 20.0});
+        hand.stylus.wish({.tip = {100.0, 0.0, 4.0}, .cutting = true});
+        for (const Tick& tick : hand.run(100)) QVERIFY(!tick.cutting);
+        hand.stylus.wish({.tip = {0.0, 0.0, 20.0}});
+        for (const Tick& tick : hand.run(1500)) QVERIFY(!tick.cutting);
+    }
+
+    /// What judges every reading must never take this stylus for faulty, late ticks included.
+    void theReadingGuardTrustsIt() {
+        MouseStylus stylus({0.0, 0.0, 30.0});
+        ReadingGuard guard(stylus.description(), period);
+        const auto targets = wildTargets(4);
+        double time = 0.0;
+        std::size_t next = 0;
+        for (int tick = 0; tick < 6500; ++tick) {
+            if (next < targets.size() && targets[next].first == tick) stylus.wish(targets[next++].second);
+            const double late = tick % 97 == 0 ? 8.0 * period : period;
+            time += late;
+            QVERIFY(guard.check(stylus.read(time), late) != Reading::fault);
+        }
+    }
+
+    void aLongPauseIsNoJump() {
+        Hand hand({0.0, 0.0, 0.0});
+        hand.stylus.wish({.tip = {100.0, 0.0, 0.0}});
+        const glm::dvec3 before = hand.now().tip;
+        hand.time += 5.0;
+        QVERIFY(glm::distance(before, hand.now().tip) < ReadingGuard::largestJump);
+    }
+
+    void tellsTheUserInterfaceWhereItIs() {
+        Hand hand({1.0, 1.0, 1.0});
+        hand.stylus.wish({.tip = {2.0, 1.0, 1.0}});
+        const Tick last = hand.run(37).back();
+        QCOMPARE(hand.stylus.tip(), last.tip);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMouseStylus)
+#include "tst_mouse_stylus.moc"

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/window_driver.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QScreen>
+#include <QTimer>
+#include <QtTest>
+
+namespace burin::testing {
+
+namespace {
+
+constexpr const char* stepButtons[] = {"stepPart",      "stepStock", "stepMaterial", "stepTool",
+                                       "stepAllowance", "stepMill",  "stepPath",     "stepProgram"};
+
+} // namespace
+
+WindowDriver::WindowDriver(const QSize& size) : size_(size), folder_(std::make_unique<QTemporaryDir>()) {
+    qputenv("XDG_DATA_HOME", folder_->filePath("data").toUtf8());
+    qputenv("XDG_CONFIG_HOME", folder_->filePath("config").toUtf8());
+    // QSettings reads the variable once in a process.
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_->filePath("config"));
+    QCoreApplication::setApplicationName("Burin");
+    QLocale::setDefault(QLocale::c());
+    open();
+}
+
+WindowDriver::~WindowDriver() {
+    endQuietly();
+}
+
+void WindowDriver::open() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(size_);
+    window_->move(0, 0);
+    window_->show();
+    static_cast<void>(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get()); // no window manager does it
+}
+
+bool WindowDriver::endQuietly() {
+    window_->endQuietly();
+    return QTest::qWaitFor([this] { return !window_->isVisible(); }, 20000);
+}
+
+bool WindowDriver::restart(bool quietly) {
+    if (quietly)
+        endQuietly();
+    else
+        window_->close();
+    if (!QTest::qWaitFor([this] { return !window_->isVisible(); }, 20000)) return false;
+    window_.reset();
+    open();
+    return true;
+}
+
+bool WindowDriver::clickOn(const char* name) {
+    const auto ready = [&] {
+        const auto* widget = visible<QWidget>(name);
+        return widget != nullptr && widget->isEnabled();
+    };
+    if (!waitFor(ready, 3000)) return false; // panels follow what happened a moment later
+    auto* widget = visible<QWidget>(name);
+    QTest::mouseClick(widget, Qt::LeftButton);
+    return true;
+}
+
+bool WindowDriver::step(JobStep step) {
+    return clickOn(stepButtons[static_cast<std::size_t>(step)]);
+}
+
+void WindowDriver::key(int key, Qt::KeyboardModifiers modifiers) {
+    QApplication::setActiveWindow(window_.get());
+    QWidget* focus = QApplication::focusWidget();
+    QTest::keyClick(focus != nullptr ? focus : window_.get(), static_cast<Qt::Key>(key), modifiers);
+}
+
+void WindowDriver::whenDialogStands(std::function<void(QWidget& dialog)> act) {
+    auto* timer = new QTimer(window_.get());
+    QObject::connect(timer, &QTimer::timeout, window_.get(), [timer, act = std::move(act)] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        if (dialog == nullptr || !dialog->isVisible()) return;
+        timer->deleteLater();
+        timer->stop();
+        act(*dialog);
+    });
+    timer->start(20);
+}
+
+QString WindowDriver::message() const {
+    const auto* strip = visible<MessageStrip>("messageStrip");
+    return strip == nullptr ? QString() : strip->sentence();
+}
+
+bool WindowDriver::waitFor(const std::function<bool()>& what, int milliseconds) const {
+    return QTest::qWaitFor(what, milliseconds);
+}
+
+bool WindowDriver::settle(int milliseconds) const {
+    QTest::qWait(50); // work that is about to begin
+    return waitFor([this] { return window_->workbench().tasks().idle(); }, milliseconds);
+}
+
+void WindowDriver::shoot(const QString& name) const {
+    const QDir folder(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots"));
+    folder.mkpath(QStringLiteral("."));
+    QTest::qWait(150); // presenters and painting come after the event
+    window_->grab().save(folder.filePath(name + QStringLiteral(".png")));
+}
+
+} // namespace burin::testing

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/action_states.h"
+
+namespace burin {
+
+ActionStates::ActionStates(Actions& actions, Workbench& workbench, QObject* parent)
+    : QObject(parent), actions_(actions), workbench_(workbench) {
+    for (Controller* controller : workbench.controllers())
+        connect(controller, &Controller::changed, this, &ActionStates::update);
+    connect(&workbench.session, &SessionRunner::ticked, this, &ActionStates::update);
+    connect(&workbench.undo(), &QUndoStack::indexChanged, this, &ActionStates::update);
+    connect(actions[ActionId::undo], &QAction::triggered, &workbench, &Workbench::undoLast);
+    connect(actions[ActionId::redo], &QAction::triggered, &workbench, &Workbench::redoLast);
+    update();
+}
+
+void ActionStates::update() {
+    const Workbench& bench = workbench_;
+    const bool showing = bench.showMe.showing();
+    enable(ActionId::save, bench.document.isOpen());
+    enable(ActionId::saveAs, bench.document.isOpen());
+    enable(ActionId::exportProgram, bench.program.exportable());
+    enable(ActionId::embed, bench.setup.usable() && !bench.setup.locked() && !bench.bench.embedding());
+    enable(ActionId::millMode, bench.bench.ready() && !showing);
+    enable(ActionId::record, bench.bench.ready() && !showing);
+    enable(ActionId::showMe, bench.setup.usable() && !showing && !bench.mill.active());
+    enable(ActionId::stopShow, showing);
+    enable(ActionId::newPath, !bench.mill.takes().empty() && bench.bench.embedded());
+    enable(ActionId::evaluatePath, bench.path.stored().has_value() && bench.bench.embedded());
+    enable(ActionId::post, bench.path.evaluated() != nullptr && !bench.path.outdated());
+    updateUndo();
+    actions_[ActionId::millMode]->setChecked(bench.mill.active());
+    actions_[ActionId::record]->setChecked(bench.mill.recording());
+}
+
+void ActionStates::updateUndo() {
+    const QUndoStack& stack = workbench_.undo();
+    const bool now = workbench_.canUndoNow();
+    enable(ActionId::undo, stack.canUndo() && now);
+    enable(ActionId::redo, stack.canRedo() && now);
+    actions_[ActionId::undo]->setText(stack.canUndo() ? tr("&Undo: %1").arg(stack.undoText()) : tr("&Undo"));
+    actions_[ActionId::redo]->setText(stack.canRedo() ? tr("&Redo: %1").arg(stack.redoText()) : tr("&Redo"));
+}
+
+} // namespace burin

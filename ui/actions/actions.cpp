@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/actions.h"
+
+#include <QCoreApplication>
+
+namespace burin {
+
+namespace {
+
+struct Row {
+    ActionId id;
+    const char* name; ///< object name
+    const char* text;
+    const char* toolTip;
+    const char* shortcut;
+    bool checkable = false;
+};
+
+constexpr const char* context = "Actions";
+
+constexpr std::array rows{
+    Row{ActionId::newProject, "newProjectAction", QT_TRANSLATE_NOOP("Actions", "&New"),
+        QT_TRANSLATE_NOOP("Actions", "Begin a new, empty project."), "Ctrl+N"},
+    Row{ActionId::openProject, "openAction", QT_TRANSLATE_NOOP("Actions", "&Open…"),
+        QT_TRANSLATE_NOOP("Actions", "Open a project."), "Ctrl+O"},
+    Row{ActionId::importPart, "importAction", QT_TRANSLATE_NOOP("Actions", "&Import a part…"),
+        QT_TRANSLATE_NOOP("Actions", "Read a part from a STEP, IGES, BREP or STL file."), "Ctrl+I"},
+    Row{ActionId::sampleProject, "sampleAction", QT_TRANSLATE_NOOP("Actions", "Sample &part"),
+        QT_TRANSLATE_NOOP("Actions", "Import the part that Burin is shipped with."), "Ctrl+Shift+I"},
+    Row{ActionId::save, "saveAction", QT_TRANSLATE_NOOP("Actions", "&Save"),
+        QT_TRANSLATE_NOOP("Actions", "Save the project."), "Ctrl+S"},
+    Row{ActionId::saveAs, "saveAsAction", QT_TRANSLATE_NOOP("Actions", "Save &as…"),
+        QT_TRANSLATE_NOOP("Actions", "Save the project under another name and go on there."), "Ctrl+Shift+S"},
+    Row{ActionId::exportProgram, "exportAction", QT_TRANSLATE_NOOP("Actions", "&Export the program…"),
+        QT_TRANSLATE_NOOP("Actions", "Write the program that passed its check to a file."), "Ctrl+E"},
+    Row{ActionId::undo, "undoAction", QT_TRANSLATE_NOOP("Actions", "&Undo"),
+        QT_TRANSLATE_NOOP("Actions", "Take the last change back."), "Ctrl+Z"},
+    Row{ActionId::redo, "redoAction", QT_TRANSLATE_NOOP("Actions", "&Redo"),
+        QT_TRANSLATE_NOOP("Actions", "Put back what was taken back."), "Ctrl+Shift+Z"},
+    Row{ActionId::preferences, "preferencesAction", QT_TRANSLATE_NOOP("Actions", "&Preferences…"),
+        QT_TRANSLATE_NOOP("Actions", "Unit, theme and language."), "Ctrl+,"},
+    Row{ActionId::quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "&Quit"), QT_TRANSLATE_NOOP("Actions", "End Burin."),
+        "Ctrl+Q"},
+    Row{ActionId::fit, "fitAction", QT_TRANSLATE_NOOP("Actions", "&Fit"),
+        QT_TRANSLATE_NOOP("Actions", "Show everything."), "F"},
+    Row{ActionId::viewIsometric, "viewIsometricAction", QT_TRANSLATE_NOOP("Actions", "&Isometric"),
+        QT_TRANSLATE_NOOP("Actions", "Look from a corner."), "0"},
+    Row{ActionId::viewTop, "viewTopAction", QT_TRANSLATE_NOOP("Actions", "&Top"),
+        QT_TRANSLATE_NOOP("Actions", "Look along the tool."), "1"},
+    Row{ActionId::viewBottom, "viewBottomAction", QT_TRANSLATE_NOOP("Actions", "&Bottom"),
+        QT_TRANSLATE_NOOP("Actions", "Look from below."), "2"},
+    Row{ActionId::viewFront, "viewFrontAction", QT_TRANSLATE_NOOP("Actions", "F&ront"),
+        QT_TRANSLATE_NOOP("Actions", "Look from the front."), "3"},
+    Row{ActionId::viewBack, "viewBackAction", QT_TRANSLATE_NOOP("Actions", "B&ack"),
+        QT_TRANSLATE_NOOP("Actions", "Look from the back."), "4"},
+    Row{ActionId::viewLeft, "viewLeftAction", QT_TRANSLATE_NOOP("Actions", "&Left"),
+        QT_TRANSLATE_NOOP("Actions", "Look from the left."), "5"},
+    Row{ActionId::viewRight, "viewRightAction", QT_TRANSLATE_NOOP("Actions", "Ri&ght"),
+        QT_TRANSLATE_NOOP("Actions", "Look from the right."), "6"},
+    Row{ActionId::showPart, "showPartAction", QT_TRANSLATE_NOOP("Actions", "&Part"),
+        QT_TRANSLATE_NOOP("Actions", "Draw the part beside the workpiece."), "Ctrl+1", true},
+    Row{ActionId::showWorkpiece, "showWorkpieceAction", QT_TRANSLATE_NOOP("Actions", "&Workpiece"),
+        QT_TRANSLATE_NOOP("Actions", "Draw the workpiece."), "Ctrl+2", true},
+    Row{ActionId::showTool, "showToolAction", QT_TRANSLATE_NOOP("Actions", "T&ool"),
+        QT_TRANSLATE_NOOP("Actions", "Draw the tool."), "Ctrl+3", true},
+    Row{ActionId::showPath, "showPathAction", QT_TRANSLATE_NOOP("Actions", "Pat&h"),
+        QT_TRANSLATE_NOOP("Actions", "Draw the edited path."), "Ctrl+4", true},
+    Row{ActionId::nextStep, "nextStepAction", QT_TRANSLATE_NOOP("Actions", "&Next step"),
+        QT_TRANSLATE_NOOP("Actions", "Open the next step of the job."), "Alt+Right"},
+    Row{ActionId::previousStep, "previousStepAction", QT_TRANSLATE_NOOP("Actions", "Pre&vious step"),
+        QT_TRANSLATE_NOOP("Actions", "Open the step of the job before this one."), "Alt+Left"},
+    Row{ActionId::embed, "embedAction", QT_TRANSLATE_NOOP("Actions", "&Embed the part"),
+        QT_TRANSLATE_NOOP("Actions", "Put the part into its stock: the workpiece is made."), "Ctrl+B"},
+    Row{ActionId::millMode, "millModeAction", QT_TRANSLATE_NOOP("Actions", "&Mill mode"),
+        QT_TRANSLATE_NOOP("Actions", "Take the tool in hand; Esc puts it away."), "M", true},
+    Row{ActionId::record, "recordAction", QT_TRANSLATE_NOOP("Actions", "&Record"),
+        QT_TRANSLATE_NOOP("Actions", "Start or stop a recording."), "R", true},
+    Row{ActionId::showMe, "showMeAction", QT_TRANSLATE_NOOP("Actions", "&Show me"),
+        QT_TRANSLATE_NOOP("Actions", "Watch a virtual operator mill this part."), "Ctrl+M"},
+    Row{ActionId::stopShow, "stopShowAction", QT_TRANSLATE_NOOP("Actions", "S&top the virtual operator"),
+        QT_TRANSLATE_NOOP("Actions", "Stop; what was recorded stays."), "Ctrl+."},
+    Row{ActionId::newPath, "newPathAction", QT_TRANSLATE_NOOP("Actions", "&New path"),
+        QT_TRANSLATE_NOOP("Actions", "Make a path of the recordings, with the edits of the main job."), "Ctrl+P"},
+    Row{ActionId::evaluatePath, "evaluatePathAction", QT_TRANSLATE_NOOP("Actions", "&Evaluate"),
+        QT_TRANSLATE_NOOP("Actions", "Apply the edits to the recordings again."), "F5"},
+    Row{ActionId::post, "postAction", QT_TRANSLATE_NOOP("Actions", "&Post and check"),
+        QT_TRANSLATE_NOOP("Actions", "Make the program, read it back and check it."), "F6"},
+    Row{ActionId::welcome, "welcomeAction", QT_TRANSLATE_NOOP("Actions", "&Welcome page"),
+        QT_TRANSLATE_NOOP("Actions", "Show how to begin."), "F1"},
+    Row{ActionId::about, "aboutAction", QT_TRANSLATE_NOOP("Actions", "&About Burin"),
+        QT_TRANSLATE_NOOP("Actions", "Version, licence and sources."), "Shift+F1"},
+};
+static_assert(rows.size() == static_cast<std::size_t>(ActionId::count));
+
+} // namespace
+
+Actions::Actions(QObject* parent) : QObject(parent) {
+    for (const Row& row : rows) {
+        auto* action = new QAction(QCoreApplication::translate(context, row.text), this);
+        action->setObjectName(QString::fromLatin1(row.name));
+        const QString tip = QCoreApplication::translate(context, row.toolTip);
+        action->setToolTip(tip);
+        action->setStatusTip(tip);
+        action->setShortcut(QKeySequence(QString::fromLatin1(row.shortcut)));
+        action->setCheckable(row.checkable);
+        if (row.checkable) action->setChecked(row.id != ActionId::showPart);
+        actions_[static_cast<std::size_t>(row.id)] = action;
+    }
+    (*this)[ActionId::millMode]->setChecked(false);
+    (*this)[ActionId::record]->setChecked(false);
+    (*this)[ActionId::quit]->setMenuRole(QAction::QuitRole);
+    (*this)[ActionId::preferences]->setMenuRole(QAction::PreferencesRole);
+    (*this)[ActionId::about]->setMenuRole(QAction::AboutRole);
+}
+
+} // namespace burin

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAction>
+#include <QObject>
+
+#include <array>
+#include <cstddef>
+
+namespace burin {
+
+/// Everything that the menus offer.
+enum class ActionId : std::size_t {
+    newProject,
+    openProject,
+    importPart,
+    sampleProject,
+    save,
+    saveAs,
+    exportProgram,
+    undo, ///< its text and that of redo name what it would do
+    redo,
+    preferences,
+    quit,
+    fit,
+    viewIsometric,
+    viewTop,
+    viewBottom,
+    viewFront,
+    viewBack,
+    viewLeft,
+    viewRight,
+    showPart,
+    showWorkpiece,
+    showTool,
+    showPath,
+    nextStep,
+    previousStep,
+    embed,
+    millMode,
+    record,
+    showMe,
+    stopShow,
+    newPath,
+    evaluatePath,
+    post,
+    welcome,
+    about,
+    count
+};
+
+/// All actions of the window in one place: object name, text, tooltip, shortcut. What they do is connected by the
+/// window.
+class Actions final : public QObject {
+    Q_OBJECT
+public:
+    explicit Actions(QObject* parent = nullptr);
+
+    QAction* operator[](ActionId id) const { return actions_[static_cast<std::size_t>(id)]; }
+
+private:
+    std::array<QAction*, static_cast<std::size_t>(ActionId::count)> actions_{};
+};
+
+} // namespace burin

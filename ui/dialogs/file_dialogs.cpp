@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/file_dialogs.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+
+namespace burin {
+
+namespace {
+
+/// Texts of this page.
+struct FileDialogs {
+    Q_DECLARE_TR_FUNCTIONS(FileDialogs)
+};
+
+QString ask(QFileDialog& dialog, const QString& folder) {
+    dialog.setObjectName(QStringLiteral("fileDialog"));
+    dialog.setOption(QFileDialog::DontUseNativeDialog);
+    dialog.setDirectory(folder);
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
+    return dialog.selectedFiles().constFirst();
+}
+
+QString askToOpen(QWidget* parent, const QString& title, const QString& folder, const QString& filter) {
+    QFileDialog dialog(parent, title);
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    dialog.setNameFilter(filter);
+    return ask(dialog, folder);
+}
+
+QString askToSave(QWidget* parent, const QString& title, const QString& folder, const QString& name,
+                  const QString& ending, const QString& filter) {
+    QFileDialog dialog(parent, title);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
+    dialog.setDefaultSuffix(ending);
+    dialog.setNameFilter(filter);
+    dialog.setDirectory(folder);
+    dialog.selectFile(name);
+    return ask(dialog, folder);
+}
+
+} // namespace
+
+QString askProjectToOpen(QWidget* parent, const QString& folder) {
+    return askToOpen(parent, FileDialogs::tr("Open a project"), folder, FileDialogs::tr("Burin projects (*.burin)"));
+}
+
+QString askPartToImport(QWidget* parent, const QString& folder) {
+    return askToOpen(parent, FileDialogs::tr("Import a part"), folder,
+                     FileDialogs::tr("Parts (*.step *.stp *.STEP *.STP *.iges *.igs *.IGS *.brep *.stl *.STL);;"
+                                     "All files (*)"));
+}
+
+QString askProjectToSave(QWidget* parent, const QString& folder, const QString& name) {
+    return askToSave(parent, FileDialogs::tr("Save the project"), folder, name, QStringLiteral("burin"),
+                     FileDialogs::tr("Burin projects (*.burin)"));
+}
+
+QString askProgramToExport(QWidget* parent, const QString& folder, const QString& name) {
+    return askToSave(parent, FileDialogs::tr("Export the program"), folder, name, QStringLiteral("ngc"),
+                     FileDialogs::tr("Programs (*.ngc *.nc);;All files (*)"));
+}
+
+} // namespace burin

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+namespace burin {
+
+// Qt's own file dialogs, the same on every desktop; empty when the user cancels. Object name "fileDialog".
+
+QString askProjectToOpen(QWidget* parent, const QString& folder);
+QString askPartToImport(QWidget* parent, const QString& folder);
+/// With the ending .burin.
+QString askProjectToSave(QWidget* parent, const QString& folder, const QString& name);
+/// With the ending .ngc unless the user gave another.
+QString askProgramToExport(QWidget* parent, const QString& folder, const QString& name);
+
+} // namespace burin

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/preferences.h"
+
+#include <QFileInfo>
+
+namespace burin {
+
+namespace {
+
+constexpr const char* themeKey = "theme";
+constexpr const char* unitKey = "unit";
+constexpr const char* languageKey = "language";
+constexpr const char* recentKey = "recent_files";
+constexpr const char* geometryKey = "window_geometry";
+constexpr const char* folderKey = "last_folder";
+
+} // namespace
+
+UserSettings::UserSettings()
+    : settings_(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("burin"), QStringLiteral("burin")) {}
+
+Preferences UserSettings::preferences() const {
+    Preferences preferences;
+    if (settings_.value(themeKey).toString() == QLatin1String("light")) preferences.theme = Theme::light;
+    if (settings_.value(unitKey).toString() == QLatin1String("inch")) preferences.unit = LengthUnit::inch;
+    preferences.language = settings_.value(languageKey).toString();
+    return preferences;
+}
+
+void UserSettings::setPreferences(const Preferences& preferences) {
+    settings_.setValue(themeKey, preferences.theme == Theme::light ? "light" : "dark");
+    settings_.setValue(unitKey, preferences.unit == LengthUnit::inch ? "inch" : "mm");
+    settings_.setValue(languageKey, preferences.language);
+}
+
+QStringList UserSettings::recentFiles() const {
+    QStringList files;
+    for (const QString& file : settings_.value(recentKey).toStringList())
+        if (QFileInfo::exists(file)) files.append(file);
+    return files;
+}
+
+void UserSettings::addRecentFile(const QString& file) {
+    QStringList files = settings_.value(recentKey).toStringList();
+    files.removeAll(file);
+    files.prepend(file);
+    if (files.size() > maximumRecentFiles) files.resize(maximumRecentFiles);
+    settings_.setValue(recentKey, files);
+}
+
+QByteArray UserSettings::windowGeometry() const {
+    return settings_.value(geometryKey).toByteArray();
+}
+
+void UserSettings::setWindowGeometry(const QByteArray& geometry) {
+    settings_.setValue(geometryKey, geometry);
+}
+
+QString UserSettings::lastFolder() const {
+    return settings_.value(folderKey).toString();
+}
+
+void UserSettings::setLastFolder(const QString& folder) {
+    settings_.setValue(folderKey, folder);
+}
+
+} // namespace burin

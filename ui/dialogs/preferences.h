@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/theme/length_unit.h"
+#include "ui/theme/theme.h"
+
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+namespace burin {
+
+/// What a user sets once for all projects.
+struct Preferences {
+    Theme theme = Theme::dark;
+    LengthUnit unit = LengthUnit::millimetre;
+    QString language; ///< "en", "de"; empty: the system's
+    friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+/// Where preferences, recent files and the window's place are kept: one file in the user's configuration folder.
+class UserSettings {
+public:
+    UserSettings();
+
+    Preferences preferences() const;
+    void setPreferences(const Preferences& preferences);
+
+    static constexpr int maximumRecentFiles = 8;
+    QStringList recentFiles() const; ///< the newest first; only what still exists
+    void addRecentFile(const QString& file);
+
+    QByteArray windowGeometry() const;
+    void setWindowGeometry(const QByteArray& geometry);
+    QString lastFolder() const; ///< that a file was chosen in; empty: none yet
+    void setLastFolder(const QString& folder);
+
+private:
+    QSettings settings_;
+};
+
+} // namespace burin

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/questions.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace burin {
+
+namespace {
+
+/// Texts of this page.
+struct Questions {
+    Q_DECLARE_TR_FUNCTIONS(Questions)
+};
+
+QPushButton* addButton(QMessageBox& box, const QString& text, QMessageBox::ButtonRole role, const char* name,
+                       const QString& toolTip) {
+    QPushButton* button = box.addButton(text, role);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setToolTip(toolTip);
+    return button;
+}
+
+} // namespace
+
+UnsavedAnswer askUnsaved(QWidget* parent, const QString& project) {
+    QMessageBox box(parent);
+    box.setObjectName(QStringLiteral("unsavedDialog"));
+    box.setWindowTitle(Questions::tr("Unsaved changes"));
+    box.setText(Questions::tr("“%1” has changes that are not saved.").arg(project));
+    box.setInformativeText(Questions::tr("Do you want to save them?"));
+    QPushButton* save = addButton(box, Questions::tr("Save"), QMessageBox::AcceptRole, "saveButton",
+                                  Questions::tr("Save the project, then go on."));
+    const QPushButton* discard = addButton(box, Questions::tr("Discard"), QMessageBox::DestructiveRole, "discardButton",
+                                           Questions::tr("Go on; the changes are lost."));
+    QPushButton* cancel = addButton(box, Questions::tr("Cancel"), QMessageBox::RejectRole, "cancelButton",
+                                    Questions::tr("Change nothing."));
+    box.setDefaultButton(save);
+    box.setEscapeButton(cancel);
+    box.exec();
+    if (box.clickedButton() == save) return UnsavedAnswer::save;
+    return box.clickedButton() == discard ? UnsavedAnswer::discard : UnsavedAnswer::cancel;
+}
+
+bool confirm(QWidget* parent, const QString& question, const QString& consequence, const QString& confirmText) {
+    QMessageBox box(parent);
+    box.setObjectName(QStringLiteral("confirmDialog"));
+    box.setWindowTitle(Questions::tr("Burin"));
+    box.setText(question);
+    box.setInformativeText(consequence);
+    const QPushButton* yes = addButton(box, confirmText, QMessageBox::DestructiveRole, "confirmButton", consequence);
+    QPushButton* cancel = addButton(box, Questions::tr("Cancel"), QMessageBox::RejectRole, "cancelButton",
+                                    Questions::tr("Change nothing."));
+    box.setDefaultButton(cancel);
+    box.setEscapeButton(cancel);
+    box.exec();
+    return box.clickedButton() == yes;
+}
+
+void showAbout(QWidget* parent, const QString& version) {
+    QMessageBox box(parent);
+    box.setObjectName(QStringLiteral("aboutDialog"));
+    box.setWindowTitle(Questions::tr("About Burin"));
+    box.setText(Questions::tr("Burin %1").arg(version));
+    box.setInformativeText(Questions::tr(
+        "Milling tool paths authored by hand.\n\nThe method follows Chen and Yang, “Haptic rendering based on spatial "
+        "run-length encoding”, Robotics and Computer-Integrated Manufacturing 20 (2004) 237–246.\n\nFree software "
+        "under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneTBB, SQLite and Zstandard."));
+    QPushButton* close = addButton(box, Questions::tr("Close"), QMessageBox::AcceptRole, "closeButton",
+                                   Questions::tr("Close this page."));
+    box.setEscapeButton(close);
+    box.exec();
+}
+
+} // namespace burin

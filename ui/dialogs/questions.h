@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+namespace burin {
+
+enum class UnsavedAnswer { save, discard, cancel };
+
+/// Asks what is to become of unsaved changes. Dialog "unsavedDialog" with "saveButton", "discardButton",
+/// "cancelButton".
+UnsavedAnswer askUnsaved(QWidget* parent, const QString& project);
+
+/// Asks before something goes that no undo brings back. Dialog "confirmDialog" with "confirmButton", "cancelButton".
+bool confirm(QWidget* parent, const QString& question, const QString& consequence, const QString& confirmText);
+
+/// Dialog "aboutDialog". @param version of the program
+void showAbout(QWidget* parent, const QString& version);
+
+} // namespace burin

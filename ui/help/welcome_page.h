@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+#include <vector>
+
+class QVBoxLayout;
+
+namespace burin {
+
+/// Work that was not saved when the program ended.
+struct LeftWorkRow {
+    QString file;
+    QDateTime changed;
+};
+
+/// The first page: how to begin, what was worked on lately, what was left unsaved.
+class WelcomePage final : public QWidget {
+    Q_OBJECT
+public:
+    explicit WelcomePage(QWidget* parent = nullptr);
+
+    void setRecentFiles(const QStringList& files);
+    void setLeftWork(const std::vector<LeftWorkRow>& rows);
+
+signals:
+    void importRequested();
+    void sampleRequested();
+    void showMeRequested();
+    void openRequested();
+    void recentChosen(const QString& file);
+    void leftWorkChosen(const QString& file);
+    void leftWorkForgotten(const QString& file);
+
+private:
+    QWidget* beginnings();
+    QWidget* lately();
+
+    QVBoxLayout* recent_ = nullptr;
+    QVBoxLayout* left_ = nullptr;
+    QWidget* leftBox_ = nullptr;
+    QWidget* recentBox_ = nullptr;
+};
+
+} // namespace burin

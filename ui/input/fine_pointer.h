@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/scene/sight.h"
+
+#include <optional>
+
+namespace burin {
+
+/// Makes the pointer fine: while it is wanted, the sight turns by a tenth of what the pointer's turned since then.
+/// Afterwards the sight goes on from where it is, so that nothing jumps, until `reset`.
+class FinePointer {
+public:
+    static constexpr double share = 0.1;
+
+    /// @param pointer the sight through the pointer; @param fine Shift is down
+    /// @return the sight to use
+    Sight follow(const Sight& pointer, bool fine);
+    void reset() noexcept { anchor_.reset(); }
+
+private:
+    struct Anchor {
+        Sight pointer, used; ///< when fine pointing began or ended
+        bool fine = true;
+    };
+    std::optional<Anchor> anchor_;
+    std::optional<Sight> lastPointer_;
+};
+
+} // namespace burin

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/input/mill_tool.h"
+
+#include "core/volume/ray_cast.h"
+#include "ui/input/mill_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double wheelStep = 0.5, fineWheelStep = 0.05; // mm a notch
+constexpr double largestOffset = 500.0;                 // mm
+constexpr int settlingInterval = 120;                   // ms
+constexpr double arrived = 0.1;                         // mm
+constexpr double besideStock = 20.0;                    // mm beyond the tool's radius that the tip may leave the grid
+
+Sight sightOf(const ViewportEvent& event) {
+    return {event.rayOrigin, event.rayDirection};
+}
+
+Box reachOf(const VolumeSnapshot& workpiece, const Cutter& cutter) {
+    return workpiece.grid().box().grown(cutter.radius() + besideStock);
+}
+
+} // namespace
+
+MillTool::MillTool(MouseStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view, QObject* parent)
+    : QObject(parent), stylus_(stylus), tool_(tool), view_(std::move(view)), target_(stylus.tip()) {
+    settling_.setSingleShot(true);
+    settling_.setInterval(settlingInterval);
+    connect(&settling_, &QTimer::timeout, this, &MillTool::settle);
+}
+
+void MillTool::setSettings(const MillToolSettings& settings) {
+    settings_ = settings;
+}
+
+void MillTool::hoverAt(const glm::dvec3& place) {
+    const VolumeSnapshot workpiece = view_();
+    if (workpiece.empty()) return;
+    target_ = keptWithin(reachOf(workpiece, tool_.cutter), place);
+    wantedHeight_ = place.z;
+    const glm::dvec3 now = stylus_.tip();
+    target_.z = std::max(place.z, clearTipHeight(workpiece, tool_.cutter, {now.x, now.y}, {target_.x, target_.y}));
+    stylus_.wish({.tip = target_});
+    settling_.start();
+}
+
+/// The height of a hover clears all of the way; where the tool has arrived, less may do.
+void MillTool::settle() {
+    const glm::dvec3 now = stylus_.tip();
+    const VolumeSnapshot workpiece = view_();
+    if (stroke_ != Stroke::none || workpiece.empty()) return;
+    if (std::hypot(now.x - target_.x, now.y - target_.y) > arrived) return settling_.start();
+    const glm::dvec2 place(target_.x, target_.y);
+    target_.z = std::max(wantedHeight_, clearTipHeight(workpiece, tool_.cutter, place, place));
+    stylus_.wish({.tip = target_});
+}
+
+void MillTool::hoverOver(const Sight& sight) {
+    const VolumeSnapshot workpiece = view_();
+    if (workpiece.empty()) return;
+    const Grid& grid = workpiece.grid();
+    std::optional<glm::dvec3> place;
+    if (const std::optional<RayHit> hit = castRay(workpiece, sight.origin, sight.direction)) {
+        place = hit->place;
+        surfaceHeight_ = hit->place.z;
+    } else {
+        place = onLevel(sight, surfaceHeight_.value_or(grid.box().high.z));
+    }
+    if (place) hoverAt({place->x, place->y, grid.low().z});
+}
+
+/// The tip of a stroke under the pointer; nothing where the sight leads nowhere.
+std::optional<glm::dvec3> MillTool::strokePlace(const VolumeSnapshot& workpiece, const Sight& sight) {
+    if (settings_.rule == DepthRule::part) {
+        if (const auto hit = castRay(workpiece, sight.origin, sight.direction, RayTarget::protectedOnly)) {
+            levelHeight_ = hit->place.z - settings_.press; // goes on at this height where the sight misses the part
+            return glm::dvec3(hit->place.x, hit->place.y, levelHeight_ + wheelOffset_);
+        }
+    }
+    const auto place = onLevel(sight, levelHeight_ + wheelOffset_);
+    if (!place) return std::nullopt;
+    return keptWithin(reachOf(workpiece, tool_.cutter), *place);
+}
+
+void MillTool::cutTo(const glm::dvec3& tip, double clearHeight) {
+    target_ = tip;
+    stylus_.wish({.tip = tip, .maximumSpeed = settings_.speed, .cutting = true, .clearHeight = clearHeight});
+}
+
+void MillTool::aim(const Sight& sight) {
+    lastSight_ = sight;
+    const VolumeSnapshot workpiece = view_();
+    if (workpiece.empty()) return;
+    if (const auto place = strokePlace(workpiece, sight)) cutTo(*place, place->z);
+}
+
+bool MillTool::press(const ViewportEvent& event) {
+    if (event.button != Qt::LeftButton) return false;
+    const VolumeSnapshot workpiece = view_();
+    if (stroke_ != Stroke::none || workpiece.empty()) return true;
+    const Sight sight = sightOf(event);
+    lookingAlong_ = sight.direction;
+    fine_.reset();
+    lastSight_ = fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier));
+    if (const auto hit = castRay(workpiece, sight.origin, sight.direction)) surfaceHeight_ = hit->place.z;
+    levelHeight_ = surfaceHeight_.value_or(workpiece.grid().box().high.z) - settings_.depthOfCut;
+    const auto place = strokePlace(workpiece, lastSight_);
+    if (!place) return true;
+    stroke_ = Stroke::pointer;
+    emit strokeBegins();
+    const glm::dvec3 now = stylus_.tip();
+    cutTo(*place, clearTipHeight(workpiece, tool_.cutter, {now.x, now.y}, {place->x, place->y}));
+    return true;
+}
+
+bool MillTool::move(const ViewportEvent& event) {
+    const Sight sight = sightOf(event);
+    lookingAlong_ = sight.direction;
+    if (stroke_ == Stroke::keyboard) return true;
+    const Sight fine = fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier));
+    if (stroke_ == Stroke::pointer)
+        aim(fine);
+    else
+        hoverOver(fine);
+    return true;
+}
+
+bool MillTool::release(const ViewportEvent& event) {
+    if (event.button != Qt::LeftButton) return false;
+    if (stroke_ == Stroke::pointer) endStroke();
+    return true;
+}
+
+bool MillTool::wheel(const ViewportEvent& event) {
+    if (event.modifiers.testFlag(Qt::ControlModifier)) return false;
+    const double notch = event.modifiers.testFlag(Qt::ShiftModifier) ? fineWheelStep : wheelStep;
+    if (stroke_ == Stroke::keyboard) {
+        step({0.0, 0.0, notch * event.wheelSteps});
+        return true;
+    }
+    wheelOffset_ = std::clamp(wheelOffset_ + notch * event.wheelSteps, -largestOffset, largestOffset);
+    if (stroke_ == Stroke::pointer) aim(lastSight_);
+    emit depthChanged(wheelOffset_);
+    return true;
+}
+
+/// The spindle stops where the tool is; from there it rises straight up until it is clear.
+void MillTool::endStroke() {
+    if (stroke_ == Stroke::none) return;
+    stroke_ = Stroke::none;
+    fine_.reset();
+    target_ = stylus_.tip();
+    stylus_.wish({.tip = target_}); // the spindle stops even if there is no workpiece to hover over any more
+    hoverAt(target_);
+    emit strokeEnds();
+}
+
+void MillTool::step(const glm::dvec3& way) {
+    if (stroke_ == Stroke::pointer) return;
+    const VolumeSnapshot workpiece = view_();
+    if (workpiece.empty()) return;
+    const glm::dvec3 place = keptWithin(reachOf(workpiece, tool_.cutter), target_ + way);
+    if (stroke_ == Stroke::keyboard)
+        cutTo(place, place.z);
+    else
+        hoverAt(place);
+}
+
+void MillTool::toggleSpindle() {
+    if (stroke_ != Stroke::none) return endStroke();
+    if (view_().empty()) return;
+    stroke_ = Stroke::keyboard;
+    emit strokeBegins();
+    cutTo(target_, target_.z);
+}
+
+bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
+    if (key == Qt::Key_Escape) {
+        endStroke();
+        emit leaveRequested();
+        return true;
+    }
+    if (key == Qt::Key_Space) {
+        if (stroke_ != Stroke::pointer) toggleSpindle();
+        return true;
+    }
+    const glm::dvec3 direction = keyStep(key, lookingAlong_);
+    if (direction == glm::dvec3(0.0)) return false;
+    const VolumeSnapshot workpiece = view_();
+    if (workpiece.empty()) return true;
+    const double voxels = modifiers.testFlag(Qt::ShiftModifier)     ? 0.1
+                          : modifiers.testFlag(Qt::ControlModifier) ? 10.0
+                                                                    : 1.0;
+    step(direction * (voxels * workpiece.grid().edge()));
+    return true;
+}
+
+void MillTool::leave() {
+    endStroke();
+}
+
+} // namespace burin

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/input/mouse_stylus.h"
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double brakingShare = 0.8;    // of the acceleration: the rest keeps a moving goal from being overrun
+constexpr double longestStep = 0.001;   // s
+constexpr double longestGap = 0.010;    // s
+constexpr double restDistance = 0.0005; // mm
+constexpr double restSpeed = 0.1;       // mm/s
+constexpr double near = 0.02;           // mm: counts as there, on the way to a stroke's start
+
+/// Fastest speed at a distance from the goal from which braking still ends there: proportional to the distance near
+/// it, along the parabola of constant braking farther off.
+double approachSpeed(double distance) {
+    constexpr double braking = brakingShare * MouseStylus::acceleration;
+    constexpr double linear = braking * MouseStylus::lag * MouseStylus::lag;
+    if (distance <= linear) return distance / MouseStylus::lag;
+    return std::sqrt(2.0 * braking * (distance - 0.5 * linear));
+}
+
+double lateralDistance(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+} // namespace
+
+MouseStylus::MouseStylus(const glm::dvec3& start) : shownTip_(start), tip_(start), hoverHeight_(start.z) {
+    target_.tip = start;
+}
+
+void MouseStylus::wish(const StylusTarget& target) noexcept {
+    wishes_.post(target);
+}
+
+glm::dvec3 MouseStylus::tip() noexcept {
+    places_.take(shownTip_);
+    return shownTip_;
+}
+
+StylusDescription MouseStylus::description() const {
+    StylusDescription stylus;
+    stylus.name = BURIN_TEXT("Device", "Mouse").text;
+    stylus.source = BURIN_TEXT("Device", "simulated: no force is felt; figures of a 3D Systems Touch (CHAI3D device "
+                                         "table) scale the force that is shown")
+                        .text;
+    stylus.actuated = true;
+    stylus.maximumForce = 3.3;
+    stylus.maximumStiffness = 400.0;
+    stylus.maximumDamping = 4.0;
+    stylus.workspaceRadius = 5000.0; // the whole bench: positions are the setup's own
+    stylus.maximumSpeed = 2.5 * maximumSpeed;
+    return stylus;
+}
+
+Result<void> MouseStylus::open() {
+    lastTime_.reset();
+    velocity_ = glm::dvec3(0.0);
+    phase_ = Phase::hover;
+    return {};
+}
+
+void MouseStylus::takeWish() noexcept {
+    if (!wishes_.take(target_)) return;
+    target_.maximumSpeed = std::clamp(target_.maximumSpeed, 0.0, maximumSpeed);
+    if (!target_.cutting) {
+        hoverHeight_ = target_.tip.z;
+        phase_ = Phase::hover;
+    } else if (phase_ == Phase::hover) {
+        strokeStart_ = target_.tip;
+        hoverHeight_ = std::max(hoverHeight_, target_.clearHeight);
+        phase_ = Phase::approach;
+    }
+}
+
+/// Over a place at a height that is clear, or on the way up to that height.
+glm::dvec3 MouseStylus::above(const glm::dvec3& place) const noexcept {
+    const double height = std::max(place.z, hoverHeight_);
+    if (tip_.z < height - clearance) return {tip_.x, tip_.y, height};
+    return {place.x, place.y, std::max(height, tip_.z)};
+}
+
+glm::dvec3 MouseStylus::goal() const noexcept {
+    switch (phase_) {
+    case Phase::hover:
+        return lateralDistance(tip_, target_.tip) > near ? above(target_.tip) : target_.tip;
+    case Phase::approach:
+        return above(strokeStart_);
+    case Phase::plunge:
+        return strokeStart_;
+    case Phase::follow:
+        break;
+    }
+    return target_.tip;
+}
+
+void MouseStylus::changePhase() noexcept {
+    const bool still = glm::length(velocity_) < 20.0 * restSpeed;
+    if (phase_ == Phase::approach && still && lateralDistance(tip_, strokeStart_) < near) phase_ = Phase::plunge;
+    if (phase_ == Phase::plunge && still && glm::length(tip_ - strokeStart_) < near) phase_ = Phase::follow;
+}
+
+void MouseStylus::step(double seconds) noexcept {
+    const glm::dvec3 way = goal() - tip_;
+    const double distance = glm::length(way);
+    if (distance < restDistance && glm::length(velocity_) < restSpeed) {
+        tip_ += way;
+        velocity_ = glm::dvec3(0.0);
+    } else {
+        const double speed = std::min(target_.maximumSpeed, approachSpeed(distance));
+        const glm::dvec3 wanted = distance > 0.0 ? way * (speed / distance) : glm::dvec3(0.0);
+        velocity_ += clampLength(wanted - velocity_, acceleration * seconds);
+        tip_ += velocity_ * seconds;
+    }
+    changePhase();
+}
+
+StylusState MouseStylus::read(double time) noexcept {
+    takeWish();
+    double gap = lastTime_ ? std::clamp(time - *lastTime_, 0.0, longestGap) : 0.0;
+    lastTime_ = time;
+    for (; gap > 0.0; gap -= longestStep) step(std::min(gap, longestStep));
+    places_.post(tip_);
+    StylusState state;
+    state.time = time;
+    state.pose.position = tip_;
+    state.buttons = phase_ == Phase::plunge || phase_ == Phase::follow ? 1U : 0U;
+    state.valid = true;
+    return state;
+}
+
+void MouseStylus::write(const glm::dvec3& /*force*/) noexcept {}
+void MouseStylus::close() noexcept {}
+
+} // namespace burin

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <QColor>
+
+#include <glm/glm.hpp>
+
+#include <span>
+#include <utility>
+
+namespace burin {
+
+/// A lit surface. Points, normals and triangles stand in `surface`.
+vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface);
+/// Lines in their plain colour.
+vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines);
+/// The same, drawn a little nearer than the surface that they lie on.
+vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines);
+void setColour(vtkActor& actor, const QColor& colour);
+void setLineWidth(vtkActor& actor, double screenPixels);
+/// Blends an actor over what is already drawn (actors are drawn in the order in which they were added). VTK's own
+/// translucent pass would cost several full-screen buffers, which software OpenGL pays for with every frame.
+void setBlended(vtkActor& actor, double opacity);
+
+/// Lines, each between two places, mm.
+using LineEnds = std::pair<glm::dvec3, glm::dvec3>;
+vtkSmartPointer<vtkPolyData> lineData(std::span<const LineEnds> lines);
+
+/// Widths that are given in device-independent pixels follow the screen.
+inline constexpr double thinLine = 1.0, pathLine = 1.5, boldLine = 2.5;
+
+} // namespace burin

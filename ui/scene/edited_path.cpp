@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/edited_path.h"
+
+#include "ui/scene/actors.h"
+
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace burin {
+namespace {
+
+constexpr double rapidDash = 2.0, plungeDash = 0.5; // mm; as long as the gap after it
+constexpr double mostDashes = 200.0;                // of one move
+
+void addDashes(std::vector<LineEnds>& lines, const glm::dvec3& from, const glm::dvec3& to, double dash) {
+    const double periods = std::clamp(std::round(glm::distance(from, to) / (2.0 * dash)), 1.0, mostDashes);
+    const auto at = [&](double period) { return glm::mix(from, to, std::min(1.0, period / (periods + 0.5))); };
+    for (double period = 0.0; period < periods + 0.5; period += 1.0) lines.emplace_back(at(period), at(period + 0.5));
+}
+
+std::size_t indexOf(MoveKind kind) {
+    return static_cast<std::size_t>(kind);
+}
+
+} // namespace
+
+EditedPath::EditedPath(vtkRenderer& renderer) {
+    for (auto& actor : actors_) {
+        actor = raisedLineActor(vtkNew<vtkPolyData>());
+        actor->VisibilityOff();
+        renderer.AddActor(actor);
+    }
+}
+
+void EditedPath::setPalette(const Palette& palette) {
+    setColour(*actors_[indexOf(MoveKind::cut)], palette.path);
+    setColour(*actors_[indexOf(MoveKind::rapid)], palette.quietText);
+    setColour(*actors_[indexOf(MoveKind::plunge)], palette.text);
+    setColour(*actors_[indexOf(MoveKind::retract)], palette.quietText);
+}
+
+void EditedPath::setLineWidth(double screenPixels) {
+    for (std::size_t kind = 0; kind < kinds; ++kind)
+        actors_[kind]->GetProperty()->SetLineWidth(
+            static_cast<float>(kind == indexOf(MoveKind::cut) ? screenPixels : screenPixels * thinLine / pathLine));
+}
+
+void EditedPath::setPath(const Path& path) {
+    std::array<std::vector<LineEnds>, kinds> lines;
+    box_ = {};
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const PathPoint& point = path.points[i];
+        box_.include(point.tip);
+        if (i == 0) continue;
+        const glm::dvec3& from = path.points[i - 1].tip;
+        std::vector<LineEnds>& kind = lines[indexOf(point.kind)];
+        if (point.kind == MoveKind::rapid)
+            addDashes(kind, from, point.tip, rapidDash);
+        else if (point.kind == MoveKind::plunge)
+            addDashes(kind, from, point.tip, plungeDash);
+        else
+            kind.emplace_back(from, point.tip);
+    }
+    for (std::size_t kind = 0; kind < kinds; ++kind)
+        vtkPolyDataMapper::SafeDownCast(actors_[kind]->GetMapper())->SetInputData(lineData(lines[kind]));
+    empty_ = path.points.empty();
+    setVisible(visible_);
+}
+
+void EditedPath::setVisible(bool visible) {
+    visible_ = visible;
+    for (const auto& actor : actors_) actor->SetVisibility(visible_ && !empty_);
+}
+
+} // namespace burin

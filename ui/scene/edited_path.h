@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/path/path.h"
+#include "ui/theme/theme.h"
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+
+namespace burin {
+
+/// What the machine shall do, told apart by colour and by stroke: cuts in the accent, rapids thin, grey and dashed,
+/// plunges in short light dashes, retracts in a thin unbroken grey.
+class EditedPath {
+public:
+    explicit EditedPath(vtkRenderer& renderer);
+    void setPalette(const Palette& palette);
+    void setLineWidth(double screenPixels);
+    void setPath(const Path& path);
+    void setVisible(bool visible);
+    Box box() const noexcept { return box_; }
+
+private:
+    static constexpr std::size_t kinds = 4;
+    std::array<vtkSmartPointer<vtkActor>, kinds> actors_; ///< by MoveKind
+    Box box_;
+    bool visible_ = true, empty_ = true;
+};
+
+} // namespace burin

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/scene/viewport.h"
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace burin {
+
+/// Keeps the times of the newest paints and cuts.
+class FrameClock {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    /// @param cut when the oldest cut was made that this paint shows first
+    void add(Clock::time_point begin, Clock::time_point end, std::optional<Clock::time_point> cut);
+    void reset();
+    /// Its figures of time; what is drawn is the owner's to add.
+    FrameStatistics statistics() const;
+
+private:
+    /// The newest durations, ms, and what all of them came to.
+    struct Durations {
+        static constexpr std::size_t kept = 4096;
+        std::vector<double> newest;
+        std::size_t count = 0;
+        double maximum = 0.0;
+        void add(Clock::duration duration);
+        double percentile95() const;
+    };
+    Durations paints_, cuts_;
+};
+
+} // namespace burin

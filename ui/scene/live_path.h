@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/scene/path_thinner.h"
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <QColor>
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// The path as it is recorded. Points go into a small block that is handed to the driver with each addition; blocks
+/// that are full are merged two by two, so that an hour of milling stays some dozen actors, and a point costs the same
+/// however long the path is.
+class LivePath {
+public:
+    static constexpr std::size_t blockLines = 1024, largestBlock = 65'536;
+    static constexpr float tolerance = 0.01F; ///< mm, that thinning may move the drawn path
+
+    explicit LivePath(vtkRenderer& renderer);
+    ~LivePath();
+    void setColour(const QColor& colour);
+    void setLineWidth(double screenPixels);
+    void append(std::span<const glm::vec3> tips, bool newStroke);
+    void clear();
+
+private:
+    struct Block;
+    void addLine(const glm::vec3& from, const glm::vec3& to);
+    void closeBlock();
+    std::unique_ptr<Block> makeBlock(std::size_t capacity);
+
+    vtkRenderer& renderer_;
+    QColor colour_;
+    double width_ = 1.0;
+    std::vector<std::unique_ptr<Block>> closed_;
+    std::unique_ptr<Block> open_;
+    PathThinner thinner_{tolerance};
+    glm::vec3 end_{0.0F};
+    bool hasEnd_ = false, endHasLine_ = false;
+};
+
+} // namespace burin

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/model.h"
+#include "ui/scene/shaded_mesh.h"
+#include "ui/scene/sight.h"
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <QColor>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace burin {
+
+/// A body of the part, ready to be drawn.
+struct ShadedBody {
+    ShadedMesh mesh;
+    std::optional<QColor> colour; ///< the file's; none: the part's blue
+};
+
+/// Takes some tenths of a second for a large model: for a worker thread.
+std::vector<ShadedBody> shadedBodies(const Model& model);
+
+/// The bare part: bodies in their colours, smooth, with feature edges.
+class PartActors {
+public:
+    explicit PartActors(vtkRenderer& renderer) : renderer_(renderer) {}
+
+    void setBodies(std::vector<ShadedBody> bodies);
+    void setColours(const QColor& part, const QColor& edges);
+    void setVisible(bool visible);
+    void setLineWidth(double screenPixels);
+    /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
+    std::optional<glm::dvec3> pick(const Sight& sight) const;
+    std::size_t triangles() const noexcept { return visible_ ? triangles_ : 0; }
+
+private:
+    struct Drawn {
+        vtkSmartPointer<vtkActor> surface, edges;
+        ShadedBody body;
+    };
+    void refresh();
+
+    vtkRenderer& renderer_;
+    std::vector<Drawn> bodies_;
+    QColor part_, edges_;
+    double lineWidth_ = 1.0;
+    std::size_t triangles_ = 0;
+    bool visible_ = true;
+};
+
+} // namespace burin

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/scene/camera_view.h"
+#include "ui/scene/label.h"
+#include "ui/theme/theme.h"
+
+namespace burin {
+
+/// A round length to compare with, in the lower left corner; true at the distance that the camera looks at.
+class ScaleBar {
+public:
+    explicit ScaleBar(vtkRenderer& renderer) : image_(renderer) {}
+    void setPalette(const Palette& palette);
+    /// Before each paint. @param ratio screen pixels a device-independent one
+    void place(const CameraView& view, const QSizeF& size, double ratio);
+
+private:
+    void draw();
+
+    ScreenImage image_;
+    QColor colour_;
+    double length_ = 0.0; ///< mm
+    int pixels_ = 0;      ///< device-independent
+    double ratio_ = 0.0;
+};
+
+} // namespace burin

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/scene.h"
+
+#include "core/base/units.h"
+#include "core/volume/ray_cast.h"
+#include "ui/scene/actors.h"
+#include "ui/scene/bench_lights.h"
+
+#include <vtkCamera.h>
+
+#include <array>
+
+namespace burin {
+namespace {
+
+std::array<double, 3> components(const QColor& colour) {
+    return {colour.redF(), colour.greenF(), colour.blueF()};
+}
+
+std::array<std::uint8_t, 3> bytes(const QColor& colour) {
+    return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
+            static_cast<std::uint8_t>(colour.blue())};
+}
+
+/// What is drawn, mm, as far as near and far plane have to reach.
+Box boundsOf(vtkRenderer& renderer) {
+    std::array<double, 6> b{};
+    renderer.ComputeVisiblePropBounds(b.data());
+    return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
+}
+
+} // namespace
+
+Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady)
+    : part_(*bench_)
+    , workpiece_(*bench_, std::move(workpieceReady))
+    , tool_(*bench_)
+    , livePath_(*bench_)
+    , editedPath_(*bench_)
+    , grid_(*bench_)
+    , stock_(*bench_)
+    , scaleBar_(*bench_)
+    , ghost_(*marks_)
+    , force_(*marks_)
+    , cube_(window, 2) {
+    window.SetNumberOfLayers(3);
+    bench_->GradientBackgroundOn();
+    addBenchLights(*bench_);
+    addBenchLights(*marks_);
+    marks_->SetLayer(1);
+    marks_->SetActiveCamera(bench_->GetActiveCamera());
+    window.AddRenderer(bench_);
+    window.AddRenderer(marks_);
+}
+
+void Scene::setPalette(const Palette& palette) {
+    bench_->SetBackground(components(palette.sceneBottom).data());
+    bench_->SetBackground2(components(palette.sceneTop).data());
+    part_.setColours(palette.part, palette.sceneBottom);
+    workpiece_.setPartColour(bytes(palette.part));
+    tool_.setPalette(palette);
+    livePath_.setColour(palette.livePath);
+    editedPath_.setPalette(palette);
+    grid_.setColour(palette.grid);
+    stock_.setColour(palette.quietText);
+    scaleBar_.setPalette(palette);
+    ghost_.setPalette(palette);
+    force_.setPalette(palette);
+    cube_.setPalette(palette);
+}
+
+void Scene::setPart(std::vector<ShadedBody> bodies, const Box& box) {
+    part_.setBodies(std::move(bodies));
+    partBox_ = box;
+    refresh();
+}
+
+void Scene::setPartVisible(std::optional<bool> visible) {
+    partWish_ = visible;
+    refresh();
+}
+
+void Scene::setStock(const std::optional<Box>& stock) {
+    stock_.setBox(stock);
+    refresh();
+}
+
+void Scene::setWorkpiece(const VolumeSnapshot& workpiece,
+                         std::optional<std::chrono::steady_clock::time_point> oldestCut) {
+    shown_ = workpiece;
+    workpiece_.show(workpiece, oldestCut);
+    refresh();
+}
+
+void Scene::setWorkpieceVisible(bool visible) {
+    workpieceVisible_ = visible;
+    workpiece_.setVisible(visible);
+    refresh();
+}
+
+void Scene::setTool(const std::optional<Tool>& tool) {
+    tool_.setTool(tool);
+    ghost_.setTool(tool);
+}
+
+void Scene::setToolVisible(bool visible) {
+    toolVisible_ = visible;
+    tool_.setVisible(visible);
+    ghost_.setVisible(visible);
+    force_.set(visible ? toolMarks_.force : glm::dvec3(0.0), toolMarks_.proxy.tip);
+}
+
+void Scene::setMarks(const ToolMarks& marks, bool flashLit) {
+    toolMarks_ = marks;
+    tool_.setPose(marks.proxy);
+    tool_.setAlarm(marks.alarm, flashLit);
+    ghost_.set(marks.ghost, marks.stylusTip, marks.proxy);
+    force_.set(toolVisible_ ? marks.force : glm::dvec3(0.0), marks.proxy.tip);
+}
+
+Box Scene::contentBox() const {
+    Box content = partBox_;
+    if (stock_.box()) content.include(*stock_.box());
+    if (!shown_.empty()) content.include(shown_.grid().box());
+    return content;
+}
+
+void Scene::refresh() {
+    part_.setVisible(partWish_.value_or(!workpieceSeen()));
+    stock_.setFaces(shown_.empty());
+    grid_.setContent(contentBox());
+}
+
+std::optional<glm::dvec3> Scene::pick(const Sight& sight) const {
+    std::optional<glm::dvec3> nearest = part_.pick(sight);
+    if (workpieceSeen()) {
+        const std::optional<RayHit> hit = castRay(shown_, sight.origin, sight.direction);
+        if (hit && (!nearest || hit->distance < glm::distance(sight.origin, *nearest))) nearest = hit->place;
+    }
+    return nearest;
+}
+
+void Scene::setLineWidths(double ratio) {
+    if (ratio == lineRatio_) return;
+    lineRatio_ = ratio;
+    livePath_.setLineWidth(pathLine * ratio);
+    editedPath_.setLineWidth(pathLine * ratio);
+    ghost_.setLineWidth(boldLine * ratio);
+    tool_.setLineWidth(pathLine * ratio);
+    part_.setLineWidth(thinLine * ratio);
+    stock_.setLineWidth(thinLine * ratio);
+    grid_.setLineWidth(thinLine * ratio);
+}
+
+std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const CameraView& view, const QSizeF& size,
+                                                                    double ratio, bool moving) {
+    setLineWidths(ratio);
+    workpiece_.update(moving, toolMarks_.proxy.tip);
+    stock_.drawLast();
+    scaleBar_.place(view, size, ratio);
+    force_.place(view, size, ratio);
+    cube_.place(view, size, ratio);
+    marks_->SetDraw(ghost_.visible() || force_.visible());
+
+    const CameraAxes axes = axesOf(view);
+    vtkCamera* camera = bench_->GetActiveCamera();
+    camera->SetPosition(axes.eye.x, axes.eye.y, axes.eye.z);
+    camera->SetFocalPoint(view.focus.x, view.focus.y, view.focus.z);
+    camera->SetViewUp(axes.up.x, axes.up.y, axes.up.z);
+    camera->SetViewAngle(cameraViewAngle * 180.0 / pi);
+    Box bounds = boundsOf(*bench_);
+    if (marks_->GetDraw() != 0) bounds.include(boundsOf(*marks_));
+    if (!bounds.empty()) {
+        const std::array<double, 6> b{bounds.low.x,  bounds.high.x, bounds.low.y,
+                                      bounds.high.y, bounds.low.z,  bounds.high.z};
+        bench_->ResetCameraClippingRange(b.data());
+    }
+    return workpieceSeen() ? workpiece_.takeCutShown() : std::nullopt;
+}
+
+std::size_t Scene::triangles() const {
+    return part_.triangles() + tool_.triangles() + (workpieceSeen() ? workpiece_.triangles() : 0);
+}
+
+} // namespace burin

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/scene/camera_view.h"
+#include "ui/scene/edited_path.h"
+#include "ui/scene/force_arrow.h"
+#include "ui/scene/ground_grid.h"
+#include "ui/scene/live_path.h"
+#include "ui/scene/part_actors.h"
+#include "ui/scene/scale_bar.h"
+#include "ui/scene/stock_outline.h"
+#include "ui/scene/stylus_ghost.h"
+#include "ui/scene/tool_actors.h"
+#include "ui/scene/view_cube.h"
+#include "ui/scene/workpiece_actors.h"
+
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <functional>
+
+namespace burin {
+
+/// Everything that stands on the bench, in one VTK window of three layers: the bench, the marks that must never be
+/// hidden (ghost, coupling, force), the view cube. Knows no Qt widget. Thread: user interface.
+class Scene {
+public:
+    /// @param workpieceReady called on a worker's thread when there is more of the workpiece to draw
+    Scene(vtkRenderWindow& window, std::function<void()> workpieceReady);
+
+    void setPalette(const Palette& palette);
+    void setPart(std::vector<ShadedBody> bodies, const Box& box);
+    /// Nothing: while there is no workpiece to be seen.
+    void setPartVisible(std::optional<bool> visible);
+    void setStock(const std::optional<Box>& stock);
+    void setWorkpiece(const VolumeSnapshot& workpiece, std::optional<std::chrono::steady_clock::time_point> oldestCut);
+    void setWorkpieceVisible(bool visible);
+    void setTool(const std::optional<Tool>& tool);
+    void setToolVisible(bool visible);
+    /// @param flashLit the bright half of an alarm's flash
+    void setMarks(const ToolMarks& marks, bool flashLit);
+    LivePath& livePath() noexcept { return livePath_; }
+    EditedPath& editedPath() noexcept { return editedPath_; }
+    ViewCube& cube() noexcept { return cube_; }
+    const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
+
+    /// Part, stock and workpiece: what `fit` shows. Not the tool, which may be far away.
+    Box contentBox() const;
+    /// The nearest place of workpiece or part on a sight. Nothing: it misses them.
+    std::optional<glm::dvec3> pick(const Sight& sight) const;
+    /// Puts everything in its place for a paint.
+    /// @param size of the widget, device-independent pixels; @param ratio screen pixels a device-independent one
+    /// @param moving view, tool or workpiece are in motion: coarse detail will do
+    /// @return when the oldest cut was made that the paint shows first
+    std::optional<std::chrono::steady_clock::time_point> prepare(const CameraView& view, const QSizeF& size,
+                                                                 double ratio, bool moving);
+    std::size_t triangles() const;
+
+private:
+    bool workpieceSeen() const noexcept { return workpieceVisible_ && !shown_.empty(); }
+    void refresh();
+    void setLineWidths(double ratio);
+
+    vtkNew<vtkRenderer> bench_, marks_;
+    PartActors part_;
+    WorkpieceActors workpiece_;
+    ToolActors tool_;
+    LivePath livePath_;
+    EditedPath editedPath_;
+    GroundGrid grid_;
+    StockOutline stock_;
+    ScaleBar scaleBar_;
+    StylusGhost ghost_;
+    ForceArrow force_;
+    ViewCube cube_;
+
+    Box partBox_;
+    std::optional<bool> partWish_;
+    VolumeSnapshot shown_;
+    bool workpieceVisible_ = true, toolVisible_ = true;
+    ToolMarks toolMarks_;
+    double lineRatio_ = 0.0;
+};
+
+} // namespace burin

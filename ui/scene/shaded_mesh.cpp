@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/shaded_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace burin {
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+/// Which corners of which triangles meet in each vertex, without a list a vertex.
+class Fans {
+public:
+    Fans(const std::vector<Corners>& triangles, std::size_t vertices) : starts_(vertices + 1, 0) {
+        for (const Corners& corners : triangles)
+            for (const std::uint32_t vertex : corners) ++starts_[vertex + 1];
+        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+        corners_.resize(3 * triangles.size());
+        for (std::uint32_t corner = 0; corner < corners_.size(); ++corner)
+            corners_[next[triangles[corner / 3][corner % 3]]++] = corner;
+    }
+    /// Corner 3 t + i: corner i of triangle t.
+    std::span<const std::uint32_t> of(std::size_t vertex) const {
+        return std::span(corners_).subspan(starts_[vertex], starts_[vertex + 1] - starts_[vertex]);
+    }
+
+private:
+    std::vector<std::uint32_t> starts_, corners_;
+};
+
+class Shading {
+public:
+    Shading(const TriangleMesh& mesh, double crease)
+        : vertices_(mesh.vertices)
+        , cosine_(std::cos(crease))
+        , triangles_(usable(mesh))
+        , fans_(triangles_, mesh.vertices.size()) {}
+
+    ShadedMesh make() {
+        ShadedMesh result;
+        result.triangles.resize(3 * triangles_.size());
+        for (std::size_t vertex = 0; vertex < vertices_.size(); ++vertex) shadeFan(fans_.of(vertex), vertex, result);
+        for (std::uint32_t triangle = 0; triangle < triangles_.size(); ++triangle)
+            for (std::uint32_t i = 0; i < 3; ++i) addCrease(triangle, i, result);
+        return result;
+    }
+
+private:
+    std::vector<Corners> usable(const TriangleMesh& mesh) {
+        const std::vector<std::uint32_t> first = firstAtSamePlace(mesh);
+        std::vector<Corners> kept;
+        kept.reserve(mesh.triangles.size());
+        for (const Corners& corners : mesh.triangles) {
+            const Corners merged{first[corners[0]], first[corners[1]], first[corners[2]]};
+            const glm::dvec3 area =
+                glm::cross(vertices_[merged[1]] - vertices_[merged[0]], vertices_[merged[2]] - vertices_[merged[0]]);
+            const double length = glm::length(area);
+            if (!(length > 0.0)) continue;
+            kept.push_back(merged);
+            normals_.push_back(area / length);
+        }
+        return kept;
+    }
+
+    double angleAt(std::uint32_t corner) const {
+        const Corners& c = triangles_[corner / 3];
+        const glm::dvec3& tip = vertices_[c[corner % 3]];
+        const glm::dvec3 a = vertices_[c[(corner % 3 + 1) % 3]] - tip;
+        const glm::dvec3 b = vertices_[c[(corner % 3 + 2) % 3]] - tip;
+        return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+    }
+
+    /// A corner's normal: of all triangles around it that lie within the crease, weighted by their angle.
+    void shadeFan(std::span<const std::uint32_t> fan, std::size_t vertex, ShadedMesh& result) const {
+        const std::size_t firstPoint = result.points.size();
+        for (const std::uint32_t corner : fan) {
+            const glm::dvec3& own = normals_[corner / 3];
+            glm::dvec3 sum(0.0);
+            for (const std::uint32_t other : fan)
+                if (glm::dot(own, normals_[other / 3]) >= cosine_) sum += normals_[other / 3] * angleAt(other);
+            const double length = glm::length(sum);
+            const glm::vec3 normal(length > 0.0 ? sum / length : own);
+            std::size_t point = firstPoint;
+            while (point < result.points.size() && glm::dot(result.normals[point], normal) < 0.99999F) ++point;
+            if (point == result.points.size()) {
+                result.points.emplace_back(vertices_[vertex]);
+                result.normals.push_back(normal);
+            }
+            result.triangles[corner] = static_cast<std::uint32_t>(point);
+        }
+    }
+
+    /// The edge from corner i to the next one, told by the triangle on whose side it runs upwards in index.
+    void addCrease(std::uint32_t triangle, std::uint32_t i, ShadedMesh& result) const {
+        const std::uint32_t from = triangles_[triangle][i], to = triangles_[triangle][(i + 1) % 3];
+        if (from > to) return;
+        for (const std::uint32_t corner : fans_.of(from)) {
+            const Corners& other = triangles_[corner / 3];
+            if (other[(corner % 3 + 2) % 3] != to) continue; // runs the other way: the neighbour
+            if (glm::dot(normals_[triangle], normals_[corner / 3]) >= cosine_) return;
+        }
+        result.creases.push_back(result.triangles[3 * triangle + i]);
+        result.creases.push_back(result.triangles[3 * triangle + (i + 1) % 3]);
+    }
+
+    const std::vector<glm::dvec3>& vertices_;
+    double cosine_;
+    std::vector<glm::dvec3> normals_; ///< a triangle each
+    std::vector<Corners> triangles_;
+    Fans fans_;
+};
+
+} // namespace
+
+namespace {
+
+/// Möller & Trumbore, Fast, minimum storage ray/triangle intersection, Journal of Graphics Tools 2 (1997).
+std::optional<double> meet(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& origin,
+                           const glm::dvec3& direction) {
+    const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0.0) return std::nullopt;
+    const glm::dvec3 fromA = origin - a, q = glm::cross(fromA, ab);
+    const double u = glm::dot(fromA, p) / determinant, v = glm::dot(direction, q) / determinant;
+    const double distance = glm::dot(ac, q) / determinant;
+    if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance >= 0.0)) return std::nullopt;
+    return distance;
+}
+
+} // namespace
+
+std::optional<double> distanceAlong(const ShadedMesh& mesh, const glm::dvec3& origin, const glm::dvec3& direction) {
+    std::optional<double> nearest;
+    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
+        const std::optional<double> distance = meet(mesh.points[mesh.triangles[i]], mesh.points[mesh.triangles[i + 1]],
+                                                    mesh.points[mesh.triangles[i + 2]], origin, direction);
+        if (distance && (!nearest || *distance < *nearest)) nearest = distance;
+    }
+    return nearest;
+}
+
+ShadedMesh shaded(const TriangleMesh& mesh, double crease) {
+    return Shading(mesh, crease).make();
+}
+
+} // namespace burin

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/workpiece_actors.h"
+
+#include "ui/scene/workpiece_mesher.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace burin {
+
+namespace {
+
+/// Triangles that one paint may hand to the graphics driver for the first time (about 20 ms in software).
+constexpr std::size_t uploadsPerPaint = 60'000;
+/// More are not drawn at rest either, whatever the size of the workpiece: no paint may take 100 ms.
+constexpr std::size_t restTriangles = 250'000;
+
+vtkSmartPointer<vtkActor> surfaceActor() {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetColorModeToDirectScalars();
+    mapper->SetStatic(1); // the data come finished: no pipeline to ask
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetSpecular(0.12);
+    actor->GetProperty()->SetSpecularPower(30.0);
+    actor->GetProperty()->BackfaceCullingOn(); // the surface is closed: what faces away costs, and is never seen
+    actor->VisibilityOff();
+    return actor;
+}
+
+/// One of the two surfaces of a group.
+struct LayerActor {
+    vtkSmartPointer<vtkActor> actor = surfaceActor();
+    std::optional<SurfaceUpdate> next; ///< newer than what the actor holds
+    std::size_t triangles = 0;         ///< that the actor holds
+    bool loaded = false;               ///< the actor holds something
+
+    void load() {
+        static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(next->data);
+        triangles = next->triangles;
+        loaded = true;
+        next.reset();
+    }
+    std::size_t coming() const { return next ? next->triangles : triangles; }
+};
+
+struct Group {
+    glm::dvec3 centre{0.0};
+    LayerActor moving, rest;
+    bool restCurrent = false; ///< the surface at rest shows the newest cut
+    LayerActor* drawn = nullptr;
+};
+
+} // namespace
+
+class WorkpieceActors::Impl {
+public:
+    Impl(vtkRenderer& renderer, std::function<void()> ready)
+        : renderer_(renderer), ready_(ready), mesher_({movingTriangles, restTriangles}, std::move(ready)) {}
+    ~Impl() { removeGroups(); }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    WorkpieceMesher& mesher() { return mesher_; }
+    const WorkpieceMesher& mesher() const { return mesher_; }
+
+    void setVisible(bool visible) {
+        visible_ = visible;
+        for (Group& group : groups_) draw(group);
+    }
+
+    void update(bool moving, const glm::dvec3& focus) {
+        mesher_.setFocus(focus);
+        takeDelivery();
+        std::vector<Group*> nearest;
+        for (Group& group : groups_) nearest.push_back(&group);
+        std::sort(nearest.begin(), nearest.end(), [&](const Group* a, const Group* b) {
+            return glm::length(a->centre - focus) < glm::length(b->centre - focus);
+        });
+        load(nearest, choose(nearest, moving));
+        for (Group& group : groups_) draw(group);
+        if (waiting_)
+            ready_();
+        else if (cut_)
+            cutShown_ = std::exchange(cut_, std::nullopt);
+    }
+
+    std::size_t triangles() const {
+        return std::accumulate(groups_.begin(), groups_.end(), std::size_t{0}, [](std::size_t sum, const Group& group) {
+            return sum + (group.drawn != nullptr ? group.drawn->triangles : 0);
+        });
+    }
+    bool fullDetail() const {
+        return !mesher_.busy() && !groups_.empty() && std::all_of(groups_.begin(), groups_.end(), [](const Group& g) {
+            return g.restCurrent && g.drawn == &g.rest && !g.rest.next;
+        });
+    }
+    bool waiting() const { return waiting_; }
+    std::optional<CutTime> takeCutShown() { return std::exchange(cutShown_, std::nullopt); }
+
+private:
+    void removeGroups() {
+        for (Group& group : groups_) {
+            renderer_.RemoveActor(group.moving.actor);
+            renderer_.RemoveActor(group.rest.actor);
+        }
+        groups_.clear();
+    }
+
+    void takeDelivery() {
+        SurfaceDelivery delivery = mesher_.take();
+        if (delivery.volume != volume_) {
+            removeGroups();
+            volume_ = delivery.volume;
+            groups_.resize(delivery.groups.size());
+            for (std::size_t i = 0; i < groups_.size(); ++i) {
+                groups_[i].centre = delivery.groups[i];
+                renderer_.AddActor(groups_[i].moving.actor);
+                renderer_.AddActor(groups_[i].rest.actor);
+            }
+        }
+        for (SurfaceUpdate& update : delivery.updates) {
+            Group& group = groups_[update.group];
+            const bool rest = update.layer == SurfaceLayer::rest;
+            group.restCurrent = rest;
+            (rest ? group.rest : group.moving).next = std::move(update);
+        }
+        if (delivery.cut && (!cut_ || *delivery.cut < *cut_)) cut_ = delivery.cut;
+    }
+
+    /// Which groups shall show what they have at rest: all, or while something moves as many as the limit allows,
+    /// those near the focus first.
+    std::vector<bool> choose(const std::vector<Group*>& nearest, bool moving) const {
+        std::size_t all = 0;
+        for (const Group* group : nearest) all += group->moving.coming();
+        std::vector<bool> rest;
+        for (const Group* group : nearest) {
+            const std::size_t with = all - group->moving.coming() + group->rest.coming();
+            rest.push_back(group->restCurrent && (!moving || with <= movingTriangles));
+            if (rest.back()) all = with;
+        }
+        return rest;
+    }
+
+    /// Hands over what is chosen and not loaded yet, within the budget; groups beyond it go on showing what they show.
+    void load(const std::vector<Group*>& nearest, const std::vector<bool>& rest) {
+        std::size_t budget = uploadsPerPaint;
+        waiting_ = false;
+        for (std::size_t i = 0; i < nearest.size(); ++i) {
+            LayerActor& chosen = rest[i] ? nearest[i]->rest : nearest[i]->moving;
+            if (chosen.next) {
+                const std::size_t cost = std::min(chosen.next->triangles, uploadsPerPaint);
+                if (cost > budget) {
+                    waiting_ = true;
+                    budget = 0;
+                    continue;
+                }
+                budget -= cost;
+                chosen.load();
+            }
+            if (chosen.loaded) nearest[i]->drawn = &chosen;
+        }
+    }
+
+    void draw(Group& group) const {
+        for (LayerActor* one : {&group.moving, &group.rest})
+            one->actor->SetVisibility(visible_ && one == group.drawn && one->triangles > 0);
+    }
+
+    vtkRenderer& renderer_;
+    std::function<void()> ready_;
+    std::vector<Group> groups_;
+    std::uint64_t volume_ = 0;
+    bool visible_ = true, waiting_ = false;
+    std::optional<CutTime> cut_, cutShown_;
+    WorkpieceMesher mesher_; ///< last: its thread ends before the rest goes
+};
+
+WorkpieceActors::WorkpieceActors(vtkRenderer& renderer, std::function<void()> ready)
+    : impl_(std::make_unique<Impl>(renderer, std::move(ready))) {}
+WorkpieceActors::~WorkpieceActors() = default;
+
+void WorkpieceActors::show(const VolumeSnapshot& workpiece, std::optional<CutTime> oldestCut) {
+    impl_->mesher().show(workpiece, oldestCut);
+}
+void WorkpieceActors::setVisible(bool visible) {
+    impl_->setVisible(visible);
+}
+void WorkpieceActors::setPartColour(const std::array<std::uint8_t, 3>& colour) {
+    impl_->mesher().setPartColour(colour);
+}
+void WorkpieceActors::update(bool moving, const glm::dvec3& focus) {
+    impl_->update(moving, focus);
+}
+std::size_t WorkpieceActors::triangles() const {
+    return impl_->triangles();
+}
+bool WorkpieceActors::fullDetail() const {
+    return impl_->fullDetail();
+}
+bool WorkpieceActors::busy() const {
+    return impl_->mesher().busy() || impl_->waiting();
+}
+std::optional<CutTime> WorkpieceActors::takeCutShown() {
+    return impl_->takeCutShown();
+}
+
+} // namespace burin

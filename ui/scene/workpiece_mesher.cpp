@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/workpiece_mesher.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+/// For so long nothing may change before full detail is made.
+constexpr auto restDelay = 100ms;
+/// What a tool changes at once: finished before the next snapshot is looked at.
+constexpr std::size_t fewGroups = 4;
+/// Changed tiles are made in full as long as that takes no more, s.
+constexpr double timeForFull = 0.025;
+/// Groups of full detail that a tool changes at once, and what they have more of than finished ones: tiles not joined.
+constexpr std::size_t changedGroups = 2, unjoined = 2;
+constexpr double skirtCells = 1.5; ///< as deep as two layers may differ
+
+// Details by which a layer comes down to its limit of triangles; tolerances in voxels.
+constexpr std::array<SurfaceDetail, 6> movingDetails{{{1, 0.5}, {1, 1.0}, {2, 1.0}, {2, 2.0}, {3, 4.0}, {3, 8.0}}};
+constexpr std::array<SurfaceDetail, 6> restDetails{{{0, 0.1}, {0, 0.2}, {1, 0.4}, {1, 0.8}, {2, 1.6}, {3, 3.2}}};
+
+constexpr const std::array<SurfaceDetail, 6>& details(SurfaceLayer which) {
+    return which == SurfaceLayer::moving ? movingDetails : restDetails;
+}
+
+} // namespace
+
+void WorkpieceMesher::Layer::start(const WorkpieceGroups& groups) {
+    step = 0;
+    tiles.assign(groups.tileCount(), {});
+    triangles.assign(groups.count(), 0);
+    staleTiles.resize(groups.tileCount());
+    staleGroups.resize(groups.count());
+    markAll();
+}
+
+void WorkpieceMesher::Layer::markAll() {
+    std::fill(staleTiles.begin(), staleTiles.end(), std::uint8_t{1});
+    std::fill(staleGroups.begin(), staleGroups.end(), std::uint8_t{1});
+}
+
+std::size_t WorkpieceMesher::Layer::staleCount() const {
+    return static_cast<std::size_t>(std::count(staleGroups.begin(), staleGroups.end(), 1));
+}
+
+bool WorkpieceMesher::Layer::tooMany(std::size_t limit) const {
+    return triangleCount() > limit;
+}
+
+std::size_t WorkpieceMesher::Layer::triangleCount() const {
+    return std::accumulate(triangles.begin(), triangles.end(), std::size_t{0});
+}
+
+bool WorkpieceMesher::Layer::hasStale() const {
+    return std::find(staleGroups.begin(), staleGroups.end(), 1) != staleGroups.end();
+}
+
+WorkpieceMesher::WorkpieceMesher(const Limits& limits, std::function<void()> ready)
+    : limits_(limits), ready_(std::move(ready)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+WorkpieceMesher::~WorkpieceMesher() = default; // the thread is asked to stop and joined first
+
+// ---- Any thread
+
+void WorkpieceMesher::show(const VolumeSnapshot& workpiece, std::optional<CutTime> oldestCut) {
+    VolumeSnapshot skipped = workpiece; // what it holds in the end is let go outside the lock
+    {
+        const std::lock_guard lock(mutex_);
+        std::swap(newest_, skipped);
+        if (oldestCut && (!newestCut_ || *oldestCut < *newestCut_)) newestCut_ = oldestCut;
+        newestWaits_ = true;
+        busy_.store(true, std::memory_order_release);
+    }
+    wake_.notify_one();
+}
+
+void WorkpieceMesher::setPartColour(const RgbColour& colour) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (partColour_ == colour) return;
+        partColour_ = colour;
+        recolour_ = true;
+        busy_.store(true, std::memory_order_release);
+    }
+    wake_.notify_one();
+}
+
+void WorkpieceMesher::setFocus(const glm::dvec3& focus) {
+    const std::lock_guard lock(mutex_);
+    focus_ = focus;
+}
+
+SurfaceDelivery WorkpieceMesher::take() {
+    const std::lock_guard lock(mutex_);
+    SurfaceDelivery taken = delivery_;
+    delivery_.updates.clear();
+    delivery_.cut.reset();
+    return taken;
+}
+
+// ---- The worker
+
+void WorkpieceMesher::run(const std::stop_token& stop) {
+    stop_ = stop;
+    while (true) {
+        waitForWork();
+        if (stop.stop_requested()) return;
+        takeNewest();
+        refreshMoving();
+        refreshRest();
+    }
+}
+
+void WorkpieceMesher::waitForWork() {
+    std::unique_lock lock(mutex_);
+    const auto called = [this] { return newestWaits_ || recolour_; };
+    if (layer(SurfaceLayer::moving).hasStale()) return;
+    const Layer& rest = layer(SurfaceLayer::rest);
+    if (rest.hasStale()) {
+        Moment first = Moment::max();
+        for (std::size_t group = 0; group < groups_.count(); ++group)
+            if (rest.staleGroups[group] != 0) first = std::min(first, changed_[group]);
+        wake_.wait_until(lock, stop_, first + restDelay, called);
+        return;
+    }
+    busy_.store(called(), std::memory_order_release);
+    wake_.wait(lock, stop_, called);
+}
+
+bool WorkpieceMesher::interrupted() {
+    const std::lock_guard lock(mutex_);
+    return newestWaits_ || stop_.stop_requested();
+}
+
+void WorkpieceMesher::takeNewest() {
+    VolumeSnapshot before;
+    {
+        const std::lock_guard lock(mutex_);
+        if (std::exchange(recolour_, false))
+            for (Layer& one : layers_) std::fill(one.staleGroups.begin(), one.staleGroups.end(), std::uint8_t{1});
+        colour_ = partColour_;
+        if (!std::exchange(newestWaits_, false)) return;
+        before = std::exchange(shown_, std::exchange(newest_, {}));
+        if (newestCut_ && (!cut_ || *newestCut_ < *cut_)) cut_ = newestCut_;
+        newestCut_.reset();
+    }
+    if (shown_.sameVolume(before))
+        markChanges(before);
+    else
+        startVolume();
+}
+
+void WorkpieceMesher::startVolume() {
+    groups_ = shown_.empty() ? WorkpieceGroups() : WorkpieceGroups(shown_.grid());
+    for (Layer& one : layers_) one.start(groups_);
+    changed_.assign(groups_.count(), Clock::now() - restDelay); // full detail may follow without a pause
+    fullFits_ = false;
+    {
+        const std::lock_guard lock(mutex_);
+        ++delivery_.volume;
+        delivery_.groups = groups_.centres();
+        delivery_.updates.clear();
+    }
+    ready_();
+}
+
+void WorkpieceMesher::markChanges(const VolumeSnapshot& before) {
+    const int level = std::max(detail(SurfaceLayer::moving).level, detail(SurfaceLayer::rest).level);
+    for (const SurfaceTile tile : changedSurface(before, shown_, level)) {
+        const std::size_t group = groups_.groupOf(tile);
+        changed_[group] = Clock::now();
+        for (Layer& one : layers_) one.staleTiles[groups_.place(tile)] = one.staleGroups[group] = 1;
+    }
+}
+
+void WorkpieceMesher::refreshMoving() {
+    Layer& moving = layer(SurfaceLayer::moving);
+    const bool many = moving.staleCount() > fewGroups, inFull = fullFitsInTime();
+    while (moving.hasStale()) {
+        if (many && interrupted()) return;
+        const std::size_t group = nearestStale(moving, Moment::max());
+        if (!refreshMovingTiles(group, many, inFull)) return;
+        deliver({makeGroup(SurfaceLayer::moving, group, fullFits_)});
+        if (!moving.hasStale()) settleMoving();
+    }
+    deliverCut();
+}
+
+/// A tile that is at full detail already needs no coarse one.
+/// False: left off for a newer snapshot. What is made by then stays.
+bool WorkpieceMesher::refreshMovingTiles(std::size_t group, bool mayStop, bool inFull) {
+    bool complete = true;
+    groups_.eachTile(group, [&](SurfaceTile tile) {
+        const std::size_t place = groups_.place(tile);
+        const bool inFullAlready = fullFits_ && layer(SurfaceLayer::rest).staleTiles[place] == 0;
+        if (!complete || inFullAlready || layer(SurfaceLayer::moving).staleTiles[place] == 0) return;
+        complete = !mayStop || !interrupted();
+        if (complete) makeTile(inFull ? SurfaceLayer::rest : SurfaceLayer::moving, tile);
+    });
+    return complete;
+}
+
+/// One group at a time: cuts go first. What it shows while things move becomes coarse all through again, so that the
+/// next groups find room.
+void WorkpieceMesher::refreshRest() {
+    Layer& rest = layer(SurfaceLayer::rest);
+    const std::size_t group = nearestStale(rest, Clock::now() - restDelay);
+    if (group == groups_.count() || interrupted()) return;
+    if (!refreshTiles(SurfaceLayer::rest, group) || !refreshTiles(SurfaceLayer::moving, group)) return;
+    std::vector<SurfaceUpdate> updates;
+    updates.push_back(makeGroup(SurfaceLayer::moving, group, false));
+    updates.push_back(makeGroup(SurfaceLayer::rest, group, false));
+    deliver(std::move(updates));
+    if (!rest.hasStale()) settleRest();
+}
+
+/// False: left off for a newer snapshot. What is made by then stays.
+bool WorkpieceMesher::refreshTiles(SurfaceLayer which, std::size_t group) {
+    bool complete = true;
+    groups_.eachTile(group, [&](SurfaceTile tile) {
+        if (!complete || layer(which).staleTiles[groups_.place(tile)] == 0) return;
+        complete = !interrupted();
+        if (complete) makeTile(which, tile);
+    });
+    return complete;
+}
+
+void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
+    const Moment start = Clock::now();
+    SurfaceDetail wanted = detail(which);
+    wanted.tolerance *= 0.5 * shown_.grid().edge(); // the other half is for the whole group
+    const std::size_t place = groups_.place(tile);
+    extractor_.extract(shown_, tile, wanted, layer(which).tiles[place]);
+    layer(which).staleTiles[place] = 0;
+    if (which == SurfaceLayer::rest) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        fullTileSeconds_ += 0.1 * (seconds - fullTileSeconds_);
+    }
+}
+
+/// @param mixed of tiles at full detail where there are such, as they are
+SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, bool mixed) {
+    const Layer& rest = layer(SurfaceLayer::rest);
+    std::vector<const SurfaceMesh*> pieces;
+    groups_.eachTile(group, [&](SurfaceTile tile) {
+        const std::size_t place = groups_.place(tile);
+        const bool full = mixed && rest.staleTiles[place] == 0;
+        pieces.push_back(full ? &rest.tiles[place] : &layer(which).tiles[place]);
+    });
+    simplifier_.join(pieces, joined_);
+    const SurfaceDetail wanted = detail(which);
+    const double edge = shown_.grid().edge(), cell = edge * (1 << wanted.level);
+    if (!mixed) simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell);
+    const std::vector<std::uint32_t> rim = simplifier_.rim(joined_);
+    SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size()};
+    update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirtCells * cell);
+    layer(which).triangles[group] = update.triangles;
+    layer(which).staleGroups[group] = 0;
+    return update;
+}
+
+/// Whether the tiles that a cut has changed can be made at full detail at once.
+bool WorkpieceMesher::fullFitsInTime() {
+    const std::vector<std::uint8_t>& stale = layer(SurfaceLayer::rest).staleTiles;
+    const auto tiles = static_cast<double>(std::count(stale.begin(), stale.end(), 1));
+    return fullFits_ && tiles * fullTileSeconds_ <= timeForFull;
+}
+
+bool WorkpieceMesher::roomForFull() {
+    const std::vector<std::size_t>& rest = layer(SurfaceLayer::rest).triangles;
+    const std::size_t largest = rest.empty() ? 0 : *std::max_element(rest.begin(), rest.end());
+    return layer(SurfaceLayer::moving).triangleCount() + changedGroups * unjoined * largest <= limits_.moving;
+}
+
+/// All groups are made: do they keep to the limit?
+void WorkpieceMesher::settleMoving() {
+    Layer& moving = layer(SurfaceLayer::moving);
+    if (!moving.tooMany(limits_.moving)) return;
+    if (fullFits_) { // without tiles of full detail first
+        fullFits_ = false;
+        std::fill(moving.staleGroups.begin(), moving.staleGroups.end(), std::uint8_t{1});
+    } else
+        coarsen(SurfaceLayer::moving);
+}
+
+void WorkpieceMesher::settleRest() {
+    if (layer(SurfaceLayer::rest).tooMany(limits_.rest)) coarsen(SurfaceLayer::rest);
+    fullFits_ = roomForFull();
+}
+
+void WorkpieceMesher::coarsen(SurfaceLayer which) {
+    if (layer(which).step + 1 == details(which).size()) return;
+    ++layer(which).step;
+    layer(which).markAll();
+}
+
+void WorkpieceMesher::deliver(std::vector<SurfaceUpdate> updates) {
+    {
+        const std::lock_guard lock(mutex_);
+        for (SurfaceUpdate& update : updates) {
+            std::erase_if(delivery_.updates, [&](const SurfaceUpdate& older) {
+                return older.group == update.group &&
+                       (older.layer == update.layer || update.layer == SurfaceLayer::moving);
+            });
+            delivery_.updates.push_back(std::move(update));
+        }
+    }
+    ready_();
+}
+
+void WorkpieceMesher::deliverCut() {
+    if (!cut_) return;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!delivery_.cut || *cut_ < *delivery_.cut) delivery_.cut = cut_;
+        cut_.reset();
+    }
+    ready_();
+}
+
+/// groups_.count(): none that has not changed since.
+std::size_t WorkpieceMesher::nearestStale(const Layer& layer, Moment changedBefore) {
+    glm::dvec3 focus;
+    {
+        const std::lock_guard lock(mutex_);
+        focus = focus_;
+    }
+    std::size_t nearest = groups_.count();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t group = 0; group < groups_.count(); ++group) {
+        const double distance = glm::length(groups_.centres()[group] - focus);
+        if (layer.staleGroups[group] == 0 || changed_[group] > changedBefore || distance >= least) continue;
+        least = distance;
+        nearest = group;
+    }
+    return nearest;
+}
+
+SurfaceDetail WorkpieceMesher::detail(SurfaceLayer which) {
+    return details(which)[layer(which).step];
+}
+
+} // namespace burin

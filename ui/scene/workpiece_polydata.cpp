@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/workpiece_polydata.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+/// The vertices of a mesh and its skirt, one after the other.
+class PointWriter {
+public:
+    PointWriter(std::size_t count, const PropertyList& properties, const RgbColour& partColour)
+        : properties_(properties), partColour_(partColour) {
+        const auto tuples = static_cast<vtkIdType>(count);
+        for (vtkFloatArray* array : {places_.Get(), normals_.Get()}) {
+            array->SetNumberOfComponents(3);
+            array->SetNumberOfTuples(tuples);
+        }
+        normals_->SetName("normal");
+        colours_->SetName("colour");
+        colours_->SetNumberOfComponents(3);
+        colours_->SetNumberOfTuples(tuples);
+    }
+    void add(const glm::vec3& place, const glm::vec3& normal, PropertyIndex property) {
+        places_->SetTypedTuple(next_, &place.x);
+        normals_->SetTypedTuple(next_, &normal.x);
+        const bool bare = properties_.isProtected(property);
+        colours_->SetTypedTuple(next_, bare ? partColour_.data() : properties_[property].colour.data());
+        ++next_;
+    }
+    void giveTo(vtkPolyData& data) {
+        vtkNew<vtkPoints> points;
+        points->SetData(places_);
+        data.SetPoints(points);
+        data.GetPointData()->SetNormals(normals_);
+        data.GetPointData()->SetScalars(colours_);
+    }
+
+private:
+    const PropertyList& properties_;
+    RgbColour partColour_;
+    vtkNew<vtkFloatArray> places_, normals_;
+    vtkNew<vtkUnsignedCharArray> colours_;
+    vtkIdType next_ = 0;
+};
+
+vtkSmartPointer<vtkCellArray> triangleCells(std::span<const std::uint32_t> triangles, std::size_t firstSkirtPoint,
+                                            std::span<const std::uint32_t> rim) {
+    const std::size_t count = triangles.size() / 3 + rim.size();
+    vtkNew<vtkTypeInt32Array> offsets, corners;
+    offsets->SetNumberOfValues(static_cast<vtkIdType>(count) + 1);
+    corners->SetNumberOfValues(static_cast<vtkIdType>(count) * 3);
+    for (std::size_t i = 0; i <= count; ++i)
+        offsets->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt32>(3 * i));
+    vtkTypeInt32* next = std::transform(triangles.begin(), triangles.end(), corners->GetPointer(0),
+                                        [](std::uint32_t corner) { return static_cast<vtkTypeInt32>(corner); });
+    for (std::size_t i = 0; i < rim.size(); i += 2) {
+        const auto from = static_cast<vtkTypeInt32>(rim[i]), to = static_cast<vtkTypeInt32>(rim[i + 1]);
+        const auto deepFrom = static_cast<vtkTypeInt32>(firstSkirtPoint + i), deepTo = deepFrom + 1;
+        for (const vtkTypeInt32 corner : {to, from, deepFrom, to, deepFrom, deepTo}) *next++ = corner;
+    }
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->SetData(offsets, corners);
+    return cells;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> surfacePolyData(const SurfaceMesh& mesh, const PropertyList& properties,
+                                             const RgbColour& partColour, std::span<const std::uint32_t> rim,
+                                             double skirt) {
+    PointWriter writer(mesh.points.size() + rim.size(), properties, partColour);
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+        writer.add(mesh.points[i], mesh.normals[i], mesh.properties[i]);
+    for (const std::uint32_t i : rim)
+        writer.add(mesh.points[i] - mesh.normals[i] * static_cast<float>(skirt), mesh.normals[i], mesh.properties[i]);
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    writer.giveTo(*data);
+    data->SetPolys(triangleCells(mesh.triangles, mesh.points.size(), rim));
+    data->ComputeBounds(); // here, so that the user interface's thread need not
+    return data;
+}
+
+} // namespace burin

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/surface.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace burin {
+
+using RgbColour = std::array<std::uint8_t, 3>; ///< sRGB
+
+/// The part where it is bare, whatever it is made of: nothing else on the bench is blue.
+inline constexpr RgbColour barePartColour{74, 144, 217};
+
+/// A surface for VTK: points and normals in single precision, an sRGB colour a point. Any thread.
+/// @param rim   edges (two points each) that get a skirt of `skirt` mm down into the material, so that no light shows
+///              between this piece and a coarser or finer one beside it
+vtkSmartPointer<vtkPolyData> surfacePolyData(const SurfaceMesh& mesh, const PropertyList& properties,
+                                             const RgbColour& partColour, std::span<const std::uint32_t> rim = {},
+                                             double skirt = 0.0);
+
+} // namespace burin

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/document_flow.h"
+
+#include "core/base/file.h"
+#include "ui/dialogs/file_dialogs.h"
+#include "ui/dialogs/questions.h"
+#include "ui/window/path_presenters.h"
+
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace burin {
+
+namespace {
+
+QString textOf(const std::filesystem::path& path) {
+    return QString::fromStdString(path.string());
+}
+
+std::filesystem::path pathOf(const QString& text) {
+    return {text.toStdString()};
+}
+
+} // namespace
+
+QString samplePart() {
+    return textOf(resourceDirectory() / "samples" / "mouse.step");
+}
+
+DocumentFlow::DocumentFlow(Workbench& workbench, UserSettings& settings, QWidget& window)
+    : QObject(&window), workbench_(workbench), settings_(settings), window_(window) {
+    connect(&workbench.document, &DocumentController::opened, this, [this] { noteSaved(); });
+    connect(&workbench.program, &ProgramController::exported, this, &DocumentFlow::exported);
+}
+
+void DocumentFlow::connectActions(const Actions& actions) {
+    const auto on = [&](ActionId id, void (DocumentFlow::*what)()) {
+        connect(actions[id], &QAction::triggered, this, what);
+    };
+    on(ActionId::newProject, &DocumentFlow::createNew);
+    on(ActionId::openProject, &DocumentFlow::open);
+    on(ActionId::importPart, &DocumentFlow::import);
+    on(ActionId::sampleProject, &DocumentFlow::importSample);
+    on(ActionId::save, &DocumentFlow::save);
+    on(ActionId::saveAs, &DocumentFlow::saveAs);
+    on(ActionId::exportProgram, &DocumentFlow::exportProgram);
+}
+
+QString DocumentFlow::folder() const {
+    const QString last = settings_.lastFolder();
+    if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+void DocumentFlow::keepFolder(const QString& file) {
+    settings_.setLastFolder(QFileInfo(file).absolutePath());
+}
+
+void DocumentFlow::createNew() {
+    settle(
+        [this](bool abandon) { workbench_.comeToRest([this, abandon] { workbench_.document.createNew(abandon); }); });
+}
+
+void DocumentFlow::open() {
+    const QString file = askProjectToOpen(&window_, folder());
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    openFile(file);
+}
+
+void DocumentFlow::openFile(const QString& file) {
+    settle([this, file](bool abandon) {
+        workbench_.comeToRest([this, file, abandon] { workbench_.document.openFile(pathOf(file), abandon); });
+    });
+}
+
+void DocumentFlow::import() {
+    const QString file = askPartToImport(&window_, folder());
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    importFile(file);
+}
+
+void DocumentFlow::importFile(const QString& file) {
+    if (!workbench_.importNeedsNewProject()) {
+        workbench_.importPart(pathOf(file), false);
+        return;
+    }
+    settle([this, file](bool abandon) { workbench_.importPart(pathOf(file), abandon); });
+}
+
+void DocumentFlow::importSample() {
+    importFile(samplePart());
+}
+
+void DocumentFlow::showSample() {
+    settle([this](bool abandon) {
+        workbench_.comeToRest([this, abandon] {
+            workbench_.document.createNew(abandon, [this](bool made) {
+                if (!made) return;
+                workbench_.importPart(pathOf(samplePart()), false);
+                workbench_.showHowItIsDone();
+            });
+        });
+    });
+}
+
+void DocumentFlow::openAny(const QString& file) {
+    if (file.endsWith(QStringLiteral(".burin"), Qt::CaseInsensitive))
+        openFile(file);
+    else
+        importFile(file);
+}
+
+void DocumentFlow::save() {
+    saveThen({});
+}
+
+void DocumentFlow::saveAs() {
+    saveAsThen({});
+}
+
+void DocumentFlow::saveThen(std::function<void()> then) {
+    if (!workbench_.document.isOpen()) return;
+    if (workbench_.document.isUnnamed() || workbench_.document.readOnly()) {
+        saveAsThen(std::move(then));
+        return;
+    }
+    workbench_.document.save([this, then = std::move(then)](bool saved) {
+        if (!saved) return;
+        noteSaved();
+        if (then) then();
+    });
+}
+
+void DocumentFlow::saveAsThen(std::function<void()> then) {
+    if (!workbench_.document.isOpen()) return;
+    QString name = workbench_.document.title();
+    if (workbench_.document.isUnnamed()) name = QFileInfo(programName(workbench_)).completeBaseName();
+    const QString file = askProjectToSave(&window_, folder(), name + QStringLiteral(".burin"));
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    const auto save = [this, file, then = std::move(then)] {
+        workbench_.document.saveAs(pathOf(file), [this, then](bool saved) {
+            if (!saved) return;
+            noteSaved();
+            if (then) then();
+        });
+    };
+    // A recording belongs to one file: it ends, mill mode goes on.
+    if (workbench_.session.running())
+        workbench_.mill.interrupt(save);
+    else
+        save();
+}
+
+void DocumentFlow::noteSaved() {
+    if (!workbench_.document.isOpen() || workbench_.document.isUnnamed()) return;
+    settings_.addRecentFile(textOf(workbench_.document.file()));
+    emit recentFilesChanged();
+}
+
+void DocumentFlow::exportProgram() {
+    if (!workbench_.program.exportable()) return;
+    const QString file = askProgramToExport(&window_, folder(), programName(workbench_));
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    workbench_.program.exportTo(pathOf(file));
+}
+
+void DocumentFlow::settle(std::function<void(bool)> then) {
+    if (asking_) return;
+    if (!workbench_.document.isOpen() || (!workbench_.document.unsaved() && !workbench_.mill.recording())) {
+        then(false);
+        return;
+    }
+    asking_ = true;
+    const UnsavedAnswer answer = askUnsaved(&window_, workbench_.document.title());
+    asking_ = false;
+    if (answer == UnsavedAnswer::discard)
+        then(true);
+    else if (answer == UnsavedAnswer::save)
+        workbench_.comeToRest([this, then = std::move(then)] { saveThen([then] { then(false); }); });
+}
+
+void DocumentFlow::closeProject(bool abandon, std::function<void()> then) {
+    workbench_.comeToRest([this, abandon, then = std::move(then)] {
+        workbench_.tasks().cancelAll();
+        workbench_.document.close(abandon, [then](bool) { then(); });
+    });
+}
+
+} // namespace burin

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/actions/actions.h"
+#include "ui/dialogs/preferences.h"
+#include "ui/workbench/workbench.h"
+
+#include <QObject>
+#include <QPointer>
+#include <QWidget>
+
+namespace burin {
+
+/// New, open, import, save, export, close: what the user is asked on the way, and what is done then.
+class DocumentFlow final : public QObject {
+    Q_OBJECT
+public:
+    /// All outlive it. @param window parent of the dialogs
+    DocumentFlow(Workbench& workbench, UserSettings& settings, QWidget& window);
+
+    void connectActions(const Actions& actions);
+    void createNew();
+    void open();
+    void openFile(const QString& file);
+    void import();
+    void importFile(const QString& file);
+    void importSample();
+    void showSample(); ///< imports the sample part and lets the virtual operator mill it
+    /// A project or a part, as its name says.
+    void openAny(const QString& file);
+    void save();
+    void saveAs();
+    void exportProgram();
+
+    /// Asks about unsaved changes and calls `then` unless the user cancels or saving fails.
+    /// @param then is told whether the changes are not wanted
+    void settle(std::function<void(bool abandon)> then);
+    /// Ends session and project as `settle` decided, then calls `then`.
+    void closeProject(bool abandon, std::function<void()> then);
+
+signals:
+    void recentFilesChanged();
+    void exported(const QString& file);
+
+private:
+    void saveThen(std::function<void()> then);
+    void saveAsThen(std::function<void()> then);
+    void noteSaved();
+    QString folder() const;
+    void keepFolder(const QString& file);
+
+    Workbench& workbench_;
+    UserSettings& settings_;
+    QWidget& window_;
+    bool asking_ = false; ///< a question stands open
+};
+
+/// The part that Burin is shipped with.
+QString samplePart();
+
+} // namespace burin

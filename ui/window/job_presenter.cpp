@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/job_presenter.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace burin {
+
+namespace {
+
+QString title(const char* context, const std::string& name) {
+    return QCoreApplication::translate(context, name.c_str());
+}
+
+} // namespace
+
+JobPresenter::JobPresenter(Workbench& workbench, JobLine& line, QObject* parent)
+    : Presenter(workbench, workbench.controllers(), parent), line_(line) {}
+
+void JobPresenter::setShown(JobStep step) {
+    shown_ = step;
+    presentSoon();
+}
+
+void JobPresenter::present() {
+    line_.setState({part(), stock(), material(), tool(), allowance(), mill(), path(), program()}, shown_);
+}
+
+JobStepState JobPresenter::part() const {
+    const auto& model = workbench_.model.model();
+    if (workbench_.model.importing()) return {StepProgress::current, tr("importing")};
+    if (!model) return {StepProgress::ready, tr("import one")};
+    return {StepProgress::done, QFileInfo(QString::fromStdString(model->sourceFile)).fileName()};
+}
+
+JobStepState JobPresenter::stock() const {
+    const SetupController& setup = workbench_.setup;
+    if (!setup.hasPart()) return {StepProgress::missing, tr("no part yet")};
+    if (setup.problem()) return {StepProgress::ready, tr("can't be embedded")};
+    const glm::dvec3 size = setup.setup().stock.size();
+    const auto side = [&](double length) {
+        return unit() == LengthUnit::inch ? QLocale().toString(length / millimetresPerInch, 'f', 2)
+                                          : QLocale().toString(length, 'f', 0);
+    };
+    const QString text = side(size.x) + QStringLiteral(" × ") + side(size.y) + QStringLiteral(" × ") + side(size.z) +
+                         QLatin1Char(' ') + unitText(unit());
+    if (workbench_.bench.embedding()) return {StepProgress::current, tr("embedding")};
+    return {workbench_.bench.embedded() ? StepProgress::done : StepProgress::ready, text};
+}
+
+JobStepState JobPresenter::material() const {
+    const SetupController& setup = workbench_.setup;
+    if (!setup.hasPart()) return {StepProgress::missing, tr("no part yet")};
+    const Property* material = setup.stockMaterial();
+    return {StepProgress::done, material ? title("Materials", material->name) : tr("unknown")};
+}
+
+JobStepState JobPresenter::tool() const {
+    if (!workbench_.setup.hasPart()) return {StepProgress::missing, tr("no part yet")};
+    const Tool& tool = workbench_.tool.current();
+    return {workbench_.bench.fieldBusy() ? StepProgress::current : StepProgress::done, title("Tools", tool.name)};
+}
+
+JobStepState JobPresenter::allowance() const {
+    if (!workbench_.setup.hasPart()) return {StepProgress::missing, tr("no part yet")};
+    return {StepProgress::done, lengthText(workbench_.mill.allowance(), unit())};
+}
+
+JobStepState JobPresenter::mill() const {
+    const MillController& mill = workbench_.mill;
+    if (workbench_.showMe.showing()) return {StepProgress::current, tr("virtual operator")};
+    if (mill.recording()) return {StepProgress::current, tr("recording")};
+    if (!mill.takes().empty())
+        return {StepProgress::done, tr("%n take(s)", nullptr, static_cast<int>(mill.takes().size()))};
+    if (workbench_.bench.ready()) return {StepProgress::ready, tr("no take yet")};
+    return {StepProgress::missing, workbench_.bench.embedded() ? tr("wait for the boundary") : tr("embed first")};
+}
+
+JobStepState JobPresenter::path() const {
+    const PathController& path = workbench_.path;
+    if (workbench_.mill.takes().empty()) return {StepProgress::missing, tr("no take yet")};
+    if (path.busy()) return {StepProgress::current, tr("editing")};
+    if (path.problem()) return {StepProgress::ready, tr("not possible")};
+    if (!path.evaluated()) return {StepProgress::ready, tr("not yet")};
+    if (path.outdated()) return {StepProgress::ready, tr("out of date")};
+    return {StepProgress::done, tr("error %1").arg(lengthText(path.evaluated()->errorBudget, unit()))};
+}
+
+JobStepState JobPresenter::program() const {
+    const ProgramController& program = workbench_.program;
+    if (program.busy()) return {StepProgress::current, tr("checking")};
+    if (!workbench_.path.evaluated()) return {StepProgress::missing, tr("no path yet")};
+    if (program.problem()) return {StepProgress::ready, tr("not possible")};
+    if (!program.program()) return {StepProgress::ready, tr("not yet")};
+    if (program.outdated()) return {StepProgress::ready, tr("out of date")};
+    return program.exportable() ? JobStepState{StepProgress::done, tr("passed")}
+                                : JobStepState{StepProgress::ready, tr("refused")};
+}
+
+} // namespace burin

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/job_line.h"
+#include "ui/window/presenter.h"
+
+#include <array>
+
+namespace burin {
+
+/// The line of steps: what each holds, what is missing.
+class JobPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    JobPresenter(Workbench& workbench, JobLine& line, QObject* parent);
+    void setShown(JobStep step);
+    JobStep shown() const noexcept { return shown_; }
+
+private:
+    void present() override;
+    JobStepState part() const;
+    JobStepState stock() const;
+    JobStepState material() const;
+    JobStepState tool() const;
+    JobStepState allowance() const;
+    JobStepState mill() const;
+    JobStepState path() const;
+    JobStepState program() const;
+
+    JobLine& line_;
+    JobStep shown_ = JobStep::part;
+};
+
+} // namespace burin

@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/main_window.h"
+
+#include "ui/dialogs/preferences_dialog.h"
+#include "ui/dialogs/questions.h"
+#include "ui/messages/messages.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+constexpr QSize smallestWindow(1024, 680);
+constexpr QSize firstWindow(1280, 800);
+
+/// The one file that is dragged; empty for anything else.
+QString draggedFile(const QMimeData& data) {
+    const QList<QUrl> urls = data.urls();
+    return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent), states_(actions_, workbench_, nullptr), flow_(workbench_, settings_, *this) {
+    setObjectName(QStringLiteral("mainWindow"));
+    setAcceptDrops(true);
+    setMinimumSize(smallestWindow);
+    dress(settings_.preferences().theme); // before there are widgets: they take font and style from it
+    layOut();
+    presenters_ =
+        std::make_unique<Presenters>(workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_}, nullptr);
+    connectActions();
+    connectWorkbench();
+    connectWelcome();
+    viewport_->setPalette3D(activePalette());
+    presenters_->setUnit(settings_.preferences().unit);
+    resize(firstWindow);
+    restoreGeometry(settings_.windowGeometry());
+    showStep(JobStep::part);
+    showWelcome();
+    updateTitle();
+}
+
+MainWindow::~MainWindow() {
+    presenters_.reset(); // before the widgets that they fill
+}
+
+void MainWindow::layOut() {
+    menus_ = new Menus(*menuBar(), actions_);
+    status_ = new StatusLine(this);
+    setStatusBar(status_);
+    viewport_ = new Viewport;
+    viewport_->setObjectName(QStringLiteral("viewport"));
+    viewport_->setFocusPolicy(Qt::StrongFocus);
+    jobLine_ = new JobLine;
+    jobLine_->setObjectName(QStringLiteral("jobLine"));
+    panels_ = new PanelStack;
+    message_ = new MessageStrip;
+    welcome_ = new WelcomePage;
+
+    auto* work = new QWidget;
+    auto* beside = new QHBoxLayout(work);
+    beside->setContentsMargins(0, 0, 0, 0);
+    beside->setSpacing(0);
+    beside->addWidget(viewport_, 1);
+    beside->addWidget(panels_);
+    bench_ = new QWidget;
+    bench_->setObjectName(QStringLiteral("benchPage"));
+    auto* bench = new QVBoxLayout(bench_);
+    bench->setContentsMargins(0, 0, 0, 0);
+    bench->setSpacing(0);
+    bench->addWidget(jobLine_);
+    bench->addWidget(work, 1);
+
+    pages_ = new QStackedWidget;
+    pages_->setObjectName(QStringLiteral("pages"));
+    pages_->addWidget(welcome_);
+    pages_->addWidget(bench_);
+    auto* whole = new QWidget;
+    auto* layout = new QVBoxLayout(whole);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(message_);
+    layout->addWidget(pages_, 1);
+    setCentralWidget(whole);
+}
+
+void MainWindow::connectActions() {
+    for (std::size_t id = 0; id < static_cast<std::size_t>(ActionId::count); ++id)
+        addAction(actions_[static_cast<ActionId>(id)]); // shortcuts hold wherever the keyboard is
+    flow_.connectActions(actions_);
+    const auto on = [this](ActionId id, auto what) { connect(actions_[id], &QAction::triggered, this, what); };
+    on(ActionId::quit, [this] { close(); });
+    on(ActionId::preferences, [this] { showPreferences(); });
+    on(ActionId::fit, [this] { viewport_->fit(); });
+    const std::pair<ActionId, StandardView> views[] = {
+        {ActionId::viewIsometric, StandardView::isometric}, {ActionId::viewTop, StandardView::top},
+        {ActionId::viewBottom, StandardView::bottom},       {ActionId::viewFront, StandardView::front},
+        {ActionId::viewBack, StandardView::back},           {ActionId::viewLeft, StandardView::left},
+        {ActionId::viewRight, StandardView::right}};
+    for (const auto& [id, view] : views) on(id, [this, seen = view] { viewport_->setStandardView(seen); });
+    const auto step = [this](int by) {
+        const int next = std::clamp(static_cast<int>(presenters_->job.shown()) + by, 0, JobLine::steps - 1);
+        showStep(static_cast<JobStep>(next));
+    };
+    on(ActionId::nextStep, [step] { step(1); });
+    on(ActionId::previousStep, [step] { step(-1); });
+    on(ActionId::embed, [this] { workbench_.bench.embed(); });
+    on(ActionId::millMode, [this](bool wanted) {
+        showStep(JobStep::mill);
+        if (wanted)
+            workbench_.mill.enter();
+        else
+            workbench_.mill.leave();
+    });
+    on(ActionId::record, [this](bool wanted) {
+        if (wanted)
+            workbench_.mill.startRecording();
+        else
+            workbench_.mill.stopRecording();
+    });
+    on(ActionId::showMe, [this] { workbench_.showHowItIsDone(); });
+    on(ActionId::stopShow, [this] { workbench_.showMe.stop(); });
+    on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
+    on(ActionId::evaluatePath, [this] { workbench_.path.evaluate(); });
+    on(ActionId::post, [this] { workbench_.program.post(programName(workbench_)); });
+    on(ActionId::welcome, [this] { pages_->currentWidget() == welcome_ ? showBench(true) : showWelcome(); });
+    on(ActionId::about, [this] { showAbout(this, QCoreApplication::applicationVersion()); });
+    connect(panels_->part, &PartPanel::importRequested, &flow_, &DocumentFlow::import);
+    connect(panels_->program, &ProgramPanel::exportRequested, &flow_, &DocumentFlow::exportProgram);
+    connect(panels_->path, &PathPanel::visibilityToggled, actions_[ActionId::showPath], &QAction::setChecked);
+    connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);
+    connect(jobLine_, &JobLine::stepChosen, this, &MainWindow::showStep);
+    connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openFile);
+}
+
+void MainWindow::connectWorkbench() {
+    connect(&workbench_, &Workbench::failed, this, [this](const Error& error) {
+        const bool stopped = error.code == ErrorCode::cancelled;
+        message_->tell(stopped ? Notice::Kind::information : Notice::Kind::error, Messages::sentence(error));
+    });
+    connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
+    connect(&workbench_.document, &DocumentController::opened, this, &MainWindow::tellAboutOpened);
+    connect(&workbench_.model, &ModelController::imported, this, [this] {
+        message_->dismiss();
+        showStep(JobStep::stock);
+    });
+    connect(&workbench_.session, &SessionRunner::changed, this, [this] {
+        panels_->meters->setVisible(workbench_.session.running());
+        if (workbench_.showMe.showing()) showStep(JobStep::mill);
+    });
+    connect(&workbench_.showMe, &ShowMe::finished, this, [this] {
+        if (workbench_.mill.takes().empty() || ending_) return;
+        showStep(JobStep::path);
+        workbench_.path.makeNew();
+    });
+    connect(&flow_, &DocumentFlow::recentFilesChanged, this, [this] {
+        menus_->setRecentFiles(settings_.recentFiles());
+        welcome_->setRecentFiles(settings_.recentFiles());
+    });
+    connect(&flow_, &DocumentFlow::exported, this, [this](const QString& file) {
+        message_->tell(Notice::Kind::passed, tr("The program stands in “%1”.").arg(QFileInfo(file).fileName()));
+    });
+    connect(viewport_, &Viewport::drawingFailed, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
+    menus_->setRecentFiles(settings_.recentFiles());
+}
+
+void MainWindow::connectWelcome() {
+    connect(welcome_, &WelcomePage::importRequested, &flow_, &DocumentFlow::import);
+    connect(welcome_, &WelcomePage::sampleRequested, &flow_, &DocumentFlow::importSample);
+    connect(welcome_, &WelcomePage::showMeRequested, &flow_, &DocumentFlow::showSample);
+    connect(welcome_, &WelcomePage::openRequested, &flow_, &DocumentFlow::open);
+    connect(welcome_, &WelcomePage::recentChosen, &flow_, &DocumentFlow::openFile);
+    connect(welcome_, &WelcomePage::leftWorkChosen, &flow_, &DocumentFlow::openFile);
+    connect(welcome_, &WelcomePage::leftWorkForgotten, this, [this](const QString& file) {
+        if (!confirm(this, tr("Delete this work?"), tr("It was never saved, and no undo brings it back."),
+                     tr("Delete")))
+            return;
+        DocumentController::forget({file.toStdString(), {}});
+        showWelcome();
+    });
+}
+
+void MainWindow::showWelcome() {
+    std::vector<LeftWorkRow> rows;
+    for (const LeftWork& work : workbench_.document.leftWork()) {
+        const QString file = QString::fromStdString(work.file.string());
+        const auto time = std::chrono::file_clock::to_sys(work.changed);
+        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
+        rows.push_back({file, QDateTime::fromSecsSinceEpoch(seconds)});
+    }
+    welcome_->setLeftWork(rows);
+    welcome_->setRecentFiles(settings_.recentFiles());
+    pages_->setCurrentWidget(welcome_);
+}
+
+void MainWindow::showBench(bool shown) {
+    pages_->setCurrentWidget(shown ? bench_ : welcome_);
+}
+
+void MainWindow::showStep(JobStep step) {
+    presenters_->job.setShown(step);
+    panels_->showStep(step);
+}
+
+void MainWindow::tellAboutOpened() {
+    message_->dismiss();
+    showBench(true);
+    showStep(workbench_.model.model() ? JobStep::mill : JobStep::part);
+    const DocumentController& document = workbench_.document;
+    if (!document.keptAside().empty())
+        message_->tell(Notice::Kind::warning,
+                       tr("Older unsaved work did not belong to this file any more; it stands in “%1”.")
+                           .arg(QString::fromStdString(document.keptAside().filename().string())));
+    else if (document.readOnly())
+        message_->tell(Notice::Kind::warning,
+                       tr("The folder can't be written, so this project is open for reading; save it elsewhere to "
+                          "change it."));
+    else if (document.recovered())
+        message_->tell(Notice::Kind::information,
+                       tr("Burin ended before this work was saved; all of it is here again."));
+}
+
+void MainWindow::updateTitle() {
+    const DocumentController& document = workbench_.document;
+    setWindowTitle(document.isOpen() ? tr("%1[*] — Burin").arg(document.title()) : tr("Burin"));
+    setWindowModified(document.isOpen() && document.unsaved());
+}
+
+void MainWindow::dress(Theme theme) {
+    const Result<Palette> palette = loadPalette(theme);
+    if (palette)
+        applyTheme(*qobject_cast<QApplication*>(QCoreApplication::instance()), *palette);
+    else // Qt's own colours serve as well
+        QMetaObject::invokeMethod(
+            this, [this, error = palette.error()] { message_->tell(Notice::Kind::error, Messages::sentence(error)); },
+            Qt::QueuedConnection);
+}
+
+void MainWindow::apply(const Preferences& preferences) {
+    dress(preferences.theme);
+    viewport_->setPalette3D(activePalette());
+    presenters_->setUnit(preferences.unit);
+}
+
+void MainWindow::showPreferences() {
+    PreferencesDialog dialog(settings_.preferences(), this);
+    connect(&dialog, &PreferencesDialog::preferencesChanged, this, [this](const Preferences& preferences) {
+        settings_.setPreferences(preferences);
+        apply(preferences);
+    });
+    dialog.exec();
+}
+
+void MainWindow::removeTake(qint64 take) {
+    const auto& takes = workbench_.mill.takes();
+    const auto found = std::ranges::find(takes, take, &TakeInfo::id);
+    if (found == takes.end()) return;
+    if (confirm(this, tr("Remove “%1”?").arg(QString::fromStdString(found->name)),
+                tr("The workpiece is made anew without it; no undo brings it back."), tr("Remove")))
+        workbench_.mill.removeTake(take);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (ended_) {
+        event->accept();
+        return;
+    }
+    event->ignore();
+    if (ending_) return;
+    flow_.settle([this](bool abandon) { end(abandon); });
+}
+
+void MainWindow::endQuietly() {
+    if (!ending_) end(false);
+}
+
+void MainWindow::end(bool abandon) {
+    ending_ = true;
+    settings_.setWindowGeometry(saveGeometry());
+    flow_.closeProject(abandon, [this] {
+        ended_ = true;
+        close();
+    });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!draggedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QString file = draggedFile(*event->mimeData());
+    if (file.isEmpty()) return;
+    event->acceptProposedAction();
+    // The drop ends first: a question would hold up the program that the file comes from.
+    QMetaObject::invokeMethod(
+        this, [this, file] { openFile(file); }, Qt::QueuedConnection);
+}
+
+} // namespace burin

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/actions/action_states.h"
+#include "ui/dialogs/preferences.h"
+#include "ui/help/welcome_page.h"
+#include "ui/window/document_flow.h"
+#include "ui/window/menus.h"
+#include "ui/window/message_strip.h"
+#include "ui/window/presenters.h"
+
+#include <QMainWindow>
+
+class QStackedWidget;
+
+namespace burin {
+
+/// The window: lays out its parts and connects them. What they show, presenters say; what is done, controllers do.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    Workbench& workbench() noexcept { return workbench_; }
+    Viewport& viewport() noexcept { return *viewport_; }
+    /// A project or a part.
+    void openFile(const QString& file) { flow_.openAny(file); }
+    /// Ends at once without a question: sessions end properly, unsaved work waits to be taken up again.
+    void endQuietly();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void layOut();
+    void connectActions();
+    void connectWorkbench();
+    void connectWelcome();
+    void showStep(JobStep step);
+    void showBench(bool shown);
+    void showWelcome();
+    void updateTitle();
+    void dress(Theme theme);
+    void apply(const Preferences& preferences);
+    void showPreferences();
+    void removeTake(qint64 take);
+    void tellAboutOpened();
+    void end(bool abandon);
+
+    UserSettings settings_;
+    Workbench workbench_;
+    Actions actions_;
+    ActionStates states_;
+    DocumentFlow flow_;
+    QStackedWidget* pages_ = nullptr;
+    WelcomePage* welcome_ = nullptr;
+    QWidget* bench_ = nullptr;
+    Viewport* viewport_ = nullptr;
+    JobLine* jobLine_ = nullptr;
+    PanelStack* panels_ = nullptr;
+    StatusLine* status_ = nullptr;
+    MessageStrip* message_ = nullptr;
+    Menus* menus_ = nullptr;
+    std::unique_ptr<Presenters> presenters_;
+    bool ending_ = false, ended_ = false;
+};
+
+} // namespace burin

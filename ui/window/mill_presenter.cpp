@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/mill_presenter.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+struct MillTexts {
+    Q_DECLARE_TR_FUNCTIONS(MillTexts)
+};
+
+} // namespace
+
+QString shankSentence(const SessionState& state, const Bench& bench) {
+    if ((state.sample.flags & sampleShankContact) == 0) return {};
+    const PropertyList& properties = bench.embedded.workpiece.properties();
+    const std::vector<RevolvedPiece> all = pieces(bench.tool.cutter);
+    const bool shank = state.shankPiece == 1 && all.size() > bench.tool.cutter.holder.size() + 1;
+    const QString what = state.shankTouches == airProperty || state.shankTouches >= properties.size()
+                             ? MillTexts::tr("the workpiece")
+                             : QCoreApplication::translate("Materials", properties[state.shankTouches].name.c_str());
+    if (properties.isProtected(state.shankTouches))
+        return shank ? MillTexts::tr("The shank touches the part.") : MillTexts::tr("The holder touches the part.");
+    return (shank ? MillTexts::tr("The shank touches %1.") : MillTexts::tr("The holder touches %1.")).arg(what);
+}
+
+MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.mill, &workbench.bench, &workbench.session, &workbench.showMe, &workbench.setup},
+                parent)
+    , mode_(mode)
+    , panel_(panel) {
+    connect(&workbench.session, &SessionRunner::ticked, this, &Presenter::presentSoon);
+    connect(&mode, &MillMode::settingsChanged, this, &Presenter::presentSoon);
+    connect(&panel, &MillPanel::millModeToggled, this, [this](bool on) {
+        if (on)
+            workbench_.mill.enter();
+        else
+            workbench_.mill.leave();
+    });
+    connect(&panel, &MillPanel::recordToggled, this, [this](bool on) {
+        if (on)
+            workbench_.mill.startRecording();
+        else
+            workbench_.mill.stopRecording();
+    });
+    connect(&panel, &MillPanel::undoStrokeRequested, &workbench, &Workbench::undoLast);
+    connect(&panel, &MillPanel::redoStrokeRequested, &workbench, &Workbench::redoLast);
+    connect(&panel, &MillPanel::depthRuleChosen, this, [this](DepthChoice choice) {
+        MillToolSettings settings = mode_.settings();
+        settings.rule = choice == DepthChoice::part ? DepthRule::part : DepthRule::level;
+        mode_.setSettings(settings);
+    });
+    connect(&panel, &MillPanel::depthOfCutEdited, this, [this](double value) {
+        edit([](MillToolSettings& settings, double wanted) { settings.depthOfCut = wanted; }, value);
+    });
+    connect(&panel, &MillPanel::pressEdited, this, [this](double value) {
+        edit([](MillToolSettings& settings, double wanted) { settings.press = wanted; }, value);
+    });
+    connect(&panel, &MillPanel::speedEdited, this, [this](double value) {
+        edit([](MillToolSettings& settings, double wanted) { settings.speed = wanted; }, value);
+    });
+    connect(&panel, &MillPanel::showMeRequested, this, [this] {
+        if (workbench_.showMe.showing())
+            workbench_.showMe.stop();
+        else
+            workbench_.showHowItIsDone();
+    });
+    connect(&panel, &MillPanel::takeRemovalRequested, this, &MillPresenter::takeRemovalRequested);
+}
+
+void MillPresenter::edit(void (*change)(MillToolSettings&, double), double value) {
+    MillToolSettings settings = mode_.settings();
+    change(settings, value);
+    mode_.setSettings(settings);
+}
+
+void MillPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+QString MillPresenter::missing() const {
+    const BenchController& bench = workbench_.bench;
+    if (!workbench_.setup.hasPart()) return tr("Import a part first.");
+    if (bench.embedding()) return tr("The part is being embedded.");
+    if (!bench.embedded()) return tr("Embed the part in its stock first.");
+    if (!bench.field()) return tr("The boundary for the tool is being computed.");
+    return {};
+}
+
+void MillPresenter::present() {
+    const MillController& mill = workbench_.mill;
+    const SessionState& session = workbench_.session.state();
+    MillState state;
+    state.missing = missing();
+    state.ready = workbench_.bench.ready();
+    state.active = mill.active();
+    state.recording = workbench_.session.running() && session.recording;
+    state.recordedSeconds = session.recordedSeconds;
+    StrokeHistory& strokes = workbench_.bench.strokes();
+    state.canUndoStroke = strokes.canUndo() && !workbench_.showMe.showing();
+    state.canRedoStroke = strokes.canRedo() && !workbench_.showMe.showing();
+    const MillToolSettings& settings = mode_.settings();
+    state.depthRule = settings.rule == DepthRule::part ? DepthChoice::part : DepthChoice::level;
+    state.depthOfCut = settings.depthOfCut;
+    state.press = settings.press;
+    state.speed = settings.speed;
+    if (workbench_.session.running() && workbench_.bench.bench())
+        state.alarm = shankSentence(session, *workbench_.bench.bench());
+    for (const TakeInfo& take : mill.takes()) {
+        state.takes.push_back({take, workbench_.mill.strokesOf(take.id)});
+        if (!state.recording || take.id != session.take) continue;
+        TakeInfo& growing = state.takes.back().info;
+        growing.sampleCount = static_cast<std::uint64_t>(std::lround(session.recordedSeconds / take.tickPeriod));
+        growing.complete = true; // nothing is missing of it so far
+    }
+    state.showing = workbench_.showMe.showing();
+    panel_.setState(state);
+}
+
+MeterPresenter::MeterPresenter(Workbench& workbench, Meters& meters, QObject* parent)
+    : Presenter(workbench, {&workbench.session}, parent), meters_(meters) {
+    connect(&workbench.session, &SessionRunner::ticked, this, &MeterPresenter::tick);
+}
+
+void MeterPresenter::setUnit(LengthUnit unit) {
+    meters_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void MeterPresenter::tick() {
+    const SessionState& session = workbench_.session.state();
+    state_.rateHz = session.rateHz;
+    state_.workP999 = session.cpuP999;
+    state_.missed = session.missed;
+    state_.force = glm::length(session.sample.cuttingForce);
+    state_.forceScale = std::max(state_.forceScale, state_.force);
+    state_.removalRate = session.removalRate;
+    state_.removalScale = std::max(state_.removalScale, state_.removalRate);
+    if (workbench_.bench.bench()) state_.tip = session.sample.proxy.tip - workbench_.bench.bench()->setup.workOffset;
+    presentSoon();
+}
+
+void MeterPresenter::present() {
+    const bool running = workbench_.session.running();
+    if (running != state_.running) {
+        state_ = {};
+        state_.running = running;
+    }
+    if (running)
+        state_.stylus = workbench_.showMe.showing() ? tr("Virtual operator %1 ×").arg(ShowMe::timeLapse) : tr("Mouse");
+    meters_.setState(state_);
+    emit presented();
+}
+
+} // namespace burin

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/meters.h"
+#include "ui/panels/mill_panel.h"
+#include "ui/window/mill_mode.h"
+#include "ui/window/presenter.h"
+
+namespace burin {
+
+/// The mill panel.
+class MillPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+signals:
+    void takeRemovalRequested(qint64 take);
+
+private:
+    void present() override;
+    void edit(void (*change)(MillToolSettings&, double), double value);
+    QString missing() const;
+    MillMode& mode_;
+    MillPanel& panel_;
+};
+
+/// Force, removal, rate: while a session runs.
+class MeterPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    MeterPresenter(Workbench& workbench, Meters& meters, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+    const MeterState& state() const noexcept { return state_; }
+
+signals:
+    void presented();
+
+private:
+    void present() override;
+    void tick();
+    Meters& meters_;
+    MeterState state_;
+};
+
+/// "The shank touches Machinable wax.", empty when nothing is touched.
+QString shankSentence(const SessionState& state, const Bench& bench);
+
+} // namespace burin

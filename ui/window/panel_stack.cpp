@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/panel_stack.h"
+
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace burin {
+
+namespace {
+
+constexpr int stackWidth = 344; // pixels: a panel's 320 with margins
+
+/// Each panel scrolls by itself, so that a long one never stretches the others.
+QWidget* scrolling(QWidget* panel, const char* name) {
+    auto* area = new QScrollArea;
+    area->setObjectName(QString::fromLatin1(name));
+    area->setWidget(panel);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return area;
+}
+
+} // namespace
+
+PanelStack::PanelStack(QWidget* parent)
+    : QFrame(parent)
+    , part(new PartPanel)
+    , stock(new StockPanel)
+    , material(new MaterialPanel)
+    , tool(new ToolPanel)
+    , allowance(new AllowancePanel)
+    , mill(new MillPanel)
+    , path(new PathPanel)
+    , program(new ProgramPanel)
+    , meters(new Meters)
+    , stack_(new QStackedWidget) {
+    setObjectName(QStringLiteral("panelStack"));
+    setFixedWidth(stackWidth);
+    stack_->setObjectName(QStringLiteral("panelPages"));
+    const std::array<std::pair<QWidget*, const char*>, 8> panels{{{part, "partPage"},
+                                                                  {stock, "stockPage"},
+                                                                  {material, "materialPage"},
+                                                                  {tool, "toolPage"},
+                                                                  {allowance, "allowancePage"},
+                                                                  {mill, "millPage"},
+                                                                  {path, "pathPage"},
+                                                                  {program, "programPage"}}};
+    for (const auto& [panel, name] : panels) stack_->addWidget(scrolling(panel, name));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(stack_, 1);
+    layout->addWidget(meters);
+    meters->hide();
+}
+
+void PanelStack::showStep(JobStep step) {
+    stack_->setCurrentIndex(static_cast<int>(step));
+}
+
+} // namespace burin

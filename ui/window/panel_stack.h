@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/allowance_panel.h"
+#include "ui/panels/material_panel.h"
+#include "ui/panels/meters.h"
+#include "ui/panels/mill_panel.h"
+#include "ui/panels/part_panel.h"
+#include "ui/panels/path_panel.h"
+#include "ui/panels/program_panel.h"
+#include "ui/panels/stock_panel.h"
+#include "ui/panels/tool_panel.h"
+
+#include <QFrame>
+
+#include <array>
+
+class QStackedWidget;
+
+namespace burin {
+
+/// The right side: the panel of the step that is shown, the meters at its foot while the tool moves.
+class PanelStack final : public QFrame {
+    Q_OBJECT
+public:
+    explicit PanelStack(QWidget* parent = nullptr);
+    void showStep(JobStep step);
+
+    PartPanel* part;
+    StockPanel* stock;
+    MaterialPanel* material;
+    ToolPanel* tool;
+    AllowancePanel* allowance;
+    MillPanel* mill;
+    PathPanel* path;
+    ProgramPanel* program;
+    Meters* meters;
+
+private:
+    QStackedWidget* stack_;
+};
+
+} // namespace burin

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/path_presenters.h"
+
+#include "ui/messages/messages.h"
+
+#include <QFileInfo>
+
+namespace burin {
+
+namespace {
+
+double cuttingLength(const Path& path) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+        if (path.points[i].kind == MoveKind::cut || path.points[i].kind == MoveKind::plunge)
+            length += glm::distance(path.points[i - 1].tip, path.points[i].tip);
+    return length;
+}
+
+} // namespace
+
+QString programName(const Workbench& workbench) {
+    QString name = workbench.document.title();
+    if (workbench.document.isUnnamed() && workbench.model.model())
+        name = QFileInfo(QString::fromStdString(workbench.model.model()->sourceFile)).completeBaseName();
+    return (name.isEmpty() ? QStringLiteral("program") : name) + QStringLiteral(".ngc");
+}
+
+PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel) {
+    connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
+    connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
+    connect(&panel, &PathPanel::evaluateRequested, &workbench.path, &PathController::evaluate);
+}
+
+void PathPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void PathPresenter::present() {
+    const PathController& path = workbench_.path;
+    PathState state;
+    state.hasTakes = !workbench_.mill.takes().empty();
+    state.exists = path.stored().has_value();
+    if (path.stored()) state.path = *path.stored();
+    if (path.evaluated()) {
+        state.reports = path.evaluated()->reports;
+        state.errorBudget = path.evaluated()->errorBudget;
+        state.points = path.evaluated()->path.points.size();
+        state.cuttingLength = cuttingLength(path.evaluated()->path);
+    }
+    state.outdated = path.outdated();
+    state.busy = path.busy();
+    if (path.problem()) state.problem = Messages::sentence(*path.problem());
+    panel_.setState(state);
+}
+
+ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.program, &workbench.path}, parent), panel_(panel) {
+    connect(&panel, &ProgramPanel::postRequested, this, [this] { workbench_.program.post(programName(workbench_)); });
+    connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);
+}
+
+void ProgramPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void ProgramPresenter::present() {
+    const ProgramController& program = workbench_.program;
+    ProgramState state;
+    state.hasPath = workbench_.path.evaluated() != nullptr;
+    state.text = program.storedText();
+    if (program.program()) {
+        state.blocks = program.program()->blocks;
+        state.report = program.program()->report;
+    }
+    state.gougeTolerance = program.gougeTolerance();
+    state.outdated = program.outdated();
+    state.busy = program.busy();
+    if (program.problem()) state.problem = Messages::sentence(*program.problem());
+    panel_.setState(state);
+}
+
+} // namespace burin

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/path_panel.h"
+#include "ui/panels/program_panel.h"
+#include "ui/window/presenter.h"
+
+namespace burin {
+
+// The panels of what comes after milling.
+
+class PathPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    PathPresenter(Workbench& workbench, PathPanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    PathPanel& panel_;
+};
+
+class ProgramPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    ProgramPanel& panel_;
+};
+
+/// The name that a project's program gets: the project's, or that of the part as long as it has none.
+QString programName(const Workbench& workbench);
+
+} // namespace burin

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/presenters.h"
+
+#include <initializer_list>
+
+namespace burin {
+
+Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage& stage, QObject* parent)
+    : QObject(parent)
+    , millMode(workbench, stage.viewport, this)
+    , part(workbench, *stage.panels.part, this)
+    , stock(workbench, *stage.panels.stock, this)
+    , material(workbench, *stage.panels.material, this)
+    , tool(workbench, *stage.panels.tool, this)
+    , allowance(workbench, *stage.panels.allowance, this)
+    , mill(workbench, millMode, *stage.panels.mill, this)
+    , path(workbench, *stage.panels.path, this)
+    , program(workbench, *stage.panels.program, this)
+    , meters(workbench, *stage.panels.meters, this)
+    , status(workbench, meters, stage.status, this)
+    , job(workbench, stage.jobLine, this)
+    , scene(workbench, stage.viewport, actions, this) {}
+
+void Presenters::setUnit(LengthUnit unit) {
+    for (Presenter* presenter : std::initializer_list<Presenter*>{&part, &stock, &material, &tool, &allowance, &mill,
+                                                                  &path, &program, &meters, &status, &job, &scene})
+        presenter->setUnit(unit);
+}
+
+} // namespace burin

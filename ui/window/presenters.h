@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/window/job_presenter.h"
+#include "ui/window/mill_presenter.h"
+#include "ui/window/panel_stack.h"
+#include "ui/window/path_presenters.h"
+#include "ui/window/scene_presenter.h"
+#include "ui/window/setup_presenters.h"
+#include "ui/window/status_presenter.h"
+
+namespace burin {
+
+/// The widgets that presenters fill. All outlive them.
+struct Stage {
+    Viewport& viewport;
+    JobLine& jobLine;
+    PanelStack& panels;
+    StatusLine& status;
+};
+
+/// All presenters of a window.
+class Presenters final : public QObject {
+    Q_OBJECT
+public:
+    Presenters(Workbench& workbench, const Actions& actions, const Stage& stage, QObject* parent);
+    void setUnit(LengthUnit unit);
+
+    MillMode millMode;
+    PartPresenter part;
+    StockPresenter stock;
+    MaterialPresenter material;
+    ToolPresenter tool;
+    AllowancePresenter allowance;
+    MillPresenter mill;
+    PathPresenter path;
+    ProgramPresenter program;
+    MeterPresenter meters;
+    StatusPresenter status;
+    JobPresenter job;
+    ScenePresenter scene;
+};
+
+} // namespace burin

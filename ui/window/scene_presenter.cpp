@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/scene_presenter.h"
+
+namespace burin {
+
+ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions, QObject* parent)
+    : Presenter(workbench, {&workbench.model, &workbench.setup, &workbench.tool, &workbench.bench, &workbench.session},
+                parent)
+    , viewport_(viewport)
+    , actions_(actions) {
+    connect(&workbench.bench, &BenchController::workpieceChanged, this, &ScenePresenter::showWorkpiece);
+    connect(&workbench.session, &SessionRunner::ended, this, &ScenePresenter::showWorkpiece);
+    connect(&workbench.session, &SessionRunner::viewed, this,
+            [this](const WorkpieceView& view) { viewport_.setWorkpiece(view.workpiece, view.oldestCut); });
+    connect(&workbench.session, &SessionRunner::ticked, this, &ScenePresenter::showTicks);
+    connect(&workbench.session, &SessionRunner::traced, this, &ScenePresenter::showTrace);
+    connect(&workbench.session, &SessionRunner::recordingStarted, &viewport, &Viewport::clearLivePath);
+    connect(&workbench.path, &PathController::evaluatedAnew, this, [this] {
+        const auto& evaluated = workbench_.path.evaluated();
+        viewport_.clearLivePath(); // the edited path takes its place
+        viewport_.setPath(evaluated ? evaluated->path : Path{});
+    });
+    for (const ActionId id : {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool})
+        connect(actions[id], &QAction::toggled, this, &Presenter::presentSoon);
+    connect(actions[ActionId::showPath], &QAction::toggled, &viewport, &Viewport::setPathVisible);
+}
+
+void ScenePresenter::present() {
+    const bool embedded = workbench_.bench.embedded();
+    if (part_ != workbench_.model.model()) {
+        part_ = workbench_.model.model();
+        viewport_.setPart(part_);
+        viewport_.fit();
+    }
+    viewport_.setPartVisible(!embedded || actions_[ActionId::showPart]->isChecked());
+    viewport_.setWorkpieceVisible(embedded && actions_[ActionId::showWorkpiece]->isChecked());
+    const bool outline = workbench_.setup.usable() && !embedded;
+    viewport_.setStockOutline(outline ? std::optional(workbench_.setup.setup().stock) : std::nullopt);
+
+    const Tool& tool = workbench_.bench.bench() ? workbench_.bench.bench()->tool : workbench_.tool.current();
+    if (tool.id != tool_) {
+        tool_ = tool.id;
+        viewport_.setTool(tool);
+    }
+    viewport_.setToolVisible(embedded && actions_[ActionId::showTool]->isChecked());
+    if (embedded && !workbench_.session.running()) {
+        const Bench& bench = *workbench_.bench.bench();
+        const glm::dvec3 centre = bench.setup.stock.centre();
+        ToolMarks parked;
+        parked.proxy.tip = glm::dvec3(centre.x, centre.y, bench.safeHeight());
+        viewport_.setToolMarks(parked);
+    }
+}
+
+void ScenePresenter::showWorkpiece() {
+    const auto& bench = workbench_.bench.bench();
+    viewport_.setWorkpiece(bench ? bench->embedded.workpiece.snapshot() : VolumeSnapshot());
+    presentSoon();
+}
+
+void ScenePresenter::showTicks() {
+    const SessionState& state = workbench_.session.state();
+    ToolMarks marks;
+    marks.proxy = state.sample.proxy;
+    marks.stylusTip = state.sample.stylusTip;
+    marks.force = state.sample.force;
+    marks.ghost = true;
+    marks.alarm = (state.sample.flags & sampleShankContact) != 0;
+    marks.cutting = state.cutting;
+    viewport_.setToolMarks(marks);
+}
+
+void ScenePresenter::showTrace(const std::vector<MillingSession::TracePoint>& points) {
+    bool begins = false;
+    stroke_.clear();
+    const auto draw = [&] {
+        if (!stroke_.empty()) viewport_.appendLivePath(stroke_, begins);
+        if (!stroke_.empty()) begins = false;
+        stroke_.clear();
+    };
+    for (const MillingSession::TracePoint& point : points) {
+        if (point.strokeBegins) {
+            draw();
+            begins = true;
+        }
+        stroke_.push_back(point.tip);
+    }
+    draw();
+}
+
+} // namespace burin

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/actions/actions.h"
+#include "ui/scene/viewport.h"
+#include "ui/window/presenter.h"
+
+namespace burin {
+
+/// The viewport: part, stock, workpiece, tool and path as the controllers have them; tool and cuts of a session as they
+/// come.
+class ScenePresenter final : public Presenter {
+    Q_OBJECT
+public:
+    ScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions, QObject* parent);
+
+private:
+    void present() override;
+    void showTicks();
+    void showTrace(const std::vector<MillingSession::TracePoint>& points);
+    void showWorkpiece();
+
+    Viewport& viewport_;
+    const Actions& actions_;
+    std::shared_ptr<const Model> part_; ///< that is drawn
+    std::string tool_;                  ///< id of the one that is drawn
+    std::vector<glm::vec3> stroke_;     ///< storage
+};
+
+} // namespace burin

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/setup_presenters.h"
+
+#include "ui/messages/messages.h"
+
+#include <algorithm>
+
+namespace burin {
+
+PartPresenter::PartPresenter(Workbench& workbench, PartPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.model}, parent), panel_(panel) {}
+
+void PartPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void PartPresenter::present() {
+    panel_.setState({workbench_.model.model(), workbench_.model.importing()});
+}
+
+StockPresenter::StockPresenter(Workbench& workbench, StockPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.setup, &workbench.bench}, parent), panel_(panel) {
+    connect(&panel, &StockPanel::setupEdited, &workbench.setup, &SetupController::edit);
+    connect(&panel, &StockPanel::embedRequested, &workbench.bench, &BenchController::embed);
+}
+
+void StockPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void StockPresenter::present() {
+    const SetupController& setup = workbench_.setup;
+    StockState state;
+    state.hasPart = setup.hasPart();
+    state.setup = setup.setup();
+    state.size = setup.size();
+    state.embedded = workbench_.bench.embedded();
+    state.locked = setup.locked();
+    state.busy = workbench_.bench.embedding();
+    if (setup.problem()) state.problem = Messages::sentence(*setup.problem());
+    panel_.setState(state);
+}
+
+MaterialPresenter::MaterialPresenter(Workbench& workbench, MaterialPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.setup, &workbench.model}, parent), panel_(panel) {
+    connect(&panel, &MaterialPanel::stockMaterialChosen, &workbench.setup, &SetupController::chooseStockMaterial);
+    connect(&panel, &MaterialPanel::bodyMaterialChosen, &workbench.setup, &SetupController::chooseBodyMaterial);
+}
+
+void MaterialPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void MaterialPresenter::present() {
+    const SetupController& setup = workbench_.setup;
+    MaterialState state;
+    state.materials = setup.materials();
+    state.stockMaterial = setup.setup().stockMaterial;
+    if (workbench_.model.model())
+        for (const Body& body : workbench_.model.model()->bodies) state.bodyNames.push_back(body.name);
+    state.bodyMaterials = setup.setup().bodyMaterials;
+    state.bodyMaterials.resize(state.bodyNames.size());
+    state.locked = setup.locked();
+    panel_.setState(state);
+}
+
+ToolPresenter::ToolPresenter(Workbench& workbench, ToolPanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.tool, &workbench.setup, &workbench.bench}, parent), panel_(panel) {
+    connect(&panel, &ToolPanel::toolChosen, &workbench.tool, &ToolController::choose);
+}
+
+void ToolPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void ToolPresenter::present() {
+    const ToolController& tool = workbench_.tool;
+    ToolState state;
+    state.tools = tool.tools();
+    state.current = tool.current().id;
+    state.fieldBusy = workbench_.bench.fieldBusy();
+    state.locked = tool.locked();
+    if (const Property* material = workbench_.setup.stockMaterial()) {
+        if (const auto conditions = tool.conditionsIn(*material)) {
+            state.feed = conditions->feed;
+            state.plungeFeed = conditions->plungeFeed;
+            state.spindleSpeed = conditions->spindleSpeed;
+        }
+        state.conditionsEstimated =
+            std::ranges::any_of(material->values, [](const auto& entry) { return entry.second.estimate; });
+    }
+    panel_.setState(state);
+}
+
+AllowancePresenter::AllowancePresenter(Workbench& workbench, AllowancePanel& panel, QObject* parent)
+    : Presenter(workbench, {&workbench.mill}, parent), panel_(panel) {
+    connect(&panel, &AllowancePanel::allowanceEdited, &workbench.mill, &MillController::setAllowance);
+}
+
+void AllowancePresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void AllowancePresenter::present() {
+    // A recording has one allowance: it is a figure of the whole take.
+    panel_.setState({workbench_.mill.allowance(), BenchController::maximumAllowance, workbench_.mill.recording()});
+}
+
+} // namespace burin

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/allowance_panel.h"
+#include "ui/panels/material_panel.h"
+#include "ui/panels/part_panel.h"
+#include "ui/panels/stock_panel.h"
+#include "ui/panels/tool_panel.h"
+#include "ui/window/presenter.h"
+
+namespace burin {
+
+// The panels of what comes before milling, each with its controller.
+
+class PartPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    PartPresenter(Workbench& workbench, PartPanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    PartPanel& panel_;
+};
+
+class StockPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    StockPresenter(Workbench& workbench, StockPanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    StockPanel& panel_;
+};
+
+class MaterialPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    MaterialPresenter(Workbench& workbench, MaterialPanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    MaterialPanel& panel_;
+};
+
+class ToolPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    ToolPresenter(Workbench& workbench, ToolPanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    ToolPanel& panel_;
+};
+
+class AllowancePresenter final : public Presenter {
+    Q_OBJECT
+public:
+    AllowancePresenter(Workbench& workbench, AllowancePanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    AllowancePanel& panel_;
+};
+
+} // namespace burin

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/status_line.h"
+
+#include <QFontDatabase>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace burin {
+
+StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
+    setObjectName(QStringLiteral("statusLine"));
+    setSizeGripEnabled(false);
+    stylus_ = add("stylusStatus", tr("What leads the tool."));
+    rate_ = add("rateStatus", tr("Ticks a second of the haptic loop that were really reached, and what 99.9 % of "
+                                 "them cost at most."));
+    position_ = add("positionStatus", tr("Where the tip is, in the coordinates of the program."));
+    size_ = add("sizeStatus", tr("Voxels of the workpiece, and the memory reserved for it."));
+    saved_ = add("savedStatus", tr("Whether the project's file holds all that was done."));
+    task_ = new QLabel(this);
+    task_->setObjectName(QStringLiteral("taskStatus"));
+    task_->setToolTip(tr("Work in the background."));
+    progress_ = new QProgressBar(this);
+    progress_->setObjectName(QStringLiteral("taskProgress"));
+    progress_->setRange(0, 1000);
+    progress_->setTextVisible(false);
+    progress_->setFixedSize(112, 8);
+    progress_->setToolTip(tr("How far the work in the background is."));
+    cancel_ = new QToolButton(this);
+    cancel_->setObjectName(QStringLiteral("cancelTaskButton"));
+    cancel_->setText(tr("Cancel"));
+    cancel_->setToolTip(tr("Stop the work in the background."));
+    cancel_->setAutoRaise(true);
+    connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelRequested);
+    addPermanentWidget(task_);
+    addPermanentWidget(progress_);
+    addPermanentWidget(cancel_);
+    setTask({}, 0.0, false);
+}
+
+QLabel* StatusLine::add(const char* name, const QString& toolTip) {
+    auto* label = new QLabel(this);
+    label->setObjectName(QString::fromLatin1(name));
+    label->setToolTip(toolTip);
+    label->setContentsMargins(8, 0, 8, 0);
+    addWidget(label);
+    label->hide();
+    return label;
+}
+
+namespace {
+
+void put(QLabel* label, const QString& text) {
+    if (label->text() == text) return;
+    label->setText(text);
+    label->setVisible(!text.isEmpty());
+}
+
+} // namespace
+
+void StatusLine::setStylus(const QString& text, bool running) {
+    put(stylus_, text.isEmpty() ? text : (running ? QStringLiteral("● ") : QStringLiteral("○ ")) + text);
+}
+
+void StatusLine::setRate(const QString& text) {
+    put(rate_, text);
+}
+
+void StatusLine::setPosition(const QString& text) {
+    put(position_, text);
+}
+
+void StatusLine::setSize(const QString& text) {
+    put(size_, text);
+}
+
+void StatusLine::setSaved(const QString& text) {
+    put(saved_, text);
+}
+
+void StatusLine::setTask(const QString& title, double fraction, bool cancelling) {
+    task_->setText(cancelling ? tr("Stopping") : title);
+    progress_->setValue(static_cast<int>(std::lround(fraction * 1000.0)));
+    for (QWidget* widget : std::initializer_list<QWidget*>{task_, progress_, cancel_})
+        widget->setVisible(!title.isEmpty());
+    cancel_->setEnabled(!cancelling);
+}
+
+} // namespace burin

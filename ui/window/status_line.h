@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/theme/length_unit.h"
+
+#include <QStatusBar>
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace burin {
+
+/// The truth in one row: stylus, rate that is really reached, position, size in memory, saved when, work in the
+/// background.
+class StatusLine final : public QStatusBar {
+    Q_OBJECT
+public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    void setStylus(const QString& text, bool running);
+    void setRate(const QString& text);
+    void setPosition(const QString& text);
+    void setSize(const QString& text);
+    void setSaved(const QString& text);
+    /// @param fraction 0 … 1; an empty title: nothing runs
+    void setTask(const QString& title, double fraction, bool cancelling);
+
+signals:
+    void cancelRequested();
+
+private:
+    QLabel* add(const char* name, const QString& toolTip);
+
+    QLabel* stylus_ = nullptr;
+    QLabel* rate_ = nullptr;
+    QLabel* position_ = nullptr;
+    QLabel* size_ = nullptr;
+    QLabel* saved_ = nullptr;
+    QLabel* task_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    QToolButton* cancel_ = nullptr;
+};
+
+} // namespace burin

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/status_presenter.h"
+
+#include <QLocale>
+
+#include <chrono>
+
+namespace burin {
+
+StatusPresenter::StatusPresenter(Workbench& workbench, const MeterPresenter& meters, StatusLine& line, QObject* parent)
+    : Presenter(workbench, {&workbench.document, &workbench.bench, &workbench.setup, &workbench.session}, parent)
+    , meters_(meters)
+    , line_(line) {
+    connect(&meters, &MeterPresenter::presented, this, &StatusPresenter::presentSession);
+    connect(&workbench.tasks(), &TaskRunner::changed, this, &StatusPresenter::presentTask);
+    connect(&line, &StatusLine::cancelRequested, &workbench.tasks(), &TaskRunner::cancelAll);
+    minute_.setInterval(std::chrono::seconds(20)); // "saved 3 minutes ago"
+    connect(&minute_, &QTimer::timeout, this, &Presenter::presentSoon);
+    minute_.start();
+}
+
+QString StatusPresenter::savedText() const {
+    const DocumentController& document = workbench_.document;
+    if (!document.isOpen()) return {};
+    if (document.readOnly()) return tr("Read only");
+    if (document.unsaved()) return document.isUnnamed() ? tr("Not saved yet") : tr("Unsaved changes");
+    if (!document.savedAt().isValid()) return document.isUnnamed() ? QString() : tr("Saved");
+    const qint64 minutes = document.savedAt().secsTo(QDateTime::currentDateTime()) / 60;
+    if (minutes < 1) return tr("Saved just now");
+    return minutes < 60 ? tr("Saved %n minute(s) ago", nullptr, static_cast<int>(minutes))
+                        : tr("Saved at %1").arg(QLocale().toString(document.savedAt().time(), QLocale::ShortFormat));
+}
+
+void StatusPresenter::present() {
+    line_.setSaved(savedText());
+    const auto& bench = workbench_.bench.bench();
+    if (!bench) {
+        line_.setSize({});
+    } else {
+        const glm::ivec3 count = bench->embedded.workpiece.grid().count();
+        const double megabytes = static_cast<double>(bench->embedded.workpiece.reservedBytes()) / 1e6;
+        const QLocale locale;
+        line_.setSize(tr("%1 × %2 × %3 voxels · %4 MB")
+                          .arg(locale.toString(count.x), locale.toString(count.y), locale.toString(count.z),
+                               locale.toString(megabytes, 'f', 0)));
+    }
+    presentSession();
+}
+
+void StatusPresenter::presentSession() {
+    const MeterState& state = meters_.state();
+    if (!workbench_.session.running()) {
+        line_.setStylus(workbench_.bench.ready() ? tr("Mouse") : QString(), false);
+        line_.setRate({});
+        line_.setPosition({});
+        return;
+    }
+    const QLocale locale;
+    line_.setStylus(state.stylus, true);
+    line_.setRate(
+        tr("%1 Hz · p99.9 %2 µs").arg(locale.toString(state.rateHz, 'f', 0), locale.toString(state.workP999, 'f', 0)));
+    line_.setPosition(QStringLiteral("X %1  Y %2  Z %3 %4")
+                          .arg(lengthNumber(state.tip.x, unit()), lengthNumber(state.tip.y, unit()),
+                               lengthNumber(state.tip.z, unit()), unitText(unit())));
+}
+
+void StatusPresenter::presentTask() {
+    const std::vector<TaskRow> rows = workbench_.tasks().rows();
+    if (rows.empty())
+        line_.setTask({}, 0.0, false);
+    else
+        line_.setTask(rows.front().title, rows.front().fraction, rows.front().cancelling);
+}
+
+} // namespace burin

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/bench_controller.h"
+
+#include "core/machine/machine_library.h"
+#include "ui/workbench/setup_controller.h"
+#include "ui/workbench/stroke_count.h"
+#include "ui/workbench/tool_controller.h"
+
+namespace burin {
+
+namespace {
+
+/// A bench with what its recordings cut, and how many strokes stand in each of them.
+struct ReplayedBench {
+    std::shared_ptr<Bench> bench;
+    std::map<std::int64_t, std::size_t> strokes;
+};
+
+} // namespace
+
+void BenchController::setWanted(std::shared_ptr<const Model> model, const Setup& setup, const Tool& tool) {
+    const bool otherTool = tool.id != tool_.id;
+    model_ = std::move(model);
+    setup_ = setup;
+    tool_ = tool;
+    if (otherTool && bench_) buildField();
+    emit changed();
+}
+
+bool BenchController::embedded() const {
+    return bench_ && model_ && embedAlike(bench_->setup, setup_);
+}
+
+bool BenchController::ready() const {
+    return embedded() && field_ && !embedding();
+}
+
+void BenchController::clear() {
+    desk_.tasks.abandon(TaskKind::embedding);
+    desk_.tasks.abandon(TaskKind::field);
+    bench_.reset();
+    field_.reset();
+    strokes_.clear();
+    emit workpieceChanged();
+    emit changed();
+}
+
+void BenchController::embed() {
+    if (!model_ || embedding()) return;
+    reading_ = true;
+    emit changed();
+    desk_.project.ask([](Project& project) { return takesOf(project); },
+                      [this](Result<std::vector<TakeWithTool>> takes) {
+                          reading_ = false;
+                          if (takes)
+                              embedWith(std::move(*takes));
+                          else
+                              emit failed(takes.error());
+                          emit changed();
+                      });
+}
+
+void BenchController::embedWith(std::vector<TakeWithTool> takes) {
+    BenchRequest request{model_, setup_, tool_, defaultMachine, {}};
+    desk_.tasks.start(
+        TaskKind::embedding, tr("Embedding the part"),
+        [request = std::move(request), takes = std::move(takes)](Progress& progress) -> Result<ReplayedBench> {
+            Result<Bench> bench = makeBench(request, progress);
+            if (!bench) return std::move(bench).error();
+            progress.stage(0.0, 1.0);
+            if (Result<void> replayed = replayTakes(takes, *bench, progress); !replayed) return replayed.error();
+            ReplayedBench made{std::make_shared<Bench>(std::move(*bench)), {}};
+            for (const TakeWithTool& take : takes) made.strokes[take.take.info.id] = strokeCount(take.take);
+            return made;
+        },
+        [this](Result<ReplayedBench> outcome) {
+            if (!outcome) {
+                emit changed();
+                emit failed(outcome.error());
+                return;
+            }
+            letGo([this, made = *outcome] {
+                adopt(made.bench);
+                emit replayed(made.strokes);
+            });
+        });
+    emit changed();
+}
+
+void BenchController::adopt(std::shared_ptr<Bench> bench) {
+    field_.reset();
+    strokes_.clear();
+    bench_ = std::move(bench);
+    emit workpieceChanged();
+    emit toolChanged();
+    buildField();
+    emit changed();
+}
+
+void BenchController::buildField() {
+    desk_.tasks.start(
+        TaskKind::field, tr("Computing the boundary for %1").arg(QString::fromStdString(tool_.name)),
+        [bench = bench_, tool = tool_](Progress& progress) -> Result<std::shared_ptr<const ClearanceField>> {
+            auto field = clearanceField(*bench, tool, maximumAllowance, progress);
+            if (!field) return std::move(field).error();
+            return std::shared_ptr<const ClearanceField>(std::move(*field));
+        },
+        [this, bench = bench_, tool = tool_](Result<std::shared_ptr<const ClearanceField>> outcome) {
+            if (!outcome) {
+                emit changed();
+                emit failed(outcome.error());
+            } else if (bench == bench_) {
+                letGo([this, tool, field = *outcome] { adoptField(tool, field); });
+            }
+        });
+    emit changed();
+}
+
+void BenchController::adoptField(const Tool& tool, std::shared_ptr<const ClearanceField> field) {
+    if (!bench_) return;
+    const PropertyList& properties = bench_->embedded.workpiece.properties();
+    const Result<CuttingConditions> conditions =
+        cuttingConditions(tool, properties[bench_->embedded.stockProperty], bench_->machine.maximumSpindleSpeed,
+                          bench_->machine.maximumFeed);
+    if (!conditions) {
+        emit failed(conditions.error());
+        return;
+    }
+    bench_->tool = tool;
+    bench_->conditions = *conditions;
+    field_ = std::move(field);
+    emit toolChanged();
+    emit changed();
+}
+
+void BenchController::letGo(std::function<void()> then) {
+    // What reads the bench in the background would read it while it changes.
+    desk_.tasks.abandon(TaskKind::planning);
+    desk_.tasks.abandon(TaskKind::path);
+    desk_.tasks.abandon(TaskKind::program);
+    desk_.tasks.whenIdle([this, then = std::move(then)] {
+        if (guard_)
+            guard_(then);
+        else
+            then();
+    });
+}
+
+} // namespace burin

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/bench.h"
+#include "core/project/stroke_history.h"
+#include "ui/workbench/controller.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+
+namespace burin {
+
+/// The workpiece that is milled: embeds the part in its stock, cuts again what recordings cut, and keeps the boundary
+/// field of the tool in force. Both are made in the background; what stood before stays in force meanwhile.
+class BenchController final : public Controller {
+    Q_OBJECT
+public:
+    using Controller::Controller;
+
+    /// Largest allowance that fields are made for, mm.
+    static constexpr double maximumAllowance = 2.0;
+
+    /// What embedding will take. A bench that no longer fits stays until the next `embed`.
+    void setWanted(std::shared_ptr<const Model> model, const Setup& setup, const Tool& tool);
+    bool embedded() const; ///< the workpiece stands as it is wanted
+    bool embedding() const { return reading_ || desk_.tasks.running(TaskKind::embedding); }
+    bool fieldBusy() const { return desk_.tasks.running(TaskKind::field); }
+    bool ready() const; ///< it can be milled: workpiece and a field are there
+
+    /// Makes the workpiece anew: embeds, then replays the project's recordings.
+    void embed();
+    void clear();
+
+    /// Shared with what reads it in the background. While a session runs the workpiece is the session's.
+    const std::shared_ptr<Bench>& bench() const noexcept { return bench_; }
+    const std::shared_ptr<const ClearanceField>& field() const noexcept { return field_; }
+    StrokeHistory& strokes() noexcept { return strokes_; }
+
+    /// Asked before bench, tool or field change: whoever mills lets go of them and then calls what it is given.
+    void setGuard(std::function<void(std::function<void()>)> guard) { guard_ = std::move(guard); }
+
+signals:
+    void workpieceChanged(); ///< outside a session
+    void toolChanged();      ///< the tool in force
+    /// The workpiece was made anew with these recordings: how many strokes stand in each.
+    void replayed(const std::map<std::int64_t, std::size_t>& strokes);
+
+private:
+    void embedWith(std::vector<TakeWithTool> takes);
+    void adopt(std::shared_ptr<Bench> bench);
+    void buildField();
+    void adoptField(const Tool& tool, std::shared_ptr<const ClearanceField> field);
+    void letGo(std::function<void()> then);
+
+    std::shared_ptr<const Model> model_;
+    Setup setup_;
+    Tool tool_;
+    std::shared_ptr<Bench> bench_;
+    std::shared_ptr<const ClearanceField> field_;
+    StrokeHistory strokes_;
+    std::function<void(std::function<void()>)> guard_;
+    bool reading_ = false; ///< the takes are being read
+};
+
+} // namespace burin

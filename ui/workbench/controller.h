@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/workbench/project_thread.h"
+#include "ui/workbench/task_runner.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+namespace burin {
+
+/// What all controllers of one window share. Outlives them.
+struct Desk {
+    ProjectThread& project;
+    TaskRunner& tasks;
+    QUndoStack& undo;
+};
+
+/// One subject of the work: holds its state, changes it, stores it in the project, tells when it changed. Controllers
+/// word no errors, they pass them on. User interface's thread.
+class Controller : public QObject {
+    Q_OBJECT
+public:
+    Controller(const Desk& desk, QObject* parent) : QObject(parent), desk_(desk) {}
+
+signals:
+    void changed();
+    void failed(const burin::Error& error);
+
+protected:
+    /// Changes the project in the background; what goes wrong is told.
+    template <class Work>
+    void store(Work work) {
+        desk_.project.post(std::move(work), [this](const Result<void>& stored) {
+            if (!stored) emit failed(stored.error());
+        });
+    }
+    Desk desk_;
+};
+
+} // namespace burin

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/document_controller.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <chrono>
+#include <system_error>
+
+namespace burin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What a project may lack is no error here.
+template <class T>
+Result<std::optional<T>> unlessMissing(Result<T> value) {
+    if (value) return std::optional<T>(std::move(*value));
+    if (value.error().code == ErrorCode::projectIncomplete) return std::optional<T>();
+    return std::move(value).error();
+}
+
+fs::path nextUnnamedFile() {
+    const QString time = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
+    const QString name = QStringLiteral("untitled-%1-%2.burin").arg(time).arg(QCoreApplication::applicationPid());
+    return DocumentController::unnamedFolder() / name.toStdString();
+}
+
+Result<ProjectContents> contentsOf(const Project& project) {
+    ProjectContents contents;
+    Result<std::optional<Model>> model = unlessMissing(project.model());
+    if (!model) return std::move(model).error();
+    if (*model) contents.model = std::make_shared<const Model>(std::move(**model));
+    Result<std::optional<Setup>> setup = unlessMissing(project.setup());
+    if (!setup) return std::move(setup).error();
+    contents.setup = std::move(*setup);
+    Result<std::vector<Tool>> tools = project.tools();
+    if (!tools) return std::move(tools).error();
+    contents.tools = std::move(*tools);
+    Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return std::move(takes).error();
+    contents.takes = std::move(*takes);
+    Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return std::move(paths).error();
+    contents.paths = std::move(*paths);
+    Result<std::vector<StoredProgram>> programs = project.programs();
+    if (!programs) return std::move(programs).error();
+    contents.programs = std::move(*programs);
+    return contents;
+}
+
+} // namespace
+
+struct DocumentController::Opened {
+    ProjectContents contents;
+    fs::path file, keptAside;
+    bool recovered = false, readOnly = false;
+};
+
+DocumentController::DocumentController(const Desk& desk, QObject* parent) : Controller(desk, parent) {
+    askSoon_.setSingleShot(true);
+    askSoon_.setInterval(std::chrono::milliseconds(150));
+    connect(&askSoon_, &QTimer::timeout, this, &DocumentController::askUnsaved);
+    connect(&desk_.project, &ProjectThread::worked, this, [this] {
+        if (!askSoon_.isActive()) askSoon_.start();
+    });
+}
+
+bool DocumentController::isUnnamed() const {
+    return isOpen() && file_.parent_path() == unnamedFolder();
+}
+
+QString DocumentController::title() const {
+    if (!isOpen()) return {};
+    return isUnnamed() ? tr("Untitled") : QString::fromStdString(file_.stem().string());
+}
+
+fs::path DocumentController::unnamedFolder() {
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    const fs::path folder = fs::path(data.toStdString()) / "unsaved";
+    std::error_code failed;
+    fs::create_directories(folder, failed); // where this fails, creating the project says so
+    const fs::path plain = fs::weakly_canonical(folder, failed);
+    return failed ? folder : plain;
+}
+
+std::vector<LeftWork> DocumentController::leftWork() const {
+    return burin::leftWork(unnamedFolder());
+}
+
+void DocumentController::forget(const LeftWork& work) {
+    Result<Project> project = Project::open(work.file);
+    if (project) static_cast<void>(project->abandonChanges());
+}
+
+Result<DocumentController::Opened> DocumentController::exchange(std::optional<Project>& place, Result<Project> project,
+                                                                bool abandon) {
+    if (!project) return std::move(project).error();
+    Result<ProjectContents> contents = contentsOf(*project);
+    if (!contents) return std::move(contents).error();
+    if (place && abandon) static_cast<void>(place->abandonChanges());
+    place.reset();
+    place.emplace(std::move(*project));
+    return Opened{std::move(*contents), place->file(), place->keptAside(), place->recovered(), place->readOnly()};
+}
+
+void DocumentController::createNew(bool abandon, Then then) {
+    desk_.project.postToPlace(
+        [abandon](std::optional<Project>& place) -> Result<Opened> {
+            return exchange(place, Project::create(nextUnnamedFile()), abandon);
+        },
+        [this, then = std::move(then)](Result<Opened> outcome) { take(std::move(outcome), then); });
+}
+
+void DocumentController::openFile(const fs::path& file, bool abandon, Then then) {
+    std::error_code failed;
+    if (isOpen() && fs::equivalent(file, file_, failed)) { // it is open already
+        if (then) then(true);
+        return;
+    }
+    desk_.project.postToPlace(
+        [file, abandon](std::optional<Project>& place) -> Result<Opened> {
+            return exchange(place, Project::open(file), abandon);
+        },
+        [this, then = std::move(then)](Result<Opened> outcome) { take(std::move(outcome), then); });
+}
+
+void DocumentController::take(Result<Opened> outcome, const Then& then) {
+    if (outcome) {
+        savedAt_ = QDateTime();
+        unsaved_ = false;
+        file_ = outcome->file;
+        keptAside_ = outcome->keptAside;
+        recovered_ = outcome->recovered;
+        readOnly_ = outcome->readOnly;
+        emit opened(outcome->contents);
+        askUnsaved();
+        emit changed();
+    } else {
+        emit failed(outcome.error());
+    }
+    if (then) then(outcome.hasValue());
+}
+
+void DocumentController::save(Then then) {
+    desk_.project.post([](Project& project) { return project.save(); },
+                       [this, then = std::move(then)](const Result<void>& outcome) { saved(outcome, then); });
+}
+
+void DocumentController::saveAs(const fs::path& file, Then then) {
+    desk_.project.post(
+        [file](Project& project) -> Result<fs::path> {
+            if (Result<void> done = project.saveAs(file); !done) return std::move(done).error();
+            return project.file();
+        },
+        [this, then = std::move(then)](const Result<fs::path>& outcome) {
+            if (outcome) {
+                file_ = *outcome;
+                readOnly_ = false;
+            }
+            saved(outcome ? Result<void>() : Result<void>(outcome.error()), then);
+        });
+}
+
+void DocumentController::saved(const Result<void>& outcome, const Then& then) {
+    if (outcome) {
+        unsaved_ = false;
+        recovered_ = false;
+        savedAt_ = QDateTime::currentDateTime();
+        emit changed();
+    } else {
+        emit failed(outcome.error());
+    }
+    if (then) then(outcome.hasValue());
+}
+
+void DocumentController::close(bool abandon, Then then) {
+    desk_.project.postToPlace(
+        [abandon](std::optional<Project>& place) -> Result<void> {
+            Result<void> outcome;
+            if (place && abandon) outcome = place->abandonChanges();
+            place.reset();
+            return outcome;
+        },
+        [this, then = std::move(then)](const Result<void>& outcome) {
+            file_.clear();
+            unsaved_ = false;
+            emit closed();
+            emit changed();
+            if (!outcome) emit failed(outcome.error());
+            if (then) then(outcome.hasValue());
+        });
+}
+
+void DocumentController::askUnsaved() {
+    if (!isOpen()) return;
+    desk_.project.ask([](Project& project) { return project.unsaved(); },
+                      [this](const Result<bool>& answer) {
+                          if (!answer || *answer == unsaved_) return;
+                          unsaved_ = *answer;
+                          emit changed();
+                      });
+}
+
+} // namespace burin

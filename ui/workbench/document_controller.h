@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/left_work.h"
+#include "ui/workbench/controller.h"
+
+#include <QDateTime>
+#include <QTimer>
+
+#include <filesystem>
+#include <memory>
+
+namespace burin {
+
+/// What a project held when it was opened.
+struct ProjectContents {
+    std::shared_ptr<const Model> model; ///< null: none yet
+    std::optional<Setup> setup;
+    std::vector<Tool> tools;
+    std::vector<TakeInfo> takes;
+    std::vector<StoredPath> paths;
+    std::vector<StoredProgram> programs;
+};
+
+/// The project as a document: new, open, save, close. A new one works on a file in a folder of the user's own until it
+/// gets a name, so that nothing is ever only in memory.
+class DocumentController final : public Controller {
+    Q_OBJECT
+public:
+    DocumentController(const Desk& desk, QObject* parent);
+
+    bool isOpen() const noexcept { return !file_.empty(); }
+    const std::filesystem::path& file() const noexcept { return file_; }
+    bool isUnnamed() const; ///< it was never saved under a name
+    QString title() const;
+    bool unsaved() const noexcept { return unsaved_; }
+    bool readOnly() const noexcept { return readOnly_; }
+    bool recovered() const noexcept { return recovered_; }
+    const std::filesystem::path& keptAside() const noexcept { return keptAside_; }
+    const QDateTime& savedAt() const noexcept { return savedAt_; } ///< in this session; invalid: not yet
+
+    /// What comes next is called with whether it went well; errors are told by `failed`.
+    using Then = std::function<void(bool)>;
+    /// The project that was open before is closed, once the other one stands.
+    /// @param abandon what it had unsaved is not wanted; otherwise it waits to be taken up again
+    void createNew(bool abandon, Then then = {});
+    void openFile(const std::filesystem::path& file, bool abandon, Then then = {});
+    void save(Then then = {});
+    void saveAs(const std::filesystem::path& file, Then then = {});
+    void close(bool abandon, Then then = {});
+
+    /// Unsaved work of programs that are gone, the newest first.
+    std::vector<LeftWork> leftWork() const;
+    static void forget(const LeftWork& work);
+    /// Folder of projects without a name. Made when it is not there.
+    static std::filesystem::path unnamedFolder();
+
+signals:
+    void opened(const burin::ProjectContents& contents);
+    void closed();
+
+private:
+    struct Opened;
+    static Result<Opened> exchange(std::optional<Project>& place, Result<Project> project, bool abandon);
+    void take(Result<Opened> outcome, const Then& then);
+    void saved(const Result<void>& outcome, const Then& then);
+    void askUnsaved();
+
+    std::filesystem::path file_, keptAside_;
+    bool unsaved_ = false, readOnly_ = false, recovered_ = false;
+    QDateTime savedAt_;
+    QTimer askSoon_;
+};
+
+} // namespace burin

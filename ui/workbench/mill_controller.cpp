@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/mill_controller.h"
+
+#include "ui/workbench/stroke_command.h"
+#include "ui/workbench/value_command.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+bool sameTake(const TakeInfo& one, const TakeInfo& other) {
+    return one.id == other.id && one.sampleCount == other.sampleCount && one.complete == other.complete;
+}
+
+} // namespace
+
+MillController::MillController(const Desk& desk, BenchController& bench, SessionRunner& session, QObject* parent)
+    : Controller(desk, parent), bench_(bench), session_(session) {
+    connect(&session_, &SessionRunner::ticked, this, &MillController::noteStrokes);
+    connect(&session_, &SessionRunner::ended, this, [this] {
+        const bool was = active();
+        mouse_ = nullptr;
+        noteStrokes();
+        refreshTakes();
+        if (was) emit left();
+        emit changed();
+    });
+    connect(&session_, &SessionRunner::endedByItself, this, [this] {
+        if (active()) leave(); // a fault, which ending tells
+    });
+}
+
+SessionRequest MillController::request() const {
+    SessionRequest request;
+    request.allowance = allowance_;
+    request.cutsOnButton = true;
+    return request;
+}
+
+void MillController::enter() {
+    if (active() || entering_ || session_.running() || !bench_.ready()) {
+        recordOnceEntered_ = recordOnceEntered_ && entering_;
+        return;
+    }
+    entering_ = true;
+    const Bench& bench = *bench_.bench();
+    const glm::dvec3 centre = bench.setup.stock.centre();
+    auto stylus = std::make_unique<MouseStylus>(glm::dvec3(centre.x, centre.y, bench.safeHeight()));
+    MouseStylus* mouse = stylus.get();
+    session_.begin({bench_.bench(), bench_.field(), &bench_.strokes()}, std::move(stylus), request(),
+                   [this, mouse](bool begun) {
+                       entering_ = false;
+                       if (begun) {
+                           mouse_ = mouse;
+                           emit entered();
+                       }
+                       if (std::exchange(recordOnceEntered_, false) && begun) startRecording();
+                       emit changed();
+                   });
+}
+
+void MillController::leave(Then then) {
+    session_.end([then = std::move(then)](bool) {
+        if (then) then();
+    });
+}
+
+void MillController::interrupt(std::function<void()> meanwhile) {
+    const bool goesOn = active();
+    if (!session_.running()) {
+        meanwhile();
+        return;
+    }
+    session_.end([this, goesOn, meanwhile = std::move(meanwhile)](bool) {
+        meanwhile();
+        if (goesOn) enter();
+    });
+}
+
+void MillController::startRecording() {
+    if (!active()) {
+        recordOnceEntered_ = true;
+        enter();
+        return;
+    }
+    if (recording() || startingRecording_) return;
+    startingRecording_ = true;
+    const QString name = tr("take %1").arg(takes_.empty() ? 1 : takes_.back().id + 1);
+    session_.startRecording(name, [this](bool) {
+        startingRecording_ = false;
+        refreshTakes();
+        emit changed();
+    });
+}
+
+void MillController::stopRecording(Then then) {
+    session_.stopRecording([this, then = std::move(then)](bool) {
+        noteStrokes();
+        refreshTakes();
+        if (then) then();
+        emit changed();
+    });
+}
+
+void MillController::setAllowance(double millimetres) {
+    const double wanted = std::clamp(millimetres, 0.0, BenchController::maximumAllowance);
+    if (wanted == allowance_) return;
+    desk_.undo.push(new ValueCommand<double>(tr("allowance"), allowanceValue, allowance_, wanted,
+                                             [this](const double& value) { applyAllowance(value); }));
+}
+
+void MillController::applyAllowance(double millimetres) {
+    allowance_ = millimetres;
+    if (active()) session_.setAllowance(millimetres);
+    emit changed();
+}
+
+void MillController::takeBack(bool undo) {
+    // Older strokes stay for good: their entries of the undo stack do nothing any more.
+    const StrokeHistory& history = bench_.strokes();
+    if (undo ? !history.canUndo() : !history.canRedo()) return;
+    const std::int64_t taken = history.canUndo() ? history.newest().take : 0;
+    const auto done = [this, undo, taken](bool changedIt) {
+        if (!changedIt) return;
+        if (undo)
+            --strokes_[taken];
+        else
+            ++strokes_[bench_.strokes().newest().take];
+        emit takesChanged();
+        emit changed();
+    };
+    if (session_.running()) {
+        if (undo)
+            session_.undoStroke(done);
+        else
+            session_.redoStroke(done);
+        return;
+    }
+    desk_.project.lend([this, undo, done](Project* project) {
+        if (!project || !bench_.bench()) return;
+        RunVolume& workpiece = bench_.bench()->embedded.workpiece;
+        const Result<void> outcome =
+            undo ? bench_.strokes().undo(*project, workpiece) : bench_.strokes().redo(*project, workpiece);
+        if (!outcome) emit failed(outcome.error());
+        emit bench_.workpieceChanged();
+        done(outcome.hasValue());
+    });
+}
+
+void MillController::noteStrokes() {
+    const std::uint64_t now = bench_.strokes().added();
+    const std::uint64_t fresh = now - std::exchange(strokesSeen_, now);
+    for (std::uint64_t i = 0; i < fresh; ++i)
+        desk_.undo.push(new StrokeCommand(tr("stroke"), [this](bool undo) { takeBack(undo); }));
+    if (fresh == 0) return;
+    if (bench_.strokes().canUndo()) strokes_[bench_.strokes().newest().take] += fresh;
+    emit takesChanged();
+}
+
+std::size_t MillController::strokesOf(std::int64_t take) const {
+    const auto found = strokes_.find(take);
+    return found == strokes_.end() ? 0 : found->second;
+}
+
+void MillController::setStrokes(std::map<std::int64_t, std::size_t> strokes) {
+    strokes_ = std::move(strokes);
+    emit changed();
+}
+
+void MillController::removeTake(std::int64_t id) {
+    interrupt([this, id] {
+        desk_.undo.clear();
+        desk_.project.post([id](Project& project) { return project.removeTake(id); },
+                           [this](const Result<void>& outcome) {
+                               if (outcome) {
+                                   refreshTakes();
+                                   bench_.embed();
+                               } else {
+                                   emit failed(outcome.error());
+                               }
+                           });
+    });
+}
+
+void MillController::load(std::vector<TakeInfo> takes) {
+    takes_ = std::move(takes);
+    allowance_ = takes_.empty() ? 0.0 : takes_.back().allowance;
+    strokesSeen_ = bench_.strokes().added();
+    emit takesChanged();
+    emit changed();
+}
+
+void MillController::refreshTakes() {
+    desk_.project.ask([](Project& project) { return project.takes(); },
+                      [this](Result<std::vector<TakeInfo>> takes) {
+                          if (!takes || std::ranges::equal(*takes, takes_, sameTake)) return;
+                          takes_ = std::move(*takes);
+                          emit takesChanged();
+                          emit changed();
+                      });
+}
+
+} // namespace burin

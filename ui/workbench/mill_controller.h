@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/input/mouse_stylus.h"
+#include "ui/workbench/bench_controller.h"
+#include "ui/workbench/session_runner.h"
+
+#include <map>
+
+namespace burin {
+
+/// Milling by hand: mill mode with the mouse as stylus, recordings, strokes taken back, the allowance.
+class MillController final : public Controller {
+    Q_OBJECT
+public:
+    MillController(const Desk& desk, BenchController& bench, SessionRunner& session, QObject* parent);
+
+    bool active() const noexcept { return mouse_ != nullptr; } ///< mill mode
+    MouseStylus* stylus() const noexcept { return mouse_; }    ///< null outside mill mode; the session owns it
+    bool recording() const noexcept { return session_.running() && session_.state().recording; }
+    double allowance() const noexcept { return allowance_; } ///< mm
+    const std::vector<TakeInfo>& takes() const noexcept { return takes_; }
+    std::size_t strokesOf(std::int64_t take) const; ///< that stand
+
+    using Then = std::function<void()>;
+    void enter();
+    void leave(Then then = {});
+    /// For a moment without a session, after which mill mode goes on as it was.
+    void interrupt(std::function<void()> meanwhile);
+    void startRecording(); ///< enters mill mode where it is not on; nothing happens when one runs
+    void stopRecording(Then then = {});
+    void setAllowance(double millimetres); ///< an entry of the undo stack
+    void removeTake(std::int64_t id);      ///< for good; the workpiece is made anew without it
+
+    /// What a project holds.
+    void load(std::vector<TakeInfo> takes);
+    void setStrokes(std::map<std::int64_t, std::size_t> strokes);
+    /// Reads the list of recordings again.
+    void refreshTakes();
+
+signals:
+    void entered();
+    void left();
+    void takesChanged(); ///< recordings came, went, or strokes of them were taken back
+
+private:
+    void takeBack(bool undo);
+    void noteStrokes();
+    void applyAllowance(double millimetres);
+    SessionRequest request() const;
+
+    BenchController& bench_;
+    SessionRunner& session_;
+    MouseStylus* mouse_ = nullptr;
+    bool entering_ = false, startingRecording_ = false, recordOnceEntered_ = false;
+    double allowance_ = 0.0;
+    std::vector<TakeInfo> takes_;
+    std::uint64_t strokesSeen_ = 0;
+    std::map<std::int64_t, std::size_t> strokes_;
+};
+
+} // namespace burin

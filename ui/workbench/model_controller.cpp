@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/model_controller.h"
+
+#include <utility>
+
+namespace burin {
+
+void ModelController::importFile(const std::filesystem::path& file) {
+    const QString title = tr("Importing %1").arg(QString::fromStdString(file.filename().string()));
+    desk_.tasks.start(
+        TaskKind::importing, title,
+        [file](Progress& progress) -> Result<std::shared_ptr<const Model>> {
+            Result<Model> model = importModel(file, ImportOptions{}, progress);
+            if (!model) return std::move(model).error();
+            return std::make_shared<const Model>(std::move(*model));
+        },
+        [this](Result<std::shared_ptr<const Model>> outcome) {
+            if (outcome) {
+                load(*outcome);
+                store([model = *outcome](Project& project) { return project.setModel(*model); });
+                emit imported();
+            } else {
+                emit changed();
+                emit failed(outcome.error());
+            }
+        });
+    emit changed();
+}
+
+void ModelController::load(std::shared_ptr<const Model> model) {
+    model_ = std::move(model);
+    emit changed();
+}
+
+} // namespace burin

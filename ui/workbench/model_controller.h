@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cad/import.h"
+#include "ui/workbench/controller.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace burin {
+
+/// The part: imports it in the background and keeps it.
+class ModelController final : public Controller {
+    Q_OBJECT
+public:
+    using Controller::Controller;
+
+    const std::shared_ptr<const Model>& model() const noexcept { return model_; }
+    bool importing() const { return desk_.tasks.running(TaskKind::importing); }
+
+    /// Reads a file and makes it the part of the open project; the one before stays until then.
+    void importFile(const std::filesystem::path& file);
+    /// What a project holds; stored already.
+    void load(std::shared_ptr<const Model> model);
+
+signals:
+    /// A new part is here; what was made for the one before is void.
+    void imported();
+
+private:
+    std::shared_ptr<const Model> model_;
+};
+
+} // namespace burin

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/path_controller.h"
+
+#include "core/project/program_job.h"
+#include "ui/workbench/value_command.h"
+
+namespace burin {
+
+namespace {
+
+/// Recordings of one tool, and the stored path that has just these.
+struct PathMatter {
+    StoredPath path;
+    std::shared_ptr<const std::vector<Take>> takes;
+};
+
+/// A path has one tool: it takes the recordings that were made with it.
+Result<PathMatter> gather(Project& project, const std::optional<StoredPath>& stored, const std::string& toolId) {
+    const Result<std::vector<TakeInfo>> infos = project.takes();
+    if (!infos) return infos.error();
+    PathMatter matter;
+    matter.path = stored.value_or(StoredPath{0, "path 1", {}, standardEdits()});
+    matter.path.takes.clear();
+    std::vector<Take> takes;
+    for (const TakeInfo& info : *infos) {
+        if (info.toolId != toolId) continue;
+        Result<Take> take = project.take(info.id);
+        if (!take) return std::move(take).error();
+        matter.path.takes.push_back(info.id);
+        takes.push_back(std::move(*take));
+    }
+    if (takes.empty()) return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
+    matter.takes = std::make_shared<const std::vector<Take>>(std::move(takes));
+    if (matter.path.id != 0) {
+        if (const Result<void> done = project.setPath(matter.path); !done) return done.error();
+    } else {
+        const Result<std::int64_t> id = project.addPath(matter.path);
+        if (!id) return id.error();
+        matter.path.id = *id;
+    }
+    return matter;
+}
+
+} // namespace
+
+PathController::PathController(const Desk& desk, BenchController& bench, QObject* parent)
+    : Controller(desk, parent), bench_(bench) {}
+
+void PathController::load(const std::vector<StoredPath>& paths) {
+    desk_.tasks.abandon(TaskKind::path);
+    stored_ = paths.empty() ? std::nullopt : std::optional(paths.front());
+    evaluated_.reset();
+    problem_.reset();
+    takes_.reset();
+    ++generation_;
+    outdated_ = true;
+    emit evaluatedAnew();
+    emit changed();
+}
+
+void PathController::takesChanged() {
+    takes_.reset();
+    ++generation_;
+    outdated_ = true;
+    emit changed();
+}
+
+void PathController::makeNew() {
+    if (stored_) stored_->edits = standardEdits();
+    evaluate();
+}
+
+void PathController::changeEdit(std::size_t index, const Edit& edit) {
+    if (!stored_ || index >= stored_->edits.size()) return;
+    std::vector<Edit> edits = stored_->edits;
+    if (toJson(edits[index]) == toJson(edit)) return;
+    edits[index] = edit;
+    desk_.undo.push(new ValueCommand<std::vector<Edit>>(tr("edit of the path"), -1, stored_->edits, edits,
+                                                        [this](const std::vector<Edit>& value) { apply(value); }));
+}
+
+void PathController::apply(const std::vector<Edit>& edits) {
+    if (!stored_) return;
+    stored_->edits = edits;
+    store([path = *stored_](Project& project) { return project.setPath(path); });
+    outdated_ = true;
+    evaluate();
+}
+
+void PathController::evaluate() {
+    if (!bench_.bench()) return;
+    if (takes_)
+        evaluateTakes(takes_);
+    else if (!reading_)
+        readTakes();
+}
+
+void PathController::readTakes() {
+    reading_ = true;
+    desk_.project.post([stored = stored_,
+                        toolId = bench_.bench()->tool.id](Project& project) { return gather(project, stored, toolId); },
+                       [this, generation = generation_](Result<PathMatter> matter) {
+                           reading_ = false;
+                           if (!matter) {
+                               problem_ = matter.error();
+                               emit changed();
+                               return;
+                           }
+                           if (generation != generation_) { // recordings changed while they were read
+                               readTakes();
+                               return;
+                           }
+                           // Edits may have been changed meanwhile.
+                           if (stored_) matter->path.edits = stored_->edits;
+                           stored_ = std::move(matter->path);
+                           takes_ = std::move(matter->takes);
+                           evaluateTakes(takes_);
+                       });
+    emit changed();
+}
+
+void PathController::evaluateTakes(const Takes& takes) {
+    const std::shared_ptr<Bench> bench = bench_.bench();
+    if (!bench || !stored_) return;
+    desk_.tasks.start(
+        TaskKind::path, tr("Editing the path"),
+        [takes, bench, path = *stored_](Progress& progress) { return evaluateStored(*takes, *bench, path, progress); },
+        [this](Result<EvaluatedPath> outcome) { take(std::move(outcome)); });
+    emit changed();
+}
+
+void PathController::take(Result<EvaluatedPath> outcome) {
+    if (outcome) {
+        evaluated_ = std::make_shared<const EvaluatedPath>(std::move(*outcome));
+        problem_.reset();
+        outdated_ = takes_ == nullptr;
+        emit evaluatedAnew();
+    } else {
+        problem_ = outcome.error();
+        outdated_ = true;
+    }
+    emit changed();
+}
+
+} // namespace burin

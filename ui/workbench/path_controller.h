@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/edit.h"
+#include "ui/workbench/bench_controller.h"
+
+#include <memory>
+#include <optional>
+
+namespace burin {
+
+/// The path: all recordings made with the tool in force, with their edits, evaluated in the background. A change while
+/// it is evaluated replaces that evaluation.
+class PathController final : public Controller {
+    Q_OBJECT
+public:
+    PathController(const Desk& desk, BenchController& bench, QObject* parent);
+
+    const std::optional<StoredPath>& stored() const noexcept { return stored_; }
+    /// Of the newest evaluation that went well; null: none yet.
+    const std::shared_ptr<const EvaluatedPath>& evaluated() const noexcept { return evaluated_; }
+    const std::optional<Error>& problem() const noexcept { return problem_; } ///< of the newest evaluation
+    bool outdated() const noexcept { return outdated_; }
+    bool busy() const { return reading_ || desk_.tasks.running(TaskKind::path); }
+
+    void makeNew();                                       ///< with the edits of the main job; evaluates it
+    void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
+    void evaluate();
+    void takesChanged(); ///< what was evaluated may be no longer what was recorded
+
+    void load(const std::vector<StoredPath>& paths);
+
+signals:
+    void evaluatedAnew();
+
+private:
+    using Takes = std::shared_ptr<const std::vector<Take>>;
+    void apply(const std::vector<Edit>& edits);
+    void readTakes();
+    void evaluateTakes(const Takes& takes);
+    void take(Result<EvaluatedPath> outcome);
+
+    BenchController& bench_;
+    std::optional<StoredPath> stored_;
+    std::shared_ptr<const EvaluatedPath> evaluated_;
+    std::optional<Error> problem_;
+    Takes takes_;            ///< as they were read; null: to be read again
+    quint64 generation_ = 0; ///< of the recordings
+    bool outdated_ = true, reading_ = false;
+};
+
+} // namespace burin

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/program_job.h"
+#include "ui/workbench/bench_controller.h"
+#include "ui/workbench/path_controller.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace burin {
+
+/// The program: posted, read back and checked in the background. Only what passed its check leaves the house.
+class ProgramController final : public Controller {
+    Q_OBJECT
+public:
+    ProgramController(const Desk& desk, BenchController& bench, PathController& path, QObject* parent);
+
+    /// The newest one; null: none yet.
+    const std::shared_ptr<const CheckedProgram>& program() const noexcept { return program_; }
+    /// Text of a program that the project held when it was opened, until a new one is posted.
+    const QString& storedText() const noexcept { return storedText_; }
+    double gougeTolerance() const noexcept { return gougeTolerance_; } ///< mm
+    const std::optional<Error>& problem() const noexcept { return problem_; }
+    bool outdated() const noexcept { return outdated_; }
+    bool busy() const { return desk_.tasks.running(TaskKind::program); }
+    bool exportable() const noexcept { return program_ && program_->report.passed() && !outdated_; }
+
+    void post(const QString& name); ///< @param name of the program
+    void setGougeTolerance(double millimetres);
+    void exportTo(const std::filesystem::path& file);
+    void pathChanged(); ///< what was posted is no longer the path
+
+    void load(const std::vector<StoredProgram>& programs);
+
+signals:
+    void exported(const QString& file);
+
+private:
+    void take(const std::string& name, Result<CheckedProgram> outcome);
+
+    BenchController& bench_;
+    PathController& path_;
+    std::shared_ptr<const CheckedProgram> program_;
+    QString storedText_;
+    double gougeTolerance_ = 0.02;
+    std::optional<Error> problem_;
+    bool outdated_ = true;
+};
+
+} // namespace burin

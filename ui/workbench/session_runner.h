@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/milling_session.h"
+#include "ui/workbench/controller.h"
+
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+
+namespace burin {
+
+/// One milling session at a time: begins and ends it, and looks at it at the rate of the screen. What needs the project
+/// is done in the order in which it was asked for.
+class SessionRunner final : public Controller {
+    Q_OBJECT
+public:
+    SessionRunner(const Desk& desk, QObject* parent);
+    ~SessionRunner() override; ///< ends the session; its recording is kept
+
+    using Then = std::function<void(bool)>;
+    /// What is milled with, for as long as the session lasts.
+    struct Place {
+        std::shared_ptr<Bench> bench;
+        std::shared_ptr<const ClearanceField> field;
+        StrokeHistory* strokes = nullptr;
+    };
+    void begin(const Place& place, std::unique_ptr<Stylus> stylus, const SessionRequest& request, Then then);
+    void end(Then then = {});
+    void startRecording(const QString& name, Then then = {});
+    void stopRecording(Then then = {});
+    void undoStroke(Then then);
+    void redoStroke(Then then);
+    void setAllowance(double millimetres);
+
+    bool running() const noexcept { return session_ != nullptr; }
+    const SessionState& state() const noexcept { return state_; }
+    const VolumeSnapshot& workpiece() const noexcept { return view_.workpiece; } ///< the newest one; empty outside
+
+signals:
+    void ticked(); ///< `state` is new
+    void viewed(const burin::WorkpieceView& view);
+    void traced(const std::vector<burin::MillingSession::TracePoint>& points);
+    void recordingStarted();
+    void endedByItself(); ///< the stylus finished, or a fault; `end` is still to be called
+    void ended();         ///< the workpiece is its owner's again
+
+private:
+    void look();
+    void withSession(std::function<Result<void>(MillingSession&)> use, Then then);
+
+    Place place_;
+    std::unique_ptr<Stylus> stylus_;
+    std::unique_ptr<MillingSession> session_;
+    SessionState state_;
+    std::vector<MillingSession::TracePoint> trace_;
+    WorkpieceView view_;
+    QTimer frame_;
+    bool ended_ = false; ///< `endedByItself` was told
+};
+
+} // namespace burin

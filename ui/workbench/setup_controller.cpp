@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/setup_controller.h"
+
+#include "ui/workbench/value_command.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr double defaultMargin = 5.0; // mm
+constexpr const char* defaultMaterial = "machinable-wax";
+
+int kindOfChange(const Setup& before, const Setup& after) {
+    return before.voxel != after.voxel ? voxelValue : marginValue;
+}
+
+} // namespace
+
+double suitableVoxel(const Box& part) {
+    const glm::dvec3 size = part.size();
+    const double wanted = std::max({size.x, size.y, size.z, 1e-3}) / 200.0;
+    double best = 0.5;
+    double leastRatio = std::numeric_limits<double>::infinity();
+    for (const double decade : {0.001, 0.01, 0.1, 1.0, 10.0})
+        for (const double digit : {1.0, 2.0, 5.0}) {
+            const double ratio = std::abs(std::log(decade * digit / wanted));
+            if (ratio >= leastRatio) continue;
+            leastRatio = ratio;
+            best = decade * digit;
+        }
+    return best;
+}
+
+bool embedAlike(const Setup& one, const Setup& other) {
+    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh &&
+           one.stockMaterial == other.stockMaterial && one.bodyMaterials == other.bodyMaterials;
+}
+
+SetupController::SetupController(const Desk& desk, QObject* parent) : Controller(desk, parent) {
+    for (const std::string& id : materialIds())
+        if (Result<Property> material = loadMaterial(id)) materials_.push_back(std::move(*material));
+}
+
+const Property* SetupController::stockMaterial() const {
+    const auto found = std::ranges::find(materials_, setup_.stockMaterial, &Property::id);
+    return found == materials_.end() ? nullptr : &*found;
+}
+
+void SetupController::setLocked(bool locked) {
+    if (locked == locked_) return;
+    locked_ = locked;
+    emit changed();
+}
+
+void SetupController::placeAround(std::shared_ptr<const Model> model) {
+    model_ = std::move(model);
+    Setup setup;
+    setup.voxel = suitableVoxel(model_->box());
+    setup.marginLow = setup.marginHigh = glm::dvec3(defaultMargin);
+    setup.stockMaterial = defaultMaterial;
+    setup.bodyMaterials.assign(model_->bodies.size(), {});
+    apply(setup);
+}
+
+void SetupController::load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup) {
+    model_ = std::move(model);
+    if (model_ && !setup) {
+        placeAround(model_);
+        return;
+    }
+    place(setup.value_or(Setup{}));
+    emit changed();
+}
+
+void SetupController::edit(const Setup& setup) {
+    if (locked_ || embedAlike(setup, setup_)) return;
+    const bool voxel = kindOfChange(setup_, setup) == voxelValue;
+    desk_.undo.push(new ValueCommand<Setup>(voxel ? tr("voxel size") : tr("stock margin"), kindOfChange(setup_, setup),
+                                            setup_, setup, [this](const Setup& value) { apply(value); }));
+}
+
+void SetupController::chooseStockMaterial(const std::string& id) {
+    if (locked_ || id == setup_.stockMaterial) return;
+    Setup setup = setup_;
+    setup.stockMaterial = id;
+    desk_.undo.push(
+        new ValueCommand<Setup>(tr("stock material"), -1, setup_, setup, [this](const Setup& value) { apply(value); }));
+}
+
+void SetupController::chooseBodyMaterial(std::size_t body, const std::string& id) {
+    if (locked_ || !model_ || body >= model_->bodies.size()) return;
+    Setup setup = setup_;
+    setup.bodyMaterials.resize(model_->bodies.size());
+    if (setup.bodyMaterials[body] == id) return;
+    setup.bodyMaterials[body] = id;
+    desk_.undo.push(new ValueCommand<Setup>(tr("material of a body"), -1, setup_, setup,
+                                            [this](const Setup& value) { apply(value); }));
+}
+
+void SetupController::apply(const Setup& setup) {
+    place(setup);
+    if (!problem_) storeSetup();
+    emit changed();
+}
+
+void SetupController::place(const Setup& setup) {
+    setup_ = setup;
+    size_.reset();
+    problem_.reset();
+    if (!model_) return;
+    const Result<Setup> placed = placeStock(*model_, setup);
+    if (!placed) {
+        problem_ = placed.error();
+        return;
+    }
+    setup_ = *placed;
+    const Result<EmbeddingSize> size = embeddingSize(setup_);
+    if (size)
+        size_ = *size;
+    else
+        problem_ = size.error();
+}
+
+void SetupController::storeSetup() {
+    std::vector<Property> used;
+    for (const Property& material : materials_)
+        if (material.id == setup_.stockMaterial ||
+            std::ranges::find(setup_.bodyMaterials, material.id) != setup_.bodyMaterials.end())
+            used.push_back(material);
+    store([setup = setup_, used](Project& project) {
+        if (Result<void> done = project.setSetup(setup); !done) return done;
+        return project.setMaterials(used);
+    });
+}
+
+} // namespace burin

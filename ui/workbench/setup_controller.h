@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/setup/setup.h"
+#include "core/volume/property_list.h"
+#include "ui/workbench/controller.h"
+
+#include <memory>
+#include <optional>
+
+namespace burin {
+
+/// Stock, voxels and materials: what embedding will make of the part.
+class SetupController final : public Controller {
+    Q_OBJECT
+public:
+    SetupController(const Desk& desk, QObject* parent);
+
+    bool hasPart() const noexcept { return model_ != nullptr; }
+    const Setup& setup() const noexcept { return setup_; } ///< as edited
+    const std::optional<EmbeddingSize>& size() const noexcept { return size_; }
+    const std::optional<Error>& problem() const noexcept { return problem_; } ///< why it can't be embedded
+    bool usable() const noexcept { return hasPart() && !problem_; }
+    const std::vector<Property>& materials() const noexcept { return materials_; } ///< of the library
+    const Property* stockMaterial() const; ///< nullptr: the library has it no more
+    bool locked() const noexcept { return locked_; }
+    /// Stock and material stay as they are: there are recordings of them.
+    void setLocked(bool locked);
+
+    /// A new part in a stock that suits its size.
+    void placeAround(std::shared_ptr<const Model> model);
+    /// What a project holds.
+    void load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup);
+
+    // Each an entry of the undo stack; nothing happens while it is locked.
+    void edit(const Setup& setup);
+    void chooseStockMaterial(const std::string& id);
+    void chooseBodyMaterial(std::size_t body, const std::string& id);
+
+private:
+    void apply(const Setup& setup);
+    void place(const Setup& setup);
+    void storeSetup();
+
+    std::shared_ptr<const Model> model_;
+    std::vector<Property> materials_;
+    Setup setup_;
+    std::optional<EmbeddingSize> size_;
+    std::optional<Error> problem_;
+    bool locked_ = false;
+};
+
+/// The voxel for a part: of the sizes 1, 2 and 5, the one that gives its longest side about 200 voxels, mm.
+double suitableVoxel(const Box& part);
+
+/// Whether two setups embed to the same workpiece.
+bool embedAlike(const Setup& one, const Setup& other);
+
+} // namespace burin

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/milling.h"
+#include "ui/workbench/bench_controller.h"
+#include "ui/workbench/session_runner.h"
+
+namespace burin {
+
+/// Shows how it is done: a virtual operator roughs and finishes the part before one's eyes, eight times as fast as a
+/// hand, through the same session as the user's own strokes. What it records stays, even when it is stopped.
+class ShowMe final : public Controller {
+    Q_OBJECT
+public:
+    ShowMe(const Desk& desk, BenchController& bench, SessionRunner& session, QObject* parent);
+
+    static constexpr int timeLapse = 8;
+
+    bool showing() const noexcept { return stage_ != Stage::none; }
+    void start(); ///< the bench is ready and no session runs
+    void stop();
+
+signals:
+    void finished(bool whole); ///< false: it was stopped
+
+private:
+    enum class Stage { none, planning, milling };
+    void millNext();
+    void sessionEnded();
+    void endShow(bool whole);
+
+    BenchController& bench_;
+    SessionRunner& session_;
+    Stage stage_ = Stage::none;
+    bool stopped_ = false;
+    OperatorPlan plan_;
+    std::size_t next_ = 0; ///< stage of the plan that is milled next
+};
+
+} // namespace burin

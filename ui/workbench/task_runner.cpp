@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/task_runner.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace burin {
+
+TaskRunner::TaskRunner(QObject* parent) : QObject(parent) {
+    poll_.setInterval(std::chrono::milliseconds(50));
+    connect(&poll_, &QTimer::timeout, this, &TaskRunner::changed);
+}
+
+TaskRunner::~TaskRunner() {
+    waiting_.clear();
+    for (const auto& task : tasks_) task->progress.cancel();
+    for (const auto& task : tasks_) task->thread.join();
+}
+
+TaskRunner::Task* TaskRunner::find(TaskKind kind) const {
+    const auto found = std::ranges::find_if(tasks_, [kind](const auto& task) { return task->kind == kind; });
+    return found == tasks_.end() ? nullptr : found->get();
+}
+
+void TaskRunner::startTask(TaskKind kind, const QString& title, Run run) {
+    auto task = std::make_unique<Task>();
+    task->kind = kind;
+    task->title = title;
+    task->run = std::move(run);
+    std::erase_if(waiting_, [kind](const auto& other) { return other->kind == kind; });
+    if (Task* running = find(kind)) {
+        running->superseded = true;
+        running->progress.cancel();
+        waiting_.push_back(std::move(task));
+    } else {
+        launch(std::move(task));
+    }
+    emit changed();
+}
+
+void TaskRunner::launch(std::unique_ptr<Task> task) {
+    task->id = ++lastId_;
+    Task* started = task.get();
+    tasks_.push_back(std::move(task));
+    started->thread = std::thread([this, started] {
+        started->delivery = started->run(started->progress);
+        QMetaObject::invokeMethod(
+            this, [this, id = started->id] { ended(id); }, Qt::QueuedConnection);
+    });
+    poll_.start();
+}
+
+void TaskRunner::ended(quint64 id) {
+    const auto place = std::ranges::find_if(tasks_, [id](const auto& task) { return task->id == id; });
+    const std::unique_ptr<Task> over = std::move(*place);
+    tasks_.erase(place);
+    over->thread.join();
+    const auto next = std::ranges::find_if(waiting_, [&](const auto& task) { return task->kind == over->kind; });
+    if (next != waiting_.end()) {
+        std::unique_ptr<Task> follower = std::move(*next);
+        waiting_.erase(next);
+        launch(std::move(follower));
+    }
+    if (tasks_.empty()) poll_.stop();
+    if (!over->superseded) over->delivery();
+    runIdleWork();
+    emit changed();
+}
+
+void TaskRunner::whenIdle(std::function<void()> then) {
+    idleWork_.push_back(std::move(then));
+    runIdleWork();
+}
+
+void TaskRunner::runIdleWork() {
+    while (idle() && !idleWork_.empty()) {
+        const std::function<void()> work = std::move(idleWork_.front());
+        idleWork_.erase(idleWork_.begin());
+        work();
+    }
+}
+
+void TaskRunner::cancel(TaskKind kind) {
+    std::erase_if(waiting_, [kind](const auto& other) { return other->kind == kind; });
+    if (Task* task = find(kind)) task->progress.cancel();
+    emit changed();
+}
+
+void TaskRunner::cancelAll() {
+    waiting_.clear();
+    for (const auto& task : tasks_) task->progress.cancel();
+    emit changed();
+}
+
+void TaskRunner::abandon(TaskKind kind) {
+    if (Task* task = find(kind)) task->superseded = true;
+    cancel(kind);
+}
+
+bool TaskRunner::running(TaskKind kind) const {
+    return find(kind) != nullptr;
+}
+
+std::vector<TaskRow> TaskRunner::rows() const {
+    std::vector<TaskRow> rows;
+    for (const auto& task : tasks_)
+        rows.push_back({task->kind, task->title, task->progress.fraction(), task->progress.cancelled()});
+    return rows;
+}
+
+} // namespace burin

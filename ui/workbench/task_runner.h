@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "ui/workbench/guarded.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace burin {
+
+/// Long work of the window; of each kind one runs at a time.
+enum class TaskKind { importing, embedding, field, planning, path, program };
+
+/// A task as the status line shows it.
+struct TaskRow {
+    TaskKind kind = TaskKind::importing;
+    QString title;
+    double fraction = 0.0; ///< 0 … 1
+    bool cancelling = false;
+};
+
+/// Long work on worker threads, with progress and cancel. A task that is started while another of its kind runs
+/// replaces it: the old one is cancelled, its outcome dropped. User interface's thread.
+class TaskRunner : public QObject {
+    Q_OBJECT
+public:
+    explicit TaskRunner(QObject* parent = nullptr);
+    ~TaskRunner() override; ///< cancels everything and waits for it; no outcome is delivered any more
+
+    /// @param work Result<T>(Progress&), on a worker. @param done gets what it gave on this object's thread.
+    template <class Work, class Done>
+    void start(TaskKind kind, const QString& title, Work work, Done done) {
+        using Outcome = std::invoke_result_t<Work&, Progress&>;
+        struct Parts {
+            Work work;
+            Done done;
+        };
+        auto parts = std::make_shared<Parts>(Parts{std::move(work), std::move(done)});
+        startTask(kind, title, [parts](Progress& progress) -> Delivery {
+            auto outcome = std::make_shared<Outcome>(
+                guarded("background work", [&]() -> Outcome { return parts->work(progress); }));
+            return [parts, outcome] { parts->done(std::move(*outcome)); };
+        });
+    }
+    /// Asks the task of a kind to stop; its outcome then is ErrorCode::cancelled, unless it was through before.
+    void cancel(TaskKind kind);
+    void cancelAll();
+    /// Cancels the task of a kind; its outcome is dropped.
+    void abandon(TaskKind kind);
+    /// Calls `then` once no task runs or waits: what tasks read may be changed there. At once where none does.
+    void whenIdle(std::function<void()> then);
+    bool running(TaskKind kind) const;
+    bool idle() const { return tasks_.empty() && waiting_.empty(); }
+    std::vector<TaskRow> rows() const;
+
+signals:
+    /// A task began, got on or ended; about 20 times a second while one runs.
+    void changed();
+
+private:
+    using Delivery = std::function<void()>;
+    using Run = std::function<Delivery(Progress&)>;
+    struct Task {
+        quint64 id = 0;
+        TaskKind kind = TaskKind::importing;
+        QString title;
+        Run run;
+        Progress progress;
+        Delivery delivery; ///< written by the worker before it ends
+        bool superseded = false;
+        std::thread thread;
+    };
+    void startTask(TaskKind kind, const QString& title, Run run);
+    void launch(std::unique_ptr<Task> task);
+    void ended(quint64 id);
+    void runIdleWork();
+    Task* find(TaskKind kind) const;
+
+    std::vector<std::unique_ptr<Task>> tasks_;   ///< running
+    std::vector<std::unique_ptr<Task>> waiting_; ///< for one of their kind to end
+    std::vector<std::function<void()>> idleWork_;
+    quint64 lastId_ = 0;
+    QTimer poll_;
+};
+
+} // namespace burin

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/cutting_force.h"
+#include "core/tool/tool.h"
+#include "core/volume/property_list.h"
+#include "ui/workbench/controller.h"
+
+#include <optional>
+
+namespace burin {
+
+/// The tool in the spindle, chosen from the library.
+class ToolController final : public Controller {
+    Q_OBJECT
+public:
+    ToolController(const Desk& desk, QObject* parent);
+
+    const std::vector<Tool>& tools() const noexcept { return tools_; }
+    const Tool& current() const;
+    bool locked() const noexcept { return locked_; }
+    void setLocked(bool locked); ///< a recording runs
+    /// What the tables say for this tool in a material; nothing where the material lacks what it takes.
+    std::optional<CuttingConditions> conditionsIn(const Property& material) const;
+
+    void choose(const std::string& id); ///< an entry of the undo stack
+    /// What a project holds. @param last the tool of its newest recording; empty: none
+    void load(const std::vector<Tool>& own, const std::string& last);
+
+signals:
+    void chosen();
+
+private:
+    void apply(const std::string& id);
+
+    std::vector<Tool> tools_;
+    std::size_t current_ = 0;
+    bool locked_ = false;
+};
+
+/// The machine that programs are made for.
+inline constexpr const char* defaultMachine = "linuxcnc-mill";
+
+} // namespace burin

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/workbench.h"
+
+namespace burin {
+
+Workbench::Workbench(QObject* parent)
+    : QObject(parent)
+    , document(desk_, this)
+    , model(desk_, this)
+    , setup(desk_, this)
+    , tool(desk_, this)
+    , bench(desk_, this)
+    , session(desk_, this)
+    , mill(desk_, bench, session, this)
+    , showMe(desk_, bench, session, this)
+    , path(desk_, bench, this)
+    , program(desk_, bench, path, this) {
+    wire();
+}
+
+Workbench::~Workbench() {
+    for (Controller* controller : controllers()) controller->blockSignals(true); // nobody is there any more
+    tasks_.cancelAll();
+    session.end();
+    project_.finish();
+}
+
+std::vector<Controller*> Workbench::controllers() {
+    return {&document, &model, &setup, &tool, &bench, &session, &mill, &showMe, &path, &program};
+}
+
+void Workbench::wire() {
+    for (Controller* controller : controllers()) connect(controller, &Controller::failed, this, &Workbench::failed);
+    connect(&document, &DocumentController::opened, this, &Workbench::load);
+    connect(&document, &DocumentController::closed, this, &Workbench::clear);
+    connect(&model, &ModelController::imported, this, [this] {
+        undo_.clear();
+        bench.clear();
+        path.load({});
+        program.load({});
+        setup.placeAround(model.model());
+    });
+    connect(&setup, &SetupController::changed, this, &Workbench::updateWanted);
+    connect(&tool, &ToolController::chosen, this, &Workbench::updateWanted);
+    connect(&mill, &MillController::takesChanged, this, [this] {
+        setup.setLocked(mill.recording() || !mill.takes().empty());
+        path.takesChanged();
+    });
+    connect(&session, &SessionRunner::recordingStarted, this, [this] {
+        if (!setup.locked()) undo_.clear(); // what is locked now can't be undone any more
+        setup.setLocked(true);
+    });
+    connect(&bench, &Controller::failed, this, [this] { showWhenReady_ = false; });
+    connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
+    connect(&path, &PathController::evaluatedAnew, &program, &ProgramController::pathChanged);
+    connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
+    connect(&bench, &BenchController::replayed, &mill, &MillController::setStrokes);
+    connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
+    bench.setGuard([this](std::function<void()> change) { mill.interrupt(std::move(change)); });
+}
+
+void Workbench::load(const ProjectContents& contents) {
+    undo_.clear();
+    bench.clear();
+    model.load(contents.model);
+    tool.load(contents.tools, contents.takes.empty() ? std::string() : contents.takes.back().toolId);
+    setup.load(contents.model, contents.setup);
+    setup.setLocked(!contents.takes.empty());
+    mill.load(contents.takes);
+    mill.setStrokes({});
+    path.load(contents.paths);
+    program.load(contents.programs);
+    updateWanted();
+    if (!contents.takes.empty()) bench.embed();
+}
+
+void Workbench::clear() {
+    load({});
+}
+
+void Workbench::updateWanted() {
+    bench.setWanted(model.model(), setup.setup(), tool.current());
+}
+
+void Workbench::importPart(const std::filesystem::path& file, bool abandon) {
+    if (!importNeedsNewProject()) {
+        model.importFile(file);
+        return;
+    }
+    comeToRest([this, file, abandon] {
+        document.createNew(abandon, [this, file](bool made) {
+            if (made) model.importFile(file);
+        });
+    });
+}
+
+void Workbench::showHowItIsDone() {
+    showWhenReady_ = true;
+    if (setup.usable() && !bench.embedded()) bench.embed();
+    continueShow();
+}
+
+void Workbench::continueShow() {
+    if (!showWhenReady_ || session.running()) return;
+    if (bench.ready() && !bench.fieldBusy()) {
+        showWhenReady_ = false;
+        showMe.start();
+    } else if (setup.usable() && !bench.embedded() && !bench.embedding() && !model.importing()) {
+        bench.embed();
+    }
+}
+
+bool Workbench::canUndoNow() const {
+    return !showMe.showing() && !(session.running() && session.state().cutting);
+}
+
+void Workbench::undoLast() {
+    if (canUndoNow()) undo_.undo();
+}
+
+void Workbench::redoLast() {
+    if (canUndoNow()) undo_.redo();
+}
+
+void Workbench::comeToRest(std::function<void()> then) {
+    showWhenReady_ = false;
+    if (showMe.showing()) showMe.stop();
+    session.end([then = std::move(then)](bool) { then(); });
+}
+
+} // namespace burin

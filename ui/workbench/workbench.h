@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/workbench/document_controller.h"
+#include "ui/workbench/mill_controller.h"
+#include "ui/workbench/model_controller.h"
+#include "ui/workbench/path_controller.h"
+#include "ui/workbench/program_controller.h"
+#include "ui/workbench/setup_controller.h"
+#include "ui/workbench/show_me.h"
+#include "ui/workbench/tool_controller.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+namespace burin {
+
+/// The controllers of one window and the wires between them; nothing else.
+class Workbench final : public QObject {
+    Q_OBJECT
+    ProjectThread project_; // before what uses them
+    TaskRunner tasks_;
+    QUndoStack undo_;
+    Desk desk_{project_, tasks_, undo_};
+    bool showWhenReady_ = false;
+
+public:
+    explicit Workbench(QObject* parent = nullptr);
+    ~Workbench() override; ///< ends session and tasks; what was not saved waits to be taken up again
+
+    DocumentController document;
+    ModelController model;
+    SetupController setup;
+    ToolController tool;
+    BenchController bench;
+    SessionRunner session;
+    MillController mill;
+    ShowMe showMe;
+    PathController path;
+    ProgramController program;
+
+    std::vector<Controller*> controllers();
+    TaskRunner& tasks() noexcept { return tasks_; }
+    QUndoStack& undo() noexcept { return undo_; }
+
+    /// Makes `file` the part: in the open project as long as that has no recordings, in a new one otherwise.
+    /// @param abandon what the project then had unsaved is not wanted
+    void importPart(const std::filesystem::path& file, bool abandon);
+    bool importNeedsNewProject() const { return !document.isOpen() || !mill.takes().empty(); }
+    /// Shows how it is done as soon as part, workpiece and boundary are there; embeds where that is missing.
+    void showHowItIsDone();
+    /// The newest entry of the undo stack; nothing happens while a stroke is under way or the virtual operator mills.
+    void undoLast();
+    void redoLast();
+    bool canUndoNow() const;
+    /// Ends recording and session, then calls `then`.
+    void comeToRest(std::function<void()> then);
+
+signals:
+    void failed(const burin::Error& error);
+
+private:
+    void wire();
+    void load(const ProjectContents& contents);
+    void clear();
+    void updateWanted();
+    void continueShow();
+};
+
+} // namespace burin
