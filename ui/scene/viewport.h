@@ -8,6 +8,7 @@
 #include "core/tool/tool.h"
 #include "core/volume/run_volume.h"
 #include "ui/scene/interactive_tool.h"
+#include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
 #include <QOpenGLWidget>
@@ -58,6 +59,8 @@ public:
     ~Viewport() override;
 
     void setPalette3D(const Palette& palette);
+    /// Of the scale bar.
+    void setLengthUnit(LengthUnit unit);
     /// The bare part, drawn until there is a workpiece (and on wish beside it). Null: none.
     void setPart(std::shared_ptr<const Model> model);
     void setPartVisible(bool visible);
