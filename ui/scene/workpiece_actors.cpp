@@ -32,6 +32,7 @@ vtkSmartPointer<vtkActor> surfaceActor() {
     actor->SetMapper(mapper);
     actor->GetProperty()->SetSpecular(0.12);
     actor->GetProperty()->SetSpecularPower(30.0);
+    actor->GetProperty()->BackfaceCullingOn(); // the surface is closed: what faces away costs, and is never seen
     actor->VisibilityOff();
     return actor;
 }
@@ -87,9 +88,10 @@ public:
         });
         load(nearest, choose(nearest, moving));
         for (Group& group : groups_) draw(group);
-        if (cut_ && std::none_of(groups_.begin(), groups_.end(), [](const Group& g) { return g.moving.next; }))
+        if (waiting_)
+            ready_();
+        else if (cut_)
             cutShown_ = std::exchange(cut_, std::nullopt);
-        if (waiting_) ready_();
     }
 
     std::size_t triangles() const {

@@ -19,24 +19,29 @@ class WorkpieceActors {
 public:
     static constexpr std::size_t movingTriangles = 100'000; ///< at most drawn while the view or the tool moves
 
-    /// @param ready called on the worker's thread when there is something new to draw: post a wake-up, no more
+    /// @param ready called when there is something new to draw: post a wake-up, no more. On the worker's thread; and
+    ///        from `update` when one paint can't take everything over
     WorkpieceActors(vtkRenderer& renderer, std::function<void()> ready);
+    /// Waits for the tile that the worker is at, some milliseconds; takes the actors out of the renderer.
     ~WorkpieceActors();
 
-    /// Replaces what is to be shown. Returns at once; a snapshot that is overtaken is skipped.
+    /// Replaces what is to be shown; an empty snapshot: nothing. Returns at once; a snapshot that is overtaken is
+    /// skipped. Of a volume that was shown before, only what has changed is meshed.
+    /// @param oldestCut when the first of those cuts was made that no earlier snapshot shows
     void show(const VolumeSnapshot& workpiece, std::optional<std::chrono::steady_clock::time_point> oldestCut);
     void setVisible(bool visible);
     /// sRGB of bare part; materials bring their own colours.
     void setPartColour(const std::array<std::uint8_t, 3>& colour);
-    /// To be called before each paint: takes over what the worker has ready, within a budget of time.
-    /// @param moving whether view or tool move: the coarser level is drawn
+    /// To be called before each paint: takes over what the worker has ready, as much as one paint can hand to OpenGL.
+    /// @param moving whether view or tool move: no more than `movingTriangles` are drawn, coarser far from the focus
     /// @param focus where detail matters most, mm (the tool's tip)
     void update(bool moving, const glm::dvec3& focus);
 
     std::size_t triangles() const; ///< that the next paint draws
     bool fullDetail() const;       ///< everything is drawn at full detail
     bool busy() const;             ///< the worker is not done
-    /// The newest cut that the next paint shows for the first time; told once.
+    /// Of the cuts that the next paint shows for the first time, the oldest; told once. (Skipped snapshots hand theirs
+    /// on, so that a cut's way to the screen is never measured too short.)
     std::optional<std::chrono::steady_clock::time_point> takeCutShown();
 
 private:

@@ -18,10 +18,15 @@ using Clock = std::chrono::steady_clock;
 constexpr auto restDelay = 100ms;
 /// What a tool changes at once: finished before the next snapshot is looked at.
 constexpr std::size_t fewGroups = 4;
-constexpr double skirtCells = 1.5; ///< as deep as two layers may differ
+/// Changed tiles are made in full as long as that takes no more, s.
+constexpr double timeForFull = 0.025;
+/// Groups of full detail that a tool changes at once, and what they have more of than finished ones: tiles not joined.
+constexpr std::size_t changedGroups = 2, unjoined = 2;
+constexpr double rimTolerance = 0.01; ///< voxels: what a skirt may leave open at its upper edge
+constexpr double skirtCells = 1.5;    ///< of the coarser layer: as deep as the two may differ
 
 // Details by which a layer comes down to its limit of triangles; tolerances in voxels.
-constexpr std::array<SurfaceDetail, 6> movingDetails{{{1, 0.25}, {1, 0.5}, {2, 1.0}, {2, 2.0}, {3, 4.0}, {3, 8.0}}};
+constexpr std::array<SurfaceDetail, 6> movingDetails{{{1, 0.5}, {1, 1.0}, {2, 1.0}, {2, 2.0}, {3, 4.0}, {3, 8.0}}};
 constexpr std::array<SurfaceDetail, 6> restDetails{{{0, 0.1}, {0, 0.2}, {1, 0.4}, {1, 0.8}, {2, 1.6}, {3, 3.2}}};
 
 constexpr const std::array<SurfaceDetail, 6>& details(SurfaceLayer which) {
@@ -46,6 +51,14 @@ void WorkpieceMesher::Layer::markAll() {
 
 std::size_t WorkpieceMesher::Layer::staleCount() const {
     return static_cast<std::size_t>(std::count(staleGroups.begin(), staleGroups.end(), 1));
+}
+
+bool WorkpieceMesher::Layer::tooMany(std::size_t limit) const {
+    return triangleCount() > limit;
+}
+
+std::size_t WorkpieceMesher::Layer::triangleCount() const {
+    return std::accumulate(triangles.begin(), triangles.end(), std::size_t{0});
 }
 
 bool WorkpieceMesher::Layer::hasStale() const {
@@ -104,7 +117,7 @@ void WorkpieceMesher::run(const std::stop_token& stop) {
         if (stop.stop_requested()) return;
         takeNewest();
         refreshMoving();
-        if (Clock::now() >= lastChange_ + restDelay) refreshRest();
+        refreshRest();
     }
 }
 
@@ -112,8 +125,12 @@ void WorkpieceMesher::waitForWork() {
     std::unique_lock lock(mutex_);
     const auto called = [this] { return newestWaits_ || recolour_; };
     if (layer(SurfaceLayer::moving).hasStale()) return;
-    if (layer(SurfaceLayer::rest).hasStale()) {
-        wake_.wait_until(lock, stop_, lastChange_ + restDelay, called);
+    const Layer& rest = layer(SurfaceLayer::rest);
+    if (rest.hasStale()) {
+        Moment first = Moment::max();
+        for (std::size_t group = 0; group < groups_.count(); ++group)
+            if (rest.staleGroups[group] != 0) first = std::min(first, changed_[group]);
+        wake_.wait_until(lock, stop_, first + restDelay, called);
         return;
     }
     busy_.store(called(), std::memory_order_release);
@@ -146,7 +163,8 @@ void WorkpieceMesher::takeNewest() {
 void WorkpieceMesher::startVolume() {
     groups_ = shown_.empty() ? WorkpieceGroups() : WorkpieceGroups(shown_.grid());
     for (Layer& one : layers_) one.start(groups_);
-    lastChange_ = Clock::now() - restDelay; // full detail may follow without a pause
+    changed_.assign(groups_.count(), Clock::now() - restDelay); // full detail may follow without a pause
+    fullFits_ = false;
     {
         const std::lock_guard lock(mutex_);
         ++delivery_.volume;
@@ -159,84 +177,144 @@ void WorkpieceMesher::startVolume() {
 void WorkpieceMesher::markChanges(const VolumeSnapshot& before) {
     const int level = std::max(detail(SurfaceLayer::moving).level, detail(SurfaceLayer::rest).level);
     for (const SurfaceTile tile : changedSurface(before, shown_, level)) {
-        lastChange_ = Clock::now();
-        for (Layer& one : layers_) one.staleTiles[groups_.place(tile)] = one.staleGroups[groups_.groupOf(tile)] = 1;
+        const std::size_t group = groups_.groupOf(tile);
+        changed_[group] = Clock::now();
+        for (Layer& one : layers_) one.staleTiles[groups_.place(tile)] = one.staleGroups[group] = 1;
     }
 }
 
 void WorkpieceMesher::refreshMoving() {
     Layer& moving = layer(SurfaceLayer::moving);
-    const bool many = moving.staleCount() > fewGroups;
+    const bool many = moving.staleCount() > fewGroups, inFull = fullFitsInTime();
     while (moving.hasStale()) {
         if (many && interrupted()) return;
-        const std::size_t group = nearestStale(moving);
-        if (!refreshTiles(SurfaceLayer::moving, group, many)) return;
-        refreshGroup(SurfaceLayer::moving, group);
-        if (!moving.hasStale()) coarsenIfTooMany(SurfaceLayer::moving);
+        const std::size_t group = nearestStale(moving, Moment::max());
+        if (!refreshMovingTiles(group, many, inFull)) return;
+        deliver({makeGroup(SurfaceLayer::moving, group, fullFits_)});
+        if (!moving.hasStale()) settleMoving();
     }
     deliverCut();
 }
 
-void WorkpieceMesher::refreshRest() {
-    Layer& rest = layer(SurfaceLayer::rest);
-    while (rest.hasStale() && !interrupted()) {
-        const std::size_t group = nearestStale(rest);
-        if (!refreshTiles(SurfaceLayer::rest, group, true)) return;
-        refreshGroup(SurfaceLayer::rest, group);
-        if (!rest.hasStale()) coarsenIfTooMany(SurfaceLayer::rest);
-    }
-}
-
+/// A tile that is at full detail already needs no coarse one.
 /// False: left off for a newer snapshot. What is made by then stays.
-bool WorkpieceMesher::refreshTiles(SurfaceLayer which, std::size_t group, bool mayStop) {
-    Layer& own = layer(which);
-    SurfaceDetail wanted = detail(which);
-    wanted.tolerance *= 0.5 * shown_.grid().edge(); // the other half is for the whole group
+bool WorkpieceMesher::refreshMovingTiles(std::size_t group, bool mayStop, bool inFull) {
     bool complete = true;
     groups_.eachTile(group, [&](SurfaceTile tile) {
         const std::size_t place = groups_.place(tile);
-        if (own.staleTiles[place] == 0 || !complete) return;
-        if (mayStop && interrupted()) {
-            complete = false;
-            return;
-        }
-        extractor_.extract(shown_, tile, wanted, own.tiles[place]);
-        own.staleTiles[place] = 0;
+        const bool inFullAlready = fullFits_ && layer(SurfaceLayer::rest).staleTiles[place] == 0;
+        if (!complete || inFullAlready || layer(SurfaceLayer::moving).staleTiles[place] == 0) return;
+        complete = !mayStop || !interrupted();
+        if (complete) makeTile(inFull ? SurfaceLayer::rest : SurfaceLayer::moving, tile);
     });
     return complete;
 }
 
-void WorkpieceMesher::refreshGroup(SurfaceLayer which, std::size_t group) {
+/// One group at a time: cuts go first. What it shows while things move becomes coarse all through again, so that the
+/// next groups find room.
+void WorkpieceMesher::refreshRest() {
+    Layer& rest = layer(SurfaceLayer::rest);
+    const std::size_t group = nearestStale(rest, Clock::now() - restDelay);
+    if (group == groups_.count() || interrupted()) return;
+    if (!refreshTiles(SurfaceLayer::rest, group) || !refreshTiles(SurfaceLayer::moving, group)) return;
+    std::vector<SurfaceUpdate> updates;
+    updates.push_back(makeGroup(SurfaceLayer::moving, group, false));
+    updates.push_back(makeGroup(SurfaceLayer::rest, group, false));
+    deliver(std::move(updates));
+    if (!rest.hasStale()) settleRest();
+}
+
+/// False: left off for a newer snapshot. What is made by then stays.
+bool WorkpieceMesher::refreshTiles(SurfaceLayer which, std::size_t group) {
+    bool complete = true;
+    groups_.eachTile(group, [&](SurfaceTile tile) {
+        if (!complete || layer(which).staleTiles[groups_.place(tile)] == 0) return;
+        complete = !interrupted();
+        if (complete) makeTile(which, tile);
+    });
+    return complete;
+}
+
+void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
+    const Moment start = Clock::now();
+    SurfaceDetail wanted = detail(which);
+    wanted.tolerance *= 0.5 * shown_.grid().edge(); // the other half is for the whole group
+    const std::size_t place = groups_.place(tile);
+    extractor_.extract(shown_, tile, wanted, layer(which).tiles[place]);
+    layer(which).staleTiles[place] = 0;
+    if (which == SurfaceLayer::rest) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        fullTileSeconds_ += 0.1 * (seconds - fullTileSeconds_);
+    }
+}
+
+/// @param mixed of tiles at full detail where there are such, as they are
+SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, bool mixed) {
+    const Layer& rest = layer(SurfaceLayer::rest);
     std::vector<const SurfaceMesh*> pieces;
-    groups_.eachTile(group, [&](SurfaceTile tile) { pieces.push_back(&layer(which).tiles[groups_.place(tile)]); });
+    groups_.eachTile(group, [&](SurfaceTile tile) {
+        const std::size_t place = groups_.place(tile);
+        const bool full = mixed && rest.staleTiles[place] == 0;
+        pieces.push_back(full ? &rest.tiles[place] : &layer(which).tiles[place]);
+    });
     simplifier_.join(pieces, joined_);
     const SurfaceDetail wanted = detail(which);
     const double edge = shown_.grid().edge(), cell = edge * (1 << wanted.level);
-    simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell);
-    const std::vector<std::uint32_t> rim = simplifier_.rim(joined_);
+    if (!mixed) simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell);
+    const double skirt = skirtCells * edge * (1 << detail(SurfaceLayer::moving).level);
+    const std::vector<std::uint32_t> rim = simplifier_.rim(joined_, rimTolerance * edge);
     SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size()};
-    update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirtCells * cell);
+    update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirt);
     layer(which).triangles[group] = update.triangles;
     layer(which).staleGroups[group] = 0;
-    deliver(std::move(update));
+    return update;
 }
 
-void WorkpieceMesher::coarsenIfTooMany(SurfaceLayer which) {
-    Layer& own = layer(which);
-    const std::size_t limit = which == SurfaceLayer::moving ? limits_.moving : limits_.rest;
-    const std::size_t all = std::accumulate(own.triangles.begin(), own.triangles.end(), std::size_t{0});
-    if (all <= limit || own.step + 1 == details(which).size()) return;
-    ++own.step;
-    own.markAll();
+/// Whether the tiles that a cut has changed can be made at full detail at once.
+bool WorkpieceMesher::fullFitsInTime() {
+    const std::vector<std::uint8_t>& stale = layer(SurfaceLayer::rest).staleTiles;
+    const auto tiles = static_cast<double>(std::count(stale.begin(), stale.end(), 1));
+    return fullFits_ && tiles * fullTileSeconds_ <= timeForFull;
 }
 
-void WorkpieceMesher::deliver(SurfaceUpdate update) {
+bool WorkpieceMesher::roomForFull() {
+    const std::vector<std::size_t>& rest = layer(SurfaceLayer::rest).triangles;
+    const std::size_t largest = rest.empty() ? 0 : *std::max_element(rest.begin(), rest.end());
+    return layer(SurfaceLayer::moving).triangleCount() + changedGroups * unjoined * largest <= limits_.moving;
+}
+
+/// All groups are made: do they keep to the limit?
+void WorkpieceMesher::settleMoving() {
+    Layer& moving = layer(SurfaceLayer::moving);
+    if (!moving.tooMany(limits_.moving)) return;
+    if (fullFits_) { // without tiles of full detail first
+        fullFits_ = false;
+        std::fill(moving.staleGroups.begin(), moving.staleGroups.end(), std::uint8_t{1});
+    } else
+        coarsen(SurfaceLayer::moving);
+}
+
+void WorkpieceMesher::settleRest() {
+    if (layer(SurfaceLayer::rest).tooMany(limits_.rest)) coarsen(SurfaceLayer::rest);
+    fullFits_ = roomForFull();
+}
+
+void WorkpieceMesher::coarsen(SurfaceLayer which) {
+    if (layer(which).step + 1 == details(which).size()) return;
+    ++layer(which).step;
+    layer(which).markAll();
+}
+
+void WorkpieceMesher::deliver(std::vector<SurfaceUpdate> updates) {
     {
         const std::lock_guard lock(mutex_);
-        std::erase_if(delivery_.updates, [&](const SurfaceUpdate& older) {
-            return older.group == update.group && (older.layer == update.layer || update.layer == SurfaceLayer::moving);
-        });
-        delivery_.updates.push_back(std::move(update));
+        for (SurfaceUpdate& update : updates) {
+            std::erase_if(delivery_.updates, [&](const SurfaceUpdate& older) {
+                return older.group == update.group &&
+                       (older.layer == update.layer || update.layer == SurfaceLayer::moving);
+            });
+            delivery_.updates.push_back(std::move(update));
+        }
     }
     ready_();
 }
@@ -251,17 +329,18 @@ void WorkpieceMesher::deliverCut() {
     ready_();
 }
 
-std::size_t WorkpieceMesher::nearestStale(const Layer& layer) {
+/// groups_.count(): none that has not changed since.
+std::size_t WorkpieceMesher::nearestStale(const Layer& layer, Moment changedBefore) {
     glm::dvec3 focus;
     {
         const std::lock_guard lock(mutex_);
         focus = focus_;
     }
-    std::size_t nearest = 0;
+    std::size_t nearest = groups_.count();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t group = 0; group < groups_.count(); ++group) {
         const double distance = glm::length(groups_.centres()[group] - focus);
-        if (layer.staleGroups[group] == 0 || distance >= least) continue;
+        if (layer.staleGroups[group] == 0 || changed_[group] > changedBefore || distance >= least) continue;
         least = distance;
         nearest = group;
     }

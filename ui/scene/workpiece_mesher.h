@@ -38,8 +38,9 @@ struct SurfaceDelivery {
     std::optional<CutTime> cut;         ///< the oldest of the cuts that the updates show for the first time
 };
 
-/// Meshes a workpiece on a thread of its own: at once, and after every change, so coarsely that it can be drawn while
-/// things move; when nothing has changed for a moment, at full detail. Only changed tiles are made anew. Holds two
+/// Meshes a workpiece on a thread of its own: at once, and after every change, so that it can be drawn while things
+/// move; groups in which nothing has changed for a moment, at full detail. Only changed tiles are made anew. Where
+/// the limit for things that move leaves room and time allows, changed tiles are made in full at once. Holds two
 /// snapshots at most: the one that is meshed and the newest.
 class WorkpieceMesher {
 public:
@@ -77,7 +78,10 @@ private:
         void markAll();
         bool hasStale() const;
         std::size_t staleCount() const;
+        std::size_t triangleCount() const;
+        bool tooMany(std::size_t limit) const;
     };
+    using Moment = std::chrono::steady_clock::time_point;
 
     void run(const std::stop_token& stop);
     void waitForWork();
@@ -86,13 +90,19 @@ private:
     void startVolume();
     void markChanges(const VolumeSnapshot& before);
     void refreshMoving();
+    bool refreshMovingTiles(std::size_t group, bool mayStop, bool inFull);
     void refreshRest();
-    bool refreshTiles(SurfaceLayer which, std::size_t group, bool mayStop);
-    void refreshGroup(SurfaceLayer which, std::size_t group);
-    void coarsenIfTooMany(SurfaceLayer which);
-    void deliver(SurfaceUpdate update);
+    bool refreshTiles(SurfaceLayer which, std::size_t group);
+    void makeTile(SurfaceLayer which, SurfaceTile tile);
+    SurfaceUpdate makeGroup(SurfaceLayer which, std::size_t group, bool mixed);
+    bool fullFitsInTime();
+    bool roomForFull();
+    void settleMoving();
+    void settleRest();
+    void coarsen(SurfaceLayer which);
+    void deliver(std::vector<SurfaceUpdate> updates);
     void deliverCut();
-    std::size_t nearestStale(const Layer& layer);
+    std::size_t nearestStale(const Layer& layer, Moment changedBefore);
     Layer& layer(SurfaceLayer which) { return layers_[static_cast<std::size_t>(which)]; }
     SurfaceDetail detail(SurfaceLayer which);
 
@@ -116,7 +126,9 @@ private:
     RgbColour colour_ = barePartColour;
     WorkpieceGroups groups_;
     std::array<Layer, 2> layers_;
-    std::chrono::steady_clock::time_point lastChange_;
+    std::vector<Moment> changed_;  ///< when each group changed last
+    bool fullFits_ = false;        ///< there is room for full detail where a tool cuts, in what is drawn while it does
+    double fullTileSeconds_ = 0.0; ///< that a tile at full detail takes, running mean
     SurfaceExtractor extractor_;
     SurfaceSimplifier simplifier_;
     SurfaceMesh joined_;
