@@ -3,6 +3,7 @@
 #include "ui/scene/scale_bar.h"
 
 #include "ui/scene/round_spacing.h"
+#include "ui/theme/length_unit.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

@@ -4,7 +4,6 @@
 
 #include "ui/scene/camera_view.h"
 #include "ui/scene/label.h"
-#include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
 namespace burin {
@@ -23,7 +22,7 @@ private:
 
     ScreenImage image_;
     QColor colour_;
-    LengthUnit unit_ = LengthUnit::millimetre;
+    LengthUnit unit_{}; ///< millimetre
     double length_ = 0.0; ///< in its unit
     int pixels_ = 0;      ///< device-independent
     double ratio_ = 0.0;

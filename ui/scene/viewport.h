@@ -8,7 +8,6 @@
 #include "core/tool/tool.h"
 #include "core/volume/run_volume.h"
 #include "ui/scene/interactive_tool.h"
-#include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
 #include <QOpenGLWidget>
@@ -19,6 +18,8 @@
 #include <span>
 
 namespace burin {
+
+enum class LengthUnit; // ui/theme/length_unit.h
 
 enum class StandardView { isometric, top, bottom, front, back, left, right };
 
