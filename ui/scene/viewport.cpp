@@ -14,6 +14,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QPointer>
 #include <QStyle>
 #include <QThreadPool>
@@ -31,6 +32,13 @@ using namespace std::chrono_literals;
 constexpr auto flightTime = 180ms;
 constexpr auto restTime = 350ms; // after the last motion: then everything is drawn in full detail
 constexpr auto flashTime = 167ms;
+
+/// Smooth edges cost nothing on a graphics card, but two to five times a frame in software (measured).
+bool drawsInSoftware(QOpenGLContext* context) {
+    const auto* name = reinterpret_cast<const char*>(context->functions()->glGetString(GL_RENDERER));
+    const QByteArray renderer = QByteArray(name).toLower();
+    return renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("software");
+}
 
 bool same(const ToolMarks& a, const ToolMarks& b) {
     return a.proxy.tip == b.proxy.tip && a.proxy.axis == b.proxy.axis && a.stylusTip == b.stylusTip &&
@@ -112,7 +120,7 @@ void Viewport::Impl::initializeWindow() {
     window->SetIsCurrent(true);
     window->SetReadyForRendering(true);
     window->SetOwnContext(0);
-    window->SetMultiSamples(0);
+    window->SetMultiSamples(drawsInSoftware(widget.context()) ? 0 : 4);
     window->OpenGLInitContext();
     window->SetFrameBlitModeToBlitToCurrent();
 }
@@ -137,6 +145,11 @@ Viewport::~Viewport() {
 
 void Viewport::setPalette3D(const Palette& palette) {
     impl_->scene.setPalette(palette);
+    update();
+}
+
+void Viewport::setLengthUnit(LengthUnit unit) {
+    impl_->scene.setLengthUnit(unit);
     update();
 }
 

@@ -19,6 +19,8 @@
 
 namespace burin {
 
+enum class LengthUnit; // ui/theme/length_unit.h
+
 enum class StandardView { isometric, top, bottom, front, back, left, right };
 
 /// What a tick looks like.
@@ -58,6 +60,8 @@ public:
     ~Viewport() override;
 
     void setPalette3D(const Palette& palette);
+    /// Of the scale bar.
+    void setLengthUnit(LengthUnit unit);
     /// The bare part, drawn until there is a workpiece (and on wish beside it). Null: none.
     void setPart(std::shared_ptr<const Model> model);
     void setPartVisible(bool visible);
