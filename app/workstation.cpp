@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <string_view>
 
 namespace burin {
 
@@ -34,7 +35,10 @@ bool hasDisplay() {
         const char* value = std::getenv(name);
         return value != nullptr && *value != '\0';
     };
-    return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
+    const char* platform = std::getenv("QT_QPA_PLATFORM");
+    const std::string_view wished = platform != nullptr ? platform : "";
+    if (wished == "offscreen" || wished == "minimal") return false; // these can't draw with OpenGL
+    return set("DISPLAY") || set("WAYLAND_DISPLAY") || !wished.empty();
 }
 
 void installLanguage() {

@@ -82,6 +82,7 @@ public:
 private:
     Result<void> beginTake(const std::string& name);
     bool fulfilled();
+    void ask(Wish wish);
     void settle();
     void collectStrokes();
     void makeRoom(const TickNews& news);
@@ -132,6 +133,13 @@ bool LiveSession::fulfilled() {
     return true;
 }
 
+/// One wish after the other; when this returns it is done.
+void LiveSession::ask(Wish wish) {
+    fulfilled();
+    loop_.wish(wish);
+    fulfilled();
+}
+
 /// Once the loop has ended, everything of it is the owner's.
 void LiveSession::settle() {
     if (!ended() && thread_.joinable()) return;
@@ -173,12 +181,7 @@ Result<void> LiveSession::beginTake(const std::string& name) {
 
 Result<void> LiveSession::stopRecording() {
     if (!recorder_) return nothingToDo("recording", "one under way");
-    settle();
-    loop_.wish(Wish::finish);
-    if (thread_.joinable())
-        fulfilled();
-    else
-        settle();
+    ask(Wish::finish);
     collectStrokes();
     const Result<std::uint64_t> kept = std::exchange(recorder_, nullptr)->finish();
     if (kept) return {};
@@ -189,21 +192,13 @@ Result<void> LiveSession::stopRecording() {
 /// @param change what is to be done while nobody else uses the workpiece
 template <class Change>
 Result<void> LiveSession::changeWorkpiece(Change change) {
-    settle();
-    const bool running = thread_.joinable();
-    if (running) {
-        loop_.wish(Wish::stand);
-        fulfilled();
-    }
+    ask(Wish::stand);
     collectStrokes();
     loop_.endStroke();
     collectStrokes();
     Result<void> changed = change();
     if (changed) loop_.workpieceChanged();
-    if (running) {
-        loop_.wish(Wish::goOn);
-        fulfilled();
-    }
+    ask(Wish::goOn);
     return changed;
 }
 

@@ -179,12 +179,8 @@ bool EdgeCollapse::staysClose(std::uint32_t point, std::uint32_t target, float a
 
 /// The border between two materials becomes straight here.
 bool EdgeCollapse::borderStaysClose(std::uint32_t point, std::uint32_t target, float allowed, float& moved) const {
-    const glm::vec3 other = points_[border_[0] == target ? border_[1] : border_[0]];
-    const glm::vec3 line = points_[target] - other, way = points_[point] - other;
-    const float size = glm::dot(line, line);
-    if (size <= 0.0F) return false;
-    const float place = std::clamp(glm::dot(way, line) / size, 0.0F, 1.0F);
-    const float distance = glm::length(way - place * line);
+    const glm::vec3& other = points_[border_[0] == target ? border_[1] : border_[0]];
+    const float distance = distanceToSegment(points_[point], points_[target], other);
     moved = std::max(moved, distance);
     return distance <= allowed;
 }

@@ -12,6 +12,13 @@
 
 namespace burin {
 
+inline float distanceToSegment(const glm::vec3& point, const glm::vec3& from, const glm::vec3& to) {
+    const glm::vec3 line = to - from, way = point - from;
+    const float size = glm::dot(line, line);
+    const float place = size > 0.0F ? glm::clamp(glm::dot(way, line) / size, 0.0F, 1.0F) : 0.0F;
+    return glm::length(way - place * line);
+}
+
 /// Thins a triangle mesh out by drawing points into a neighbour. A point goes only if it lies within the tolerance of
 /// the planes of all triangles that come in its place, what earlier steps moved there included; if no triangle turns
 /// over, neither at once nor step by step; and if the surface stays a surface. A point between two materials goes

@@ -21,7 +21,8 @@ struct SurfaceTile {
     friend constexpr bool operator==(SurfaceTile, SurfaceTile) = default;
 };
 
-/// Triangles of a piece, mm, setup frame; counter-clockwise from outside.
+/// Triangles of a piece, mm, setup frame; counter-clockwise from outside. Without simplification some points beside the
+/// tile's border are used by the next tile's triangles alone.
 struct SurfaceMesh {
     std::vector<glm::vec3> points;
     std::vector<glm::vec3> normals;        ///< unit, outwards, a point each
@@ -35,7 +36,8 @@ inline constexpr int coarsestSurfaceLevel = 3;
 /// How fine a surface is drawn.
 struct SurfaceDetail {
     int level = 0;          ///< cells of 2^level voxels, 0 … 3
-    double tolerance = 0.0; ///< mm that simplification may move the surface; 0: every cell keeps its triangles
+    double tolerance = 0.0; ///< mm that simplification may move the surface, either way; 0: every cell keeps its
+                            ///< triangles
 };
 
 /// Makes the surface of everything in a workpiece but air, tile by tile, smooth from the sub-voxel run ends. Tiles of

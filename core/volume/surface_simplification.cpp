@@ -11,6 +11,7 @@ namespace burin {
 namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::size_t mostBetween = 64; ///< points that one straight piece of a rim replaces
 
 std::size_t hashOf(const glm::vec3& place) {
     std::uint64_t hash = 0;
@@ -112,10 +113,38 @@ void SurfaceSimplifier::eachOpenCorner(const SurfaceMesh& mesh, Visit visit) {
     });
 }
 
-std::vector<std::uint32_t> SurfaceSimplifier::rim(const SurfaceMesh& mesh) {
+std::vector<std::uint32_t> SurfaceSimplifier::rim(const SurfaceMesh& mesh, double tolerance) {
     std::vector<std::uint32_t> points;
     eachOpenCorner(mesh, [&](std::uint32_t from, std::uint32_t to) { points.insert(points.end(), {from, to}); });
-    return points;
+    return tolerance > 0.0 ? straightened(mesh, points, static_cast<float>(tolerance)) : points;
+}
+
+std::vector<std::uint32_t> SurfaceSimplifier::straightened(const SurfaceMesh& mesh,
+                                                           const std::vector<std::uint32_t>& edges, float tolerance) {
+    newPoint_.assign(mesh.points.size(), none); // here: the edge that starts at a place
+    for (std::uint32_t edge = 0; edge < edges.size(); edge += 2) newPoint_[placeOf_[edges[edge]]] = edge;
+    std::vector<bool> done(edges.size(), false);
+    std::vector<std::uint32_t> result, between;
+    for (std::uint32_t start = 0; start < edges.size(); start += 2) {
+        if (done[start]) continue;
+        done[start] = true;
+        const std::uint32_t from = edges[start];
+        std::uint32_t to = edges[start + 1];
+        between.clear();
+        for (std::uint32_t next = newPoint_[placeOf_[to]]; next != none && !done[next];
+             next = newPoint_[placeOf_[to]]) {
+            between.push_back(to);
+            const bool straight = std::all_of(between.begin(), between.end(), [&](std::uint32_t point) {
+                return distanceToSegment(mesh.points[point], mesh.points[from], mesh.points[edges[next + 1]]) <=
+                       tolerance;
+            });
+            if (!straight || between.size() > mostBetween) break;
+            done[next] = true;
+            to = edges[next + 1];
+        }
+        result.insert(result.end(), {from, to});
+    }
+    return result;
 }
 
 /// Leans the normals towards the large faces around a point.

@@ -23,10 +23,13 @@ public:
     void simplify(SurfaceMesh& mesh, double tolerance, double cell);
     /// One mesh of several that meet: their common points are welded, and points that no triangle uses dropped.
     void join(std::span<const SurfaceMesh* const> pieces, SurfaceMesh& whole);
-    /// Edges that have a triangle on one side only, two points each, in that triangle's turn.
-    std::vector<std::uint32_t> rim(const SurfaceMesh& mesh);
+    /// Edges that have a triangle on one side only, two points each, in that triangle's turn; those that follow one
+    /// another as one, where the points between lie within the tolerance (mm) of it.
+    std::vector<std::uint32_t> rim(const SurfaceMesh& mesh, double tolerance = 0.0);
 
 private:
+    std::vector<std::uint32_t> straightened(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& edges,
+                                            float tolerance);
     void weldByPlace(const SurfaceMesh& mesh);
     void chooseMaterials(const SurfaceMesh& mesh);
     void standByMaterial(const SurfaceMesh& mesh);

@@ -69,7 +69,7 @@ void CommandLineTest::statusTellsWhatWentWrong_data() {
     const auto row = [](const char* name, QStringList arguments, int status, const char* named) {
         QTest::newRow(name) << std::move(arguments) << status << QString(named);
     };
-    row("no command", {}, 2, "subcommand");
+    row("no command and no display", {}, 2, "display");
     row("unknown command", {"engrave"}, 2, "engrave");
     row("unknown option", {"info", "@/cube.burin", "--colour"}, 2, "--colour");
     row("missing file", {"import", "@/nowhere.step"}, 3, "nowhere.step");

@@ -6,6 +6,7 @@
 #include "ui/panels/notice.h"
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
+#include "ui/panels/program_view.h"
 #include "ui/panels/program_words.h"
 #include "ui/theme/theme.h"
 
@@ -147,6 +148,30 @@ private slots:
         QCOMPARE(line[2][0].toInt(), 34);
         QTest::keyClick(&text, Qt::Key_A); // read only
         QCOMPARE(text.toPlainText(), examples::programText());
+    }
+
+    void aLongProgramComesInPiecemeal() {
+        ProgramView view;
+        view.resize(320, 400);
+        view.show();
+        QString text;
+        for (int i = 1; i <= 50000; ++i) text += QStringLiteral("N%1 G1 X12.345 Y-3.456\n").arg(i);
+        QSignalSpy line(&view, &ProgramView::lineChosen);
+        view.showProgram(text);
+        QVERIFY(!view.complete());
+        view.showLine(30000); // which has not come yet
+        QCOMPARE(view.textCursor().block().text(), QStringLiteral("N30000 G1 X12.345 Y-3.456"));
+        QTRY_VERIFY(view.complete());
+        QCOMPARE(view.toPlainText(), text);
+        QCOMPARE(view.textCursor().blockNumber(), 29999);
+        view.showProgram(text + QStringLiteral("M30"));
+        view.showProgram(QStringLiteral("M5\nM30")); // the next one, before that one is there
+        QTest::qWait(50);
+        QCOMPARE(view.toPlainText(), QStringLiteral("M5\nM30"));
+        QCOMPARE(view.textCursor().blockNumber(), 0);
+        view.showProgram({});
+        QCOMPARE(view.toPlainText(), QString());
+        QCOMPARE(line.size(), 0);
     }
 
     void wordsAreTold_data() {

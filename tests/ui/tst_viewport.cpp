@@ -1,90 +1,178 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/ui/bench_fixture.h"
-#include "ui/scene/viewport.h"
+#include "tests/ui/viewport_fixture.h"
 
-#include <QApplication>
-#include <QDir>
 #include <QSignalSpy>
-#include <QTest>
 
 using namespace burin;
+using fixture::marksAt;
+using fixture::stock;
 
 namespace {
 
-constexpr const char* screenshots = BURIN_BUILD_DIRECTORY "/tests/screenshots/";
-const Box stock{{-30.0, -22.0, -4.0}, {30.0, 22.0, 18.0}};
-const glm::dvec3 radii{24.0, 16.0, 14.0};
-
-ToolMarks marksAt(const glm::dvec3& tip) {
-    ToolMarks marks;
-    marks.proxy.tip = tip;
-    marks.stylusTip = tip;
-    return marks;
-}
-
-std::vector<glm::vec3> wave(float x) {
-    std::vector<glm::vec3> tips;
-    for (int i = 0; i <= 400; ++i) {
-        const float y = -16.0F + 0.08F * static_cast<float>(i);
-        const float inside = 1.0F - x * x / 576.0F - y * y / 256.0F;
-        tips.emplace_back(x, y, std::max(4.0F, 14.0F * std::sqrt(std::max(0.0F, inside))));
+/// Takes what it is told to and remembers what it saw.
+class Recorder : public InteractiveTool {
+public:
+    bool press(const ViewportEvent& event) override { return note("press", event); }
+    bool move(const ViewportEvent& event) override { return note("move", event); }
+    bool release(const ViewportEvent& event) override { return note("release", event); }
+    bool wheel(const ViewportEvent& event) override { return note("wheel", event); }
+    bool key(int key, Qt::KeyboardModifiers) override {
+        keys.push_back(key);
+        return takes;
     }
-    return tips;
+    void leave() override { ++left; }
+    bool note(const char* what, const ViewportEvent& event) {
+        seen.push_back(QString::fromLatin1(what));
+        last = event;
+        return takes;
+    }
+    QStringList seen;
+    std::vector<int> keys;
+    ViewportEvent last;
+    bool takes = true;
+    int left = 0;
+};
+
+double pixels(const QPointF& a, const QPointF& b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
 
 } // namespace
 
+/// The camera and the pointer.
 class TestViewport : public QObject {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
-        QDir().mkpath(QString::fromLatin1(screenshots));
-        viewport_ = std::make_unique<Viewport>();
-        viewport_->resize(1000, 700);
-        viewport_->setPalette3D(fixture::palette());
-        viewport_->setPart(fixture::model(radii));
-        viewport_->setStockOutline(stock);
-        viewport_->setTool(fixture::ballTool());
-        viewport_->setToolMarks(marksAt({6.0, -4.0, 20.0}));
-        viewport_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(viewport_.get()));
-        QTest::qWait(600);
-        save("viewport-part");
+        bench_ = std::make_unique<fixture::ViewportWindow>();
+        viewport_ = bench_->viewport;
+        QTRY_VERIFY(bench_->ready());
+        bench_->settle();
+        QVERIFY(bench_->save("viewport-part"));
     }
 
-    void showsTheBench() {
-        RunVolume volume = fixture::milledBlock(stock, 0.25, radii);
-        viewport_->setWorkpiece(volume.snapshot());
-        ToolMarks marks = marksAt({-3.0, -5.0, 13.0});
-        marks.stylusTip = {-3.0, -5.0, 10.0};
-        marks.force = {-0.9, -0.6, 1.4};
-        marks.ghost = true;
-        viewport_->setToolMarks(marks);
-        for (float x = -20.0F; x < -2.0F; x += 3.0F) viewport_->appendLivePath(wave(x), true);
-        QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 5000);
-        QTest::qWait(100);
-        save("viewport-bench");
-        const FrameStatistics statistics = viewport_->statistics();
-        qInfo("paint max %.1f p95 %.1f ms, %zu triangles", statistics.paintMaximum, statistics.paintP95,
-              statistics.triangles);
-        marks.alarm = true;
-        viewport_->setToolMarks(marks);
-        QTest::qWait(60);
-        save("viewport-alarm");
-        marks.alarm = false;
-        viewport_->setToolMarks(marks);
+    void init() {
+        viewport_->setInteractiveTool(nullptr);
+        viewport_->setStandardView(StandardView::isometric);
     }
-    void cleanupTestCase() { viewport_.reset(); }
+
+    void sightAndProjectionAreInverse() {
+        for (const QPoint& at : {QPoint(10, 10), QPoint(500, 350), QPoint(990, 20), QPoint(333, 600)}) {
+            const ViewportEvent event = viewport_->sight(at);
+            QVERIFY(std::abs(glm::length(event.rayDirection) - 1.0) < 1e-12);
+            QVERIFY(pixels(viewport_->project(event.rayOrigin + 137.0 * event.rayDirection), at) < 1e-6);
+        }
+    }
+
+    void orbitTurnsWithoutRolling() {
+        const glm::dvec3 before = viewport_->sight({500.0, 350.0}).rayDirection;
+        bench_->drag(Qt::RightButton, {500, 350}, {620, 300});
+        const glm::dvec3 after = viewport_->sight({500.0, 350.0}).rayDirection;
+        QVERIFY(glm::distance(before, after) > 0.2);
+        // z still points up in the picture: two places above each other share their column in the middle.
+        const glm::dvec3 centre = stock.centre();
+        const QPointF low = viewport_->project(centre), high = viewport_->project(centre + glm::dvec3(0.0, 0.0, 1.0));
+        QVERIFY(high.y() < low.y());
+        const ViewportEvent left = viewport_->sight({0.0, 350.0}), right = viewport_->sight({1000.0, 350.0});
+        QVERIFY(std::abs(glm::normalize(left.rayDirection - right.rayDirection).z) < 1e-9);
+    }
+
+    void orbitKeepsThePlaceUnderThePointer() {
+        const glm::dvec3 summit(0.0, 0.0, 14.0);
+        const QPointF at = viewport_->project(summit);
+        bench_->drag(Qt::MiddleButton, at.toPoint(), at.toPoint() + QPoint(90, 20));
+        QVERIFY(pixels(viewport_->project(summit), at) < 3.0); // the pointer stands on whole pixels
+    }
+
+    void panMovesThePlaceWithThePointer() {
+        const glm::dvec3 summit(0.0, 0.0, 14.0);
+        const QPoint at = viewport_->project(summit).toPoint();
+        bench_->drag(Qt::MiddleButton, at, at + QPoint(70, -40), Qt::ShiftModifier);
+        QVERIFY(pixels(viewport_->project(summit), at + QPoint(70, -40)) <= 2.0);
+    }
+
+    void zoomKeepsThePlaceUnderThePointer() {
+        const glm::dvec3 summit(0.0, 0.0, 14.0);
+        const QPointF at = viewport_->project(summit);
+        const double before = pixels(viewport_->project({5.0, 0.0, 0.0}), viewport_->project({0.0, 0.0, 0.0}));
+        bench_->wheel(at, 3);
+        QVERIFY(pixels(viewport_->project(summit), at) <= 1.0);
+        QVERIFY(pixels(viewport_->project({5.0, 0.0, 0.0}), viewport_->project({0.0, 0.0, 0.0})) > 1.3 * before);
+        viewport_->fit();
+        QVERIFY(std::abs(pixels(viewport_->project({5.0, 0.0, 0.0}), viewport_->project({0.0, 0.0, 0.0})) - before) <
+                1e-6);
+    }
+
+    void standardViewsLookTheRightWay() {
+        const auto along = [this](StandardView view) {
+            viewport_->setStandardView(view);
+            return viewport_->sight(QPointF(0.5 * viewport_->width(), 0.5 * viewport_->height())).rayDirection;
+        };
+        QVERIFY(glm::distance(along(StandardView::top), {0.0, 0.0, -1.0}) < 1e-9);
+        QVERIFY(glm::distance(along(StandardView::front), {0.0, 1.0, 0.0}) < 1e-9);
+        QVERIFY(glm::distance(along(StandardView::right), {-1.0, 0.0, 0.0}) < 1e-9);
+        for (const Box& box : {stock})
+            for (const glm::dvec3& corner : {box.low, box.high})
+                QVERIFY(QRectF(viewport_->rect()).contains(viewport_->project(corner)));
+    }
+
+    void aClickOnTheCubeSetsItsView() {
+        // The top face of the cube is the upper one in the isometric view.
+        const QPoint top(viewport_->width() - 60, 40);
+        QTest::mouseMove(viewport_, top);
+        QVERIFY(bench_->save("viewport-cube"));
+        QTest::mouseClick(viewport_, Qt::LeftButton, Qt::NoModifier, top);
+        QVERIFY(glm::distance(viewport_->sight({500.0, 350.0}).rayDirection, glm::dvec3(0.0, 0.0, -1.0)) < 0.05);
+    }
+
+    void anActiveToolIsAskedFirst() {
+        Recorder tool;
+        viewport_->setInteractiveTool(&tool);
+        const glm::dvec3 before = viewport_->sight({500.0, 350.0}).rayDirection;
+        QTest::mousePress(viewport_, Qt::LeftButton, Qt::ShiftModifier, {400, 300});
+        QCOMPARE(tool.last.button, Qt::LeftButton);
+        QCOMPARE(tool.last.modifiers, Qt::ShiftModifier);
+        QCOMPARE(tool.last.rayDirection, viewport_->sight({400.0, 300.0}).rayDirection);
+        QTest::mouseRelease(viewport_, Qt::LeftButton, Qt::NoModifier, {400, 300});
+        bench_->wheel({400.0, 300.0}, 2);
+        QCOMPARE(tool.last.wheelSteps, 2.0);
+        QCOMPARE(viewport_->sight({500.0, 350.0}).rayDirection, before);
+        viewport_->setFocus();
+        QTest::keyClick(viewport_, Qt::Key_Escape);
+        QCOMPARE(tool.keys.back(), static_cast<int>(Qt::Key_Escape));
+        tool.takes = false;
+        bench_->drag(Qt::RightButton, {500, 350}, {560, 350});
+        QVERIFY(viewport_->sight({500.0, 350.0}).rayDirection != before);
+        viewport_->setInteractiveTool(nullptr);
+        QCOMPARE(tool.left, 1);
+    }
+
+    void nothingIsDrawnInVain() {
+        viewport_->setToolMarks(marksAt({6.0, -4.0, 20.0}));
+        bench_->settle();
+        QSignalSpy painted(viewport_, &Viewport::painted);
+        for (int i = 0; i < 10; ++i) {
+            viewport_->setToolMarks(marksAt({6.0, -4.0, 20.0})); // the same again
+            QTest::qWait(50);
+        }
+        QCOMPARE(painted.count(), 0);
+    }
+
+    void manyChangesMakeOnePaint() {
+        QSignalSpy painted(viewport_, &Viewport::painted);
+        for (int i = 0; i < 50; ++i) viewport_->setToolMarks(marksAt({0.1 * i, -4.0, 20.0}));
+        QTRY_VERIFY(painted.count() > 0);
+        QVERIFY(painted.count() <= 2);
+        bench_->settle();
+    }
+
+    void cleanupTestCase() { bench_.reset(); }
 
 private:
-    void save(const char* name) {
-        const QString ratio = viewport_->devicePixelRatio() > 1.5 ? QStringLiteral("@2x") : QString();
-        QVERIFY(viewport_->grabFramebuffer().save(QString::fromLatin1(screenshots) + QString::fromLatin1(name) + ratio +
-                                                  QStringLiteral(".png")));
-    }
-    std::unique_ptr<Viewport> viewport_;
+    std::unique_ptr<fixture::ViewportWindow> bench_;
+    Viewport* viewport_ = nullptr;
 };
 
 QTEST_MAIN(TestViewport)

@@ -6,15 +6,15 @@
 #include "ui/theme/colour.h"
 #include "ui/theme/icon.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPainter>
 
 namespace burin {
 
 namespace {
 
-constexpr int iconSize = 18;
+constexpr int iconSize = 18, paddingAcross = 12, paddingAlong = 8, gap = 8;
 constexpr double tint = 0.12, corner = 8.0;
 
 ColourRole roleOf(Notice::Kind kind) {
@@ -47,24 +47,17 @@ QString iconOf(Notice::Kind kind) {
 
 } // namespace
 
-Notice::Notice(QWidget* parent) : QFrame(parent), icon_(new QLabel(this)), text_(makeWrappedLabel(this)) {
+Notice::Notice(QWidget* parent) : QFrame(parent), text_(makeWrappedLabel(this)) {
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(12, 8, 12, 8);
-    row->setSpacing(8);
-    icon_->setFixedSize(iconSize, iconSize);
-    row->addWidget(icon_, 0, Qt::AlignTop);
-    row->addWidget(text_, 1);
+    row->setContentsMargins(paddingAcross + iconSize + gap, paddingAlong, paddingAcross, paddingAlong);
+    row->addWidget(text_);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    showIcon();
     hide();
 }
 
 void Notice::tell(Kind kind, const QString& sentence) {
-    if (kind != kind_) {
-        kind_ = kind;
-        showIcon();
-        update();
-    }
+    if (kind != kind_) update();
+    kind_ = kind;
     setWrappedText(text_, sentence);
     const QString kindName = kind == Kind::warning ? tr("Warning") : kind == Kind::error ? tr("Error") : QString();
     setAccessibleName(kindName.isEmpty() ? sentence : kindName + QStringLiteral(": ") + sentence);
@@ -75,21 +68,13 @@ QString Notice::sentence() const {
     return text_->accessibleName();
 }
 
-void Notice::showIcon() {
-    icon_->setPixmap(themedIcon(iconOf(kind_), roleOf(kind_)).pixmap(QSize(iconSize, iconSize), devicePixelRatioF()));
-}
-
-void Notice::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) showIcon();
-    QFrame::changeEvent(event);
-}
-
 void Notice::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(mixed(activePalette().panel, activePalette().*roleOf(kind_), tint));
     painter.drawRoundedRect(rect(), corner, corner);
+    themedIcon(iconOf(kind_), roleOf(kind_)).paint(&painter, {paddingAcross, paddingAlong, iconSize, iconSize});
 }
 
 } // namespace burin

@@ -21,13 +21,9 @@ public:
     Kind kind() const noexcept { return kind_; }
 
 protected:
-    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void showIcon();
-
-    QLabel* icon_ = nullptr;
     QLabel* text_ = nullptr;
     Kind kind_ = Kind::information;
 };

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int numberPadding = 8;
 constexpr double lineTint = 0.08;
-constexpr int coloured = 1; // state of a block whose words have their colours
+constexpr int linesASlice = 3000; // about 20 ms
+constexpr int coloured = 1;       // state of a block whose words have their colours
 
 QList<QTextLayout::FormatRange> colours(const QString& line) {
     QList<QTextLayout::FormatRange> ranges;
@@ -56,6 +57,10 @@ ProgramView::ProgramView(QWidget* parent) : QPlainTextEdit(parent), margin_(new 
     QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     fixed.setPointSizeF(9.5);
     setFont(fixed);
+    filling_.setSingleShot(true);
+    connect(&filling_, &QTimer::timeout, this, [this] {
+        if (!complete()) fill(linesASlice);
+    });
     connect(this, &QPlainTextEdit::blockCountChanged, this, &ProgramView::placeMargin);
     connect(this, &QPlainTextEdit::updateRequest, this, [this](const QRect& rect, int dy) {
         if (dy != 0)
@@ -77,12 +82,30 @@ void ProgramView::showProgram(const QString& text) {
     if (text == text_) return;
     const QScopedValueRollback quiet(quiet_, true);
     text_ = text;
-    setPlainText(text);
+    filled_ = 0;
+    clear();
+    fill(linesASlice);
     chosen_ = 1;
+    moveCursor(QTextCursor::Start);
     markCurrentLine();
 }
 
+void ProgramView::fill(int lines) {
+    const QScopedValueRollback quiet(quiet_, true);
+    qsizetype end = filled_;
+    for (int i = 0; i < lines && end < text_.size(); ++i) {
+        const qsizetype next = text_.indexOf(QLatin1Char('\n'), end);
+        end = next < 0 ? text_.size() : next + 1;
+    }
+    QTextCursor cursor(document());
+    cursor.movePosition(QTextCursor::End);
+    cursor.insertText(text_.mid(filled_, end - filled_));
+    filled_ = end;
+    if (!complete()) filling_.start();
+}
+
 void ProgramView::showLine(int line) {
+    if (line >= blockCount() && !complete()) fill(line - blockCount() + linesASlice);
     const QTextBlock block = document()->findBlockByNumber(line - 1);
     if (!block.isValid()) return;
     const QScopedValueRollback quiet(quiet_, true);

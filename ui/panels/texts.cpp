@@ -42,6 +42,7 @@ QString shippedName(const std::string& name) {
 /// So many digits that three or four count.
 QString fewDigits(double value) {
     const double size = std::abs(value);
+    if (size > 0.0 && size < 0.1) return QLocale().toString(value, 'g', 2);
     const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3;
     return QLocale().toString(value, 'f', decimals);
 }

@@ -41,7 +41,7 @@ ToolPanel::Fields::Fields(ToolPanel* panel) : QObject(panel), panel_(panel), col
     tools_->setObjectName(QStringLiteral("toolList"));
     tools_->setAccessibleName(ToolPanel::tr("Tools"));
     tools_->setToolTip(ToolPanel::tr("Choose the tool to mill with"));
-    tools_->setMaximumRows(5);
+    tools_->setMaximumRows(4);
     column_->addWidget(tools_);
     notice_ = new Notice(panel);
     notice_->setObjectName(QStringLiteral("toolNotice"));

@@ -9,6 +9,18 @@
 #include <vtkProperty.h>
 
 namespace burin {
+namespace {
+
+/// Moves lines in depth, < 0 towards the eye. VTK switches that on for all mappers of the program at once and adds its
+/// own figures to everyone's, so each mapper takes them back.
+void offsetLines(vtkMapper& mapper, double units) {
+    vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+    double everyFactor = 0.0, everyUnits = 0.0;
+    vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(everyFactor, everyUnits);
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-everyFactor, units - everyUnits);
+}
+
+} // namespace
 
 vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface) {
     vtkNew<vtkPolyDataMapper> mapper;
@@ -29,13 +41,13 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines) {
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
     actor->PickableOff();
+    offsetLines(*mapper, 0.0);
     return actor;
 }
 
 vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines) {
     vtkSmartPointer<vtkActor> actor = lineActor(lines);
-    actor->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();
-    actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -4.0);
+    offsetLines(*actor->GetMapper(), -4.0);
     return actor;
 }
 

@@ -25,6 +25,7 @@ void CameraMotion::setSize(const QSizeF& size) {
 }
 
 void CameraMotion::setContent(const Box& content) {
+    if (content.low == content_.low && content.high == content_.high) return;
     const bool first = content_.empty();
     content_ = content;
     if (stayFitted_ || first) flyTo(fitted(flight_ ? flight_->to : view_, size_, content_), {}, {});

@@ -77,7 +77,7 @@ void GroundGrid::refresh() {
     // The lines lie on round coordinates of the setup frame, just under the table's height.
     const glm::dvec3 centre = content_.centre();
     const glm::dvec3 middle(std::round(centre.x / spacing) * spacing, std::round(centre.y / spacing) * spacing,
-                            content_.low.z - 1e-3 * spacing);
+                            content_.low.z - 0.03 * spacing);
     vtkSmartPointer<vtkPolyData> data = lineData(gridLines(middle, spacing));
     data->GetPointData()->SetScalars(fading(*data->GetPoints(), middle, linesEachWay * spacing, colour_));
     auto* mapper = vtkPolyDataMapper::SafeDownCast(actor_->GetMapper());

@@ -3,6 +3,7 @@
 #include "ui/scene/scale_bar.h"
 
 #include "ui/scene/round_spacing.h"
+#include "ui/theme/length_unit.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -25,8 +26,14 @@ void ScaleBar::setPalette(const Palette& palette) {
     ratio_ = 0.0;
 }
 
+void ScaleBar::setUnit(LengthUnit unit) {
+    unit_ = unit;
+    ratio_ = 0.0;
+}
+
 void ScaleBar::place(const CameraView& view, const QSizeF& size, double ratio) {
-    const double pixel = pixelAt(view, size, view.focus), length = roundSpacing(wanted * pixel);
+    const double millimetres = unit_ == LengthUnit::inch ? millimetresPerInch : 1.0;
+    const double pixel = pixelAt(view, size, view.focus) / millimetres, length = roundSpacing(wanted * pixel);
     const int pixels = static_cast<int>(std::lround(length / pixel));
     if (length != length_ || pixels != pixels_ || ratio != ratio_) {
         length_ = length;
@@ -40,7 +47,10 @@ void ScaleBar::place(const CameraView& view, const QSizeF& size, double ratio) {
 }
 
 void ScaleBar::draw() {
-    const QString text = QCoreApplication::translate("burin::Viewport", "%1 mm").arg(QLocale().toString(length_));
+    const QString number = QLocale().toString(length_);
+    const QString text = unit_ == LengthUnit::inch
+                             ? QCoreApplication::translate("burin::Viewport", "%1 in").arg(number)
+                             : QCoreApplication::translate("burin::Viewport", "%1 mm").arg(number);
     const QFontMetricsF metrics(QGuiApplication::font());
     const QSizeF size(std::max(pixels_ + 2.0, metrics.horizontalAdvance(text) + 2.0), metrics.height() + tick + 3.0);
     QImage image((size * ratio_).toSize(), QImage::Format_RGBA8888);

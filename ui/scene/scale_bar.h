@@ -13,6 +13,7 @@ class ScaleBar {
 public:
     explicit ScaleBar(vtkRenderer& renderer) : image_(renderer) {}
     void setPalette(const Palette& palette);
+    void setUnit(LengthUnit unit);
     /// Before each paint. @param ratio screen pixels a device-independent one
     void place(const CameraView& view, const QSizeF& size, double ratio);
 
@@ -21,7 +22,8 @@ private:
 
     ScreenImage image_;
     QColor colour_;
-    double length_ = 0.0; ///< mm
+    LengthUnit unit_{}; ///< millimetre
+    double length_ = 0.0; ///< in its unit
     int pixels_ = 0;      ///< device-independent
     double ratio_ = 0.0;
 };

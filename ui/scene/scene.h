@@ -31,6 +31,7 @@ public:
     Scene(vtkRenderWindow& window, std::function<void()> workpieceReady);
 
     void setPalette(const Palette& palette);
+    void setLengthUnit(LengthUnit unit) { scaleBar_.setUnit(unit); }
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
     /// Nothing: while there is no workpiece to be seen.
     void setPartVisible(std::optional<bool> visible);

@@ -126,7 +126,7 @@ void ToolActors::refresh() {
             setColour(*actor, palette_.flutes);
             break;
         case Section::edges:
-            setColour(*actor, palette_.shank);
+            setColour(*actor, palette_.holder);
             break;
         case Section::shank:
             setColour(*actor, red ? palette_.force : palette_.shank);

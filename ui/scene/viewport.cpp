@@ -14,6 +14,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QPointer>
 #include <QStyle>
 #include <QThreadPool>
@@ -21,6 +22,7 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace burin {
 
@@ -30,6 +32,13 @@ using namespace std::chrono_literals;
 constexpr auto flightTime = 180ms;
 constexpr auto restTime = 350ms; // after the last motion: then everything is drawn in full detail
 constexpr auto flashTime = 167ms;
+
+/// Smooth edges cost nothing on a graphics card, but two to five times a frame in software (measured).
+bool drawsInSoftware(QOpenGLContext* context) {
+    const auto* name = reinterpret_cast<const char*>(context->functions()->glGetString(GL_RENDERER));
+    const QByteArray renderer = QByteArray(name).toLower();
+    return renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("software");
+}
 
 bool same(const ToolMarks& a, const ToolMarks& b) {
     return a.proxy.tip == b.proxy.tip && a.proxy.axis == b.proxy.axis && a.stylusTip == b.stylusTip &&
@@ -111,7 +120,7 @@ void Viewport::Impl::initializeWindow() {
     window->SetIsCurrent(true);
     window->SetReadyForRendering(true);
     window->SetOwnContext(0);
-    window->SetMultiSamples(0);
+    window->SetMultiSamples(drawsInSoftware(widget.context()) ? 0 : 4);
     window->OpenGLInitContext();
     window->SetFrameBlitModeToBlitToCurrent();
 }
@@ -136,6 +145,11 @@ Viewport::~Viewport() {
 
 void Viewport::setPalette3D(const Palette& palette) {
     impl_->scene.setPalette(palette);
+    update();
+}
+
+void Viewport::setLengthUnit(LengthUnit unit) {
+    impl_->scene.setLengthUnit(unit);
     update();
 }
 
@@ -268,13 +282,27 @@ void Viewport::resetStatistics() {
     impl_->clock.reset();
 }
 
+QString Viewport::obstacleOf(const QOpenGLContext* context) {
+    if (context == nullptr || !context->isValid())
+        return tr("The 3D view needs OpenGL 3.2 or later; this computer offers none. A driver of the graphics card may "
+                  "be missing.");
+    const QSurfaceFormat format = context->format();
+    if (format.version() >= qMakePair(3, 2) && !context->isOpenGLES()) return {};
+    return tr("The 3D view needs OpenGL 3.2 or later; this computer offers %1.%2. A newer driver of the graphics card "
+              "may help.")
+        .arg(format.majorVersion())
+        .arg(format.minorVersion());
+}
+
+QString Viewport::drawingObstacle() {
+    QOpenGLContext context;
+    return obstacleOf(context.create() ? &context : nullptr);
+}
+
 void Viewport::initializeGL() {
-    const QSurfaceFormat format = context()->format();
-    if (format.version() < qMakePair(3, 2) || context()->isOpenGLES()) {
-        tellFailure(tr("The 3D view needs OpenGL 3.2 or later; this computer offers %1.%2. A newer driver of the "
-                       "graphics card may help.")
-                        .arg(format.majorVersion())
-                        .arg(format.minorVersion()));
+    const QString obstacle = obstacleOf(context());
+    if (!obstacle.isEmpty()) {
+        if (!std::exchange(impl_->failureTold, true)) emit drawingFailed(obstacle);
         return;
     }
     impl_->initializeWindow();
@@ -308,22 +336,6 @@ void Viewport::paintGL() {
     impl_->clock.add(begin, FrameClock::Clock::now(), cut);
     if (flying) impl_->moved();
     emit painted();
-}
-
-void Viewport::showEvent(QShowEvent* event) {
-    QOpenGLWidget::showEvent(event);
-    // Where no context can be made at all, initializeGL is never called.
-    QTimer::singleShot(0, this, [this] {
-        if (isVisible() && !isValid())
-            tellFailure(tr("The 3D view needs OpenGL 3.2 or later; this computer offers none. A driver of the graphics "
-                           "card may be missing."));
-    });
-}
-
-void Viewport::tellFailure(const QString& sentence) {
-    if (impl_->failureTold) return;
-    impl_->failureTold = true;
-    emit drawingFailed(sentence);
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {

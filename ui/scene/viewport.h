@@ -19,6 +19,8 @@
 
 namespace burin {
 
+enum class LengthUnit; // ui/theme/length_unit.h
+
 enum class StandardView { isometric, top, bottom, front, back, left, right };
 
 /// What a tick looks like.
@@ -50,10 +52,16 @@ struct FrameStatistics {
 class Viewport : public QOpenGLWidget {
     Q_OBJECT
 public:
+    /// Why this machine can't draw, a sentence for the user; empty: it can. Makes a context for a moment. To be asked
+    /// before a viewport is made: where there is no OpenGL at all, Qt 6.4 itself crashes showing a QOpenGLWidget.
+    static QString drawingObstacle();
+
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;
 
     void setPalette3D(const Palette& palette);
+    /// Of the scale bar.
+    void setLengthUnit(LengthUnit unit);
     /// The bare part, drawn until there is a workpiece (and on wish beside it). Null: none.
     void setPart(std::shared_ptr<const Model> model);
     void setPartVisible(bool visible);
@@ -89,14 +97,13 @@ public:
 signals:
     /// After each paint.
     void painted();
-    /// OpenGL is missing or too old; the sentence is for the user.
+    /// OpenGL is too old; the sentence is for the user, as from `drawingObstacle`.
     void drawingFailed(const QString& sentence);
 
 protected:
     void initializeGL() override;
     void resizeGL(int width, int height) override;
     void paintGL() override;
-    void showEvent(QShowEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -106,7 +113,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    void tellFailure(const QString& sentence);
+    static QString obstacleOf(const QOpenGLContext* context);
 
     class Impl;
     std::unique_ptr<Impl> impl_;

@@ -21,6 +21,8 @@ namespace {
 
 /// Triangles that one paint may hand to the graphics driver for the first time (about 20 ms in software).
 constexpr std::size_t uploadsPerPaint = 60'000;
+/// Full detail is added up to here while something moves; below the limit, for a faster way from cut to screen.
+constexpr std::size_t comfortableTriangles = 70'000;
 /// More are not drawn at rest either, whatever the size of the workpiece: no paint may take 100 ms.
 constexpr std::size_t restTriangles = 250'000;
 
@@ -145,7 +147,7 @@ private:
         std::vector<bool> rest;
         for (const Group* group : nearest) {
             const std::size_t with = all - group->moving.coming() + group->rest.coming();
-            rest.push_back(group->restCurrent && (!moving || with <= movingTriangles));
+            rest.push_back(group->restCurrent && (!moving || with <= comfortableTriangles));
             if (rest.back()) all = with;
         }
         return rest;

@@ -26,7 +26,7 @@ public:
     ~WorkpieceActors();
 
     /// Replaces what is to be shown; an empty snapshot: nothing. Returns at once; a snapshot that is overtaken is
-    /// skipped. Of a volume that was shown before, only what has changed is meshed.
+    /// skipped. Of a volume that was shown before, only what has changed is meshed. Any thread.
     /// @param oldestCut when the first of those cuts was made that no earlier snapshot shows
     void show(const VolumeSnapshot& workpiece, std::optional<std::chrono::steady_clock::time_point> oldestCut);
     void setVisible(bool visible);

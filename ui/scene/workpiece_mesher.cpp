@@ -22,7 +22,8 @@ constexpr std::size_t fewGroups = 4;
 constexpr double timeForFull = 0.025;
 /// Groups of full detail that a tool changes at once, and what they have more of than finished ones: tiles not joined.
 constexpr std::size_t changedGroups = 2, unjoined = 2;
-constexpr double skirtCells = 1.5; ///< as deep as two layers may differ
+constexpr double rimTolerance = 0.01; ///< voxels: what a skirt may leave open at its upper edge
+constexpr double skirtCells = 1.5;    ///< of the coarser layer: as deep as the two may differ
 
 // Details by which a layer comes down to its limit of triangles; tolerances in voxels.
 constexpr std::array<SurfaceDetail, 6> movingDetails{{{1, 0.5}, {1, 1.0}, {2, 1.0}, {2, 2.0}, {3, 4.0}, {3, 8.0}}};
@@ -260,9 +261,10 @@ SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, 
     const SurfaceDetail wanted = detail(which);
     const double edge = shown_.grid().edge(), cell = edge * (1 << wanted.level);
     if (!mixed) simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell);
-    const std::vector<std::uint32_t> rim = simplifier_.rim(joined_);
+    const double skirt = skirtCells * edge * (1 << detail(SurfaceLayer::moving).level);
+    const std::vector<std::uint32_t> rim = simplifier_.rim(joined_, rimTolerance * edge);
     SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size()};
-    update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirtCells * cell);
+    update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirt);
     layer(which).triangles[group] = update.triangles;
     layer(which).staleGroups[group] = 0;
     return update;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/handover.h"
 #include "core/base/mailbox.h"
 #include "core/base/progress.h"
 #include "core/base/ring.h"
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <thread>
 
 using namespace burin;
@@ -100,6 +102,29 @@ private slots:
                 if (taken[i] != Whole::of(expected++)) ++wrong;
         }
         QCOMPARE(wrong, std::uint64_t{0});
+    }
+
+    /// What owns memory goes from thread to thread whole, in order, and stays with nobody in between.
+    void aHandoverBetweenThreadsLosesNothing() {
+        Handover<std::shared_ptr<std::uint64_t>, 3> handover;
+        constexpr std::uint64_t last = 100000;
+        std::jthread writer([&] {
+            for (std::uint64_t i = 1; i <= last;)
+                if (handover.full())
+                    std::this_thread::yield();
+                else
+                    handover.put(std::make_shared<std::uint64_t>(i++));
+        });
+        std::uint64_t expected = 1, wrong = 0;
+        for (std::shared_ptr<std::uint64_t> taken; expected <= last;) {
+            if (!handover.take(taken))
+                std::this_thread::yield();
+            else if (*taken != expected++ || taken.use_count() != 1)
+                ++wrong;
+        }
+        QCOMPARE(wrong, std::uint64_t{0});
+        std::shared_ptr<std::uint64_t> none;
+        QVERIFY(!handover.take(none) && !none);
     }
 
     void progressMapsEachStageToItsPartOfTheWhole() {

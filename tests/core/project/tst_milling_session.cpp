@@ -167,6 +167,23 @@ private slots:
         }
     }
 
+    /// Wishes that come faster than the ticks are all fulfilled, one after the other.
+    void aTakeThatIsStoppedAtOnceIsWhole() {
+        const QTemporaryDir folder;
+        Stage stage(fileIn(folder));
+        SessionRequest request = handRequest();
+        request.takeName = "short";
+        const auto session = stage.begin(request);
+        QVERIFY(session && session->stopRecording());
+        for (int i = 0; i < 5; ++i) QVERIFY(session->startRecording("again") && session->stopRecording());
+        QVERIFY(session->startRecording("ended"));
+        QVERIFY(session->end());
+        const Result<std::vector<TakeInfo>> takes = stage.project.takes();
+        QVERIFY(takes && takes->size() == 7);
+        for (const TakeInfo& take : *takes) QVERIFY(take.complete);
+        QVERIFY(stage.workpiece() == replayed(stage.project));
+    }
+
     /// Undo puts back, bit for bit, what the stroke found; redo what it left; during the recording and after it.
     void strokesAreTakenBackAndComeAgain() {
         const QTemporaryDir folder;

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/viewport_fixture.h"
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+
+using namespace burin;
+using fixture::marksAt;
+using fixture::radii;
+using fixture::stock;
+
+namespace {
+
+/// A stroke over the dome at one x.
+std::vector<glm::vec3> wave(float x) {
+    std::vector<glm::vec3> tips;
+    for (int i = 0; i <= 400; ++i) {
+        const float y = -16.0F + 0.08F * static_cast<float>(i);
+        const float inside = 1.0F - x * x / 576.0F - y * y / 256.0F;
+        tips.emplace_back(x, y, std::max(4.0F, 14.0F * std::sqrt(std::max(0.0F, inside))));
+    }
+    return tips;
+}
+
+Path somePath() {
+    Path path;
+    const auto add = [&path](double x, double y, double z, MoveKind kind) {
+        path.points.push_back({{x, y, z}, kind, 0.0, 0, -1});
+    };
+    add(-26.0, -18.0, 26.0, MoveKind::rapid);
+    for (double x = -26.0; x < -2.0; x += 6.0) {
+        add(x, -18.0, 26.0, MoveKind::rapid);
+        add(x, -18.0, 4.0, MoveKind::plunge);
+        for (const glm::vec3& tip : wave(static_cast<float>(x))) add(tip.x, tip.y, tip.z, MoveKind::cut);
+        add(x, 18.0, 4.0, MoveKind::cut);
+        add(x, 18.0, 26.0, MoveKind::retract);
+    }
+    return path;
+}
+
+/// How many of a picture's pixels near a place are about a colour's hue and at least as light as a share of it.
+int countLike(const QImage& image, const QRect& where, const QColor& colour, int tolerance) {
+    int count = 0;
+    for (int y = std::max(0, where.top()); y <= std::min(image.height() - 1, where.bottom()); ++y)
+        for (int x = std::max(0, where.left()); x <= std::min(image.width() - 1, where.right()); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            if (std::abs(pixel.red() - colour.red()) <= tolerance &&
+                std::abs(pixel.green() - colour.green()) <= tolerance &&
+                std::abs(pixel.blue() - colour.blue()) <= tolerance)
+                ++count;
+        }
+    return count;
+}
+
+} // namespace
+
+/// What is drawn.
+class TestViewportPicture : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        bench_ = std::make_unique<fixture::ViewportWindow>();
+        viewport_ = bench_->viewport;
+        QTRY_VERIFY(bench_->ready());
+    }
+
+    void init() {
+        viewport_->setInteractiveTool(nullptr);
+        viewport_->setStandardView(StandardView::isometric);
+    }
+
+    /// What is drawn stands where project() says: the very tip of the tool, drawn alone before the background.
+    void theToolAppearsWhereItIsProjected() {
+        viewport_->setStandardView(StandardView::front);
+        for (const glm::dvec3& tip : {glm::dvec3(-20.0, 0.0, 10.0), glm::dvec3(21.0, 3.0, 12.0)}) {
+            viewport_->setToolMarks(marksAt(tip));
+            const QImage image = viewport_->grabFramebuffer();
+            viewport_->setToolVisible(false);
+            const QImage without = viewport_->grabFramebuffer();
+            viewport_->setToolVisible(true);
+            const double ratio = viewport_->devicePixelRatio();
+            QRect drawn;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    if (image.pixel(x, y) != without.pixel(x, y)) drawn |= QRect(x, y, 1, 1);
+            const QPointF at = viewport_->project(tip) * ratio;
+            QVERIFY(std::abs(drawn.bottom() - at.y()) <= 2.0 * ratio);
+            // The lowest row of the ball is around its tip.
+            int low = image.width(), high = 0;
+            for (int x = 0; x < image.width(); ++x)
+                if (image.pixel(x, drawn.bottom() - 1) != without.pixel(x, drawn.bottom() - 1)) {
+                    low = std::min(low, x);
+                    high = std::max(high, x);
+                }
+            QVERIFY(std::abs(0.5 * (low + high) - at.x()) <= 2.0 * ratio);
+        }
+    }
+
+    void theLayersOfTheToolAreToldApart() {
+        viewport_->setStandardView(StandardView::front);
+        viewport_->setToolMarks(marksAt({0.0, -30.0, 0.0}));
+        const QImage image = viewport_->grabFramebuffer();
+        const double ratio = viewport_->devicePixelRatio();
+        const auto colourAt = [&](double height) {
+            const QPointF at = viewport_->project({-0.8, -30.0, height}) * ratio;
+            return image.pixelColor(at.toPoint());
+        };
+        const QColor flutes = colourAt(5.0), shank = colourAt(15.0);
+        QVERIFY(flutes.lightness() > shank.lightness() + 25);
+    }
+
+    void showsTheBench() {
+        volume_ = std::make_unique<RunVolume>(fixture::milledBlock(stock, 0.25, radii));
+        const auto cut = std::chrono::steady_clock::now();
+        viewport_->resetStatistics();
+        viewport_->setWorkpiece(volume_->snapshot(), cut);
+        ToolMarks marks = marksAt({-9.0, -7.0, 12.4});
+        marks.stylusTip = {-8.0, -6.0, 9.5};
+        marks.force = {-0.9, -0.6, 1.4};
+        marks.ghost = true;
+        viewport_->setToolMarks(marks);
+        for (float x = -20.0F; x < -8.0F; x += 2.0F) viewport_->appendLivePath(wave(x), true);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 5000);
+        bench_->settle();
+        const FrameStatistics statistics = viewport_->statistics();
+        QCOMPARE(statistics.cutsShown, std::size_t{1});
+        QVERIFY(statistics.triangles > 1000);
+        const QImage image = viewport_->grabFramebuffer();
+        QVERIFY(countLike(image, image.rect(), fixture::palette().force, 3) > 60);     // the arrow
+        QVERIFY(countLike(image, image.rect(), fixture::palette().livePath, 3) > 200); // the path
+        QVERIFY(bench_->save("viewport-bench"));
+        qInfo("paint p95 %.1f ms, longest %.1f ms, cut to screen %.1f ms, %zu triangles", statistics.paintP95,
+              statistics.paintMaximum, statistics.cutToScreenMaximum, statistics.triangles);
+    }
+
+    void anAlarmFlashesAndCarriesAnOutline() {
+        ToolMarks marks = marksAt({-9.0, -7.0, 12.4});
+        marks.alarm = true;
+        viewport_->setToolMarks(marks);
+        QTest::qWait(60);
+        const QColor red = fixture::palette().force;
+        int least = 1'000'000, most = 0;
+        for (int i = 0; i < 12; ++i) {
+            QTest::qWait(60);
+            const QImage image = viewport_->grabFramebuffer();
+            int reddish = 0;
+            for (int y = 0; y < image.height(); y += 3)
+                for (int x = 0; x < image.width(); x += 3) {
+                    const QColor pixel = image.pixelColor(x, y);
+                    if (pixel.red() > 2 * pixel.green() && pixel.red() > 2 * pixel.blue()) ++reddish;
+                }
+            QVERIFY(countLike(image, image.rect(), red, 2) > 500); // the outline stays
+            least = std::min(least, reddish);
+            most = std::max(most, reddish);
+            if (i == 0) QVERIFY(bench_->save("viewport-alarm"));
+        }
+        QVERIFY(most > least + 200);
+        marks.alarm = false;
+        viewport_->setToolMarks(marks);
+        bench_->settle();
+        QSignalSpy painted(viewport_, &Viewport::painted);
+        QTest::qWait(400);
+        QCOMPARE(painted.count(), 0); // and nothing flashes any more
+    }
+
+    void theMovesOfAnEditedPathAreToldApart() {
+        viewport_->clearLivePath();
+        viewport_->setPath(somePath());
+        const QImage image = viewport_->grabFramebuffer();
+        const Palette palette = fixture::palette();
+        QVERIFY(countLike(image, image.rect(), palette.path, 3) > 200);
+        QVERIFY(countLike(image, image.rect(), palette.text, 6) > 20);
+        QVERIFY(bench_->save("viewport-path"));
+        viewport_->setPathVisible(false);
+        QCOMPARE(countLike(viewport_->grabFramebuffer(), image.rect(), palette.path, 3), 0);
+    }
+
+    void anHourOfPathStaysCheap() {
+        QElapsedTimer timer;
+        timer.start();
+        qint64 slowest = 0;
+        for (int i = 0; i < 3000; ++i) {
+            std::vector<glm::vec3> tips;
+            for (int k = 0; k < 16; ++k) {
+                const float angle = 0.05F * static_cast<float>(16 * i + k);
+                tips.emplace_back(20.0F * std::cos(angle), 20.0F * std::sin(1.37F * angle), 19.0F);
+            }
+            const qint64 before = timer.nsecsElapsed();
+            viewport_->appendLivePath(tips, i == 0);
+            slowest = std::max(slowest, timer.nsecsElapsed() - before);
+        }
+        qInfo("48000 points in %lld ms, slowest 16 points %.2f ms", timer.elapsed(),
+              static_cast<double>(slowest) / 1e6);
+        QVERIFY(countLike(viewport_->grabFramebuffer(), viewport_->rect(), fixture::palette().livePath, 3) > 5000);
+        viewport_->clearLivePath();
+    }
+
+    void survivesAnotherParent() {
+        QTest::mouseMove(viewport_, {300, 500}); // off the cube
+        bench_->settle();
+        const QImage before = viewport_->grabFramebuffer();
+        {
+            QMainWindow other; // another window: another context
+            other.setCentralWidget(viewport_);
+            other.resize(bench_->window->size());
+            other.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&other));
+            bench_->settle();
+            after_ = viewport_->grabFramebuffer();
+            bench_->window->setCentralWidget(viewport_);
+        }
+        QCOMPARE(after_.size(), before.size());
+        QRect different;
+        for (int y = 0; y < before.height(); ++y)
+            for (int x = 0; x < before.width(); ++x)
+                if (before.pixel(x, y) != after_.pixel(x, y)) different |= QRect(x, y, 1, 1);
+        QVERIFY(different.isEmpty());
+    }
+
+    void cleanupTestCase() { bench_.reset(); }
+
+private:
+    std::unique_ptr<fixture::ViewportWindow> bench_;
+    Viewport* viewport_ = nullptr;
+    std::unique_ptr<RunVolume> volume_;
+    QImage after_;
+};
+
+QTEST_MAIN(TestViewportPicture)
+#include "tst_viewport_picture.moc"
