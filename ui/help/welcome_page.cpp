@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/help/welcome_page.h"
 
+#include "core/base/file.h"
+#include "ui/theme/icon.h"
+
+#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QPixmap>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 namespace burin {
 
 namespace {
+
+constexpr int pictureWidth = 400; // pixels
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text.toUpper(), parent);
@@ -23,6 +30,21 @@ QLabel* quiet(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setProperty("look", "quiet");
     label->setWordWrap(true);
+    return label;
+}
+
+/// What the sample part looks like when it is done. Null where the picture is missing.
+QLabel* samplePicture(QWidget* parent) {
+    const QString file = QString::fromStdString((resourceDirectory() / "pictures" / "demo.png").string());
+    const QPixmap picture(file);
+    if (picture.isNull()) return nullptr;
+    auto* label = new QLabel(parent);
+    label->setObjectName(QStringLiteral("samplePicture"));
+    const qreal ratio = label->devicePixelRatioF();
+    QPixmap scaled = picture.scaledToWidth(qRound(pictureWidth * ratio), Qt::SmoothTransformation);
+    scaled.setDevicePixelRatio(ratio);
+    label->setPixmap(scaled);
+    label->setToolTip(WelcomePage::tr("The sample part, milled."));
     return label;
 }
 
@@ -39,8 +61,9 @@ QWidget* offer(QPushButton* button, const QString& explanation) {
     return box;
 }
 
-QPushButton* button(const QString& text, const char* name, const QString& toolTip) {
+QPushButton* button(const QString& text, const char* name, const QString& toolTip, const char* icon = nullptr) {
     auto* made = new QPushButton(text);
+    if (icon != nullptr) made->setIcon(themedIcon(QString::fromLatin1(icon)));
     made->setObjectName(QString::fromLatin1(name));
     made->setToolTip(toolTip);
     return made;
@@ -68,9 +91,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     layout->setSpacing(8);
     auto* title = new QLabel(tr("Burin"), centre);
     title->setProperty("look", "title");
-    QFont large = title->font();
-    large.setPointSizeF(large.pointSizeF() * 2.4);
-    title->setFont(large);
+    title->setStyleSheet(QStringLiteral("font-size: 30pt; font-weight: 600;"));
     layout->addWidget(title);
     layout->addWidget(quiet(tr("Mill the part by hand; the machine repeats what your hand did."), centre));
     layout->addSpacing(32);
@@ -93,18 +114,20 @@ QWidget* WelcomePage::beginnings() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(16);
     layout->addWidget(heading(tr("Begin"), box));
-    auto* part = button(tr("Open a part…"), "openPartButton", tr("Read a part from a STEP, IGES, BREP or STL file."));
+    auto* part =
+        button(tr("Open a part…"), "openPartButton", tr("Read a part from a STEP, IGES, BREP or STL file."), "import");
     connect(part, &QPushButton::clicked, this, &WelcomePage::importRequested);
     layout->addWidget(offer(part, tr("STEP, IGES, BREP or STL. Dropping a file on the window does the same.")));
-    auto* sample =
-        button(tr("Try the sample part"), "samplePartButton", tr("Import the part that Burin is shipped with."));
+    auto* sample = button(tr("Try the sample part"), "samplePartButton",
+                          tr("Import the part that Burin is shipped with."), "part");
     connect(sample, &QPushButton::clicked, this, &WelcomePage::sampleRequested);
     layout->addWidget(offer(sample, tr("A computer mouse, 110 mm long, ready to be milled.")));
-    auto* show = button(tr("Show me"), "welcomeShowMeButton", tr("Watch a virtual operator mill the sample part."));
+    auto* show =
+        button(tr("Show me"), "welcomeShowMeButton", tr("Watch a virtual operator mill the sample part."), "play");
     connect(show, &QPushButton::clicked, this, &WelcomePage::showMeRequested);
     layout->addWidget(offer(show, tr("A virtual operator mills the sample part before your eyes, eight times as fast "
                                      "as a hand.")));
-    auto* project = button(tr("Open a project…"), "openProjectButton", tr("Open a .burin file."));
+    auto* project = button(tr("Open a project…"), "openProjectButton", tr("Open a .burin file."), "open");
     connect(project, &QPushButton::clicked, this, &WelcomePage::openRequested);
     layout->addWidget(offer(project, tr("Go on with a project that was saved.")));
     layout->addStretch(1);
@@ -116,6 +139,10 @@ QWidget* WelcomePage::lately() {
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
+    if (QLabel* picture = samplePicture(box)) {
+        layout->addWidget(picture);
+        layout->addSpacing(16);
+    }
     leftBox_ = new QWidget(box);
     auto* left = new QVBoxLayout(leftBox_);
     left->setContentsMargins(0, 0, 0, 24);
@@ -146,8 +173,9 @@ void WelcomePage::setRecentFiles(const QStringList& files) {
     if (files.isEmpty()) recent_->addWidget(quiet(tr("Projects that you save are listed here."), recentBox_));
     for (const QString& file : files) {
         const QFileInfo info(file);
-        auto* row = button(info.completeBaseName(), "recentFileButton", file);
-        row->setFlat(true);
+        auto* row = button(info.completeBaseName(), "recentFileButton", QDir::toNativeSeparators(file));
+        row->setIcon(themedIcon(QStringLiteral("recent"), &Palette::quietText));
+        row->setStyleSheet(QStringLiteral("text-align: left;"));
         connect(row, &QPushButton::clicked, this, [this, file] { emit recentChosen(file); });
         recent_->addWidget(row);
     }

@@ -72,7 +72,7 @@ JobStepState JobPresenter::mill() const {
     if (workbench_.showMe.showing()) return {StepProgress::current, tr("virtual operator")};
     if (mill.recording()) return {StepProgress::current, tr("recording")};
     if (!mill.takes().empty())
-        return {StepProgress::done, tr("%n take(s)", nullptr, static_cast<int>(mill.takes().size()))};
+        return {StepProgress::done, mill.takes().size() == 1 ? tr("1 take") : tr("%1 takes").arg(mill.takes().size())};
     if (workbench_.bench.ready()) return {StepProgress::ready, tr("no take yet")};
     return {StepProgress::missing, workbench_.bench.embedded() ? tr("wait for the boundary") : tr("embed first")};
 }

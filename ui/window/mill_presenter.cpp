@@ -44,7 +44,9 @@ MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& pa
             workbench_.mill.leave();
     });
     connect(&panel, &MillPanel::recordToggled, this, [this](bool on) {
-        if (on)
+        if (workbench_.showMe.showing())
+            workbench_.showMe.stop();
+        else if (on)
             workbench_.mill.startRecording();
         else
             workbench_.mill.stopRecording();
@@ -99,7 +101,7 @@ void MillPresenter::present() {
     const SessionState& session = workbench_.session.state();
     MillState state;
     state.missing = missing();
-    state.ready = workbench_.bench.ready();
+    state.ready = workbench_.bench.ready() && !workbench_.showMe.showing();
     state.active = mill.active();
     state.recording = workbench_.session.running() && session.recording;
     state.recordedSeconds = session.recordedSeconds;

@@ -30,6 +30,7 @@ MillController::MillController(const Desk& desk, BenchController& bench, Session
         if (was) emit left();
         emit changed();
     });
+    connect(&session_, &SessionRunner::recordingStarted, this, &MillController::refreshTakes);
     connect(&session_, &SessionRunner::endedByItself, this, [this] {
         if (active()) leave(); // a fault, which ending tells
     });
