@@ -207,6 +207,7 @@ void MainWindow::showWelcome() {
 
 void MainWindow::showBench(bool shown) {
     pages_->setCurrentWidget(shown ? bench_ : welcome_);
+    if (shown) viewport_->setFocus();
 }
 
 void MainWindow::showStep(JobStep step) {

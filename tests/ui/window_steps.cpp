@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/window_steps.h"
+
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QtTest>
+
+namespace burin::testing {
+
+void drop(MainWindow& window, const QString& file) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter(QPoint(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    if (!enter.isAccepted()) return;
+    QDropEvent dropped(QPointF(400, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &dropped);
+}
+
+QString writeBlock(const WindowDriver& driver) {
+    constexpr int faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                  {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    QString text = "solid block\n";
+    for (const auto& face : faces) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const int corner : face)
+            text += QString("vertex %1 %2 %3\n")
+                        .arg((corner & 1) != 0 ? 40 : 0)
+                        .arg((corner & 2) != 0 ? 30 : 0)
+                        .arg((corner & 4) != 0 ? 20 : 0);
+        text += "endloop\nendfacet\n";
+    }
+    QFile file(driver.folder().filePath("block.stl"));
+    if (file.open(QIODevice::WriteOnly)) file.write((text + "endsolid block\n").toLatin1());
+    return file.fileName();
+}
+
+bool makeReady(WindowDriver& driver) {
+    Workbench& bench = driver.window().workbench();
+    drop(driver.window(), writeBlock(driver));
+    if (!driver.waitFor([&] { return bench.model.model() != nullptr; })) return false;
+    if (!driver.step(JobStep::stock) || !driver.clickOn("embedButton")) return false;
+    return driver.waitFor([&] { return bench.bench.ready(); }) && driver.settle();
+}
+
+void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to) {
+    Viewport& viewport = driver.window().viewport();
+    const Setup& setup = driver.window().workbench().setup.setup();
+    const auto at = [&](const glm::dvec2& place) {
+        return viewport.project(setup.workOffset + glm::dvec3(place, 0.0)).toPoint();
+    };
+    QTest::mouseMove(&viewport, at(from));
+    QTest::qWait(300);
+    QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, at(from));
+    constexpr int steps = 40;
+    for (int i = 0; i <= steps; ++i) {
+        QTest::mouseMove(&viewport, at(glm::mix(from, to, static_cast<double>(i) / steps)));
+        QTest::qWait(20);
+    }
+    QTest::qWait(400);
+    QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, at(to));
+    QTest::qWait(200);
+}
+
+void chooseFile(WindowDriver& driver, const QString& file) {
+    driver.whenDialogStands([file](QWidget& dialog) {
+        auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
+        auto* buttons = dialog.findChild<QDialogButtonBox*>("buttonBox");
+        if (name == nullptr || buttons == nullptr) return;
+        name->setText(file); // typing would open a list of names above the button
+        for (const auto button : {QDialogButtonBox::Save, QDialogButtonBox::Open})
+            if (QPushButton* accept = buttons->button(button)) QTest::mouseClick(accept, Qt::LeftButton);
+    });
+}
+
+bool answer(QWidget& dialog, const char* button) {
+    auto* found = dialog.findChild<QWidget*>(button);
+    if (found != nullptr) QTest::mouseClick(found, Qt::LeftButton);
+    return found != nullptr;
+}
+
+double removedSoFar(const Bench& bench) {
+    return bench.embedded.stockVolume - bench.workpieceVolume();
+}
+
+} // namespace burin::testing

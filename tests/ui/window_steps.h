@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/ui/window_driver.h"
+
+namespace burin::testing {
+
+// Steps of the job that several tests do by mouse and keyboard.
+
+/// Gives the file dialog that comes a name, and takes it.
+void chooseFile(WindowDriver& driver, const QString& file);
+/// Clicks a button of a dialog. False: there is none of that name.
+bool answer(QWidget& dialog, const char* button);
+/// Lets a file fall on the window.
+void drop(MainWindow& window, const QString& file);
+/// A block of 40 x 30 x 20 mm as an STL file: read in a moment.
+QString writeBlock(const WindowDriver& driver);
+/// Drops the block on the window and embeds it; ready to be milled.
+bool makeReady(WindowDriver& driver);
+/// Draws a line on the stock's top with the left button down. Places in mm from the middle of the stock's top.
+void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to);
+/// mm³ that the workpiece has lost.
+double removedSoFar(const Bench& bench);
+
+} // namespace burin::testing
