@@ -124,7 +124,10 @@ fs::path resourceDirectory() {
 
 fs::path pluginDirectory() {
     const fs::path here = executableDirectory();
-    return firstExisting(here / "plugins", firstExisting(here / "../plugins", here / "../lib/burin/plugins"));
+    // A kind of plugin tells the folder from another of that name.
+    return firstExisting(here / "plugins/dialects",
+                         firstExisting(here / "../plugins/dialects", here / "../lib/burin/plugins/dialects"))
+        .parent_path();
 }
 
 } // namespace burin

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_driver.h"
+#include "ui/messages/messages.h"
 
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QPushButton>
 #include <QtTest>
 
 #include <cmath>
@@ -75,14 +78,15 @@ void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to
     QTest::qWait(200);
 }
 
-/// Types a file's name into the file dialog that comes.
+/// Gives the file dialog that comes a name, and takes it.
 void chooseFile(WindowDriver& driver, const QString& file) {
     driver.whenDialogStands([file](QWidget& dialog) {
         auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
-        if (name == nullptr) return;
-        name->selectAll();
-        QTest::keyClicks(name, file);
-        QTest::keyClick(name, Qt::Key_Return);
+        auto* buttons = dialog.findChild<QDialogButtonBox*>("buttonBox");
+        if (name == nullptr || buttons == nullptr) return;
+        name->setText(file); // typing would open a list of names above the button
+        for (const auto button : {QDialogButtonBox::Save, QDialogButtonBox::Open})
+            if (QPushButton* accept = buttons->button(button)) QTest::mouseClick(accept, Qt::LeftButton);
     });
 }
 
@@ -108,6 +112,7 @@ private slots:
     void unsavedChangesAreGuarded();
     void aWrongFileCostsOneSentence();
     void unsavedWorkIsThereAfterAnEndFromOutside();
+    void theVirtualOperatorShowsHowItIsDone();
 };
 
 void TestWindow::eachStepTellsWhatItHolds() {
@@ -174,7 +179,10 @@ void TestWindow::strokesAreMilledTakenBackSavedAndFoundAgain() {
     driver.shoot("04-path");
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(driver.clickOn("postButton"));
-    QVERIFY(driver.waitFor([&] { return bench.program.program() != nullptr; }));
+    QVERIFY(driver.settle());
+    QVERIFY2(!bench.program.problem(),
+             bench.program.problem() ? qPrintable(Messages::sentence(*bench.program.problem())) : "");
+    QVERIFY(bench.program.program() != nullptr);
     driver.shoot("05-program");
     QVERIFY(bench.program.exportable());
     const QString program = driver.folder().filePath("groove.ngc");
@@ -294,6 +302,21 @@ void TestWindow::unsavedWorkIsThereAfterAnEndFromOutside() {
     QCOMPARE(bench.model.model()->bodies.size(), std::size_t{1});
     QTRY_VERIFY(bench.document.unsaved());
     QVERIFY(bench.document.isUnnamed());
+}
+
+void TestWindow::theVirtualOperatorShowsHowItIsDone() {
+    WindowDriver driver;
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(driver.clickOn("welcomeShowMeButton"));
+    QVERIFY(
+        driver.waitFor([&] { return bench.session.running() && bench.session.state().recordedSeconds > 20.0; }, 60000));
+    driver.shoot("14-show-me");
+    QVERIFY(driver.clickOn("showMeButton")); // stops it
+    QVERIFY(driver.waitFor([&] { return !bench.session.running() && !bench.showMe.showing(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !bench.mill.takes().empty() && bench.mill.takes().front().complete; }));
+    QVERIFY(bench.mill.takes().front().sampleCount >= 20000); // what was recorded stays
+    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
+    driver.shoot("15-shown-path");
 }
 
 QTEST_MAIN(TestWindow)

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/file.h"
+#include "ui/workbench/workbench.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <atomic>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+using namespace burin;
+
+namespace {
+
+/// Runs until it is cancelled.
+Result<int> patientWork(Progress& progress) {
+    while (!progress.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return Error{ErrorCode::cancelled, "work", {}, {}};
+}
+
+template <class T>
+auto into(std::optional<Result<T>>& place) {
+    return [&place](Result<T> outcome) { place.emplace(std::move(outcome)); };
+}
+
+} // namespace
+
+class TestWorkbench : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        folder_ = std::make_unique<QTemporaryDir>();
+        qputenv("XDG_DATA_HOME", folder_->path().toUtf8());
+        QCoreApplication::setApplicationName("Burin");
+    }
+
+    void aTaskGivesItsOutcomeOnTheCallersThread() {
+        TaskRunner tasks;
+        std::thread::id worker, deliverer;
+        std::optional<Result<int>> outcome;
+        tasks.start(
+            TaskKind::path, "sum",
+            [&](Progress&) -> Result<int> {
+                worker = std::this_thread::get_id();
+                return 42;
+            },
+            [&](Result<int> result) {
+                deliverer = std::this_thread::get_id();
+                outcome.emplace(std::move(result));
+            });
+        QTRY_VERIFY(outcome.has_value());
+        QCOMPARE(**outcome, 42);
+        QVERIFY(worker != deliverer);
+        QVERIFY(deliverer == std::this_thread::get_id());
+        QVERIFY(tasks.idle());
+    }
+    void aCancelledTaskSaysSo() {
+        TaskRunner tasks;
+        std::optional<Result<int>> outcome;
+        tasks.start(TaskKind::embedding, "patient", patientWork, into(outcome));
+        QCOMPARE(tasks.rows().size(), std::size_t{1});
+        tasks.cancel(TaskKind::embedding);
+        QTRY_VERIFY(outcome.has_value());
+        QCOMPARE(outcome->error().code, ErrorCode::cancelled);
+    }
+    void aTaskReplacesTheOneOfItsKindThatRuns() {
+        TaskRunner tasks;
+        std::optional<Result<int>> first, second, third;
+        tasks.start(TaskKind::path, "first", patientWork, into(first));
+        tasks.start(
+            TaskKind::path, "second", [](Progress&) -> Result<int> { return 2; }, into(second));
+        tasks.start(
+            TaskKind::path, "third", [](Progress&) -> Result<int> { return 3; }, into(third));
+        QTRY_VERIFY(third.has_value());
+        QCOMPARE(**third, 3);
+        QVERIFY(tasks.idle());
+        QVERIFY(!first.has_value()); // nobody wants to hear of those any more
+        QVERIFY(!second.has_value());
+    }
+    void whatReadsIsThroughBeforeItIsChanged() {
+        TaskRunner tasks;
+        std::atomic<bool> reading{true};
+        tasks.start(
+            TaskKind::program, "reader",
+            [&](Progress& progress) {
+                const Result<int> outcome = patientWork(progress);
+                std::this_thread::sleep_for(std::chrono::milliseconds(30));
+                reading = false;
+                return outcome;
+            },
+            [](const Result<int>&) { QFAIL("an abandoned task has no outcome"); });
+        bool changed = false;
+        tasks.abandon(TaskKind::program);
+        tasks.whenIdle([&] {
+            changed = true;
+            QVERIFY(!reading);
+        });
+        QVERIFY(!changed);
+        QTRY_VERIFY(changed);
+    }
+    void exceptionsBecomeErrors() {
+        TaskRunner tasks;
+        std::optional<Result<int>> memory, fault;
+        tasks.start(
+            TaskKind::path, "memory", [](Progress&) -> Result<int> { throw std::bad_alloc(); }, into(memory));
+        tasks.start(
+            TaskKind::field, "fault", [](Progress&) -> Result<int> { throw std::runtime_error("broken"); },
+            into(fault));
+        QTRY_VERIFY(memory.has_value() && fault.has_value());
+        QCOMPARE(memory->error().code, ErrorCode::outOfMemory);
+        QCOMPARE(fault->error().code, ErrorCode::internalFault);
+        QCOMPARE(fault->error().detail, std::string("broken"));
+    }
+
+    void aLentProjectIsUsedByOneThreadAtATime() {
+        ProjectThread thread;
+        const std::filesystem::path file = folder_->filePath("p.burin").toStdString();
+        std::vector<int> order; // written by both threads in turn: what the thread sanitizer looks at
+        thread.postToPlace(
+            [&](std::optional<Project>& place) -> Result<void> {
+                order.push_back(1);
+                Result<Project> project = Project::create(file);
+                if (!project) return std::move(project).error();
+                place.emplace(std::move(*project));
+                return {};
+            },
+            [](const Result<void>& outcome) { QVERIFY(outcome); });
+        bool lent = false;
+        thread.lend([&](Project* project) {
+            QVERIFY(project != nullptr);
+            order.push_back(2);
+            lent = true;
+        });
+        thread.ask(
+            [&](Project& project) {
+                order.push_back(3);
+                return project.unsaved();
+            },
+            [](const Result<bool>& unsaved) { QVERIFY(unsaved && !*unsaved); });
+        QVERIFY(order.size() < 3 || !lent); // nothing of it held up this thread
+        thread.finish();
+        QVERIFY(lent);
+        QCOMPARE(order, (std::vector<int>{1, 2, 3}));
+    }
+    void withoutAProjectThereIsAnError() {
+        ProjectThread thread;
+        std::optional<Result<bool>> outcome;
+        thread.ask([](Project& project) { return project.unsaved(); }, into(outcome));
+        bool asked = false;
+        thread.lend([&](Project* project) { asked = project == nullptr; });
+        thread.finish();
+        QVERIFY(asked);
+        QCOMPARE(outcome->error().code, ErrorCode::internalFault);
+    }
+
+    void anImportCanBeStopped() {
+        Workbench bench;
+        std::optional<Error> error;
+        connect(&bench, &Workbench::failed, this, [&](const Error& told) { error = told; });
+        bench.importPart(resourceDirectory() / "samples/mouse.step", false);
+        QTRY_VERIFY(bench.model.importing());
+        bench.tasks().cancelAll();
+        QTRY_VERIFY(error.has_value());
+        QCOMPARE(error->code, ErrorCode::cancelled);
+        QVERIFY(bench.model.model() == nullptr);
+    }
+    void theVoxelSuitsThePartsSize() {
+        const auto box = [](double length) { return Box{glm::dvec3(0.0), glm::dvec3(length, 1.0, 1.0)}; };
+        QCOMPARE(suitableVoxel(box(110.0)), 0.5); // the sample part
+        QCOMPARE(suitableVoxel(box(20.0)), 0.1);
+        QCOMPARE(suitableVoxel(box(400.0)), 2.0);
+    }
+    void aNewProjectIsOnTheDiskFromTheStart() {
+        std::filesystem::path file;
+        {
+            Workbench bench;
+            bench.document.createNew(false);
+            QTRY_VERIFY(bench.document.isOpen());
+            QVERIFY(bench.document.isUnnamed());
+            file = bench.document.file();
+            bench.tool.choose("flat-6");
+            QTRY_VERIFY(bench.document.unsaved());
+            QVERIFY(bench.document.leftWork().empty()); // it is at work itself
+        }
+        Workbench next;
+        const std::vector<LeftWork> left = next.document.leftWork();
+        QCOMPARE(left.size(), std::size_t{1});
+        QCOMPARE(left.front().file, file);
+        next.document.openFile(file, false);
+        QTRY_VERIFY(next.document.isOpen());
+        QVERIFY(next.document.recovered());
+        QCOMPARE(next.tool.current().id, std::string("flat-6"));
+        bool closed = false;
+        next.document.close(true, [&](bool) { closed = true; });
+        QTRY_VERIFY(closed);
+        QVERIFY(next.document.leftWork().empty()); // it was not wanted
+    }
+    void aFailedOpenLeavesWhatIsOpen() {
+        Workbench bench;
+        bench.document.createNew(false);
+        QTRY_VERIFY(bench.document.isOpen());
+        const std::filesystem::path file = bench.document.file();
+        std::optional<Error> error;
+        connect(&bench, &Workbench::failed, this, [&](const Error& told) { error = told; });
+        bench.document.openFile(folder_->filePath("none.burin").toStdString(), true);
+        QTRY_VERIFY(error.has_value());
+        QCOMPARE(error->code, ErrorCode::fileNotFound);
+        QCOMPARE(bench.document.file(), file);
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QTEST_GUILESS_MAIN(TestWorkbench)
+#include "tst_workbench.moc"
