@@ -124,10 +124,7 @@ fs::path resourceDirectory() {
 
 fs::path pluginDirectory() {
     const fs::path here = executableDirectory();
-    // A kind of plugin tells the folder from another of that name.
-    return firstExisting(here / "plugins/dialects",
-                         firstExisting(here / "../plugins/dialects", here / "../lib/burin/plugins/dialects"))
-        .parent_path();
+    return firstExisting(here / "plugins", firstExisting(here / "../plugins", here / "../lib/burin/plugins"));
 }
 
 } // namespace burin
