@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_driver.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDir>
 #include <QScreen>
+#include <QScrollArea>
 #include <QTimer>
 #include <QtTest>
 
@@ -69,6 +71,24 @@ bool WindowDriver::clickOn(const char* name) {
 
 bool WindowDriver::step(JobStep step) {
     return clickOn(stepButtons[static_cast<std::size_t>(step)]);
+}
+
+bool WindowDriver::enter(const char* name, const QString& text) {
+    const auto ready = [&] {
+        const auto* field = visible<QAbstractSpinBox>(name);
+        return field != nullptr && field->isEnabled();
+    };
+    if (!waitFor(ready, 3000)) return false;
+    auto* field = visible<QAbstractSpinBox>(name);
+    for (QWidget* parent = field->parentWidget(); parent != nullptr; parent = parent->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(parent)) area->ensureWidgetVisible(field);
+    QApplication::setActiveWindow(window_.get());
+    QTest::mouseClick(field, Qt::LeftButton, Qt::NoModifier, field->rect().center());
+    field->setFocus(); // a click does it where a window manager runs
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+    return true;
 }
 
 void WindowDriver::key(int key, Qt::KeyboardModifiers modifiers) {

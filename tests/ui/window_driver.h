@@ -36,6 +36,8 @@ public:
     }
     bool clickOn(const char* name); ///< with the mouse; false: nobody could
     bool step(JobStep step);        ///< by a click into the line of steps
+    /// Enters a text in the field of that name, as a user does: a click, everything chosen, typed, Enter.
+    bool enter(const char* name, const QString& text);
     void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     /// Does something to the next modal dialog as soon as it stands.
     void whenDialogStands(std::function<void(QWidget& dialog)> act);

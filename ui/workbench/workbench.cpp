@@ -56,6 +56,9 @@ void Workbench::wire() {
     connect(&path, &PathController::evaluatedAnew, &program, &ProgramController::pathChanged);
     connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
     connect(&bench, &BenchController::replayed, &mill, &MillController::setStrokes);
+    connect(&bench, &BenchController::replayed, this, [this] { // a project that was opened shows its path
+        if (path.stored() && !path.evaluated()) path.evaluate();
+    });
     connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
     bench.setGuard([this](std::function<void()> change) { mill.interrupt(std::move(change)); });
 }
