@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program_run.h"
+
+#include <QDirIterator>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QtTest>
+
+#include <chrono>
+#include <csignal>
+
+namespace {
+
+double unixTime() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+/// An X server of its own, and a hand that mills in a window on it.
+class Session {
+public:
+    ~Session() {
+        for (QProcess* process : {&hand_, &display_})
+            if (process->state() != QProcess::NotRunning) {
+                process->kill();
+                process->waitForFinished();
+            }
+        if (!folder_.isEmpty()) QDir(folder_).removeRecursively();
+    }
+
+    /// Until the hand records. False: it never came to that.
+    bool start() {
+        display_.start("Xvfb", {"-displayfd", "1", "-screen", "0", "1600x1000x24", "+extension", "GLX"});
+        if (!display_.waitForStarted() || !lineOf(display_, [](const QByteArray&) { return true; })) return false;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("DISPLAY", ":" + QString::fromLatin1(line_));
+        environment.insert("QT_QPA_PLATFORM", "xcb");
+        hand_.setProcessEnvironment(environment);
+        hand_.start(BURIN_BUILD_DIRECTORY "/test-programs/burin-window-hand", {});
+        if (!lineOf(hand_, [](const QByteArray& line) { return line.startsWith("folder "); })) return false;
+        folder_ = QString::fromUtf8(line_.mid(7));
+        return lineOf(hand_, [](const QByteArray& line) { return line == "recording"; });
+    }
+
+    QProcess& hand() { return hand_; }
+    QProcess& display() { return display_; }
+
+    /// What `burin info` says of the work that the hand left behind.
+    QJsonObject left() const {
+        QDirIterator files(folder_, {"*.burin.working"}, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+        if (!files.hasNext()) return {};
+        const QFileInfo working(files.next());
+        QString name = working.fileName().mid(1);
+        name.chop(static_cast<int>(qstrlen(".working")));
+        return runBurin({"info", working.dir().filePath(name), "--json"}).json();
+    }
+
+private:
+    template <class Wanted>
+    bool lineOf(QProcess& process, Wanted wanted) {
+        QElapsedTimer patience;
+        patience.start();
+        while (patience.elapsed() < 120'000) {
+            while (process.canReadLine()) {
+                line_ = process.readLine().trimmed();
+                if (wanted(line_)) return true;
+            }
+            if (process.state() == QProcess::NotRunning) return false;
+            process.waitForReadyRead(100);
+        }
+        return false;
+    }
+
+    QProcess display_, hand_;
+    QByteArray line_;
+    QString folder_;
+};
+
+} // namespace
+
+/// The window's end in the middle of a recording, from outside.
+class WindowKilledTest : public QObject {
+    Q_OBJECT
+private slots:
+    void costsAtMost100Milliseconds_data();
+    void costsAtMost100Milliseconds();
+    void closingTheWindowAsksAndKeepsNothingThatIsDiscarded();
+};
+
+enum class End { programKilled, programTerminated, displayKilled };
+Q_DECLARE_METATYPE(End)
+
+void WindowKilledTest::costsAtMost100Milliseconds_data() {
+    QTest::addColumn<End>("end");
+    QTest::addColumn<int>("milliseconds"); // of recording before it
+    QTest::newRow("kill -9, early") << End::programKilled << 900;
+    QTest::newRow("kill -9 in a stroke") << End::programKilled << 2600;
+    QTest::newRow("the X server dies") << End::displayKilled << 2300;
+    QTest::newRow("kill") << End::programTerminated << 1700;
+}
+
+void WindowKilledTest::costsAtMost100Milliseconds() {
+    QFETCH(End, end);
+    QFETCH(int, milliseconds);
+    Session session;
+    QVERIFY(session.start());
+    QTest::qWait(milliseconds);
+    const pid_t victim =
+        static_cast<pid_t>((end == End::displayKilled ? session.display() : session.hand()).processId());
+    ::kill(victim, end == End::programTerminated ? SIGTERM : SIGKILL);
+    const double ended = unixTime();
+    QVERIFY(session.hand().waitForFinished(20'000)); // it does not hang without its display
+    const QJsonObject info = session.left();
+    const QJsonArray takes = info["takes"].toArray();
+    QCOMPARE(takes.size(), 1);
+    const QJsonObject take = takes[0].toObject();
+    const double kept = take["started_unix_s"].toDouble() + take["duration_s"].toDouble();
+    qInfo("%.0f ms are missing", 1000.0 * (ended - kept));
+    QVERIFY2(ended - kept <= 0.1, qPrintable(QString("%1 s are missing").arg(ended - kept)));
+    QVERIFY(take["samples"].toInteger() > milliseconds / 2);
+}
+
+void WindowKilledTest::closingTheWindowAsksAndKeepsNothingThatIsDiscarded() {
+    Session session;
+    QVERIFY(session.start());
+    QTest::qWait(1500);
+    session.hand().write("close\n");
+    QVERIFY(session.hand().waitForFinished(20'000));
+    QCOMPARE(session.hand().exitStatus(), QProcess::NormalExit);
+    QVERIFY(session.left().isEmpty()); // the user was asked, and said so
+}
+
+QTEST_GUILESS_MAIN(WindowKilledTest)
+#include "tst_window_killed.moc"

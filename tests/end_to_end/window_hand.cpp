@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// A user at the window, for tests that end the program by force: embeds a block, starts a recording and mills on and
+// on. Tells its folder and the moment when it records on standard output; closes the window when standard input says
+// so.
+#include "tests/ui/window_steps.h"
+
+#include <QApplication>
+#include <QSocketNotifier>
+#include <QtTest>
+
+#include <cstdio>
+#include <unistd.h>
+
+using namespace burin::testing;
+
+namespace {
+
+void tell(const QString& line) {
+    std::puts(qPrintable(line));
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    WindowDriver driver;
+    tell("folder " + driver.folder().path());
+    burin::Workbench& bench = driver.window().workbench();
+    if (!makeReady(driver) || !driver.step(burin::JobStep::mill) || !driver.clickOn("recordButton")) return 1;
+    if (!driver.waitFor([&] { return bench.mill.recording(); }, 10000)) return 1;
+    QSocketNotifier order(STDIN_FILENO, QSocketNotifier::Read);
+    QObject::connect(&order, &QSocketNotifier::activated, &driver.window(), [&] {
+        order.setEnabled(false);
+        driver.whenDialogStands([](QWidget& dialog) { answer(dialog, "discardButton"); });
+        driver.window().close();
+    });
+    tell("recording");
+    for (int i = 0; driver.window().isVisible(); ++i) {
+        const double y = -12.0 + i % 9 * 3.0;
+        millLine(driver, {-18.0, y}, {18.0, y});
+    }
+    tell("closed");
+    // The folder stays for whoever looks at what was kept.
+    std::_Exit(0);
+}
