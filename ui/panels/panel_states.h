@@ -62,6 +62,7 @@ enum class DepthChoice { level, part };
 struct TakeRow {
     TakeInfo info;
     std::size_t strokes = 0;
+    bool recording = false; ///< it grows
 };
 
 struct MillState {

@@ -79,6 +79,7 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     text_->setAccessibleName(ProgramPanel::tr("Text of the program"));
     text_->setMinimumHeight(160);
     column_->addWidget(text_, 1);
+    column_->addStretch(); // while there is no text
 
     connect(post_, &QPushButton::clicked, panel, &ProgramPanel::postRequested);
     connect(export_, &QPushButton::clicked, panel, &ProgramPanel::exportRequested);

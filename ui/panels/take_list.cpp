@@ -18,9 +18,10 @@ namespace burin {
 namespace {
 
 bool same(const TakeRow& one, const TakeRow& other) {
-    return one.strokes == other.strokes && one.info.id == other.info.id && one.info.name == other.info.name &&
-           one.info.toolId == other.info.toolId && one.info.sampleCount == other.info.sampleCount &&
-           one.info.complete == other.info.complete && one.info.stylus == other.info.stylus;
+    return one.strokes == other.strokes && one.recording == other.recording && one.info.id == other.info.id &&
+           one.info.name == other.info.name && one.info.toolId == other.info.toolId &&
+           one.info.sampleCount == other.info.sampleCount && one.info.complete == other.info.complete &&
+           one.info.stylus == other.info.stylus;
 }
 
 QString detailOf(const TakeRow& take) {
@@ -28,26 +29,41 @@ QString detailOf(const TakeRow& take) {
     parts.append(take.strokes == 1 ? TakeList::tr("1 stroke")
                                    : TakeList::tr("%n strokes", nullptr, static_cast<int>(take.strokes)));
     parts.append(TakeList::tr("%1 samples").arg(countText(take.info.sampleCount)));
-    if (!take.info.complete) parts.append(TakeList::tr("incomplete"));
+    if (take.recording)
+        parts.append(TakeList::tr("recording"));
+    else if (!take.info.complete)
+        parts.append(TakeList::tr("incomplete"));
     return parts.join(QStringLiteral(" · "));
 }
 
 } // namespace
 
-TakeList::TakeList(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout(this)) {
-    rows_->setContentsMargins(0, 0, 0, 0);
-    rows_->setSpacing(4);
+TakeList::TakeList(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
+    layout_->setContentsMargins(0, 0, 0, 0);
+    layout_->setSpacing(4);
 }
 
 void TakeList::setTakes(const std::vector<TakeRow>& takes) {
-    if (std::ranges::equal(takes, takes_, same)) return;
+    const auto sameTake = [](const TakeRow& one, const TakeRow& other) { return one.info.id == other.info.id; };
+    const bool rowsStand = std::ranges::equal(takes, takes_, sameTake);
+    if (!rowsStand) makeRows(takes);
+    // A take that is recorded changes with each look: its row stays and tells what is new.
+    for (std::size_t i = 0; i < takes.size(); ++i)
+        if (!rowsStand || !same(takes[i], takes_[i])) show(rows_[i], takes[i]);
     takes_ = takes;
-    while (QLayoutItem* item = rows_->takeAt(0)) {
+}
+
+void TakeList::makeRows(const std::vector<TakeRow>& takes) {
+    rows_.clear();
+    while (QLayoutItem* item = layout_->takeAt(0)) {
         item->widget()->hide();
         item->widget()->deleteLater(); // the row whose button was just pressed may be among them
         delete item;
     }
-    for (auto take = takes_.rbegin(); take != takes_.rend(); ++take) rows_->addWidget(makeRow(*take));
+    for (const TakeRow& take : takes) {
+        rows_.push_back(makeRow(take.info.id));
+        layout_->insertWidget(0, rows_.back().widget); // the newest first
+    }
 }
 
 void TakeList::setRemovable(bool removable) {
@@ -56,29 +72,36 @@ void TakeList::setRemovable(bool removable) {
     for (QToolButton* button : findChildren<QToolButton*>()) button->setEnabled(removable);
 }
 
-QWidget* TakeList::makeRow(const TakeRow& take) {
-    auto* row = new QFrame(this);
-    row->setProperty("look", "card");
-    auto* grid = new QGridLayout(row);
+TakeList::Row TakeList::makeRow(std::int64_t take) {
+    Row row;
+    auto* frame = new QFrame(this);
+    row.widget = frame;
+    frame->setProperty("look", "card");
+    auto* grid = new QGridLayout(frame);
     grid->setContentsMargins(10, 6, 4, 6);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(0);
-    const QString name = QString::fromStdString(take.info.name);
-    grid->addWidget(new ElidedLabel(name, row), 0, 0);
-    auto* duration = new QLabel(durationText(static_cast<double>(take.info.sampleCount) * take.info.tickPeriod), row);
-    duration->setFont(numberFont(font()));
-    grid->addWidget(duration, 0, 1, Qt::AlignRight);
-    auto* detail = new ElidedLabel(detailOf(take), row);
-    detail->setProperty("look", "small");
-    grid->addWidget(detail, 1, 0, 1, 2);
-    const qint64 id = take.info.id;
-    QToolButton* remove = makeIconButton(QStringLiteral("remove"), tr("Remove the take \"%1\"").arg(name),
-                                         QStringLiteral("removeTake%1").arg(id), row);
+    row.name = new ElidedLabel({}, frame);
+    grid->addWidget(row.name, 0, 0);
+    row.duration = new QLabel(frame);
+    row.duration->setFont(numberFont(font()));
+    grid->addWidget(row.duration, 0, 1, Qt::AlignRight);
+    row.detail = new ElidedLabel({}, frame);
+    row.detail->setProperty("look", "small");
+    grid->addWidget(row.detail, 1, 0, 1, 2);
+    QToolButton* remove = makeIconButton(QStringLiteral("remove"), tr("Remove this take"),
+                                         QStringLiteral("removeTake%1").arg(take), frame);
     remove->setEnabled(removable_);
-    connect(remove, &QToolButton::clicked, this, [this, id] { emit removalRequested(id); });
+    connect(remove, &QToolButton::clicked, this, [this, take] { emit removalRequested(take); });
     grid->addWidget(remove, 0, 2, 2, 1, Qt::AlignVCenter);
     grid->setColumnStretch(0, 1);
     return row;
+}
+
+void TakeList::show(const Row& row, const TakeRow& take) {
+    row.name->setText(QString::fromStdString(take.info.name));
+    row.duration->setText(durationText(static_cast<double>(take.info.sampleCount) * take.info.tickPeriod));
+    row.detail->setText(detailOf(take));
 }
 
 } // namespace burin

@@ -6,9 +6,12 @@
 
 #include <QWidget>
 
+class QLabel;
 class QVBoxLayout;
 
 namespace burin {
+
+class ElidedLabel;
 
 /// The takes, the newest first, each with a button that asks for its removal.
 class TakeList : public QWidget {
@@ -22,10 +25,18 @@ signals:
     void removalRequested(qint64 take);
 
 private:
-    QWidget* makeRow(const TakeRow& take);
+    struct Row {
+        QWidget* widget = nullptr;
+        ElidedLabel *name = nullptr, *detail = nullptr;
+        QLabel* duration = nullptr;
+    };
+    Row makeRow(std::int64_t take);
+    void show(const Row& row, const TakeRow& take);
+    void makeRows(const std::vector<TakeRow>& takes);
 
-    QVBoxLayout* rows_ = nullptr;
-    std::vector<TakeRow> takes_;
+    QVBoxLayout* layout_ = nullptr;
+    std::vector<Row> rows_;      ///< as takes_
+    std::vector<TakeRow> takes_; ///< that are shown
     bool removable_ = true;
 };
 

@@ -116,11 +116,11 @@ void MillPresenter::present() {
     if (workbench_.session.running() && workbench_.bench.bench())
         state.alarm = shankSentence(session, *workbench_.bench.bench());
     for (const TakeInfo& take : mill.takes()) {
-        state.takes.push_back({take, workbench_.mill.strokesOf(take.id)});
+        state.takes.push_back({take, workbench_.mill.strokesOf(take.id), false});
         if (!state.recording || take.id != session.take) continue;
         TakeInfo& growing = state.takes.back().info;
         growing.sampleCount = static_cast<std::uint64_t>(std::lround(session.recordedSeconds / take.tickPeriod));
-        growing.complete = true; // nothing is missing of it so far
+        state.takes.back().recording = true;
     }
     state.showing = workbench_.showMe.showing();
     panel_.setState(state);

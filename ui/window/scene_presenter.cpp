@@ -8,6 +8,7 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
     : Presenter(workbench, {&workbench.model, &workbench.setup, &workbench.tool, &workbench.bench, &workbench.session},
                 parent)
     , viewport_(viewport)
+    , live_(viewport)
     , actions_(actions) {
     connect(&workbench.bench, &BenchController::workpieceChanged, this, &ScenePresenter::showWorkpiece);
     connect(&workbench.session, &SessionRunner::ended, this, &ScenePresenter::showWorkpiece);
@@ -15,10 +16,11 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
             [this](const WorkpieceView& view) { viewport_.setWorkpiece(view.workpiece, view.oldestCut); });
     connect(&workbench.session, &SessionRunner::ticked, this, &ScenePresenter::showTicks);
     connect(&workbench.session, &SessionRunner::traced, this, &ScenePresenter::showTrace);
-    connect(&workbench.session, &SessionRunner::recordingStarted, &viewport, &Viewport::clearLivePath);
+    connect(&workbench.session, &SessionRunner::recordingStarted, this, [this] { live_.clear(); });
+    connect(&workbench.mill, &MillController::strokeTakenBack, this, [this](bool undo) { live_.takeBack(undo); });
     connect(&workbench.path, &PathController::evaluatedAnew, this, [this] {
         const auto& evaluated = workbench_.path.evaluated();
-        viewport_.clearLivePath(); // the edited path takes its place
+        live_.clear(); // the edited path takes its place
         viewport_.setPath(evaluated ? evaluated->path : Path{});
     });
     for (const ActionId id : {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool})
@@ -75,7 +77,7 @@ void ScenePresenter::showTrace(const std::vector<MillingSession::TracePoint>& po
     bool begins = false;
     stroke_.clear();
     const auto draw = [&] {
-        if (!stroke_.empty()) viewport_.appendLivePath(stroke_, begins);
+        if (!stroke_.empty()) live_.append(stroke_, begins);
         if (!stroke_.empty()) begins = false;
         stroke_.clear();
     };

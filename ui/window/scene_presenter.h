@@ -4,6 +4,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/scene/viewport.h"
+#include "ui/window/live_strokes.h"
 #include "ui/window/presenter.h"
 
 namespace burin {
@@ -22,6 +23,7 @@ private:
     void showWorkpiece();
 
     Viewport& viewport_;
+    LiveStrokes live_;
     const Actions& actions_;
     std::shared_ptr<const Model> part_; ///< that is drawn
     std::string tool_;                  ///< id of the one that is drawn

@@ -132,6 +132,7 @@ void MillController::takeBack(bool undo) {
             --strokes_[taken];
         else
             ++strokes_[bench_.strokes().newest().take];
+        emit strokeTakenBack(undo);
         emit takesChanged();
         emit changed();
     };

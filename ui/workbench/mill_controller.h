@@ -42,7 +42,8 @@ public:
 signals:
     void entered();
     void left();
-    void takesChanged(); ///< recordings came, went, or strokes of them were taken back
+    void strokeTakenBack(bool undo); ///< the newest one; false: it was put back
+    void takesChanged();             ///< recordings came, went, or strokes of them were taken back
 
 private:
     void takeBack(bool undo);
