@@ -146,7 +146,7 @@ private slots:
         QCOMPARE(stock, QStringList{"machinable-wax"});
         pick("body", 1);
         QCOMPARE(child<QComboBox>(panel, "bodyMaterial").currentData().toString(), QStringLiteral("machinable-wax"));
-        pick("bodyMaterial", -2); // "As the stock" stands first
+        pick("bodyMaterial", -2); // "Same as the stock" stands first
         QCOMPARE(bodies, (QStringList{"1 aluminium-6061", "1 "}));
         QCOMPARE(stock.size(), 1);
     }

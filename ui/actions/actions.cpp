@@ -40,7 +40,7 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Put back what was taken back."), "Ctrl+Shift+Z"},
     Row{ActionId::preferences, "preferencesAction", QT_TRANSLATE_NOOP("Actions", "&Preferences…"),
         QT_TRANSLATE_NOOP("Actions", "Unit, theme and language."), "Ctrl+,"},
-    Row{ActionId::quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "&Quit"), QT_TRANSLATE_NOOP("Actions", "End Burin."),
+    Row{ActionId::quit, "quitAction", QT_TRANSLATE_NOOP("Actions", "&Quit"), QT_TRANSLATE_NOOP("Actions", "Quit Burin."),
         "Ctrl+Q"},
     Row{ActionId::fit, "fitAction", QT_TRANSLATE_NOOP("Actions", "&Fit"),
         QT_TRANSLATE_NOOP("Actions", "Show everything."), "F"},

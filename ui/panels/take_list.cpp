@@ -72,7 +72,7 @@ QWidget* TakeList::makeRow(const TakeRow& take) {
     detail->setProperty("look", "small");
     grid->addWidget(detail, 1, 0, 1, 2);
     const qint64 id = take.info.id;
-    QToolButton* remove = makeIconButton(QStringLiteral("remove"), tr("Remove the take \"%1\"").arg(name),
+    QToolButton* remove = makeIconButton(QStringLiteral("remove"), tr("Remove the take “%1”").arg(name),
                                          QStringLiteral("removeTake%1").arg(id), row);
     remove->setEnabled(removable_);
     connect(remove, &QToolButton::clicked, this, [this, id] { emit removalRequested(id); });

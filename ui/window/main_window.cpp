@@ -169,7 +169,7 @@ void MainWindow::connectWorkbench() {
         welcome_->setRecentFiles(settings_.recentFiles());
     });
     connect(&flow_, &DocumentFlow::exported, this, [this](const QString& file) {
-        message_->tell(Notice::Kind::passed, tr("The program stands in “%1”.").arg(QFileInfo(file).fileName()));
+        message_->tell(Notice::Kind::passed, tr("The program was written to “%1”.").arg(QFileInfo(file).fileName()));
     });
     connect(viewport_, &Viewport::drawingFailed, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
@@ -221,11 +221,11 @@ void MainWindow::tellAboutOpened() {
     const DocumentController& document = workbench_.document;
     if (!document.keptAside().empty())
         message_->tell(Notice::Kind::warning,
-                       tr("Older unsaved work did not belong to this file any more; it stands in “%1”.")
+                       tr("Older unsaved work did not belong to this file any more; it was moved to “%1”.")
                            .arg(QString::fromStdString(document.keptAside().filename().string())));
     else if (document.readOnly())
         message_->tell(Notice::Kind::warning,
-                       tr("The folder can't be written, so this project is open for reading; save it elsewhere to "
+                       tr("The folder can't be written, so this project is open for reading only; save it elsewhere to "
                           "change it."));
     else if (document.recovered())
         message_->tell(Notice::Kind::information,
