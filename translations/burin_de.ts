@@ -330,7 +330,7 @@
     <name>EditParameterTexts</name>
     <message>
         <source>Shortest</source>
-        <translation>Kürzester</translation>
+        <translation>Mindestlänge</translation>
     </message>
     <message>
         <source>A shorter stretch through air stays</source>
@@ -668,7 +668,7 @@
     </message>
     <message>
         <source>Specific cutting energy</source>
-        <translation>Spezifische Schnittenergie</translation>
+        <translation>Spez. Schnittenergie</translation>
     </message>
     <message>
         <source>Radial force ratio</source>
@@ -965,6 +965,21 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>Take</name>
+    <message>
+        <source>free hand</source>
+        <translation>freihändig</translation>
+    </message>
+    <message>
+        <source>roughing</source>
+        <translation>Schruppen</translation>
+    </message>
+    <message>
+        <source>finishing</source>
+        <translation>Schlichten</translation>
+    </message>
+</context>
+<context>
     <name>ViewCube</name>
     <message>
         <source>TOP</source>
@@ -1240,7 +1255,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>error %1</source>
-        <translation>Fehler %1</translation>
+        <translation>Abweichung %1</translation>
     </message>
     <message>
         <source>checking</source>
@@ -1802,7 +1817,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Error of all edits</source>
-        <translation>Fehler insgesamt</translation>
+        <translation>Abweichung insgesamt</translation>
     </message>
     <message>
         <source>Edits, in order</source>
@@ -2398,7 +2413,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Source of the dimensions</source>
-        <translation>Quelle der Maße</translation>
+        <translation>Quelle der Abmessungen</translation>
     </message>
 </context>
 <context>
@@ -2448,7 +2463,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>STEP, IGES, BREP or STL. Dropping a file on the window does the same.</source>
-        <translation>STEP, IGES, BREP oder STL. Sie können die Datei auch ins Fenster ziehen.</translation>
+        <translation>STEP, IGES, BREP oder STL; auch ins Fenster gezogen.</translation>
     </message>
     <message>
         <source>Try the sample part</source>

@@ -63,7 +63,7 @@ QWidget* TakeList::makeRow(const TakeRow& take) {
     grid->setContentsMargins(10, 6, 4, 6);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(0);
-    const QString name = QString::fromStdString(take.info.name);
+    const QString name = takeName(take.info.name);
     grid->addWidget(new ElidedLabel(name, row), 0, 0);
     auto* duration = new QLabel(durationText(static_cast<double>(take.info.sampleCount) * take.info.tickPeriod), row);
     duration->setFont(numberFont(font()));

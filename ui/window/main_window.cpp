@@ -5,6 +5,7 @@
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
+#include "ui/panels/texts.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -267,7 +268,7 @@ void MainWindow::removeTake(qint64 take) {
     const auto& takes = workbench_.mill.takes();
     const auto found = std::ranges::find(takes, take, &TakeInfo::id);
     if (found == takes.end()) return;
-    if (confirm(this, tr("Remove “%1”?").arg(QString::fromStdString(found->name)),
+    if (confirm(this, tr("Remove “%1”?").arg(takeName(found->name)),
                 tr("The workpiece is made anew without it; no undo brings it back."), tr("Remove")))
         workbench_.mill.removeTake(take);
 }
