@@ -684,7 +684,7 @@
     </message>
     <message>
         <source>Chip load per diameter</source>
-        <translation>Zahnvorschub je Durchmesser</translation>
+        <translation>Zahnvorschub je Ø</translation>
     </message>
     <message>
         <source>Plunge feed ratio</source>
@@ -1255,7 +1255,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>error %1</source>
-        <translation>Abweichung %1</translation>
+        <translation>Abw. %1</translation>
     </message>
     <message>
         <source>checking</source>
