@@ -31,8 +31,8 @@ private:
 Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), column_(makePanelLayout(meters)) {
     column_->setSpacing(4);
     column_->addWidget(makeSectionTitle(Meters::tr("Now"), meters));
-    force_ =
-        addRow(Meters::tr("Force"), "forceMeter", Meters::tr("Cutting force, not scaled; beside it the highest so far"));
+    force_ = addRow(Meters::tr("Force"), "forceMeter",
+                    Meters::tr("Cutting force, not scaled; beside it the highest so far"));
     forceBar_ = addBar(&Palette::force);
     removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed per second"));
     removalBar_ = addBar(&Palette::accent);
