@@ -10,7 +10,9 @@
 #include "ui/window/unix_signals.h"
 
 #include <QApplication>
+#include <QLibraryInfo>
 #include <QSurfaceFormat>
+#include <QTranslator>
 
 #include <atomic>
 #include <cstdlib>
@@ -46,6 +48,10 @@ void installLanguage() {
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     QLocale::setDefault(locale);
     Messages::install(locale);
+    auto* qt = new QTranslator(QCoreApplication::instance()); // the texts of Qt's own dialogs
+    if (qt->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+                 QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(qt);
 }
 
 } // namespace

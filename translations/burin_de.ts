@@ -2,6 +2,300 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Begin a new, empty project.</source>
+        <translation>Beginnt ein neues, leeres Projekt.</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a project.</source>
+        <translation>Öffnet ein Projekt.</translation>
+    </message>
+    <message>
+        <source>&amp;Import a part…</source>
+        <translation>Teil &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Read a part from a STEP, IGES, BREP or STL file.</source>
+        <translation>Liest ein Teil aus einer STEP-, IGES-, BREP- oder STL-Datei.</translation>
+    </message>
+    <message>
+        <source>Sample &amp;part</source>
+        <translation>Beispiel&amp;teil</translation>
+    </message>
+    <message>
+        <source>Import the part that Burin is shipped with.</source>
+        <translation>Importiert das Teil, das Burin mitbringt.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the project.</source>
+        <translation>Speichert das Projekt.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name and go on there.</source>
+        <translation>Speichert das Projekt unter anderem Namen und arbeitet dort weiter.</translation>
+    </message>
+    <message>
+        <source>&amp;Export the program…</source>
+        <translation>Programm &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the program that passed its check to a file.</source>
+        <translation>Schreibt das geprüfte Programm in eine Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last change back.</source>
+        <translation>Nimmt die letzte Änderung zurück.</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Wieder&amp;herstellen</translation>
+    </message>
+    <message>
+        <source>Put back what was taken back.</source>
+        <translation>Stellt wieder her, was zurückgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Unit, theme and language.</source>
+        <translation>Einheit, Farben und Sprache.</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show everything.</source>
+        <translation>Zeigt alles.</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isometrisch</translation>
+    </message>
+    <message>
+        <source>Look from a corner.</source>
+        <translation>Blick von einer Ecke.</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>Von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Look along the tool.</source>
+        <translation>Blick entlang des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>Von &amp;unten</translation>
+    </message>
+    <message>
+        <source>Look from below.</source>
+        <translation>Blick von unten.</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>Von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Look from the front.</source>
+        <translation>Blick von vorn.</translation>
+    </message>
+    <message>
+        <source>B&amp;ack</source>
+        <translation>Von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Look from the back.</source>
+        <translation>Blick von hinten.</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>Look from the left.</source>
+        <translation>Blick von links.</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght</source>
+        <translation>Von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Look from the right.</source>
+        <translation>Blick von rechts.</translation>
+    </message>
+    <message>
+        <source>&amp;Part</source>
+        <translation>&amp;Teil</translation>
+    </message>
+    <message>
+        <source>Draw the part beside the workpiece.</source>
+        <translation>Zeichnet neben dem Werkstück auch das Teil.</translation>
+    </message>
+    <message>
+        <source>&amp;Workpiece</source>
+        <translation>&amp;Werkstück</translation>
+    </message>
+    <message>
+        <source>Draw the workpiece.</source>
+        <translation>Zeichnet das Werkstück.</translation>
+    </message>
+    <message>
+        <source>T&amp;ool</source>
+        <translation>Werk&amp;zeug</translation>
+    </message>
+    <message>
+        <source>Draw the tool.</source>
+        <translation>Zeichnet das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Pat&amp;h</source>
+        <translation>Bah&amp;n</translation>
+    </message>
+    <message>
+        <source>Draw the edited path.</source>
+        <translation>Zeichnet die bearbeitete Bahn.</translation>
+    </message>
+    <message>
+        <source>&amp;Next step</source>
+        <translation>Nä&amp;chster Schritt</translation>
+    </message>
+    <message>
+        <source>Open the next step of the job.</source>
+        <translation>Öffnet den nächsten Arbeitsschritt.</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious step</source>
+        <translation>Vorheri&amp;ger Schritt</translation>
+    </message>
+    <message>
+        <source>Open the step of the job before this one.</source>
+        <translation>Öffnet den vorherigen Arbeitsschritt.</translation>
+    </message>
+    <message>
+        <source>&amp;Embed the part</source>
+        <translation>Teil &amp;einbetten</translation>
+    </message>
+    <message>
+        <source>Put the part into its stock: the workpiece is made.</source>
+        <translation>Setzt das Teil in sein Rohteil: das Werkstück entsteht.</translation>
+    </message>
+    <message>
+        <source>&amp;Mill mode</source>
+        <translation>&amp;Fräsmodus</translation>
+    </message>
+    <message>
+        <source>Take the tool in hand; Esc puts it away.</source>
+        <translation>Nimmt das Werkzeug in die Hand; Esc legt es weg.</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Start or stop a recording.</source>
+        <translation>Startet oder beendet eine Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>&amp;Show me</source>
+        <translation>&amp;Vorführen</translation>
+    </message>
+    <message>
+        <source>Watch a virtual operator mill this part.</source>
+        <translation>Ein virtueller Bediener fräst dieses Teil.</translation>
+    </message>
+    <message>
+        <source>S&amp;top the virtual operator</source>
+        <translation>Virtuellen Bediener an&amp;halten</translation>
+    </message>
+    <message>
+        <source>Stop; what was recorded stays.</source>
+        <translation>Hält an; das Aufgezeichnete bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;New path</source>
+        <translation>&amp;Neue Bahn</translation>
+    </message>
+    <message>
+        <source>Make a path of the recordings, with the edits of the main job.</source>
+        <translation>Macht aus den Aufzeichnungen eine Bahn mit den üblichen Bearbeitungen.</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluate</source>
+        <translation>Neu &amp;berechnen</translation>
+    </message>
+    <message>
+        <source>Apply the edits to the recordings again.</source>
+        <translation>Wendet die Bearbeitungen neu auf die Aufzeichnungen an.</translation>
+    </message>
+    <message>
+        <source>&amp;Post and check</source>
+        <translation>&amp;Ausgeben und prüfen</translation>
+    </message>
+    <message>
+        <source>Make the program, read it back and check it.</source>
+        <translation>Erzeugt das Programm, liest es zurück und prüft es.</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome page</source>
+        <translation>&amp;Willkommensseite</translation>
+    </message>
+    <message>
+        <source>Show how to begin.</source>
+        <translation>Zeigt, wie man beginnt.</translation>
+    </message>
+    <message>
+        <source>&amp;About Burin</source>
+        <translation>&amp;Über Burin</translation>
+    </message>
+    <message>
+        <source>Version, licence and sources.</source>
+        <translation>Version, Lizenz und Quellen.</translation>
+    </message>
+    <message>
+        <source>Quit Burin.</source>
+        <translation>Beendet Burin.</translation>
+    </message>
+</context>
+<context>
+    <name>Device</name>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>simulated: no force is felt; figures of a 3D Systems Touch (CHAI3D device table) scale the force that is shown</source>
+        <translation>simuliert: keine Kraft ist zu spüren; die angezeigte Kraft folgt den Kennwerten eines 3D Systems Touch (Gerätetabelle von CHAI3D)</translation>
+    </message>
+</context>
+<context>
     <name>Edit</name>
     <message>
         <source>Drop air cuts</source>
@@ -30,6 +324,116 @@
     <message>
         <source>Set feed and speed</source>
         <translation>Vorschub und Drehzahl setzen</translation>
+    </message>
+</context>
+<context>
+    <name>EditParameterTexts</name>
+    <message>
+        <source>Shortest</source>
+        <translation>Mindestlänge</translation>
+    </message>
+    <message>
+        <source>A shorter stretch through air stays</source>
+        <translation>Kürzere Strecken durch die Luft bleiben</translation>
+    </message>
+    <message>
+        <source>Slower than</source>
+        <translation>Langsamer als</translation>
+    </message>
+    <message>
+        <source>A tip slower than this dwells</source>
+        <translation>Eine langsamere Spitze verweilt</translation>
+    </message>
+    <message>
+        <source>Longer than</source>
+        <translation>Länger als</translation>
+    </message>
+    <message>
+        <source>A shorter rest stays</source>
+        <translation>Kürzeres Verweilen bleibt</translation>
+    </message>
+    <message>
+        <source>Cut-off</source>
+        <translation>Grenzfrequenz</translation>
+    </message>
+    <message>
+        <source>What trembles faster than this is smoothed away</source>
+        <translation>Schnelleres Zittern wird weggeglättet</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>No farther from what the hand did than this</source>
+        <translation>Höchstens so weit von der Handbewegung entfernt</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Kept from the part beyond the allowance</source>
+        <translation>Wird über das Aufmaß hinaus vom Teil eingehalten</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Abtastung</translation>
+    </message>
+    <message>
+        <source>How densely the path is held against the part</source>
+        <translation>Wie dicht die Bahn gegen das Teil gehalten wird</translation>
+    </message>
+    <message>
+        <source>No point that is left out lies farther off than this</source>
+        <translation>Kein weggelassener Punkt liegt weiter entfernt</translation>
+    </message>
+    <message>
+        <source>Clearance above</source>
+        <translation>Sicherheitshöhe</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>Anfahrweg</translation>
+    </message>
+    <message>
+        <source>How far above the stock&apos;s top rapid moves run</source>
+        <translation>Höhe des Eilgangs über der Oberkante des Rohteils</translation>
+    </message>
+    <message>
+        <source>How far above what is left the plunge begins</source>
+        <translation>Höhe über dem Restmaterial, in der das Eintauchen beginnt</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Open a project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Burin projects (*.burin)</source>
+        <translation>Burin-Projekte (*.burin)</translation>
+    </message>
+    <message>
+        <source>Import a part</source>
+        <translation>Teil importieren</translation>
+    </message>
+    <message>
+        <source>Parts (*.step *.stp *.STEP *.STP *.iges *.igs *.IGS *.brep *.stl *.STL);;All files (*)</source>
+        <translation>Teile (*.step *.stp *.STEP *.STP *.iges *.igs *.IGS *.brep *.stl *.STL);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Export the program</source>
+        <translation>Programm exportieren</translation>
+    </message>
+    <message>
+        <source>Programs (*.ngc *.nc);;All files (*)</source>
+        <translation>Programme (*.ngc *.nc);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -140,7 +544,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; reaches out of the stock (%2); enlarge the margin.</source>
-        <translation>„%1“ ragt aus dem Rohteil heraus (%2); vergrößern Sie das Aufmaß.</translation>
+        <translation>„%1“ ragt aus dem Rohteil heraus (%2); vergrößern Sie die Zugabe.</translation>
     </message>
     <message>
         <source>The stock&apos;s &quot;%1&quot; can&apos;t be used; allowed is: %2.</source>
@@ -217,6 +621,236 @@
     <message>
         <source>An unknown fault occurred in &quot;%1&quot;; report this.</source>
         <translation>In „%1“ ist ein unbekannter Fehler aufgetreten; melden Sie ihn.</translation>
+    </message>
+</context>
+<context>
+    <name>Migration</name>
+    <message>
+        <source>Strokes of a recording can be taken back.</source>
+        <translation>Züge einer Aufzeichnung lassen sich zurücknehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>MillTexts</name>
+    <message>
+        <source>the workpiece</source>
+        <translation>das Werkstück</translation>
+    </message>
+    <message>
+        <source>The shank touches the part.</source>
+        <translation>Der Schaft berührt das Teil.</translation>
+    </message>
+    <message>
+        <source>The holder touches the part.</source>
+        <translation>Der Halter berührt das Teil.</translation>
+    </message>
+    <message>
+        <source>The shank touches %1.</source>
+        <translation>Der Schaft berührt %1.</translation>
+    </message>
+    <message>
+        <source>The holder touches %1.</source>
+        <translation>Der Halter berührt %1.</translation>
+    </message>
+</context>
+<context>
+    <name>PanelTexts</name>
+    <message>
+        <source>1 flute</source>
+        <translation>1 Schneide</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n flutes</source>
+        <translation>
+            <numerusform>%n Schneide</numerusform>
+            <numerusform>%n Schneiden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Specific cutting energy</source>
+        <translation>Spez. Schnittenergie</translation>
+    </message>
+    <message>
+        <source>Radial force ratio</source>
+        <translation>Radialkraftverhältnis</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Surface speed</source>
+        <translation>Schnittgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Chip load per diameter</source>
+        <translation>Zahnvorschub je Ø</translation>
+    </message>
+    <message>
+        <source>Plunge feed ratio</source>
+        <translation>Anteil Eintauchvorschub</translation>
+    </message>
+    <message>
+        <source>Gouge of %1</source>
+        <translation>Konturverletzung %1</translation>
+    </message>
+    <message>
+        <source>Rapid through %1</source>
+        <translation>Eilgang durch %1</translation>
+    </message>
+    <message>
+        <source>Shank collision, %1</source>
+        <translation>Schaftkollision, %1</translation>
+    </message>
+    <message>
+        <source>Holder collision, %1</source>
+        <translation>Halterkollision, %1</translation>
+    </message>
+    <message>
+        <source>Spindle off in %1</source>
+        <translation>Spindel steht in %1</translation>
+    </message>
+    <message>
+        <source>Travel of %1 needed</source>
+        <translation>Verfahrweg %1 nötig</translation>
+    </message>
+    <message>
+        <source>Feed of %1 mm/min</source>
+        <translation>Vorschub %1 mm/min</translation>
+    </message>
+    <message>
+        <source>Spindle at %1 rpm</source>
+        <translation>Drehzahl %1 1/min</translation>
+    </message>
+    <message>
+        <source>Cuts from an unknown place</source>
+        <translation>Schnitt ab unbekannter Position</translation>
+    </message>
+</context>
+<context>
+    <name>Questions</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation>„%1“ hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Do you want to save them?</source>
+        <translation>Möchten Sie sie speichern?</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the project, then go on.</source>
+        <translation>Speichert das Projekt und macht dann weiter.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Go on; the changes are lost.</source>
+        <translation>Macht weiter; die Änderungen gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Change nothing.</source>
+        <translation>Ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Burin</source>
+        <translation>Burin</translation>
+    </message>
+    <message>
+        <source>About Burin</source>
+        <translation>Über Burin</translation>
+    </message>
+    <message>
+        <source>Burin %1</source>
+        <translation>Burin %1</translation>
+    </message>
+    <message>
+        <source>Milling tool paths authored by hand.
+
+The method follows Chen and Yang, “Haptic rendering based on spatial run-length encoding”, Robotics and Computer-Integrated Manufacturing 20 (2004) 237–246.
+
+Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneTBB, SQLite and Zstandard.</source>
+        <translation>Fräsbahnen, von Hand geschaffen.
+
+Das Verfahren folgt Chen und Yang, „Haptic rendering based on spatial run-length encoding“, Robotics and Computer-Integrated Manufacturing 20 (2004) 237–246.
+
+Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, oneTBB, SQLite und Zstandard.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this page.</source>
+        <translation>Schließt diese Seite.</translation>
+    </message>
+</context>
+<context>
+    <name>Resource</name>
+    <message>
+        <source>Aluminium 6061-T6</source>
+        <translation>Aluminium 6061-T6</translation>
+    </message>
+    <message>
+        <source>Machinable wax</source>
+        <translation>Fräswachs</translation>
+    </message>
+    <message>
+        <source>Tooling board (polyurethane)</source>
+        <translation>Modellbauplatte (Polyurethan)</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 1 mm</source>
+        <translation>Kugelfräser 1 mm</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 10 mm</source>
+        <translation>Kugelfräser 10 mm</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 3 mm</source>
+        <translation>Kugelfräser 3 mm</translation>
+    </message>
+    <message>
+        <source>Ball-end mill 6 mm</source>
+        <translation>Kugelfräser 6 mm</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 10 mm, corner radius 2 mm</source>
+        <translation>Torusfräser 10 mm, Eckenradius 2 mm</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 16 mm, corner radius 3 mm</source>
+        <translation>Torusfräser 16 mm, Eckenradius 3 mm</translation>
+    </message>
+    <message>
+        <source>Bull-nose end mill 6 mm, corner radius 1 mm</source>
+        <translation>Torusfräser 6 mm, Eckenradius 1 mm</translation>
+    </message>
+    <message>
+        <source>End mill 10 mm</source>
+        <translation>Schaftfräser 10 mm</translation>
+    </message>
+    <message>
+        <source>End mill 3 mm</source>
+        <translation>Schaftfräser 3 mm</translation>
+    </message>
+    <message>
+        <source>End mill 6 mm</source>
+        <translation>Schaftfräser 6 mm</translation>
     </message>
 </context>
 <context>
@@ -328,6 +962,1584 @@
     <message>
         <source>command</source>
         <translation>Befehl</translation>
+    </message>
+</context>
+<context>
+    <name>Take</name>
+    <message>
+        <source>free hand</source>
+        <translation>freihändig</translation>
+    </message>
+    <message>
+        <source>roughing</source>
+        <translation>Schruppen</translation>
+    </message>
+    <message>
+        <source>finishing</source>
+        <translation>Schlichten</translation>
+    </message>
+</context>
+<context>
+    <name>ViewCube</name>
+    <message>
+        <source>TOP</source>
+        <translation>OBEN</translation>
+    </message>
+    <message>
+        <source>BOTTOM</source>
+        <translation>UNTEN</translation>
+    </message>
+    <message>
+        <source>FRONT</source>
+        <translation>VORN</translation>
+    </message>
+    <message>
+        <source>BACK</source>
+        <translation>HINTEN</translation>
+    </message>
+    <message>
+        <source>LEFT</source>
+        <translation>LINKS</translation>
+    </message>
+    <message>
+        <source>RIGHT</source>
+        <translation>RECHTS</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ActionStates</name>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>Wieder&amp;herstellen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Wieder&amp;herstellen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AllowancePanel</name>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Stock to leave</source>
+        <translation>Aufmaß am Teil</translation>
+    </message>
+    <message>
+        <source>The tool can&apos;t come nearer to the part than this. Leave some stock while roughing; with 0 the cutter may touch the part and finish it.</source>
+        <translation>Näher kommt das Werkzeug dem Teil nicht. Lassen Sie beim Schruppen etwas Aufmaß stehen; mit 0 darf der Fräser das Teil berühren und es schlichten.</translation>
+    </message>
+    <message>
+        <source>A recording runs: the allowance stays.</source>
+        <translation>Eine Aufzeichnung läuft: Das Aufmaß bleibt.</translation>
+    </message>
+    <message>
+        <source>How far the boundary stands off the part</source>
+        <translation>Abstand der Grenzfläche vom Teil</translation>
+    </message>
+</context>
+<context>
+    <name>burin::BenchController</name>
+    <message>
+        <source>Embedding the part</source>
+        <translation>Teil wird eingebettet</translation>
+    </message>
+    <message>
+        <source>Computing the boundary for %1</source>
+        <translation>Grenzfläche für %1 wird berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>burin::DocumentController</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>burin::EditCard</name>
+    <message>
+        <source>Switch this edit on or off</source>
+        <translation>Diese Bearbeitung ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>%1 → %2 points</source>
+        <translation>%1 → %2 Punkte</translation>
+    </message>
+    <message>
+        <source>off by %1</source>
+        <translation>Abweichung %1</translation>
+    </message>
+</context>
+<context>
+    <name>burin::HowToMill</name>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>The tool floats over the workpiece.</source>
+        <translation>Das Werkzeug schwebt über dem Werkstück.</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Links ziehen</translation>
+    </message>
+    <message>
+        <source>Cuts a stroke.</source>
+        <translation>Schneidet einen Zug.</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>Raises and lowers the tool.</source>
+        <translation>Hebt und senkt das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Makes pointer and wheel fine.</source>
+        <translation>Macht Zeiger und Mausrad fein.</translation>
+    </message>
+    <message>
+        <source>Right drag</source>
+        <translation>Rechts ziehen</translation>
+    </message>
+    <message>
+        <source>Turns the view.</source>
+        <translation>Dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>Move the tool by a voxel.</source>
+        <translation>Bewegen das Werkzeug um ein Voxel.</translation>
+    </message>
+    <message>
+        <source>Page up, down</source>
+        <translation>Bild auf, ab</translation>
+    </message>
+    <message>
+        <source>Raise and lower the tool.</source>
+        <translation>Heben und senken das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Holds the spindle on.</source>
+        <translation>Lässt die Spindel laufen.</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Leaves mill mode.</source>
+        <translation>Verlässt den Fräsmodus.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::JobLine</name>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Mill</source>
+        <translation>Fräsen</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+</context>
+<context>
+    <name>burin::JobPresenter</name>
+    <message>
+        <source>importing</source>
+        <translation>wird importiert</translation>
+    </message>
+    <message>
+        <source>import one</source>
+        <translation>importieren</translation>
+    </message>
+    <message>
+        <source>no part yet</source>
+        <translation>noch kein Teil</translation>
+    </message>
+    <message>
+        <source>can&apos;t be embedded</source>
+        <translation>nicht einbettbar</translation>
+    </message>
+    <message>
+        <source>embedding</source>
+        <translation>wird eingebettet</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>virtual operator</source>
+        <translation>virtueller Bediener</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung läuft</translation>
+    </message>
+    <message>
+        <source>no take yet</source>
+        <translation>keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>wait for the boundary</source>
+        <translation>Grenzfläche fehlt</translation>
+    </message>
+    <message>
+        <source>embed first</source>
+        <translation>erst einbetten</translation>
+    </message>
+    <message>
+        <source>editing</source>
+        <translation>wird bearbeitet</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>nicht möglich</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>Abw. %1</translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation>wird geprüft</translation>
+    </message>
+    <message>
+        <source>no path yet</source>
+        <translation>noch keine Bahn</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>1 take</source>
+        <translation>1 Aufnahme</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n takes</source>
+        <translation>
+            <numerusform>%n Aufnahme</numerusform>
+            <numerusform>%n Aufnahmen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>burin::MainWindow</name>
+    <message>
+        <source>Delete this work?</source>
+        <translation>Diese Arbeit löschen?</translation>
+    </message>
+    <message>
+        <source>It was never saved, and no undo brings it back.</source>
+        <translation>Sie wurde nie gespeichert und lässt sich nicht wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Burin ended before this work was saved; all of it is here again.</source>
+        <translation>Burin endete, bevor diese Arbeit gespeichert war; sie ist vollständig wieder da.</translation>
+    </message>
+    <message>
+        <source>%1[*] — Burin</source>
+        <translation>%1[*] — Burin</translation>
+    </message>
+    <message>
+        <source>Burin</source>
+        <translation>Burin</translation>
+    </message>
+    <message>
+        <source>Remove “%1”?</source>
+        <translation>„%1“ entfernen?</translation>
+    </message>
+    <message>
+        <source>The workpiece is made anew without it; no undo brings it back.</source>
+        <translation>Das Werkstück wird ohne sie neu gefräst; das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>The program was written to “%1”.</source>
+        <translation>Das Programm steht in „%1“.</translation>
+    </message>
+    <message>
+        <source>Older unsaved work did not belong to this file any more; it was moved to “%1”.</source>
+        <translation>Ältere, nicht gespeicherte Arbeit gehörte nicht mehr zu dieser Datei; sie liegt jetzt in „%1“.</translation>
+    </message>
+    <message>
+        <source>The folder can&apos;t be written, so this project is open for reading only; save it elsewhere to change it.</source>
+        <translation>Der Ordner ist schreibgeschützt, das Projekt ist deshalb nur zum Lesen geöffnet; speichern Sie es anderswo, um es zu ändern.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MaterialPanel</name>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>What the stock is made of</source>
+        <translation>Woraus das Rohteil besteht</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>The body whose material is shown below</source>
+        <translation>Der Körper, dessen Werkstoff unten steht</translation>
+    </message>
+    <message>
+        <source>Its material</source>
+        <translation>Sein Werkstoff</translation>
+    </message>
+    <message>
+        <source>What this body is made of</source>
+        <translation>Woraus dieser Körper besteht</translation>
+    </message>
+    <message>
+        <source>Figures of the material</source>
+        <translation>Kennwerte des Werkstoffs</translation>
+    </message>
+    <message>
+        <source>Source of the chosen figure</source>
+        <translation>Quelle des gewählten Kennwerts</translation>
+    </message>
+    <message>
+        <source>There are recordings: stock and material stay as they are.</source>
+        <translation>Es gibt Aufzeichnungen: Rohteil und Werkstoff bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Figures of %1</source>
+        <translation>Kennwerte: %1</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>Schätzwert</translation>
+    </message>
+    <message>
+        <source>1 figure is an estimate: calibrate it before you trust what depends on it.</source>
+        <translation>1 Kennwert ist geschätzt: Kalibrieren Sie ihn, bevor Sie sich auf davon abhängige Werte verlassen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n figures are estimates: calibrate them before you trust what depends on them.</source>
+        <translation>
+            <numerusform>%n Kennwert ist geschätzt: Kalibrieren Sie ihn, bevor Sie sich auf davon abhängige Werte verlassen.</numerusform>
+            <numerusform>%n Kennwerte sind geschätzt: Kalibrieren Sie sie, bevor Sie sich auf davon abhängige Werte verlassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Same as the stock</source>
+        <translation>Wie das Rohteil</translation>
+    </message>
+</context>
+<context>
+    <name>burin::Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Zu&amp;letzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Mill</source>
+        <translation>&amp;Fräsen</translation>
+    </message>
+    <message>
+        <source>&amp;Path</source>
+        <translation>Bah&amp;n</translation>
+    </message>
+    <message>
+        <source>P&amp;rogram</source>
+        <translation>&amp;Programm</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MessageStrip</name>
+    <message>
+        <source>Put this message away.</source>
+        <translation>Schließt diese Meldung.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MeterPresenter</name>
+    <message>
+        <source>Virtual operator %1 ×</source>
+        <translation>Virtueller Bediener, %1 ×</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+</context>
+<context>
+    <name>burin::Meters</name>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Removal</source>
+        <translation>Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Haptic rate</source>
+        <translation>Haptiktakt</translation>
+    </message>
+    <message>
+        <source>Work, p99.9</source>
+        <translation>Rechenzeit, p99,9</translation>
+    </message>
+    <message>
+        <source>999 of 1000 ticks take no longer than this, thread CPU time</source>
+        <translation>999 von 1000 Takten dauern nicht länger, CPU-Zeit des Threads</translation>
+    </message>
+    <message>
+        <source>Missed</source>
+        <translation>Verpasst</translation>
+    </message>
+    <message>
+        <source>Ticks that came too late</source>
+        <translation>Takte, die zu spät kamen</translation>
+    </message>
+    <message>
+        <source>Stylus</source>
+        <translation>Stift</translation>
+    </message>
+    <message>
+        <source>What leads the tool</source>
+        <translation>Was das Werkzeug führt</translation>
+    </message>
+    <message>
+        <source>%1 N of %2</source>
+        <translation>%1 N von %2</translation>
+    </message>
+    <message>
+        <source>Tip of the tool from program zero, in %1</source>
+        <translation>Werkzeugspitze ab Programmnullpunkt, in %1</translation>
+    </message>
+    <message>
+        <source>Cutting force, not scaled; beside it the highest so far</source>
+        <translation>Schnittkraft, unskaliert; daneben die bisher höchste</translation>
+    </message>
+    <message>
+        <source>Material removed per second</source>
+        <translation>Abgetragenes Volumen je Sekunde</translation>
+    </message>
+    <message>
+        <source>Ticks per second that are really reached</source>
+        <translation>Tatsächlich erreichte Takte je Sekunde</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MillController</name>
+    <message>
+        <source>take %1</source>
+        <translation>Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>stroke</source>
+        <translation>Zug</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MillPanel</name>
+    <message>
+        <source>Mill</source>
+        <translation>Fräsen</translation>
+    </message>
+    <message>
+        <source>How the tool follows the hand</source>
+        <translation>Führung des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded yet. Record while you mill, or let the virtual operator show it to you.</source>
+        <translation>Noch ist nichts aufgezeichnet. Zeichnen Sie beim Fräsen auf, oder lassen Sie es sich vom virtuellen Bediener vorführen.</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Vorführen</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Take the newest stroke back</source>
+        <translation>Den letzten Zug zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Put the stroke back that was taken back last</source>
+        <translation>Den zuletzt zurückgenommenen Zug wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Along the part</source>
+        <translation>Am Teil entlang</translation>
+    </message>
+    <message>
+        <source>A stroke presses onto the part, whose push-back leads the tool along it</source>
+        <translation>Ein Zug drückt auf das Teil, dessen Gegenkraft das Werkzeug daran entlangführt</translation>
+    </message>
+    <message>
+        <source>Depth of cut</source>
+        <translation>Zustellung</translation>
+    </message>
+    <message>
+        <source>How deep the tip goes below what is under the pointer</source>
+        <translation>Wie tief die Spitze unter die Stelle am Zeiger geht</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Andruck</translation>
+    </message>
+    <message>
+        <source>How far the hand goes into the part, against its push-back</source>
+        <translation>Wie weit die Hand gegen die Gegenkraft in das Teil drückt</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The tool follows the pointer no faster than this while it cuts</source>
+        <translation>Schneller folgt das Werkzeug dem Zeiger beim Schneiden nicht</translation>
+    </message>
+    <message>
+        <source>Embed the part and choose a tool first.</source>
+        <translation>Betten Sie zuerst das Teil ein und wählen Sie ein Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Stop %1</source>
+        <translation>Stopp %1</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>End the take</source>
+        <translation>Die Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Record what the hand does, as a take</source>
+        <translation>Die Handbewegung als Aufnahme aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Stop milling</source>
+        <translation>Fräsen beenden</translation>
+    </message>
+    <message>
+        <source>Put the tool away</source>
+        <translation>Das Werkzeug weglegen</translation>
+    </message>
+    <message>
+        <source>The tool follows the mouse</source>
+        <translation>Das Werkzeug folgt der Maus</translation>
+    </message>
+    <message>
+        <source>Stop the recording first.</source>
+        <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>End what the virtual operator does</source>
+        <translation>Den virtuellen Bediener anhalten</translation>
+    </message>
+    <message>
+        <source>The virtual operator mills the part before your eyes</source>
+        <translation>Der virtuelle Bediener fräst das Teil vor Ihren Augen</translation>
+    </message>
+    <message>
+        <source>Stop showing</source>
+        <translation>Vorführung beenden</translation>
+    </message>
+    <message>
+        <source>A stroke stays at the height of its first place, less the depth of cut</source>
+        <translation>Ein Zug bleibt auf der Höhe seines Anfangs, abzüglich der Zustellung</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MillPresenter</name>
+    <message>
+        <source>Import a part first.</source>
+        <translation>Importieren Sie zuerst ein Teil.</translation>
+    </message>
+    <message>
+        <source>The part is being embedded.</source>
+        <translation>Das Teil wird eingebettet.</translation>
+    </message>
+    <message>
+        <source>Embed the part in its stock first.</source>
+        <translation>Betten Sie das Teil zuerst in sein Rohteil ein.</translation>
+    </message>
+    <message>
+        <source>The boundary for the tool is being computed.</source>
+        <translation>Die Grenzfläche für das Werkzeug wird berechnet.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ModelController</name>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+</context>
+<context>
+    <name>burin::Notice</name>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PartPanel</name>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Import a part…</source>
+        <translation>Teil importieren…</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Import another part…</source>
+        <translation>Anderes Teil importieren…</translation>
+    </message>
+    <message>
+        <source>A part is being read.</source>
+        <translation>Ein Teil wird eingelesen.</translation>
+    </message>
+    <message>
+        <source>Read a STEP, IGES, BREP or STL file</source>
+        <translation>Eine STEP-, IGES-, BREP- oder STL-Datei einlesen</translation>
+    </message>
+    <message>
+        <source>The part is being read…</source>
+        <translation>Das Teil wird eingelesen…</translation>
+    </message>
+    <message>
+        <source>1 open edge</source>
+        <translation>1 offene Kante</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open edges</source>
+        <translation>
+            <numerusform>%n offene Kante</numerusform>
+            <numerusform>%n offene Kanten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 face</source>
+        <translation>1 Fläche</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces</source>
+        <translation>
+            <numerusform>%n Fläche</numerusform>
+            <numerusform>%n Flächen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Healed</source>
+        <translation>Repariert</translation>
+    </message>
+    <message>
+        <source>Doubtful</source>
+        <translation>Zweifelhaft</translation>
+    </message>
+    <message>
+        <source>Import notes</source>
+        <translation>Hinweise zum Import</translation>
+    </message>
+    <message>
+        <source>The CAD solid that is to be made. STEP keeps the exact surfaces, an STL file has only triangles.</source>
+        <translation>Der CAD-Körper, der entstehen soll. STEP bewahrt die genauen Flächen, eine STL-Datei hat nur Dreiecke.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PathController</name>
+    <message>
+        <source>edit of the path</source>
+        <translation>Bearbeitung der Bahn</translation>
+    </message>
+    <message>
+        <source>Editing the path</source>
+        <translation>Bahn wird bearbeitet</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PathPanel</name>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Cutting length</source>
+        <translation>Schnittweg</translation>
+    </message>
+    <message>
+        <source>Error of all edits</source>
+        <translation>Abweichung insgesamt</translation>
+    </message>
+    <message>
+        <source>Edits, in order</source>
+        <translation>Bearbeitungen der Reihe nach</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Show the path in the view</source>
+        <translation>Die Bahn in der Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>New path from the takes</source>
+        <translation>Neue Bahn aus den Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Update path</source>
+        <translation>Bahn aktualisieren</translation>
+    </message>
+    <message>
+        <source>Work is under way.</source>
+        <translation>Es wird noch gerechnet.</translation>
+    </message>
+    <message>
+        <source>Record a take first.</source>
+        <translation>Zeichnen Sie zuerst eine Aufnahme auf.</translation>
+    </message>
+    <message>
+        <source>Make a path of all takes, with the standard edits</source>
+        <translation>Aus allen Aufnahmen eine Bahn mit den üblichen Bearbeitungen machen</translation>
+    </message>
+    <message>
+        <source>The path is up to date.</source>
+        <translation>Die Bahn ist aktuell.</translation>
+    </message>
+    <message>
+        <source>Apply the edits again</source>
+        <translation>Die Bearbeitungen neu anwenden</translation>
+    </message>
+    <message>
+        <source>The edits are being applied…</source>
+        <translation>Die Bearbeitungen werden angewendet…</translation>
+    </message>
+    <message>
+        <source>Takes or edits changed: update the path.</source>
+        <translation>Aufnahmen oder Bearbeitungen haben sich geändert: Aktualisieren Sie die Bahn.</translation>
+    </message>
+    <message>
+        <source>The path is at most this far from what the hand did</source>
+        <translation>Größte Abweichung der Bahn von der Handbewegung</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Colours of the window.</source>
+        <translation>Farben des Fensters.</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>In force from the next start on.</source>
+        <translation>Gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Another language is in force from the next start on.</source>
+        <translation>Eine andere Sprache gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this page.</source>
+        <translation>Schließt diese Seite.</translation>
+    </message>
+    <message>
+        <source>The unit in which lengths are shown. Files always hold millimetres.</source>
+        <translation>Die Einheit, in der Längen angezeigt werden. Dateien enthalten immer Millimeter.</translation>
+    </message>
+    <message>
+        <source>Same as the system</source>
+        <translation>Wie das System</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ProgramController</name>
+    <message>
+        <source>Posting and checking</source>
+        <translation>Programm wird ausgegeben und geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ProgramPanel</name>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Post and check</source>
+        <translation>Ausgeben und prüfen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Gouge tolerance</source>
+        <translation>Toleranz am Teil</translation>
+    </message>
+    <message>
+        <source>A cut into the part up to this deep is let through</source>
+        <translation>Schnitte ins Teil bis zu dieser Tiefe werden zugelassen</translation>
+    </message>
+    <message>
+        <source>Findings of the check</source>
+        <translation>Befunde der Prüfung</translation>
+    </message>
+    <message>
+        <source>Text of the program</source>
+        <translation>Text des Programms</translation>
+    </message>
+    <message>
+        <source>Deepest gouge</source>
+        <translation>Tiefste Konturverletzung</translation>
+    </message>
+    <message>
+        <source>On the part</source>
+        <translation>Am Teil</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Abgetragen</translation>
+    </message>
+    <message>
+        <source>Machining time</source>
+        <translation>Bearbeitungszeit</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Sätze</translation>
+    </message>
+    <message>
+        <source>Post the path first.</source>
+        <translation>Geben Sie zuerst die Bahn aus.</translation>
+    </message>
+    <message>
+        <source>Work is under way.</source>
+        <translation>Es wird noch gerechnet.</translation>
+    </message>
+    <message>
+        <source>The path changed since: post and check it again.</source>
+        <translation>Die Bahn hat sich geändert: Geben Sie sie neu aus und prüfen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The program is not checked yet.</source>
+        <translation>Das Programm ist noch nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>The program did not pass its check.</source>
+        <translation>Das Programm hat die Prüfung nicht bestanden.</translation>
+    </message>
+    <message>
+        <source>Not passed: 1 finding.</source>
+        <translation>Nicht bestanden: 1 Befund.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not passed: %n findings.</source>
+        <translation>
+            <numerusform>Nicht bestanden: %n Befund.</numerusform>
+            <numerusform>Nicht bestanden: %n Befunde.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>The program is being posted and checked…</source>
+        <translation>Das Programm wird ausgegeben und geprüft…</translation>
+    </message>
+    <message>
+        <source>Make a path first.</source>
+        <translation>Machen Sie zuerst eine Bahn.</translation>
+    </message>
+    <message>
+        <source>Passed: gouge %1 (limit %2), no collision, all limits kept.</source>
+        <translation>Bestanden: Konturverletzung %1 (Grenze %2), keine Kollision, alle Grenzen eingehalten.</translation>
+    </message>
+    <message>
+        <source>Judged on the exact surfaces at the worst places</source>
+        <translation>An den schlechtesten Stellen auf den genauen Flächen beurteilt</translation>
+    </message>
+    <message>
+        <source>Judged on the fine mesh</source>
+        <translation>Am feinen Netz beurteilt</translation>
+    </message>
+    <message>
+        <source>Write the program, read it back and mill it again on a fresh workpiece</source>
+        <translation>Das Programm schreiben, zurücklesen und an einem frischen Werkstück nachfräsen</translation>
+    </message>
+    <message>
+        <source>Write the program to a file for the machine</source>
+        <translation>Das Programm für die Maschine in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Excess, mean / max</source>
+        <translation>Restmaterial, mittel / max.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::SetupController</name>
+    <message>
+        <source>voxel size</source>
+        <translation>Voxelgröße</translation>
+    </message>
+    <message>
+        <source>stock margin</source>
+        <translation>Zugabe am Rohteil</translation>
+    </message>
+    <message>
+        <source>stock material</source>
+        <translation>Werkstoff des Rohteils</translation>
+    </message>
+    <message>
+        <source>material of a body</source>
+        <translation>Werkstoff eines Körpers</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ShowMe</name>
+    <message>
+        <source>Planning the strokes</source>
+        <translation>Züge werden geplant</translation>
+    </message>
+</context>
+<context>
+    <name>burin::StatusLine</name>
+    <message>
+        <source>What leads the tool.</source>
+        <translation>Was das Werkzeug führt.</translation>
+    </message>
+    <message>
+        <source>Where the tip is, in the coordinates of the program.</source>
+        <translation>Wo die Spitze ist, in den Koordinaten des Programms.</translation>
+    </message>
+    <message>
+        <source>Voxels of the workpiece, and the memory reserved for it.</source>
+        <translation>Voxel des Werkstücks und der dafür reservierte Speicher.</translation>
+    </message>
+    <message>
+        <source>Whether the project&apos;s file holds all that was done.</source>
+        <translation>Ob die Projektdatei alles enthält, was getan wurde.</translation>
+    </message>
+    <message>
+        <source>Work in the background.</source>
+        <translation>Arbeit im Hintergrund.</translation>
+    </message>
+    <message>
+        <source>How far the work in the background is.</source>
+        <translation>Wie weit die Arbeit im Hintergrund ist.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the work in the background.</source>
+        <translation>Bricht die Arbeit im Hintergrund ab.</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Wird abgebrochen</translation>
+    </message>
+    <message>
+        <source>Ticks per second of the haptic loop that were really reached, and what 99.9 % of them cost at most.</source>
+        <translation>Tatsächlich erreichte Takte je Sekunde der Haptikschleife, und was 99,9 % davon höchstens kosten.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::StatusPresenter</name>
+    <message>
+        <source>Read only</source>
+        <translation>Nur lesen</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved just now</source>
+        <translation>Gerade gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved at %1</source>
+        <translation>Um %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels · %4 MB</source>
+        <translation>%1 × %2 × %3 Voxel · %4 MB</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>%1 Hz · p99.9 %2 µs</source>
+        <translation>%1 Hz · p99,9 %2 µs</translation>
+    </message>
+    <message>
+        <source>Saved 1 minute ago</source>
+        <translation>Vor 1 Minute gespeichert</translation>
+    </message>
+    <message numerus="yes">
+        <source>Saved %n minutes ago</source>
+        <translation>
+            <numerusform>Vor %n Minute gespeichert</numerusform>
+            <numerusform>Vor %n Minuten gespeichert</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>burin::StepButton</name>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>under way</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>can be done</source>
+        <translation>möglich</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+</context>
+<context>
+    <name>burin::StockPanel</name>
+    <message>
+        <source>Stock around the part</source>
+        <translation>Rohteil um das Teil</translation>
+    </message>
+    <message>
+        <source>Margin, sides</source>
+        <translation>Zugabe seitlich</translation>
+    </message>
+    <message>
+        <source>Stock beside the part, on all four sides</source>
+        <translation>Material neben dem Teil, auf allen vier Seiten</translation>
+    </message>
+    <message>
+        <source>Margin, top</source>
+        <translation>Zugabe oben</translation>
+    </message>
+    <message>
+        <source>Stock above the part</source>
+        <translation>Material über dem Teil</translation>
+    </message>
+    <message>
+        <source>Margin, bottom</source>
+        <translation>Zugabe unten</translation>
+    </message>
+    <message>
+        <source>Stock below the part</source>
+        <translation>Material unter dem Teil</translation>
+    </message>
+    <message>
+        <source>Stock size</source>
+        <translation>Rohteilgröße</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Voxel size</source>
+        <translation>Voxelgröße</translation>
+    </message>
+    <message>
+        <source>Smaller voxels show finer detail and take more memory</source>
+        <translation>Kleinere Voxel zeigen feinere Einzelheiten und brauchen mehr Speicher</translation>
+    </message>
+    <message>
+        <source>Embed the part</source>
+        <translation>Teil einbetten</translation>
+    </message>
+    <message>
+        <source>%1&#xa0;million</source>
+        <translation>%1&#xa0;Mio.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels = %4, %5&#xa0;MB</source>
+        <translation>%1 × %2 × %3 Voxel = %4, %5&#xa0;MB</translation>
+    </message>
+    <message>
+        <source>Import a part first.</source>
+        <translation>Importieren Sie zuerst ein Teil.</translation>
+    </message>
+    <message>
+        <source>Work is under way.</source>
+        <translation>Es wird noch gerechnet.</translation>
+    </message>
+    <message>
+        <source>There are recordings: stock and material stay as they are.</source>
+        <translation>Es gibt Aufzeichnungen: Rohteil und Werkstoff bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The margins of the sides differ: %1 to %2. An entry sets all four.</source>
+        <translation>Die seitlichen Zugaben sind verschieden: %1 bis %2. Eine Eingabe setzt alle vier.</translation>
+    </message>
+    <message>
+        <source>Embedded</source>
+        <translation>Eingebettet</translation>
+    </message>
+    <message>
+        <source>Fill a workpiece with stock and part</source>
+        <translation>Ein Werkstück mit Rohteil und Teil füllen</translation>
+    </message>
+    <message>
+        <source>The workpiece matches these settings.</source>
+        <translation>Das Werkstück entspricht diesen Einstellungen.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::TakeList</name>
+    <message>
+        <source>1 stroke</source>
+        <translation>1 Zug</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n strokes</source>
+        <translation>
+            <numerusform>%n Zug</numerusform>
+            <numerusform>%n Züge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 Messpunkte</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>unvollständig</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>Remove this take</source>
+        <translation>Diese Aufnahme entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ToolController</name>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ToolDrawing</name>
+    <message>
+        <source>Drawing of the tool, to scale</source>
+        <translation>Maßstäbliche Zeichnung des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Flutes %1</source>
+        <translation>Schneiden %1</translation>
+    </message>
+    <message>
+        <source>Stick-out %1</source>
+        <translation>Auskragung %1</translation>
+    </message>
+    <message>
+        <source>Overall %1</source>
+        <translation>Gesamt %1</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ToolPanel</name>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Choose the tool to mill with</source>
+        <translation>Das Werkzeug zum Fräsen wählen</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Stick-out</source>
+        <translation>Auskragung</translation>
+    </message>
+    <message>
+        <source>Deepest cut</source>
+        <translation>Größte Zustellung</translation>
+    </message>
+    <message>
+        <source>In this stock</source>
+        <translation>In diesem Werkstoff</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Plunge feed</source>
+        <translation>Eintauchvorschub</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source>%1, %2 long</source>
+        <translation>%1, %2 lang</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>1/min</translation>
+    </message>
+    <message>
+        <source>Feed and speed come from figures that are estimates.</source>
+        <translation>Vorschub und Drehzahl beruhen auf geschätzten Kennwerten.</translation>
+    </message>
+    <message>
+        <source>A recording runs: the tool stays.</source>
+        <translation>Eine Aufzeichnung läuft: Das Werkzeug bleibt.</translation>
+    </message>
+    <message>
+        <source>The boundary for this tool is being computed…</source>
+        <translation>Die Grenzfläche für dieses Werkzeug wird berechnet…</translation>
+    </message>
+    <message>
+        <source>Source of the dimensions</source>
+        <translation>Quelle der Abmessungen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::Viewport</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 in</source>
+        <translation>%1 in</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.2 or later; this computer offers none. A driver of the graphics card may be missing.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2 oder neuer; dieser Rechner bietet keines. Vielleicht fehlt ein Treiber der Grafikkarte.</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.2 or later; this computer offers %1.%2. A newer driver of the graphics card may help.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2 oder neuer; dieser Rechner bietet %1.%2. Vielleicht hilft ein neuerer Treiber der Grafikkarte.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::WelcomePage</name>
+    <message>
+        <source>Burin</source>
+        <translation>Burin</translation>
+    </message>
+    <message>
+        <source>Mill the part by hand; the machine repeats what your hand did.</source>
+        <translation>Fräsen Sie das Teil von Hand; die Maschine wiederholt, was Ihre Hand tat.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Open a part…</source>
+        <translation>Teil öffnen…</translation>
+    </message>
+    <message>
+        <source>Read a part from a STEP, IGES, BREP or STL file.</source>
+        <translation>Liest ein Teil aus einer STEP-, IGES-, BREP- oder STL-Datei.</translation>
+    </message>
+    <message>
+        <source>STEP, IGES, BREP or STL. Dropping a file on the window does the same.</source>
+        <translation>STEP, IGES, BREP oder STL; auch ins Fenster gezogen.</translation>
+    </message>
+    <message>
+        <source>Try the sample part</source>
+        <translation>Mit dem Beispielteil probieren</translation>
+    </message>
+    <message>
+        <source>Import the part that Burin is shipped with.</source>
+        <translation>Importiert das Teil, das Burin mitbringt.</translation>
+    </message>
+    <message>
+        <source>A computer mouse, 110 mm long, ready to be milled.</source>
+        <translation>Eine Computermaus, 110 mm lang, bereit zum Fräsen.</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Vorführen</translation>
+    </message>
+    <message>
+        <source>Watch a virtual operator mill the sample part.</source>
+        <translation>Ein virtueller Bediener fräst das Beispielteil.</translation>
+    </message>
+    <message>
+        <source>A virtual operator mills the sample part before your eyes, eight times as fast as a hand.</source>
+        <translation>Ein virtueller Bediener fräst das Beispielteil vor Ihren Augen, achtmal so schnell wie eine Hand.</translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation>Projekt öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a .burin file.</source>
+        <translation>Öffnet eine .burin-Datei.</translation>
+    </message>
+    <message>
+        <source>Go on with a project that was saved.</source>
+        <translation>Mit einem gespeicherten Projekt weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Burin ended before this work was saved. Nothing of it is lost.</source>
+        <translation>Burin endete, bevor diese Arbeit gespeichert war. Nichts davon ist verloren.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Zuletzt verwendete Projekte</translation>
+    </message>
+    <message>
+        <source>Projects that you save are listed here.</source>
+        <translation>Gespeicherte Projekte stehen hier.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Go on with this work.</source>
+        <translation>Mit dieser Arbeit weitermachen.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete this work for good.</source>
+        <translation>Löscht diese Arbeit endgültig.</translation>
+    </message>
+    <message>
+        <source>The sample part, milled.</source>
+        <translation>Das Beispielteil, gefräst.</translation>
     </message>
 </context>
 </TS>

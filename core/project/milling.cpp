@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/milling.h"
 
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/project/milling_session.h"
 
@@ -131,8 +132,9 @@ Result<OperatorPlan> planOperator(const Bench& bench, const ClearanceField& fiel
     if (!plan) return std::move(plan).error();
     planned.plan = std::move(*plan);
     const bool freeHand = bench.model->bodies.empty();
-    planned.stages = {{freeHand ? "free hand" : "roughing", planned.plan.roughing, freeHand ? 0.0 : request.allowance},
-                      {"finishing", planned.plan.finishing, 0.0}};
+    planned.stages = {{(freeHand ? BURIN_TEXT("Take", "free hand") : BURIN_TEXT("Take", "roughing")).text,
+                       planned.plan.roughing, freeHand ? 0.0 : request.allowance},
+                      {BURIN_TEXT("Take", "finishing").text, planned.plan.finishing, 0.0}};
     std::erase_if(planned.stages, [](const OperatorStage& stage) { return stage.intent.empty(); });
     return planned;
 }

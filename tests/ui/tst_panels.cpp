@@ -222,21 +222,28 @@ private slots:
     }
 
     void nothingIsCutOff_data() {
-        QTest::addColumn<bool>("longWords");
+        QTest::addColumn<QString>("words");
         QTest::addColumn<bool>("inch");
-        for (const bool longWords : {false, true})
+        for (const char* words : {"English", "long-words", "German"})
             for (const bool inch : {false, true})
-                QTest::addRow("%s, %s", longWords ? "long words" : "English", inch ? "in" : "mm") << longWords << inch;
+                QTest::addRow("%s, %s", words, inch ? "in" : "mm") << QString::fromLatin1(words) << inch;
     }
     void nothingIsCutOff() {
-        QFETCH(bool, longWords);
+        QFETCH(QString, words);
         QFETCH(bool, inch);
-        LongWords words;
-        if (longWords) QCoreApplication::installTranslator(&words);
+        LongWords longWords;
+        QTranslator german;
+        if (words == QLatin1String("long-words")) QCoreApplication::installTranslator(&longWords);
+        if (words == QLatin1String("German")) {
+            QVERIFY(german.load(QStringLiteral("burin_de"), QStringLiteral(BURIN_TRANSLATIONS)));
+            QCoreApplication::installTranslator(&german);
+            QCOMPARE(MillPanel::tr("Depth of cut"), QStringLiteral("Zustellung")); // the classes find their contexts
+        }
         for (const QString& name : names) {
             const std::unique_ptr<QWidget> panel = make(name, inch ? LengthUnit::inch : LengthUnit::millimetre);
             shape(*panel);
-            if (longWords) keep(picture(*panel), QString(name).replace(' ', '-') + QStringLiteral("-long-words"));
+            if (words != QLatin1String("English"))
+                keep(picture(*panel), QString(name).replace(' ', '-') + QLatin1Char('-') + words.toLower());
             QVERIFY2(cutOff(*panel).isEmpty(), qPrintable(name + QStringLiteral(": ") + cutOff(*panel)));
         }
         JobLine line;

@@ -93,7 +93,7 @@ private slots:
         QVERIFY(refuses([](StockState& s) { s.hasPart = false; }, "Import"));
         QVERIFY(refuses([](StockState& s) { s.busy = true; }, "under way"));
         QVERIFY(refuses([](StockState& s) { s.locked = true; }, "recordings"));
-        QVERIFY(refuses([](StockState& s) { s.embedded = true; }, "stands"));
+        QVERIFY(refuses([](StockState& s) { s.embedded = true; }, "matches"));
         QVERIFY(refuses([](StockState& s) { s.problem = QStringLiteral("Too large."); }, "Too large."));
         QCOMPARE(child<Notice>(panel, "stockNotice").sentence(), QStringLiteral("Too large."));
         QCOMPARE(child<Notice>(panel, "stockNotice").kind(), Notice::Kind::error);
@@ -146,7 +146,7 @@ private slots:
         QCOMPARE(stock, QStringList{"machinable-wax"});
         pick("body", 1);
         QCOMPARE(child<QComboBox>(panel, "bodyMaterial").currentData().toString(), QStringLiteral("machinable-wax"));
-        pick("bodyMaterial", -2); // "As the stock" stands first
+        pick("bodyMaterial", -2); // "Same as the stock" stands first
         QCOMPARE(bodies, (QStringList{"1 aluminium-6061", "1 "}));
         QCOMPARE(stock.size(), 1);
     }

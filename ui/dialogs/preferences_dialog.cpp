@@ -30,14 +30,14 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
         form->addRow(label, choice);
         return choice;
     };
-    unit_ = add(tr("Unit"), "unitChoice", tr("What lengths are shown in. Files always hold millimetres."));
+    unit_ = add(tr("Unit"), "unitChoice", tr("The unit in which lengths are shown. Files always hold millimetres."));
     unit_->addItem(tr("Millimetres"), static_cast<int>(LengthUnit::millimetre));
     unit_->addItem(tr("Inches"), static_cast<int>(LengthUnit::inch));
     theme_ = add(tr("Theme"), "themeChoice", tr("Colours of the window."));
     theme_->addItem(tr("Dark"), static_cast<int>(Theme::dark));
     theme_->addItem(tr("Light"), static_cast<int>(Theme::light));
     language_ = add(tr("Language"), "languageChoice", tr("In force from the next start on."));
-    language_->addItem(tr("As the system"), QString());
+    language_->addItem(tr("Same as the system"), QString());
     language_->addItem(QStringLiteral("English"), QStringLiteral("en"));
     language_->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
 

@@ -23,7 +23,7 @@ AllowancePanel::Fields::Fields(AllowancePanel* panel) : QObject(panel) {
     allowance = new LengthField(panel);
     allowance->setObjectName(QStringLiteral("allowanceField"));
     column->addWidget(new FieldRow(AllowancePanel::tr("Stock to leave"), allowance,
-                                   AllowancePanel::tr("The boundary stands so far off the part"), panel));
+                                   AllowancePanel::tr("How far the boundary stands off the part"), panel));
     locked = new Notice(panel);
     column->addWidget(locked);
     meaning = makeWrappedLabel(panel);

@@ -68,10 +68,10 @@ struct Describe {
     }
     std::vector<EditParameter> operator()(const Link&) const {
         return {parameter("clearance_above_mm", QT_TRANSLATE_NOOP("EditParameterTexts", "Clearance above"),
-                          QT_TRANSLATE_NOOP("EditParameterTexts", "Rapid moves run so far over the stock's top"),
+                          QT_TRANSLATE_NOOP("EditParameterTexts", "How far above the stock's top rapid moves run"),
                           Quantity::length, &Link::clearanceAbove, 0.1, 1000.0),
                 parameter("approach_mm", QT_TRANSLATE_NOOP("EditParameterTexts", "Approach"),
-                          QT_TRANSLATE_NOOP("EditParameterTexts", "The plunge begins so far above what is left"),
+                          QT_TRANSLATE_NOOP("EditParameterTexts", "How far above what is left the plunge begins"),
                           Quantity::length, &Link::approach, 0.1, 100.0)};
     }
     std::vector<EditParameter> operator()(const SetFeed&) const { return {}; }

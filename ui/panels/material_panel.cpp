@@ -139,7 +139,7 @@ void MaterialPanel::Fields::refreshChoices() {
     offer(*stock_, names, ids, QString::fromStdString(state.stockMaterial));
     const int shown = std::clamp(body_->currentIndex(), 0, std::max(0, static_cast<int>(bodies.size()) - 1));
     offer(*body_, bodies, places, QString::number(shown));
-    offer(*bodyMaterial_, QStringList(MaterialPanel::tr("As the stock")) + names, QStringList(QString()) + ids,
+    offer(*bodyMaterial_, QStringList(MaterialPanel::tr("Same as the stock")) + names, QStringList(QString()) + ids,
           QString::fromStdString(bodyMaterial()));
     stock_->setEnabled(!state.locked);
     bodyMaterial_->setEnabled(!state.locked && !bodies.isEmpty());

@@ -31,12 +31,12 @@ private:
 Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), column_(makePanelLayout(meters)) {
     column_->setSpacing(4);
     column_->addWidget(makeSectionTitle(Meters::tr("Now"), meters));
-    force_ =
-        addRow(Meters::tr("Force"), "forceMeter", Meters::tr("Cutting force, not scaled; beside it the most so far"));
+    force_ = addRow(Meters::tr("Force"), "forceMeter",
+                    Meters::tr("Cutting force, not scaled; beside it the highest so far"));
     forceBar_ = addBar(&Palette::force);
-    removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed a second"));
+    removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed per second"));
     removalBar_ = addBar(&Palette::accent);
-    rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks a second that are really reached"));
+    rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks per second that are really reached"));
     work_ = addRow(Meters::tr("Work, p99.9"), "workMeter",
                    Meters::tr("999 of 1000 ticks take no longer than this, thread CPU time"));
     missed_ = addRow(Meters::tr("Missed"), "missedMeter", Meters::tr("Ticks that came too late"));

@@ -107,7 +107,7 @@ void MillPanel::Fields::addButtons() {
 
 void MillPanel::Fields::addDepth() {
     level_ = makeChoiceButton(MillPanel::tr("Level"),
-                              MillPanel::tr("A stroke stays on the height of its first place, less the depth of cut"),
+                              MillPanel::tr("A stroke stays at the height of its first place, less the depth of cut"),
                               QStringLiteral("levelButton"), panel_);
     part_ = makeChoiceButton(MillPanel::tr("Along the part"),
                              MillPanel::tr("A stroke presses onto the part, whose push-back leads the tool along it"),

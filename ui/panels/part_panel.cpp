@@ -65,10 +65,10 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
     bodies_ = new RowList(content_);
     bodies_->setObjectName(QStringLiteral("bodyList"));
     bodies_->setAccessibleName(PartPanel::tr("Bodies"));
-    notesTitle_ = makeSectionTitle(PartPanel::tr("Notes of the import"), content_);
+    notesTitle_ = makeSectionTitle(PartPanel::tr("Import notes"), content_);
     notes_ = new RowList(content_);
     notes_->setObjectName(QStringLiteral("noteList"));
-    notes_->setAccessibleName(PartPanel::tr("Notes of the import"));
+    notes_->setAccessibleName(PartPanel::tr("Import notes"));
     for (QWidget* widget : {static_cast<QWidget*>(bodiesTitle_), static_cast<QWidget*>(bodies_),
                             static_cast<QWidget*>(notesTitle_), static_cast<QWidget*>(notes_)})
         inner->addWidget(widget);
@@ -85,7 +85,7 @@ void PartPanel::Fields::refresh() {
     setWrappedText(empty_, state.busy ? PartPanel::tr("The part is being read…")
                            : shown    ? QString()
                                    : PartPanel::tr("The CAD solid that is to be made. STEP keeps the exact surfaces, "
-                                                   "an STL file has triangles alone."));
+                                                   "an STL file has only triangles."));
     empty_->setVisible(state.busy || !shown);
     content_->setVisible(shown);
     if (shown) refreshModel();

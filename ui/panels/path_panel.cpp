@@ -55,7 +55,7 @@ PathPanel::Fields::Fields(PathPanel* panel) : QObject(panel), panel_(panel), col
         (*row)->setObjectName(QLatin1String(name));
         inner->addWidget(*row);
     }
-    budget_->setToolTip(PathPanel::tr("At most so far is the path from what the hand did"));
+    budget_->setToolTip(PathPanel::tr("The path is at most this far from what the hand did"));
     inner->addWidget(makeSectionTitle(PathPanel::tr("Edits, in order"), content_));
     list_ = new QVBoxLayout;
     list_->setSpacing(4);

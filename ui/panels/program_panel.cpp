@@ -99,7 +99,7 @@ void ProgramPanel::Fields::addFigures() {
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(4);
     for (auto [row, text, name] : {std::tuple{&gouge_, ProgramPanel::tr("Deepest gouge"), "gougeMax"},
-                                   {&excess_, ProgramPanel::tr("Excess, mean and most"), "excess"},
+                                   {&excess_, ProgramPanel::tr("Excess, mean / max"), "excess"},
                                    {&onPart_, ProgramPanel::tr("On the part"), "onPartShare"},
                                    {&removed_, ProgramPanel::tr("Removed"), "removedVolume"},
                                    {&time_, ProgramPanel::tr("Machining time"), "machiningTime"},

@@ -135,7 +135,7 @@ QString StockPanel::Fields::reasonAgainstEmbedding() const {
     if (state.busy) return StockPanel::tr("Work is under way.");
     if (state.locked) return StockPanel::tr("There are recordings: stock and material stay as they are.");
     if (!state.problem.isEmpty()) return state.problem;
-    if (state.embedded) return StockPanel::tr("The workpiece stands as it is set here.");
+    if (state.embedded) return StockPanel::tr("The workpiece matches these settings.");
     return {};
 }
 
@@ -155,7 +155,7 @@ void StockPanel::Fields::refreshNotices() {
         notice_->tell(Notice::Kind::information,
                       StockPanel::tr("There are recordings: stock and material stay as they are."));
     else if (state.embedded)
-        notice_->tell(Notice::Kind::passed, StockPanel::tr("The workpiece stands as it is set here."));
+        notice_->tell(Notice::Kind::passed, StockPanel::tr("The workpiece matches these settings."));
     else
         notice_->clear();
 }

@@ -99,7 +99,7 @@ TakeList::Row TakeList::makeRow(std::int64_t take) {
 }
 
 void TakeList::show(const Row& row, const TakeRow& take) {
-    row.name->setText(QString::fromStdString(take.info.name));
+    row.name->setText(takeName(take.info.name));
     row.duration->setText(durationText(static_cast<double>(take.info.sampleCount) * take.info.tickPeriod));
     row.detail->setText(detailOf(take));
 }

@@ -69,6 +69,10 @@ QString materialName(const Property& material) {
     return shippedName(material.name);
 }
 
+QString takeName(const std::string& name) {
+    return QCoreApplication::translate("Take", name.c_str());
+}
+
 QString toolSummary(const Tool& tool, LengthUnit unit) {
     QStringList parts{QStringLiteral("Ø ") + shortLength(tool.cutter.diameter, unit)};
     if (tool.cutter.cornerRadius > 0.0)

@@ -145,7 +145,7 @@ void ToolDrawing::paintHeights(QPainter& painter, double axis) const {
     marks.push_back({tr("Flutes %1").arg(shortLength(cutter.fluteLength, unit_)), level(cutter.fluteLength), 0.0});
     marks.push_back({tr("Stick-out %1").arg(shortLength(cutter.stickOut, unit_)), level(cutter.stickOut), 0.0});
     if (!cutter.holder.empty())
-        marks.push_back({tr("Whole %1").arg(shortLength(cutter.length(), unit_)), level(cutter.length()), 0.0});
+        marks.push_back({tr("Overall %1").arg(shortLength(cutter.length(), unit_)), level(cutter.length()), 0.0});
 
     QFont font = numberFont(this->font());
     font.setPointSizeF(labelSize * font.pointSizeF());

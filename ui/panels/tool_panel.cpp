@@ -59,7 +59,7 @@ ToolPanel::Fields::Fields(ToolPanel* panel) : QObject(panel), panel_(panel), col
     speed_ = addRow(ToolPanel::tr("Spindle speed"), "spindleSpeed");
     estimate_ = new Notice(panel);
     column_->addWidget(estimate_);
-    column_->addWidget(makeSectionTitle(ToolPanel::tr("Source of the measures"), panel));
+    column_->addWidget(makeSectionTitle(ToolPanel::tr("Source of the dimensions"), panel));
     source_ = makeWrappedLabel(panel);
     source_->setProperty("look", "quiet");
     source_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -2,18 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/job_presenter.h"
 
-#include <QCoreApplication>
+#include "ui/panels/texts.h"
+
 #include <QFileInfo>
 
 namespace burin {
-
-namespace {
-
-QString title(const char* context, const std::string& name) {
-    return QCoreApplication::translate(context, name.c_str());
-}
-
-} // namespace
 
 JobPresenter::JobPresenter(Workbench& workbench, JobLine& line, QObject* parent)
     : Presenter(workbench, workbench.controllers(), parent), line_(line) {}
@@ -53,13 +46,13 @@ JobStepState JobPresenter::material() const {
     const SetupController& setup = workbench_.setup;
     if (!setup.hasPart()) return {StepProgress::missing, tr("no part yet")};
     const Property* material = setup.stockMaterial();
-    return {StepProgress::done, material ? title("Materials", material->name) : tr("unknown")};
+    return {StepProgress::done, material ? materialName(*material) : tr("unknown")};
 }
 
 JobStepState JobPresenter::tool() const {
     if (!workbench_.setup.hasPart()) return {StepProgress::missing, tr("no part yet")};
     const Tool& tool = workbench_.tool.current();
-    return {workbench_.bench.fieldBusy() ? StepProgress::current : StepProgress::done, title("Tools", tool.name)};
+    return {workbench_.bench.fieldBusy() ? StepProgress::current : StepProgress::done, toolName(tool)};
 }
 
 JobStepState JobPresenter::allowance() const {
@@ -71,8 +64,8 @@ JobStepState JobPresenter::mill() const {
     const MillController& mill = workbench_.mill;
     if (workbench_.showMe.showing()) return {StepProgress::current, tr("virtual operator")};
     if (mill.recording()) return {StepProgress::current, tr("recording")};
-    if (!mill.takes().empty())
-        return {StepProgress::done, mill.takes().size() == 1 ? tr("1 take") : tr("%1 takes").arg(mill.takes().size())};
+    if (const int count = static_cast<int>(mill.takes().size()); count > 0)
+        return {StepProgress::done, count == 1 ? tr("1 take") : tr("%n takes", nullptr, count)};
     if (workbench_.bench.ready()) return {StepProgress::ready, tr("no take yet")};
     return {StepProgress::missing, workbench_.bench.embedded() ? tr("wait for the boundary") : tr("embed first")};
 }

@@ -5,6 +5,7 @@
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
+#include "ui/panels/texts.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -169,7 +170,7 @@ void MainWindow::connectWorkbench() {
         welcome_->setRecentFiles(settings_.recentFiles());
     });
     connect(&flow_, &DocumentFlow::exported, this, [this](const QString& file) {
-        message_->tell(Notice::Kind::passed, tr("The program stands in “%1”.").arg(QFileInfo(file).fileName()));
+        message_->tell(Notice::Kind::passed, tr("The program was written to “%1”.").arg(QFileInfo(file).fileName()));
     });
     connect(viewport_, &Viewport::drawingFailed, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
@@ -222,11 +223,11 @@ void MainWindow::tellAboutOpened() {
     const DocumentController& document = workbench_.document;
     if (!document.keptAside().empty())
         message_->tell(Notice::Kind::warning,
-                       tr("Older unsaved work did not belong to this file any more; it stands in “%1”.")
+                       tr("Older unsaved work did not belong to this file any more; it was moved to “%1”.")
                            .arg(QString::fromStdString(document.keptAside().filename().string())));
     else if (document.readOnly())
         message_->tell(Notice::Kind::warning,
-                       tr("The folder can't be written, so this project is open for reading; save it elsewhere to "
+                       tr("The folder can't be written, so this project is open for reading only; save it elsewhere to "
                           "change it."));
     else if (document.recovered())
         message_->tell(Notice::Kind::information,
@@ -268,7 +269,7 @@ void MainWindow::removeTake(qint64 take) {
     const auto& takes = workbench_.mill.takes();
     const auto found = std::ranges::find(takes, take, &TakeInfo::id);
     if (found == takes.end()) return;
-    if (confirm(this, tr("Remove “%1”?").arg(QString::fromStdString(found->name)),
+    if (confirm(this, tr("Remove “%1”?").arg(takeName(found->name)),
                 tr("The workpiece is made anew without it; no undo brings it back."), tr("Remove")))
         workbench_.mill.removeTake(take);
 }

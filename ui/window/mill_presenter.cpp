@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/mill_presenter.h"
 
+#include "ui/panels/texts.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -24,7 +26,7 @@ QString shankSentence(const SessionState& state, const Bench& bench) {
     const bool shank = state.shankPiece == 1 && all.size() > bench.tool.cutter.holder.size() + 1;
     const QString what = state.shankTouches == airProperty || state.shankTouches >= properties.size()
                              ? MillTexts::tr("the workpiece")
-                             : QCoreApplication::translate("Materials", properties[state.shankTouches].name.c_str());
+                             : materialName(properties[state.shankTouches]);
     if (properties.isProtected(state.shankTouches))
         return shank ? MillTexts::tr("The shank touches the part.") : MillTexts::tr("The holder touches the part.");
     return (shank ? MillTexts::tr("The shank touches %1.") : MillTexts::tr("The holder touches %1.")).arg(what);

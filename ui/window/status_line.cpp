@@ -15,7 +15,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     setObjectName(QStringLiteral("statusLine"));
     setSizeGripEnabled(false);
     stylus_ = add("stylusStatus", tr("What leads the tool."));
-    rate_ = add("rateStatus", tr("Ticks a second of the haptic loop that were really reached, and what 99.9 % of "
+    rate_ = add("rateStatus", tr("Ticks per second of the haptic loop that were really reached, and what 99.9 % of "
                                  "them cost at most."));
     position_ = add("positionStatus", tr("Where the tip is, in the coordinates of the program."));
     size_ = add("sizeStatus", tr("Voxels of the workpiece, and the memory reserved for it."));

@@ -28,7 +28,8 @@ QString StatusPresenter::savedText() const {
     if (!document.savedAt().isValid()) return document.isUnnamed() ? QString() : tr("Saved");
     const qint64 minutes = document.savedAt().secsTo(QDateTime::currentDateTime()) / 60;
     if (minutes < 1) return tr("Saved just now");
-    return minutes < 60 ? tr("Saved %1 min ago").arg(minutes)
+    if (minutes == 1) return tr("Saved 1 minute ago");
+    return minutes < 60 ? tr("Saved %n minutes ago", nullptr, static_cast<int>(minutes))
                         : tr("Saved at %1").arg(QLocale().toString(document.savedAt().time(), QLocale::ShortFormat));
 }
 

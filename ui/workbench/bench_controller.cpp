@@ -7,6 +7,8 @@
 #include "ui/workbench/stroke_count.h"
 #include "ui/workbench/tool_controller.h"
 
+#include <QCoreApplication>
+
 namespace burin {
 
 namespace {
@@ -100,7 +102,8 @@ void BenchController::adopt(std::shared_ptr<Bench> bench) {
 
 void BenchController::buildField() {
     desk_.tasks.start(
-        TaskKind::field, tr("Computing the boundary for %1").arg(QString::fromStdString(tool_.name)),
+        TaskKind::field,
+        tr("Computing the boundary for %1").arg(QCoreApplication::translate("Resource", tool_.name.c_str())),
         [bench = bench_, tool = tool_](Progress& progress) -> Result<std::shared_ptr<const ClearanceField>> {
             auto field = clearanceField(*bench, tool, maximumAllowance, progress);
             if (!field) return std::move(field).error();
