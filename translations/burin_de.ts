@@ -1686,6 +1686,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The boundary for the tool is being computed.</source>
         <translation>Die Grenzfläche für das Werkzeug wird berechnet.</translation>
     </message>
+    <message>
+        <source>The virtual operator has the tool; stop it to mill yourself.</source>
+        <translation>Der virtuelle Bediener führt das Werkzeug; zum Selbstfräsen beenden.</translation>
+    </message>
 </context>
 <context>
     <name>burin::ModelController</name>

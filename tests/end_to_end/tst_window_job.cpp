@@ -51,7 +51,7 @@ private slots:
 
 private:
     Workbench& bench() { return driver_->window().workbench(); }
-    void stroke(const glm::dvec3& from, const glm::dvec3& to);
+    void stroke(const glm::dvec3& from, const glm::dvec3& to, const QString& picture = {});
 
     QTemporaryDir folder_;
     std::unique_ptr<WindowDriver> driver_;
@@ -89,8 +89,8 @@ void WindowJobTest::embedsIt() {
     driver_->shoot("job-2-tool");
 }
 
-/// Drags the left button from one place to another, mm, setup frame, as a hand does.
-void WindowJobTest::stroke(const glm::dvec3& from, const glm::dvec3& to) {
+/// Drags the left button from one place to another, mm, setup frame, as a hand does. @param picture of the middle of it
+void WindowJobTest::stroke(const glm::dvec3& from, const glm::dvec3& to, const QString& picture) {
     Viewport& viewport = driver_->window().viewport();
     const auto at = [&](const glm::dvec3& place) { return viewport.project(place).toPoint(); };
     QTest::mouseMove(&viewport, at(from));
@@ -100,6 +100,7 @@ void WindowJobTest::stroke(const glm::dvec3& from, const glm::dvec3& to) {
     for (int i = 0; i <= steps; ++i) {
         QTest::mouseMove(&viewport, at(glm::mix(from, to, static_cast<double>(i) / steps)));
         QTest::qWait(20);
+        if (i == steps / 2 && !picture.isEmpty()) driver_->shoot(picture);
     }
     QTest::qWait(500); // and follows
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, at(to));
@@ -116,10 +117,10 @@ void WindowJobTest::millsAlongThePart() {
     const double height = box.high.z - 4.0;
     std::size_t strokes = 0;
     for (const double y : {-12.0, -6.0, 0.0, 6.0}) {
-        stroke({centre.x - 30.0, centre.y + y, height}, {centre.x + 30.0, centre.y + y, height});
+        stroke({centre.x - 30.0, centre.y + y, height}, {centre.x + 30.0, centre.y + y, height},
+               strokes == 2 ? QStringLiteral("job-3-mill") : QString());
         ++strokes;
         QVERIFY(driver_->waitFor([&] { return bench().bench.strokes().count() == strokes; }, 3000));
-        if (strokes == 3) driver_->shoot("job-3-mill");
     }
     const SessionState state = bench().session.state();
     qInfo("haptic loop: %.0f Hz, p99.9 %.0f us of CPU time a tick, %llu edges missed", state.rateHz, state.cpuP999,

@@ -18,8 +18,8 @@ ValueRow::ValueRow(const QString& label, QWidget* parent)
     value_->setFont(numberFont(font()));
     value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     value_->setTextInteractionFlags(Qt::NoTextInteraction);
-    row->addWidget(label_, 1);
-    row->addWidget(value_, 0);
+    row->addWidget(label_, 0);
+    row->addWidget(value_, 1); // all the room there is: a value that grows needs no new layout to be whole
     setAccessibleName(label);
 }
 
