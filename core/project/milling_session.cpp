@@ -16,8 +16,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Wish = SessionLoop::Wish;
 
-/// A view that waited longer than a slow frame is not shown any more.
-constexpr std::chrono::milliseconds oldestView{100};
+/// For so long the owner waits for a view; it takes a tick, unless the loop stands.
+constexpr std::chrono::milliseconds viewPatience{3};
 /// Between two looks at what the loop does: a fraction of a tick.
 constexpr std::chrono::microseconds glance{200};
 
@@ -260,20 +260,20 @@ void LiveSession::noteCut(const WorkpieceView& view) {
 
 bool LiveSession::newestView(WorkpieceView& view) {
     settle();
-    SessionLoop::TimedView timed;
-    bool there = loop_.takeView(timed);
-    noteCut(timed.view);
-    if (thread_.joinable()) {
-        loop_.wishView();
-        const Clock::time_point when{std::chrono::nanoseconds(timed.when)};
-        there = there && (timed.when == 0 || Clock::now() - when <= oldestView);
+    WorkpieceView newest;
+    if (loop_.takeView(newest)) noteCut(newest); // it came too late the last time
+    if (!thread_.joinable()) {
+        newest = loop_.finalView();
     } else {
-        timed = loop_.finalView();
-        noteCut(timed.view);
-        there = true;
+        loop_.wishView();
+        const Clock::time_point end = Clock::now() + viewPatience;
+        while (!loop_.takeView(newest)) {
+            if (ended() || Clock::now() >= end) return false;
+            std::this_thread::sleep_for(glance);
+        }
     }
-    if (!there) return false;
-    view.workpiece = std::move(timed.view.workpiece);
+    noteCut(newest);
+    view.workpiece = std::move(newest.workpiece);
     view.oldestCut = std::exchange(unseenCut_, std::nullopt);
     return true;
 }

@@ -90,8 +90,9 @@ public:
 
     /// The newest tick. False when there is none since the last call.
     virtual bool newest(SessionState& state) = 0;
-    /// Asks the loop for a view; it comes with one of the next ticks. False while none is ready. Cheap: ask at each
-    /// frame; then a view is no older than the frame before. Once the loop has ended it is the final state.
+    /// The workpiece as it is after the next tick, which this waits for (a view that was ordered a frame ahead would be
+    /// a frame old). False: none came within some ticks; ask again at the next frame. Once the loop has ended it is the
+    /// final state.
     virtual bool newestView(WorkpieceView& view) = 0;
     /// Places of the proxy since the last call, for drawing the path as it grows: a tip each tick that was recorded
     /// with the spindle turning, in order; a gap between strokes is told by `strokeBegins`. Who does not ask for a

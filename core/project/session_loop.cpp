@@ -63,7 +63,6 @@ AtEdge SessionLoop::edge() noexcept {
 void SessionLoop::tick(const Sample& sample, const TickTiming& timing) noexcept {
     std::uint64_t units = 0;
     for (const RemovedMaterial& removed : sample.removed) units += removed.units;
-    over_ = timing.over;
     if (units > 0 && oldestCut_ == 0) oldestCut_ = timing.over;
     const bool cutting = recording() && (sample.flags & sampleSpindleOff) == 0;
     if (recording()) {
@@ -118,11 +117,7 @@ WorkpieceView SessionLoop::view() {
 void SessionLoop::giveView() {
     if (!viewWish_.load(std::memory_order_relaxed) || views_.full()) return;
     viewWish_.store(false, std::memory_order_relaxed);
-    views_.put({view(), over_});
-}
-
-SessionLoop::TimedView SessionLoop::finalView() {
-    return {view(), over_};
+    views_.put(view());
 }
 
 } // namespace burin

@@ -56,12 +56,8 @@ public:
     bool takeFigures(LiveFigures& figures) noexcept { return figuresOut_.take(figures); }
     bool takeStroke(Stroke& stroke) noexcept { return strokes_.take(stroke); }
     std::size_t takeTrace(std::span<MillingSession::TracePoint> points) noexcept { return trace_.pop(points); }
-    struct TimedView {
-        WorkpieceView view;
-        std::int64_t when = 0; ///< ns, CLOCK_MONOTONIC; 0: before the first tick
-    };
     void wishView() noexcept { viewWish_.store(true, std::memory_order_release); }
-    bool takeView(TimedView& view) noexcept { return views_.take(view); }
+    bool takeView(WorkpieceView& view) noexcept { return views_.take(view); }
 
     // ---- Owner's thread, while the loop stands or after it has ended
     /// As at an edge: what was wished and not fulfilled yet.
@@ -70,7 +66,7 @@ public:
     bool endStroke() noexcept;
     /// Another state of the workpiece was put in place.
     void workpieceChanged() noexcept;
-    TimedView finalView();
+    WorkpieceView finalView() { return view(); }
 
 private:
     bool recording() const noexcept { return recording_.take != 0; }
@@ -89,13 +85,13 @@ private:
 
     std::atomic<Wish> wish_{Wish::none};
     Recording wished_;
-    std::atomic<bool> resume_{false}, viewWish_{true};
+    std::atomic<bool> resume_{false}, viewWish_{false};
     Mailbox<double> allowances_;
 
     Ring<Sample> samples_{sampleCapacity};
     Ring<MillingSession::TracePoint> trace_{traceCapacity};
     Handover<Stroke, 8> strokes_;
-    Handover<TimedView, 1> views_;
+    Handover<WorkpieceView, 1> views_;
     Mailbox<TickNews> news_;
     Mailbox<LiveFigures> figuresOut_;
 
@@ -108,7 +104,7 @@ private:
     std::atomic<bool> strokeOpen_{false};
     std::uint64_t strokeFirst_ = 0;
     bool traceBegins_ = true;
-    std::int64_t over_ = 0, oldestCut_ = 0; ///< ns; 0: none
+    std::int64_t oldestCut_ = 0; ///< ns; 0: none
     std::uint64_t ticks_ = 0;
     RemovalRate rate_;
     LoopFigures figures_;

@@ -3,6 +3,7 @@
 #include "ui/scene/viewport.h"
 
 #include "ui/scene/camera_motion.h"
+#include "ui/scene/canvas.h"
 #include "ui/scene/frame_clock.h"
 #include "ui/scene/scene.h"
 
@@ -14,7 +15,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QPointer>
 #include <QStyle>
 #include <QThreadPool>
@@ -32,13 +32,9 @@ using namespace std::chrono_literals;
 constexpr auto flightTime = 180ms;
 constexpr auto restTime = 350ms; // after the last motion: then everything is drawn in full detail
 constexpr auto flashTime = 167ms;
-
-/// Smooth edges cost nothing on a graphics card, but two to five times a frame in software (measured).
-bool drawsInSoftware(QOpenGLContext* context) {
-    const auto* name = reinterpret_cast<const char*>(context->functions()->glGetString(GL_RENDERER));
-    const QByteArray renderer = QByteArray(name).toLower();
-    return renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("software");
-}
+/// A paint is followed by a pause of this part of its time: painted back to back, a picture in software would leave
+/// nothing of the processor to those who make what it shows.
+constexpr int pausePerPaint = 4;
 
 bool same(const ToolMarks& a, const ToolMarks& b) {
     return a.proxy.tip == b.proxy.tip && a.proxy.axis == b.proxy.axis && a.stylusTip == b.stylusTip &&
@@ -47,14 +43,16 @@ bool same(const ToolMarks& a, const ToolMarks& b) {
 
 } // namespace
 
-class Viewport::Impl {
+class Viewport::Impl final : public CanvasPainter {
 public:
     explicit Impl(Viewport& viewport)
         : widget(viewport), scene(*window, [&viewport] {
             QMetaObject::invokeMethod(
-                &viewport, [&viewport] { viewport.update(); }, Qt::QueuedConnection);
+                &viewport, [&viewport] { viewport.impl_->refresh(); }, Qt::QueuedConnection);
         }) {
         rest.setSingleShot(true);
+        breath.setSingleShot(true);
+        breath.setTimerType(Qt::PreciseTimer);
         rest.setInterval(restTime);
         flash.setInterval(flashTime);
     }
@@ -63,14 +61,21 @@ public:
         const int duration = widget.style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, &widget);
         return duration > 0 && widget.isVisible() ? flightTime : 0ms;
     }
+    /// Paints soon: at once, or where that is costly after a pause in which others get their turn.
+    void refresh() {
+        if (breath.isActive())
+            waiting = true;
+        else
+            canvas->widget().update();
+    }
     /// Something on the screen moves: coarse detail is enough until it rests.
     void moved() {
         rest.start();
-        widget.update();
+        refresh();
     }
     void contentChanged() {
         motion.setContent(scene.contentBox());
-        widget.update();
+        refresh();
     }
     /// What a movement of the camera turns and scales about: the place under the pointer, or one as far away as what
     /// the camera looks at.
@@ -89,68 +94,110 @@ public:
     }
     void hoverCube(const std::optional<QPointF>& position) {
         const auto face = position ? ViewCube::faceAt(motion.view(), motion.size(), *position) : std::nullopt;
-        if (scene.cube().setHovered(face)) widget.update();
+        if (scene.cube().setHovered(face)) refresh();
     }
-    void initializeWindow();
-    void releaseWindow() {
-        if (!usable) return;
-        usable = false;
-        widget.makeCurrent();
-        window->Finalize();
-        widget.doneCurrent();
-    }
+    void begin(QOpenGLContext& context) override;
+    void paint(unsigned framebuffer) override;
+    void painted() override;
+    void end() override;
 
     Viewport& widget;
     vtkNew<vtkGenericOpenGLRenderWindow> window;
     Scene scene;
     CameraMotion motion;
     FrameClock clock;
-    QTimer rest, flash;
+    QTimer rest, flash, breath;
+    bool waiting = false; ///< to be painted after the breath
+    FrameClock::Clock::time_point paintBegan;
+    std::optional<FrameClock::Clock::time_point> paintedCut; ///< of the paint under way
     InteractiveTool* tool = nullptr;
     ToolMarks marks;
     std::uint64_t partOrdered = 0; ///< counts setPart: a part that comes late must not replace a newer one
     bool usable = false;           ///< there is a context that can draw
     bool failureTold = false;
     bool flashLit = true;
-    bool paintedMoving = true; ///< the newest paint was made in motion
+    bool paintedMoving = true;      ///< the newest paint was made in motion
+    bool flying = false;            ///< the camera flies on after the paint under way
+    std::unique_ptr<Canvas> canvas; ///< last: it draws a last farewell to the above
 };
 
-void Viewport::Impl::initializeWindow() {
+void Viewport::Impl::begin(QOpenGLContext& context) {
+    const QString obstacle = obstacleOf(&context);
+    if (!obstacle.isEmpty()) {
+        if (!std::exchange(failureTold, true)) emit widget.drawingFailed(obstacle);
+        return;
+    }
     window->SetMapped(true);
     window->SetIsCurrent(true);
     window->SetReadyForRendering(true);
     window->SetOwnContext(0);
-    window->SetMultiSamples(drawsInSoftware(widget.context()) ? 0 : 4);
+    // Smooth edges cost nothing on a graphics card, but two to five times a frame in software (measured).
+    window->SetMultiSamples(drawsInSoftware(context) ? 0 : 4);
     window->OpenGLInitContext();
     window->SetFrameBlitModeToBlitToCurrent();
+    usable = true;
 }
 
-Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), impl_(std::make_unique<Impl>(*this)) {
+void Viewport::Impl::end() {
+    if (std::exchange(usable, false)) window->Finalize();
+}
+
+void Viewport::Impl::paint(unsigned framebuffer) {
+    if (!usable) return;
+    paintBegan = FrameClock::Clock::now();
+    flying = motion.advance(paintBegan);
+    const double ratio = widget.devicePixelRatioF();
+    paintedMoving = flying || motion.moving() || rest.isActive();
+    paintedCut = scene.prepare(motion.view(), QSizeF(widget.size()), ratio, paintedMoving);
+    window->SetSize(static_cast<int>(std::lround(widget.width() * ratio)),
+                    static_cast<int>(std::lround(widget.height() * ratio)));
+    window->SetIsCurrent(true);
+    vtkOpenGLState* state = window->GetState();
+    state->ResetGLBlendFuncState();
+    state->Reset();
+    state->Push();
+    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    window->Render();
+    state->Pop();
+}
+
+void Viewport::Impl::painted() {
+    if (!usable) return;
+    const auto end = FrameClock::Clock::now();
+    clock.add(paintBegan, end, std::exchange(paintedCut, std::nullopt));
+    const auto pause = std::chrono::duration_cast<std::chrono::milliseconds>((end - paintBegan) / pausePerPaint);
+    if (pause > 0ms) breath.start(pause);
+    if (flying) moved();
+    emit widget.painted();
+}
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(*this)) {
+    impl_->canvas = Canvas::make(*this, *impl_);
     setObjectName(QStringLiteral("viewport"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(160, 120);
-    connect(&impl_->rest, &QTimer::timeout, this, [this] { update(); });
+    connect(&impl_->rest, &QTimer::timeout, this, [this] { impl_->refresh(); });
+    connect(&impl_->breath, &QTimer::timeout, this, [this] {
+        if (std::exchange(impl_->waiting, false)) impl_->refresh();
+    });
     connect(&impl_->flash, &QTimer::timeout, this, [this] {
         impl_->flashLit = !impl_->flashLit;
         impl_->scene.setMarks(impl_->marks, impl_->flashLit);
-        update();
+        impl_->refresh();
     });
 }
 
-Viewport::~Viewport() {
-    if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
-    impl_->releaseWindow();
-}
+Viewport::~Viewport() = default;
 
 void Viewport::setPalette3D(const Palette& palette) {
     impl_->scene.setPalette(palette);
-    update();
+    impl_->refresh();
 }
 
 void Viewport::setLengthUnit(LengthUnit unit) {
     impl_->scene.setLengthUnit(unit);
-    update();
+    impl_->refresh();
 }
 
 void Viewport::setPart(std::shared_ptr<const Model> model) {
@@ -178,7 +225,7 @@ void Viewport::setPart(std::shared_ptr<const Model> model) {
 
 void Viewport::setPartVisible(bool visible) {
     impl_->scene.setPartVisible(visible);
-    update();
+    impl_->refresh();
 }
 
 void Viewport::setStockOutline(const std::optional<Box>& stock) {
@@ -190,17 +237,17 @@ void Viewport::setWorkpiece(const VolumeSnapshot& workpiece,
                             std::optional<std::chrono::steady_clock::time_point> oldestCut) {
     impl_->scene.setWorkpiece(workpiece, oldestCut);
     impl_->motion.setContent(impl_->scene.contentBox());
-    oldestCut ? impl_->moved() : update();
+    if (oldestCut) impl_->moved(); // otherwise the worker calls if there is another picture
 }
 
 void Viewport::setWorkpieceVisible(bool visible) {
     impl_->scene.setWorkpieceVisible(visible);
-    update();
+    impl_->refresh();
 }
 
 void Viewport::setTool(const std::optional<Tool>& tool) {
     impl_->scene.setTool(tool);
-    update();
+    impl_->refresh();
 }
 
 void Viewport::setToolMarks(const ToolMarks& marks) {
@@ -212,33 +259,33 @@ void Viewport::setToolMarks(const ToolMarks& marks) {
         marks.alarm ? impl_->flash.start() : impl_->flash.stop();
     }
     impl_->scene.setMarks(marks, impl_->flashLit);
-    toolMoved || marks.cutting ? impl_->moved() : update();
+    toolMoved || marks.cutting ? impl_->moved() : impl_->refresh();
 }
 
 void Viewport::setToolVisible(bool visible) {
     impl_->scene.setToolVisible(visible);
-    update();
+    impl_->refresh();
 }
 
 void Viewport::appendLivePath(std::span<const glm::vec3> tips, bool newStroke) {
     if (tips.empty()) return;
     impl_->scene.livePath().append(tips, newStroke);
-    update();
+    impl_->refresh();
 }
 
 void Viewport::clearLivePath() {
     impl_->scene.livePath().clear();
-    update();
+    impl_->refresh();
 }
 
 void Viewport::setPath(const Path& path) {
     impl_->scene.editedPath().setPath(path);
-    update();
+    impl_->refresh();
 }
 
 void Viewport::setPathVisible(bool visible) {
     impl_->scene.editedPath().setVisible(visible);
-    update();
+    impl_->refresh();
 }
 
 void Viewport::setStandardView(StandardView view) {
@@ -299,43 +346,17 @@ QString Viewport::drawingObstacle() {
     return obstacleOf(context.create() ? &context : nullptr);
 }
 
-void Viewport::initializeGL() {
-    const QString obstacle = obstacleOf(context());
-    if (!obstacle.isEmpty()) {
-        if (!std::exchange(impl_->failureTold, true)) emit drawingFailed(obstacle);
-        return;
-    }
-    impl_->initializeWindow();
-    impl_->usable = true;
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { impl_->releaseWindow(); });
+bool Viewport::isValid() const {
+    return impl_->canvas->isValid();
 }
 
-void Viewport::resizeGL(int width, int height) {
-    impl_->motion.setSize(QSizeF(width, height));
+QImage Viewport::grabFramebuffer() {
+    return impl_->canvas->grab();
 }
 
-void Viewport::paintGL() {
-    if (!impl_->usable) return;
-    const auto begin = FrameClock::Clock::now();
-    const bool flying = impl_->motion.advance(begin);
-    const double ratio = devicePixelRatioF();
-    impl_->paintedMoving = flying || impl_->motion.moving() || impl_->rest.isActive();
-    const auto cut = impl_->scene.prepare(impl_->motion.view(), QSizeF(size()), ratio, impl_->paintedMoving);
-
-    vtkGenericOpenGLRenderWindow& window = *impl_->window;
-    window.SetSize(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
-    window.SetIsCurrent(true);
-    vtkOpenGLState* state = window.GetState();
-    state->ResetGLBlendFuncState();
-    state->Reset();
-    state->Push();
-    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-    window.Render();
-    state->Pop();
-
-    impl_->clock.add(begin, FrameClock::Clock::now(), cut);
-    if (flying) impl_->moved();
-    emit painted();
+void Viewport::resizeEvent(QResizeEvent*) {
+    impl_->motion.setSize(QSizeF(size()));
+    impl_->canvas->widget().setGeometry(rect());
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -386,13 +407,13 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     const bool mayRepeat = event->key() >= Qt::Key_Left && event->key() <= Qt::Key_PageDown;
     if (event->isAutoRepeat() && !mayRepeat) return;
     if (impl_->tool != nullptr && impl_->tool->key(event->key(), event->modifiers())) return;
-    QOpenGLWidget::keyPressEvent(event);
+    QWidget::keyPressEvent(event);
 }
 
 void Viewport::leaveEvent(QEvent* event) {
     impl_->hoverCube(std::nullopt);
     if (impl_->tool != nullptr) impl_->tool->leave();
-    QOpenGLWidget::leaveEvent(event);
+    QWidget::leaveEvent(event);
 }
 
 } // namespace burin

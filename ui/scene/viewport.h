@@ -10,12 +10,14 @@
 #include "ui/scene/interactive_tool.h"
 #include "ui/theme/theme.h"
 
-#include <QOpenGLWidget>
+#include <QWidget>
 
 #include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
+
+class QOpenGLContext;
 
 namespace burin {
 
@@ -45,15 +47,15 @@ struct FrameStatistics {
     bool busy = false;         ///< a worker is still meshing
 };
 
-/// The viewport: a QOpenGLWidget that owns its VTK render window (the only Qt widget that knows VTK). Draws what it is
-/// given and asks for nothing; never waits for the worker that meshes.
+/// The viewport: owns a canvas and the VTK render window that draws on it (the only Qt widget that knows VTK). Draws
+/// what it is given and asks for nothing; never waits for the worker that meshes.
 /// Mouse: middle or right drag orbits, Shift + middle drag (or middle + right) pans, wheel zooms to the cursor, unless
 /// the active tool takes the event. Thread: user interface.
-class Viewport : public QOpenGLWidget {
+class Viewport : public QWidget {
     Q_OBJECT
 public:
     /// Why this machine can't draw, a sentence for the user; empty: it can. Makes a context for a moment. To be asked
-    /// before a viewport is made: where there is no OpenGL at all, Qt 6.4 itself crashes showing a QOpenGLWidget.
+    /// before a viewport is made.
     static QString drawingObstacle();
 
     explicit Viewport(QWidget* parent = nullptr);
@@ -91,6 +93,10 @@ public:
     /// Where a place in the setup frame appears, device-independent pixels.
     QPointF project(const glm::dvec3& place) const;
 
+    bool isValid() const; ///< it can draw
+    /// Draws and gives the picture, in screen pixels.
+    QImage grabFramebuffer();
+
     FrameStatistics statistics() const;
     void resetStatistics();
 
@@ -101,9 +107,7 @@ signals:
     void drawingFailed(const QString& sentence);
 
 protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;

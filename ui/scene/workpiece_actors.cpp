@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/workpiece_actors.h"
 
+#include "ui/scene/bench_lights.h"
 #include "ui/scene/workpiece_mesher.h"
 
 #include <vtkActor.h>
@@ -22,7 +23,7 @@ namespace {
 /// Triangles that one paint may hand to the graphics driver for the first time (about 20 ms in software).
 constexpr std::size_t uploadsPerPaint = 60'000;
 /// Full detail is added up to here while something moves; below the limit, for a faster way from cut to screen.
-constexpr std::size_t comfortableTriangles = 70'000;
+constexpr std::size_t comfortableTriangles = 45'000;
 /// More are not drawn at rest either, whatever the size of the workpiece: no paint may take 100 ms.
 constexpr std::size_t restTriangles = 250'000;
 
@@ -33,7 +34,7 @@ vtkSmartPointer<vtkActor> surfaceActor() {
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
     actor->GetProperty()->SetSpecular(0.12);
-    actor->GetProperty()->SetSpecularPower(30.0);
+    shadeSimply(*actor);
     actor->GetProperty()->BackfaceCullingOn(); // the surface is closed: what faces away costs, and is never seen
     actor->VisibilityOff();
     return actor;

@@ -19,7 +19,7 @@ constexpr auto restDelay = 100ms;
 /// What a tool changes at once: finished before the next snapshot is looked at.
 constexpr std::size_t fewGroups = 4;
 /// Changed tiles are made in full as long as that takes no more, s.
-constexpr double timeForFull = 0.025;
+constexpr double timeForFull = 0.015;
 /// Groups of full detail that a tool changes at once, and what they have more of than finished ones: tiles not joined.
 constexpr std::size_t changedGroups = 2, unjoined = 2;
 constexpr double rimTolerance = 0.01; ///< voxels: what a skirt may leave open at its upper edge

@@ -34,7 +34,7 @@ private slots:
         const Recorder recorder(unused, *project->beginTake(fixture::takeInfo("take")));
 
         StrokeHistory strokes;
-        SessionLoop::TimedView view;
+        WorkpieceView view;
         Stroke stroke;
         std::vector<Sample> samples(256);
         std::vector<MillingSession::TracePoint> trace(256);

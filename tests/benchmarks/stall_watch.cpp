@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/benchmarks/stall_watch.h"
+
+#include <QAbstractEventDispatcher>
+#include <QMetaEnum>
+
+#include <algorithm>
+#include <optional>
+
+namespace burin::testing {
+
+namespace {
+
+double millisecondsSince(StallWatch::Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(StallWatch::Clock::now() - begin).count();
+}
+
+constexpr double worthTelling = 1.0; // ms
+
+} // namespace
+
+StallWatch::StallWatch(int& argc, char** argv) : QApplication(argc, argv), phase_(Clock::now()) {
+    // One dispatcher tells that it is about to block, another that it has been through: both mean a new look at input.
+    QAbstractEventDispatcher* dispatcher = QAbstractEventDispatcher::instance();
+    connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, [this] { cameBack(); });
+    connect(dispatcher, &QAbstractEventDispatcher::awake, this, [this] { cameBack(); });
+}
+
+void StallWatch::beginPhase() {
+    phase_ = Clock::now();
+    all_.clear();
+    worst_.clear();
+}
+
+std::size_t StallWatch::longerThan(double milliseconds) const {
+    return static_cast<std::size_t>(std::ranges::count_if(all_, [=](double stall) { return stall > milliseconds; }));
+}
+
+bool StallWatch::notify(QObject* receiver, QEvent* event) {
+    const Clock::time_point begin = Clock::now();
+    if (!away_) {
+        away_ = true;
+        left_ = begin;
+    }
+    const char* name = receiver->metaObject()->className(); // the receiver may be gone afterwards
+    const int type = event->type();
+    ++depth_;
+    const bool answer = QApplication::notify(receiver, event);
+    --depth_;
+    const double took = millisecondsSince(begin);
+    if (took >= worthTelling) handled_.push_back({depth_, name, type, took});
+    return answer;
+}
+
+void StallWatch::cameBack() {
+    if (!away_ || depth_ > 0) return;
+    away_ = false;
+    const double away = millisecondsSince(left_);
+    all_.push_back(away);
+    if (worst_.size() < kept || away > worst_.back().milliseconds) {
+        const double after = std::chrono::duration<double>(left_ - phase_).count();
+        worst_.push_back({away, after, longestChain()});
+        std::ranges::sort(worst_, std::ranges::greater(), &Stall::milliseconds);
+        worst_.resize(std::min(worst_.size(), kept));
+    }
+    handled_.clear();
+}
+
+QString StallWatch::longestChain() const {
+    const QMetaEnum types = QMetaEnum::fromType<QEvent::Type>();
+    QStringList chain;
+    auto from = handled_.begin(), to = handled_.end();
+    for (int depth = 0;; ++depth) {
+        auto longest = to;
+        for (auto one = from; one != to; ++one)
+            if (one->depth == depth && (longest == to || one->milliseconds > longest->milliseconds)) longest = one;
+        if (longest == to) break;
+        const char* type = types.valueToKey(longest->type);
+        chain.append(QStringLiteral("%1 %2 %3 ms")
+                         .arg(QLatin1String(longest->receiver), QLatin1String(type != nullptr ? type : "event"))
+                         .arg(longest->milliseconds, 0, 'f', 0));
+        while (from != longest && std::any_of(from, longest, [=](const Handled& one) { return one.depth == depth; }))
+            ++from; // behind the event before it
+        to = longest;
+    }
+    return chain.join(QStringLiteral(" > "));
+}
+
+} // namespace burin::testing

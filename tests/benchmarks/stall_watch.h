@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QApplication>
+#include <QString>
+
+#include <chrono>
+#include <vector>
+
+namespace burin::testing {
+
+/// An application that measures how long its thread stays away from the event loop: from the first event that is
+/// handled to the moment when the loop looks for new ones. Everything is in it: posted events, timers, painting.
+class StallWatch final : public QApplication {
+public:
+    using Clock = std::chrono::steady_clock;
+    struct Stall {
+        double milliseconds = 0.0;
+        double after = 0.0; ///< s since the phase began
+        QString what;       ///< the event that took longest, and within it what it caused
+    };
+
+    StallWatch(int& argc, char** argv);
+
+    void beginPhase();
+    const std::vector<Stall>& worst() const { return worst_; } ///< of the phase, the longest first
+    double longest() const { return worst_.empty() ? 0.0 : worst_.front().milliseconds; }
+    std::size_t longerThan(double milliseconds) const;
+
+    bool notify(QObject* receiver, QEvent* event) override;
+
+private:
+    struct Handled {
+        int depth = 0;
+        const char* receiver = "";
+        int type = 0;
+        double milliseconds = 0.0;
+    };
+    void cameBack();
+    QString longestChain() const;
+
+    static constexpr std::size_t kept = 5;
+    int depth_ = 0;
+    bool away_ = false;
+    Clock::time_point left_, phase_;
+    std::vector<Handled> handled_; ///< since the loop was left; what is handled within an event stands before it
+    std::vector<double> all_;
+    std::vector<Stall> worst_;
+};
+
+} // namespace burin::testing

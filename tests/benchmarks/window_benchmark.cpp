@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// How the window keeps up while the sample part is milled with the mouse and the view orbits: one JSON list of figures
+// on standard output, in plain words on standard error. A benchmark is no test: the exit status is 0.
+#include "tests/benchmarks/stall_watch.h"
+#include "tests/ui/window_driver.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QEventLoop>
+#include <QMouseEvent>
+#include <QTimer>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
+
+using namespace burin;
+using burin::testing::StallWatch;
+using burin::testing::WindowDriver;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+constexpr auto mouseInterval = 8ms; // 125 Hz, as mice report
+
+double secondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Lets the event loop run. False: `what` did not happen in time.
+bool runUntil(const std::function<bool()>& what, Clock::duration limit = 60s) {
+    QEventLoop loop;
+    QTimer look;
+    const Clock::time_point end = Clock::now() + limit;
+    bool happened = false;
+    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+        happened = what();
+        if (happened || Clock::now() >= end) loop.quit();
+    });
+    look.start(5ms);
+    loop.exec();
+    return happened;
+}
+
+void runFor(Clock::duration time) {
+    runUntil([] { return false; }, time);
+}
+
+/// A hand on the mouse over the viewport.
+class Hand {
+public:
+    explicit Hand(Viewport& viewport) : viewport_(viewport) {}
+
+    void press(Qt::MouseButton button) {
+        buttons_ |= button;
+        send(QEvent::MouseButtonPress, button);
+    }
+    void release(Qt::MouseButton button) {
+        buttons_ &= ~Qt::MouseButtons(button);
+        send(QEvent::MouseButtonRelease, button);
+    }
+    void moveTo(const QPointF& place) {
+        place_ = place;
+        send(QEvent::MouseMove, Qt::NoButton);
+    }
+    /// Leads the pointer along, event after event. @param way of the share 0 … 1
+    void lead(Clock::duration time, const std::function<QPointF(double)>& way) {
+        QEventLoop loop;
+        QTimer mouse;
+        mouse.setTimerType(Qt::PreciseTimer);
+        const Clock::time_point begin = Clock::now();
+        QObject::connect(&mouse, &QTimer::timeout, &loop, [&] {
+            const double share = std::min(1.0, secondsSince(begin) / std::chrono::duration<double>(time).count());
+            moveTo(way(share));
+            if (share >= 1.0) loop.quit();
+        });
+        mouse.start(mouseInterval);
+        loop.exec();
+    }
+    QPointF place() const { return place_; }
+
+private:
+    void send(QEvent::Type type, Qt::MouseButton button) {
+        QMouseEvent event(type, place_, viewport_.mapTo(viewport_.window(), place_), viewport_.mapToGlobal(place_),
+                          button, buttons_, Qt::NoModifier);
+        QCoreApplication::sendEvent(&viewport_, &event);
+    }
+
+    Viewport& viewport_;
+    Qt::MouseButtons buttons_;
+    QPointF place_;
+};
+
+/// Watches what is drawn and how the loop keeps up.
+class Observer : public QObject {
+public:
+    explicit Observer(MainWindow& window) : window_(window) {
+        connect(&window.viewport(), &Viewport::painted, this, [this] { painted(); });
+        connect(&window.workbench().session, &SessionRunner::ticked, this, [this] { ticked(); });
+    }
+    /// From now on strokes are milled or the view orbits.
+    void setMoving(bool moving) {
+        moving_ = moving;
+        lastMotion_ = Clock::now();
+        resting_ = false;
+    }
+    bool atFullDetail() const { return resting_; }
+
+    std::size_t mostTriangles = 0;
+    double slowestFullDetail = 0.0; ///< s
+    double slowestRate = 1e9;       ///< Hz, once the loop has run for two seconds
+
+private:
+    void ticked() {
+        const SessionState& state = window_.workbench().session.state();
+        if (state.sample.proxy.tip != tip_) lastMotion_ = Clock::now();
+        tip_ = state.sample.proxy.tip;
+        if (state.ticks > 2000) slowestRate = std::min(slowestRate, state.rateHz);
+    }
+    void painted() {
+        const FrameStatistics statistics = window_.viewport().statistics();
+        if (moving_) mostTriangles = std::max(mostTriangles, statistics.triangles);
+        if (moving_ || resting_ || !statistics.fullDetail || statistics.busy) return;
+        resting_ = true;
+        slowestFullDetail = std::max(slowestFullDetail, secondsSince(lastMotion_));
+    }
+
+    MainWindow& window_;
+    glm::dvec3 tip_{0.0};
+    Clock::time_point lastMotion_;
+    bool moving_ = false, resting_ = true;
+};
+
+/// Mills lane beside lane, so that each stroke meets fresh stock.
+class Miller {
+public:
+    Miller(WindowDriver& driver, Observer& observer)
+        : driver_(driver), observer_(observer), hand_(driver.window().viewport()) {}
+
+    void mill(Clock::duration time) {
+        const Clock::time_point begin = Clock::now();
+        for (; Clock::now() - begin < time; ++stroke_) {
+            const bool alongPart = stroke_ % 4 >= 2, orbiting = stroke_ % 2 == 1;
+            driver_.clickOn(alongPart ? "alongPartButton" : "levelButton");
+            observer_.setMoving(true);
+            alongPart ? millLane(0.62 - 0.05 * stroke_, 0.22, 0.5, orbiting)
+                      : millLane(0.06 + 0.1 * stroke_, 0.04, 1.0, orbiting);
+            observer_.setMoving(false);
+        }
+    }
+    /// Until everything is drawn in full again.
+    void rest() {
+        runUntil([this] { return observer_.atFullDetail(); }, 10s);
+    }
+
+private:
+    /// @param lane share of the stock's width @param inset from its ends @param height share of its height
+    void millLane(double lane, double inset, double height, bool orbiting) {
+        const Box& stock = driver_.window().workbench().setup.setup().stock;
+        const auto seen = [&](double along) {
+            const glm::dvec3 place = stock.low + stock.size() * glm::dvec3(inset + (1.0 - 2.0 * inset) * along,
+                                                                           std::clamp(lane, 0.05, 0.95), height);
+            return driver_.window().viewport().project(place);
+        };
+        hand_.moveTo(seen(0.0));
+        runFor(250ms);
+        hand_.press(Qt::LeftButton);
+        if (orbiting) { // the pointer hurries ahead; while the tool follows, the right button turns the view
+            hand_.lead(200ms, seen);
+            orbit(1600ms);
+        } else {
+            hand_.lead(1800ms, seen);
+        }
+        hand_.release(Qt::LeftButton);
+    }
+    void orbit(Clock::duration time) {
+        const QPointF middle = hand_.place();
+        hand_.press(Qt::RightButton);
+        hand_.lead(time, [&](double share) {
+            const double turn = 6.2832 * share; // there and back again
+            return middle + QPointF(160.0 * std::sin(turn), 30.0 * std::sin(2.0 * turn));
+        });
+        hand_.release(Qt::RightButton);
+    }
+
+    WindowDriver& driver_;
+    Observer& observer_;
+    Hand hand_;
+    int stroke_ = 0;
+};
+
+class Report {
+public:
+    void add(const char* name, double value, const char* unit, std::optional<double> limit = std::nullopt) {
+        nlohmann::json figure{{"name", name}, {"value", std::round(value * 1000.0) / 1000.0}, {"unit", unit}};
+        if (limit) figure["limit"] = *limit;
+        figures_.push_back(std::move(figure));
+        std::cerr << name << ": " << value << ' ' << unit;
+        if (limit) std::cerr << (value > *limit ? ", BEYOND its limit of " : ", limit ") << *limit << ' ' << unit;
+        std::cerr << '\n';
+    }
+    void addStalls(const char* name, const StallWatch& watch) {
+        add(name, watch.longest(), "ms", 100.0);
+        for (const StallWatch::Stall& stall : watch.worst())
+            std::cerr << "    " << stall.milliseconds << " ms after " << stall.after << " s: " << qPrintable(stall.what)
+                      << '\n';
+    }
+    void print() const { std::cout << figures_.dump(2) << std::endl; }
+
+private:
+    nlohmann::json figures_ = nlohmann::json::array();
+};
+
+bool embedSample(WindowDriver& driver) {
+    Workbench& bench = driver.window().workbench();
+    if (!driver.clickOn("samplePartButton") || !runUntil([&] { return bench.model.model() != nullptr; })) return false;
+    runFor(500ms);
+    if (!driver.step(JobStep::stock)) return false;
+    auto* voxel = driver.visible<QWidget>("voxelField");
+    if (voxel == nullptr) return false;
+    voxel->setFocus();
+    QTest::keyClick(voxel, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(voxel, "0.25");
+    QTest::keyClick(voxel, Qt::Key_Return);
+    if (!runUntil([&] { return bench.setup.setup().voxel == 0.25; }, 3s) || !driver.clickOn("embedButton"))
+        return false;
+    if (!runUntil([&] { return bench.bench.ready() && bench.tasks().idle(); })) return false;
+    const Viewport& viewport = driver.window().viewport();
+    return runUntil([&] { return viewport.statistics().fullDetail && !viewport.statistics().busy; }, 10s);
+}
+
+std::string loadAverage() {
+    std::string load;
+    std::getline(std::ifstream("/proc/loadavg"), load);
+    return load;
+}
+
+/// Seconds of all cores that other programs use, the X server among them.
+class OtherPrograms {
+public:
+    OtherPrograms() : begin_(now()), start_(Clock::now()) {}
+    double coresUsed() const { return (now() - begin_) / secondsSince(start_); }
+
+private:
+    static double now() {
+        std::ifstream stat("/proc/stat");
+        std::string cpu;
+        double user = 0.0, niced = 0.0, system = 0.0;
+        stat >> cpu >> user >> niced >> system;
+        rusage own{};
+        getrusage(RUSAGE_SELF, &own);
+        const auto seconds = [](const timeval& time) {
+            return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+        };
+        return (user + niced + system) / static_cast<double>(sysconf(_SC_CLK_TCK)) - seconds(own.ru_utime) -
+               seconds(own.ru_stime);
+    }
+    double begin_;
+    Clock::time_point start_;
+};
+
+int run(StallWatch& watch) {
+    Report report;
+    std::cerr << "load before: " << loadAverage() << '\n';
+    WindowDriver driver;
+    runFor(500ms);
+    Workbench& bench = driver.window().workbench();
+    Viewport& viewport = driver.window().viewport();
+    Observer observer(driver.window());
+    watch.beginPhase();
+    if (!embedSample(driver)) {
+        std::cerr << "The sample part could not be embedded: " << qPrintable(driver.message()) << '\n';
+        return 0;
+    }
+    report.addStalls("gui_stall_max_embedding", watch);
+
+    driver.step(JobStep::mill);
+    driver.clickOn("recordButton"); // takes the tool in hand as well
+    if (!runUntil([&] { return bench.mill.recording(); }, 5s)) {
+        std::cerr << "Mill mode did not begin: " << qPrintable(driver.message()) << '\n';
+        return 0;
+    }
+    runFor(500ms);
+    watch.beginPhase();
+    viewport.resetStatistics();
+    const Clock::time_point begin = Clock::now();
+    const OtherPrograms others;
+    Miller miller(driver, observer);
+    for (int round = 0; round < 3; ++round) {
+        miller.mill(4500ms);
+        miller.rest();
+    }
+    const double seconds = secondsSince(begin);
+    const FrameStatistics drawn = viewport.statistics();
+    const SessionState state = bench.session.state();
+    report.add("cut_to_screen_p95", drawn.cutToScreenP95, "ms", 150.0);
+    report.add("cut_to_screen_max", drawn.cutToScreenMaximum, "ms");
+    report.add("cuts_shown", static_cast<double>(drawn.cutsShown), "");
+    report.addStalls("gui_stall_max", watch);
+    report.add("gui_stalls_beyond_50", static_cast<double>(watch.longerThan(50.0)), "");
+    report.add("triangles_moving_max", static_cast<double>(observer.mostTriangles), "", 100000.0);
+    report.add("full_detail_after", observer.slowestFullDetail, "s", 1.0);
+    report.add("tick_cpu_p999", state.cpuP999, "us", 200.0);
+    report.add("tick_wall_p999", state.workP999, "us");
+    report.add("haptic_rate_min", observer.slowestRate, "Hz");
+    report.add("missed_edges", static_cast<double>(state.missed), "");
+    report.add("ticks", static_cast<double>(state.ticks), "");
+    report.add("strokes", static_cast<double>(bench.bench.strokes().count()), "");
+    report.add("paint_p95", drawn.paintP95, "ms");
+    report.add("paint_max", drawn.paintMaximum, "ms");
+    report.add("frames_per_second", static_cast<double>(drawn.frames) / seconds, "1/s");
+    report.add("cores_used_by_others", others.coresUsed(), "");
+    report.print();
+    std::cerr << "load after: " << loadAverage() << '\n';
+    if (qEnvironmentVariableIsSet("BURIN_BENCHMARK_PICTURE")) driver.shoot("window-benchmark");
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QSurfaceFormat format;
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    QSurfaceFormat::setDefaultFormat(format);
+    StallWatch watch(argc, argv);
+    return run(watch);
+}

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/canvas.h"
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLFunctions>
+#include <QOpenGLWidget>
+#include <QPainter>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+void layOut(QWidget& canvas) {
+    canvas.setAttribute(Qt::WA_TransparentForMouseEvents);
+    canvas.setFocusPolicy(Qt::NoFocus);
+}
+
+/// Composed into the window by the graphics card.
+class CardCanvas final : public QOpenGLWidget, public Canvas {
+public:
+    CardCanvas(QWidget& parent, CanvasPainter& painter) : QOpenGLWidget(&parent), painter_(painter) { layOut(*this); }
+    ~CardCanvas() override { end(); }
+
+    QWidget& widget() override { return *this; }
+    bool isValid() const override { return QOpenGLWidget::isValid(); }
+    QImage grab() override { return grabFramebuffer(); }
+    void makeCurrent() override { QOpenGLWidget::makeCurrent(); }
+    void doneCurrent() override { QOpenGLWidget::doneCurrent(); }
+
+private:
+    void initializeGL() override {
+        connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CardCanvas::end);
+        begun_ = true;
+        painter_.begin(*context());
+    }
+    void paintGL() override {
+        painter_.paint(defaultFramebufferObject());
+        painter_.painted();
+    }
+    void end() {
+        if (!std::exchange(begun_, false)) return;
+        disconnect(context(), nullptr, this, nullptr);
+        makeCurrent();
+        painter_.end();
+        doneCurrent();
+    }
+
+    CanvasPainter& painter_;
+    bool begun_ = false;
+};
+
+/// A context of its own; its picture is copied into the window's own pixels.
+class PixelCanvas final : public QWidget, public Canvas {
+public:
+    PixelCanvas(QWidget& parent, CanvasPainter& painter, std::unique_ptr<QOpenGLContext> context,
+                std::unique_ptr<QOffscreenSurface> surface)
+        : QWidget(&parent), painter_(painter), surface_(std::move(surface)), context_(std::move(context)) {
+        layOut(*this);
+        setAttribute(Qt::WA_OpaquePaintEvent);
+    }
+    ~PixelCanvas() override {
+        makeCurrent();
+        if (begun_) painter_.end();
+        buffer_.reset();
+        doneCurrent();
+    }
+
+    QWidget& widget() override { return *this; }
+    bool isValid() const override { return context_->isValid(); }
+    QImage grab() override {
+        draw();
+        doneCurrent();
+        return picture_;
+    }
+    void makeCurrent() override { context_->makeCurrent(surface_.get()); }
+    void doneCurrent() override { context_->doneCurrent(); }
+
+private:
+    void paintEvent(QPaintEvent*) override {
+        draw();
+        {
+            QPainter painter(this);
+            painter.setCompositionMode(QPainter::CompositionMode_Source);
+            picture_.isNull() ? painter.fillRect(rect(), Qt::black) : painter.drawImage(QPoint(0, 0), picture_);
+        }
+        if (!picture_.isNull()) painter_.painted();
+        doneCurrent();
+    }
+    void draw() {
+        makeCurrent();
+        if (!std::exchange(begun_, true)) painter_.begin(*context_);
+        const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+        if (!context_->isValid() || pixels.isEmpty()) return;
+        if (!buffer_ || buffer_->size() != pixels)
+            buffer_ =
+                std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::CombinedDepthStencil);
+        painter_.paint(buffer_->handle());
+        read(pixels);
+    }
+    void read(const QSize& pixels) {
+        if (rows_.size() != pixels) {
+            rows_ = QImage(pixels, QImage::Format_RGB32);
+            picture_ = QImage(pixels, QImage::Format_RGB32);
+        }
+        picture_.setDevicePixelRatio(devicePixelRatioF());
+        buffer_->bind();
+        context_->functions()->glReadPixels(0, 0, pixels.width(), pixels.height(), bgra, bytesReversed, rows_.bits());
+        // OpenGL's lowest row comes first.
+        for (int row = 0; row < pixels.height(); ++row)
+            std::memcpy(picture_.scanLine(row), rows_.constScanLine(pixels.height() - 1 - row),
+                        static_cast<std::size_t>(rows_.bytesPerLine()));
+    }
+
+    // A pixel of QImage is a number 0xAARRGGBB, on machines of either byte order.
+    static constexpr GLenum bgra = 0x80E1, bytesReversed = 0x8367;
+
+    CanvasPainter& painter_;
+    std::unique_ptr<QOffscreenSurface> surface_;
+    std::unique_ptr<QOpenGLContext> context_;
+    std::unique_ptr<QOpenGLFramebufferObject> buffer_;
+    QImage rows_, picture_;
+    bool begun_ = false;
+};
+
+} // namespace
+
+bool drawsInSoftware(QOpenGLContext& context) {
+    const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
+    const QByteArray renderer = QByteArray(name).toLower();
+    return renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("software");
+}
+
+std::unique_ptr<Canvas> Canvas::make(QWidget& parent, CanvasPainter& painter) {
+    auto context = std::make_unique<QOpenGLContext>();
+    auto surface = std::make_unique<QOffscreenSurface>();
+    surface->create();
+    const bool current = context->create() && context->makeCurrent(surface.get());
+    const bool card = current && !drawsInSoftware(*context);
+    if (current) context->doneCurrent();
+    if (card) return std::make_unique<CardCanvas>(parent, painter);
+    return std::make_unique<PixelCanvas>(parent, painter, std::move(context), std::move(surface));
+}
+
+} // namespace burin
