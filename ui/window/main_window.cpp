@@ -161,9 +161,12 @@ void MainWindow::connectWorkbench() {
         if (workbench_.showMe.showing()) showStep(JobStep::mill);
     });
     connect(&workbench_.showMe, &ShowMe::finished, this, [this] {
-        if (workbench_.mill.takes().empty() || ending_) return;
-        showStep(JobStep::path);
-        workbench_.path.makeNew();
+        // What was just recorded may not be in the list yet.
+        workbench_.mill.refreshTakes([this] {
+            if (workbench_.mill.takes().empty() || ending_) return;
+            showStep(JobStep::path);
+            workbench_.path.makeNew();
+        });
     });
     connect(&flow_, &DocumentFlow::recentFilesChanged, this, [this] {
         menus_->setRecentFiles(settings_.recentFiles());

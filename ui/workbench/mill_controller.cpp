@@ -30,7 +30,7 @@ MillController::MillController(const Desk& desk, BenchController& bench, Session
         if (was) emit left();
         emit changed();
     });
-    connect(&session_, &SessionRunner::recordingStarted, this, &MillController::refreshTakes);
+    connect(&session_, &SessionRunner::recordingStarted, this, [this] { refreshTakes(); });
     connect(&session_, &SessionRunner::endedByItself, this, [this] {
         if (active()) leave(); // a fault, which ending tells
     });
@@ -197,13 +197,15 @@ void MillController::load(std::vector<TakeInfo> takes) {
     emit changed();
 }
 
-void MillController::refreshTakes() {
+void MillController::refreshTakes(Then then) {
     desk_.project.ask([](Project& project) { return project.takes(); },
-                      [this](Result<std::vector<TakeInfo>> takes) {
-                          if (!takes || std::ranges::equal(*takes, takes_, sameTake)) return;
-                          takes_ = std::move(*takes);
-                          emit takesChanged();
-                          emit changed();
+                      [this, then = std::move(then)](Result<std::vector<TakeInfo>> takes) {
+                          if (takes && !std::ranges::equal(*takes, takes_, sameTake)) {
+                              takes_ = std::move(*takes);
+                              emit takesChanged();
+                              emit changed();
+                          }
+                          if (then) then();
                       });
 }
 

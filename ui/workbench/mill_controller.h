@@ -36,8 +36,8 @@ public:
     /// What a project holds.
     void load(std::vector<TakeInfo> takes);
     void setStrokes(std::map<std::int64_t, std::size_t> strokes);
-    /// Reads the list of recordings again.
-    void refreshTakes();
+    /// Reads the list of recordings again. @param then when it is known
+    void refreshTakes(Then then = {});
 
 signals:
     void entered();
