@@ -46,6 +46,8 @@ public:
     QProcess& hand() { return hand_; }
     QProcess& display() { return display_; }
 
+    QString folder() const { return folder_; }
+
     /// What `burin info` says of the work that the hand left behind.
     QJsonObject left() const {
         QDirIterator files(folder_, {"*.burin.working"}, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
@@ -77,6 +79,14 @@ private:
     QString folder_;
 };
 
+/// When the last sample of the only recording was made, s since 1970; 0 where there is none.
+double endOfRecording(const QJsonObject& info) {
+    const QJsonArray takes = info["takes"].toArray();
+    if (takes.size() != 1) return 0.0;
+    const QJsonObject take = takes[0].toObject();
+    return take["started_unix_s"].toDouble() + take["duration_s"].toDouble();
+}
+
 } // namespace
 
 /// The window's end in the middle of a recording, from outside.
@@ -85,6 +95,7 @@ class WindowKilledTest : public QObject {
 private slots:
     void costsAtMost100Milliseconds_data();
     void costsAtMost100Milliseconds();
+    void closingTheWindowKeepsWhatIsSaved();
     void closingTheWindowAsksAndKeepsNothingThatIsDiscarded();
 };
 
@@ -112,20 +123,31 @@ void WindowKilledTest::costsAtMost100Milliseconds() {
     const double ended = unixTime();
     QVERIFY(session.hand().waitForFinished(20'000)); // it does not hang without its display
     const QJsonObject info = session.left();
-    const QJsonArray takes = info["takes"].toArray();
-    QCOMPARE(takes.size(), 1);
-    const QJsonObject take = takes[0].toObject();
-    const double kept = take["started_unix_s"].toDouble() + take["duration_s"].toDouble();
-    qInfo("%.0f ms are missing", 1000.0 * (ended - kept));
-    QVERIFY2(ended - kept <= 0.1, qPrintable(QString("%1 s are missing").arg(ended - kept)));
-    QVERIFY(take["samples"].toInteger() > milliseconds / 2);
+    const double missing = ended - endOfRecording(info);
+    qInfo("%.0f ms are missing", 1000.0 * missing);
+    QVERIFY2(missing <= 0.1, qPrintable(QString("%1 s are missing").arg(missing)));
+    QVERIFY(info["samples"].toInteger() > milliseconds / 2);
+}
+
+void WindowKilledTest::closingTheWindowKeepsWhatIsSaved() {
+    Session session;
+    QVERIFY(session.start());
+    QTest::qWait(1500);
+    session.hand().write("save\n");
+    const double ended = unixTime();
+    QVERIFY(session.hand().waitForFinished(30'000));
+    const ProgramRun run = runBurin({"info", session.folder() + "/kept.burin", "--json"});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    QVERIFY(!run.json()["recovered"].toBool());
+    const double missing = ended - endOfRecording(run.json());
+    QVERIFY2(missing <= 0.1, qPrintable(QString("%1 s are missing").arg(missing)));
 }
 
 void WindowKilledTest::closingTheWindowAsksAndKeepsNothingThatIsDiscarded() {
     Session session;
     QVERIFY(session.start());
     QTest::qWait(1500);
-    session.hand().write("close\n");
+    session.hand().write("discard\n");
     QVERIFY(session.hand().waitForFinished(20'000));
     QCOMPARE(session.hand().exitStatus(), QProcess::NormalExit);
     QVERIFY(session.left().isEmpty()); // the user was asked, and said so

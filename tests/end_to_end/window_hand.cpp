@@ -9,6 +9,7 @@
 #include <QSocketNotifier>
 #include <QtTest>
 
+#include <array>
 #include <cstdio>
 #include <unistd.h>
 
@@ -33,7 +34,12 @@ int main(int argc, char** argv) {
     QSocketNotifier order(STDIN_FILENO, QSocketNotifier::Read);
     QObject::connect(&order, &QSocketNotifier::activated, &driver.window(), [&] {
         order.setEnabled(false);
-        driver.whenDialogStands([](QWidget& dialog) { answer(dialog, "discardButton"); });
+        std::array<char, 16> line{};
+        const bool save = ::read(STDIN_FILENO, line.data(), line.size()) > 0 && line[0] == 's';
+        driver.whenDialogStands([&driver, save](QWidget& dialog) {
+            if (save) chooseFile(driver, driver.folder().filePath("kept.burin"));
+            answer(dialog, save ? "saveButton" : "discardButton");
+        });
         driver.window().close();
     });
     tell("recording");
