@@ -40,6 +40,7 @@ public:
     }
     std::uint32_t segmentCount() const noexcept { return offset(linesPerTile); }
     Segment* segments() const noexcept { return reinterpret_cast<Segment*>(bytes() + segmentsAt(header_->wide)); }
+    std::span<const Segment> all() const noexcept { return {segments(), segmentCount()}; }
     std::span<const Segment> line(int line) const noexcept {
         const std::uint32_t begin = offset(line);
         return {segments() + begin, offset(line + 1) - begin};
