@@ -26,6 +26,8 @@ public:
     /// What the winding number grows by on the way upwards.
     std::int32_t turn() const noexcept { return (code_ & 2U) != 0 ? -1 : 1; }
     bool cap() const noexcept { return (code_ & 1U) != 0; }
+    bool isPlainEntry() const noexcept { return (code_ & 3U) == 0; } ///< of surface
+    bool isPlainExit() const noexcept { return (code_ & 3U) == 2; }
     friend auto operator<=>(LineCrossing, LineCrossing) = default;
 
 private:
@@ -42,15 +44,16 @@ public:
 
     /// @param v within the row of bricks, 0 … 7
     void add(std::int32_t u, std::int32_t v, LineCrossing crossing) {
-        const auto column = static_cast<std::size_t>(u / brickSide);
-        const std::size_t index = column * linesPerBrick + static_cast<std::size_t>(v * brickSide + u % brickSide);
+        const std::uint32_t column = static_cast<std::uint32_t>(u) / brickSide;
+        const std::uint32_t index = column * linesPerBrick + static_cast<std::uint32_t>(v) * brickSide +
+                                    static_cast<std::uint32_t>(u) % brickSide;
         touched_[column] = 1;
         Cell& cell = cells_[index];
-        if (cell.count < cell.crossings.size())
-            cell.crossings[cell.count] = crossing;
+        const std::uint32_t at = cell.count++;
+        if (at < room)
+            cell.crossings[at] = crossing;
         else
-            surplus_.push_back({static_cast<std::uint32_t>(index), crossing});
-        ++cell.count;
+            surplus_.push_back({index, crossing});
     }
     bool touched(std::int32_t column) const noexcept { return touched_[static_cast<std::size_t>(column)] != 0; }
     /// To be called between the last `add` and the first `take`.
@@ -60,7 +63,7 @@ public:
         const std::size_t index = static_cast<std::size_t>(column) * linesPerBrick + static_cast<std::size_t>(line);
         Cell& cell = cells_[index];
         const std::uint32_t count = std::exchange(cell.count, 0);
-        if (count > cell.crossings.size()) return takeMany(index);
+        if (count > room) return takeMany(index);
         const std::span<LineCrossing> found = std::span(cell.crossings).first(count);
         if (count == 2) {
             if (found[1] < found[0]) std::swap(found[0], found[1]);
@@ -75,9 +78,10 @@ public:
     void clear() noexcept { surplus_.clear(); }
 
 private:
+    static constexpr std::uint32_t room = 7;
     struct alignas(32) Cell {
         std::uint32_t count = 0;
-        std::array<LineCrossing, 7> crossings{};
+        std::array<LineCrossing, room> crossings{};
     };
     struct Surplus {
         std::uint32_t cell = 0;

@@ -23,6 +23,11 @@ class LineFilling {
 public:
     explicit LineFilling(const Grid& grid) : grid_(grid) {}
 
+    /// The commonest line: in and out again, within the grid. Nothing is odd about it.
+    static bool isPlain(std::span<const LineCrossing> crossings, RunPosition lineEnd) noexcept {
+        return crossings.size() == 2 && (crossings[0].isPlainEntry() & crossings[1].isPlainExit()) &&
+               crossings[0].position() >= 0 && crossings[1].position() <= static_cast<std::int32_t>(lineEnd);
+    }
     /// @param crossings in order, at least one
     /// @param open what closes the mesh; nullptr when it is closed
     /// @return in order, apart from each other; valid until the next call

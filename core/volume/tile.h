@@ -56,7 +56,11 @@ public:
         std::memcpy(segments(), other.segments(), other.segmentCount() * sizeof(Segment));
     }
     void copyFrom(const BrickLines& lines) const noexcept {
-        for (int line = 0; line <= linesPerTile; ++line) setOffset(line, lines.offset(line));
+        if (header_->wide)
+            for (int line = 0; line <= linesPerTile; ++line) wideOffsets()[line] = lines.offset(line);
+        else
+            for (int line = 0; line <= linesPerTile; ++line)
+                narrowOffsets()[line] = static_cast<std::uint16_t>(lines.offset(line));
         std::ranges::copy(lines.segments(), segments());
     }
     bool operator==(const BrickLines& lines) const noexcept {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/volume/line_crossings.h"
 
@@ -14,9 +13,8 @@ namespace burin {
 /// Which triangles of a mesh may cross scanlines of which row of bricks. Triangles that no line passes are left out.
 class TriangleBins {
 public:
-    /// Parallel. Errors: argumentInvalid for a vertex of a triangle that the lattice can't hold.
-    /// @throws std::bad_alloc
-    static Result<TriangleBins> make(const TriangleMesh& mesh, const Grid& grid);
+    /// Parallel. @throws std::bad_alloc
+    TriangleBins(const TriangleMesh& mesh, const std::vector<LatticeVertex>& vertices, const Grid& grid);
 
     /// Calls visit(triangle) for those of a row, in the mesh's order.
     template <class Visit>
@@ -39,10 +37,9 @@ private:
         std::vector<std::uint32_t> firsts; ///< by row, and the end
         std::vector<std::uint32_t> triangles;
         std::uint64_t edges = 0; ///< sum modulo 2 of all edges' marks
-        std::size_t outOfReach = 0;
     };
-    static Part sort(const TriangleMesh& mesh, const LatticeProjection& projection, const Grid& grid, std::size_t first,
-                     std::size_t end);
+    static Part sort(std::span<const std::array<std::uint32_t, 3>> triangles, std::uint32_t first,
+                     const std::vector<LatticeVertex>& vertices, const Grid& grid);
 
     std::vector<Part> parts_;
     bool closed_ = true;

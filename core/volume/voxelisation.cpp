@@ -22,26 +22,29 @@ struct PreparedBody {
     const TriangleMesh* mesh = nullptr; ///< closed
     PropertyIndex property = airProperty;
     std::unique_ptr<OpenMesh> open; ///< holds `mesh` when the caller's was open
+    std::vector<LatticeVertex> vertices;
     std::optional<TriangleBins> bins;
 };
+
+Result<void> sortTriangles(PreparedBody& body, const Grid& grid) {
+    Result<std::vector<LatticeVertex>> vertices = projectVertices(*body.mesh, grid);
+    if (!vertices) return vertices.error();
+    body.vertices = *std::move(vertices);
+    body.bins.emplace(*body.mesh, body.vertices, grid);
+    return {};
+}
 
 Result<void> prepare(const BodyMesh& body, const Grid& grid, PreparedBody& prepared, VoxelisationReport& report) {
     prepared.mesh = body.mesh;
     prepared.property = body.property;
-    Result<TriangleBins> bins = TriangleBins::make(*body.mesh, grid);
-    if (!bins) return bins.error();
-    if (!bins->closed()) {
-        constexpr double slit = 1.0 / 16.0; // voxels
-        prepared.open = std::make_unique<OpenMesh>(*body.mesh, slit * grid.edge());
-        prepared.mesh = &prepared.open->closed();
-        bins = TriangleBins::make(*prepared.mesh, grid);
-        if (!bins) return bins.error();
-        report.openEdges = prepared.open->capCount();
-        report.holes = prepared.open->holes();
-        report.duplicateTriangles = prepared.open->duplicates();
-    }
-    prepared.bins.emplace(*std::move(bins));
-    return {};
+    if (Result<void> done = sortTriangles(prepared, grid); !done || prepared.bins->closed()) return done;
+    constexpr double slit = 1.0 / 16.0; // voxels
+    prepared.open = std::make_unique<OpenMesh>(*body.mesh, slit * grid.edge());
+    prepared.mesh = &prepared.open->closed();
+    report.openEdges = prepared.open->capCount();
+    report.holes = prepared.open->holes();
+    report.duplicateTriangles = prepared.open->duplicates();
+    return sortTriangles(prepared, grid);
 }
 
 /// Fills rows of bricks on one thread, one after the other.
@@ -49,7 +52,6 @@ class RowFilling {
 public:
     explicit RowFilling(const Grid& grid)
         : grid_(grid)
-        , projection_(grid)
         , filling_(grid)
         , cells_(grid.lineCountU())
         , lines_(grid.lineEnd())
@@ -93,8 +95,7 @@ private:
         const double beyond = static_cast<double>(grid_.lineEnd()) + 1.0;
         body.bins->forEachIn(row, [&](std::uint32_t triangle) {
             const auto& [a, b, c] = mesh.triangles[triangle];
-            const TriangleCover cover(
-                {projection_(mesh.vertices[a]), projection_(mesh.vertices[b]), projection_(mesh.vertices[c])}, range);
+            const TriangleCover cover(body.vertices[a], body.vertices[b], body.vertices[c], range);
             cover.forEachLine(-1.0, beyond, [&](std::int32_t u, std::int32_t v, double along, bool leaves) {
                 const auto position = static_cast<std::int32_t>(along + 1.5) - 1; // to the nearest; never below -1
                 cells_.add(u, v - range.lowV, LineCrossing(position, leaves, triangle >= firstCap));
@@ -106,22 +107,33 @@ private:
     /// Makes the new content of a brick.
     void paint(std::span<const Segment> present, LineIndex low, const PreparedBody& body, VoxelisationReport& report) {
         lines_.clear();
+        std::uint64_t* const replaced = report.replaced.units.data();
         for (int line = 0; line < linesPerBrick; ++line) {
             std::size_t count = 1;
             while (present[count - 1].end() != grid_.lineEnd()) ++count;
-            const std::span<const LineCrossing> crossings = cells_.take(low.u / brickSide, line);
-            std::span<const InnerSpan> inside;
-            if (!crossings.empty())
-                inside = filling_.spans(crossings, {low.u + line % brickSide, low.v + line / brickSide},
-                                        body.open.get(), report);
-            appendPainted(present.first(count), inside, body.property, lines_, report.replaced);
+            const std::span<const Segment> before = present.first(count);
             present = present.subspan(count);
+            const std::span<const LineCrossing> crossings = cells_.take(low.u / brickSide, line);
+            if (count == 1 && crossings.empty()) {
+                lines_.appendLine(0, 0, body.property, before[0].property());
+            } else if (count == 1 && LineFilling::isPlain(crossings, grid_.lineEnd())) {
+                const auto from = static_cast<RunPosition>(crossings[0].position());
+                const auto to = static_cast<RunPosition>(crossings[1].position());
+                lines_.appendLine(from, to, body.property, before[0].property());
+                replaced[before[0].property()] += to - from;
+                report.filledUnits += to - from;
+            } else {
+                std::span<const InnerSpan> inside;
+                if (!crossings.empty())
+                    inside = filling_.spans(crossings, {low.u + line % brickSide, low.v + line / brickSide},
+                                            body.open.get(), report);
+                appendPainted(before, inside, body.property, lines_, report.replaced);
+            }
         }
         cells_.leave(low.u / brickSide);
     }
 
     Grid grid_;
-    LatticeProjection projection_;
     LineFilling filling_;
     CrossingCells cells_;
     BrickLines lines_;
