@@ -168,7 +168,7 @@ private slots:
                 const auto report = fill(mesh, volume);
                 const double units = 12.0 * 12.0 * 12.0 * 256.0;
                 QVERIFY(std::abs(static_cast<double>(volume.amounts().units[part]) - units) <
-                        (gap < 0.1 ? 0.001 : 0.01) * units);
+                        (gap == 0.02 ? 0.003 : 1e-4) * units);
                 QCOMPARE(report.warning().empty(), gap < 0.05);
             }
         }
@@ -238,10 +238,15 @@ private slots:
         const TriangleMesh mesh = readBinaryStl(BURIN_FIXTURES "/models/featuretype.stl", 25.4);
         QVERIFY(mesh.triangles.size() > 3000);
         for (const RunAxis axis : everyAxis) {
-            VoxelisationReport report;
-            const double volume = volumeAlong(mesh, 400, axis, &report);
-            qInfo("%+.4f %%, %s", 100.0 * (volume / 190544.5 - 1.0), report.warning().c_str());
-            QVERIFY(std::abs(volume / 190544.5 - 1.0) < 0.005);
+            // Walls along the runs lie within half a voxel, so that one grid alone may be a percent off.
+            double sum = 0.0;
+            for (const double shift : {0.05, 0.25, 0.45, 0.65, 0.85}) {
+                VoxelisationReport report;
+                sum += volumeAlong(mesh, 200, axis, &report, shift) / 190544.5;
+                QCOMPARE(report.linesWithOddCrossings, std::size_t{0}); // slits, all of them
+            }
+            qInfo("%+.4f %%", 100.0 * (sum / 5.0 - 1.0));
+            QVERIFY(std::abs(sum / 5.0 - 1.0) < 0.004);
         }
     }
 };

@@ -21,12 +21,13 @@ inline PropertyIndex propertyAt(const RunVolume& volume, LineIndex line, RunPosi
     return airProperty;
 }
 
-/// Volume, mm³, on a grid around the mesh.
-inline double volumeAlong(const TriangleMesh& mesh, int voxels, RunAxis axis, VoxelisationReport* report = nullptr) {
+/// Volume, mm³, on a grid around the mesh; its low corner lies `shift` of a voxel from a voxel face.
+inline double volumeAlong(const TriangleMesh& mesh, int voxels, RunAxis axis, VoxelisationReport* report = nullptr,
+                          double shift = 0.37) {
     const Box box = boundingBox(mesh);
     const double edge = std::max({box.size().x, box.size().y, box.size().z}) / (voxels - 3);
-    const Grid grid =
-        *Grid::make(box.low - glm::dvec3(1.37 * edge), edge, glm::ivec3(glm::ceil(box.size() / edge)) + 3, axis);
+    const Grid grid = *Grid::make(box.low - glm::dvec3((1.0 + shift) * edge), edge,
+                                  glm::ivec3(glm::ceil(box.size() / edge)) + 3, axis);
     RunVolume volume = emptyVolume(grid);
     const VoxelisationReport found = fill(mesh, volume);
     if (report != nullptr) *report = found;
