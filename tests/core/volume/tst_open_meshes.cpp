@@ -121,6 +121,21 @@ private slots:
         QVERIFY(held);
     }
 
+    void aSieveIsFilledAsIfItWereWhole() {
+        // Each hole is a triangle, so its cap is what is missing. Looked at closely, and too many for that.
+        const TriangleMesh whole = sphereMesh({0.1, 0.2, 0.3}, 10.0, 160);
+        for (const std::size_t every : {std::size_t{40}, std::size_t{5}}) {
+            TriangleMesh sieve = whole;
+            std::size_t count = 0;
+            std::erase_if(sieve.triangles, [&](const auto&) { return ++count % every == 0; });
+            VoxelisationReport report;
+            const double volume = volumeAlong(sieve, 60, RunAxis::y, &report);
+            QCOMPARE(report.openEdges > 20'000, every == 5);
+            QVERIFY(report.linesWithOddCrossings > 50);
+            QVERIFY(std::abs(volume / volumeAlong(whole, 60, RunAxis::y) - 1.0) < 1e-4);
+        }
+    }
+
     void aTubeWithoutEndsIsFilledFromRimToRim() {
         TriangleMesh tube;
         constexpr std::uint32_t count = 64;
