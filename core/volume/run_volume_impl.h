@@ -22,11 +22,14 @@ public:
     bool fillSpan(LineIndex index, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool setLine(LineIndex index, std::span<const Segment> segments) noexcept;
+    bool rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe);
 
     VolumeState* snapshot();
     void restore(const VolumeState& state);
 
 private:
+    class BrickRewrite;
+
     /// A tile that was made equal to another: every line of it got the same stretch.
     struct EqualFill {
         BlockIndex before = noBlock, after = noBlock;
