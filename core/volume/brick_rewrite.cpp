@@ -33,6 +33,16 @@ void addCount(std::span<const Segment> line, RunAmounts& amounts) noexcept {
     }
 }
 
+/// Of whole lines, one after the other.
+void addCount(std::span<const Segment> lines, RunPosition lineEnd, RunAmounts& amounts) noexcept {
+    RunPosition start = 0;
+    for (const Segment segment : lines) {
+        const RunPosition end = segment.end();
+        amounts.units[segment.property()] += end - start;
+        start = end & (end == lineEnd ? 0U : ~0U);
+    }
+}
+
 void sum(RunAmounts& amounts, const RunAmounts& change) noexcept {
     for (std::size_t i = 0; i < amounts.units.size(); ++i) amounts.units[i] += change.units[i]; // modulo 2^64: may fall
 }
@@ -118,7 +128,10 @@ private:
                 for (int v = 0; v < height; ++v)
                     for (int u = 0; u < width; ++u) visit(v * tileSide + u);
             };
-            eachLine([&](int line) { addCount(lines.line(line), result_.change); });
+            if (width == tileSide && height == tileSide)
+                addCount(lines.segments(), grid.lineEnd(), result_.change);
+            else
+                eachLine([&](int line) { addCount(lines.line(line), result_.change); });
             // Neighbours often share what they were before: air, or the stock's inside.
             if (present != counted_ || width * height != countedLines_) {
                 subtractReplaced();

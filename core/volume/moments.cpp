@@ -14,8 +14,8 @@ namespace {
 /// A third moment of one line may have 70 bits, and there may be 2^30 lines.
 __extension__ typedef __int128 Wide;
 
-/// Sums over the runs of one property: u and v are the line's, counted in lines; s and e the run's begin and end, in run
-/// units.
+/// Sums over the runs of one property: u and v are the line's, counted in lines; s and e the run's begin and end, in
+/// run units.
 struct RunSums {
     Wide length = 0;             ///< e - s
     Wide u = 0, v = 0;           ///< (e - s) u
@@ -97,9 +97,8 @@ BodyMoments momentsOf(const RunSums& sums, const Grid& grid) {
 
     const double edge = grid.edge(), edge3 = edge * edge * edge;
     const std::array axes{grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
-    const glm::dvec3 place =
-        offset + glm::dvec3(static_cast<double>(lineU) + 0.5, static_cast<double>(lineV) + 0.5,
-                            static_cast<double>(position) * unit);
+    const glm::dvec3 place = offset + glm::dvec3(static_cast<double>(lineU) + 0.5, static_cast<double>(lineV) + 0.5,
+                                                 static_cast<double>(position) * unit);
     body.volume = volume * edge3;
     for (int i = 0; i < 3; ++i) {
         const int axis = axes[static_cast<std::size_t>(i)];
