@@ -28,6 +28,9 @@ public:
     /// Lets the tile at `corner` share the block of the one at `other`, which has the same scanlines in the grid.
     bool shareTile(LineIndex corner, LineIndex other) noexcept;
 
+    /// Makes large blocks of what is free in small ones. Outside the haptic loop. @throws std::bad_alloc
+    void joinFreeMemory();
+
     VolumeState* snapshot();
     void restore(const VolumeState& state);
 
@@ -40,6 +43,7 @@ private:
     BlockHeader& header(BlockIndex block) const noexcept { return *store_->arena->at(block); }
     bool isOwn(BlockIndex block) const noexcept { return header(block).birth > lastSnapshot_ || !store_->hasReaders(); }
     BlockIndex allocate(std::size_t bytes) noexcept;
+    void releaseUnseen() noexcept;
     BlockIndex allocateTile(std::uint32_t segments) noexcept;
     BlockIndex* writableEntry(LineIndex index) noexcept;
     std::optional<Tile> writableTile(LineIndex index, std::uint32_t added) noexcept;
