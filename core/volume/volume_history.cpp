@@ -11,6 +11,10 @@
 
 namespace burin {
 
+namespace {
+constexpr std::size_t noLimit = std::numeric_limits<std::size_t>::max();
+}
+
 void VolumeHistory::clear() {
     packing_.reset();
     steps_.clear();
@@ -34,6 +38,7 @@ void VolumeHistory::add(VolumeSnapshot before) {
     steps_.emplace_back();
     marks_.emplace_back();
     ++present_;
+    while (nextDue(budget_.mostHeldSteps, noLimit)) packDue(budget_.mostHeldSteps, noLimit, noLimit);
 }
 
 /// Makes sure that the volume can come back to the present mark over a step.
@@ -77,16 +82,16 @@ bool VolumeHistory::packable(std::size_t step) const noexcept {
 }
 
 /// The step that is longest not needed: the oldest, as those to be redone are near.
-std::optional<std::size_t> VolumeHistory::nextDue() const noexcept {
-    std::size_t held = 0, heldBytes = 0;
+std::optional<std::size_t> VolumeHistory::nextDue(std::size_t heldSteps, std::size_t heldBytes) const noexcept {
+    std::size_t steps = 0, bytes = 0;
     std::optional<std::size_t> oldest;
     for (std::size_t step = steps_.size(); step-- > 0;) {
         if (steps_[step].delta) continue;
-        ++held;
-        heldBytes += steps_[step].heldBytes;
+        ++steps;
+        bytes += steps_[step].heldBytes;
         if (packable(step)) oldest = step;
     }
-    return held > budget_.heldSteps || heldBytes > heldLimit() ? oldest : std::nullopt;
+    return steps > heldSteps || bytes > heldBytes ? oldest : std::nullopt;
 }
 
 void VolumeHistory::startPacking(std::size_t step) {
@@ -119,23 +124,26 @@ void VolumeHistory::keepBudget() {
     forgetOldest(forgotten);
 }
 
-bool VolumeHistory::tidy(std::size_t bricks) {
-    if (!packing_) {
-        const std::optional<std::size_t> due = nextDue();
-        if (!due) return true;
-        startPacking(*due);
-    }
+/// True: no more than that is held by snapshots.
+bool VolumeHistory::packDue(std::size_t heldSteps, std::size_t heldBytes, std::size_t bricks) {
+    const std::optional<std::size_t> due = nextDue(heldSteps, heldBytes);
+    if (!packing_ && !due) return true;
+    if (!packing_) startPacking(*due);
     if (!advancePacking(bricks)) return false;
     keepBudget();
-    return !nextDue();
+    return !nextDue(heldSteps, heldBytes);
+}
+
+bool VolumeHistory::tidy(std::size_t bricks) {
+    return packDue(budget_.heldSteps, heldLimit(), bricks);
 }
 
 bool VolumeHistory::packAll() {
-    bool any = packing_ && advancePacking(std::numeric_limits<std::size_t>::max());
+    bool any = packing_ && advancePacking(noLimit);
     for (std::size_t step = 0; step < steps_.size(); ++step) {
         if (!packable(step)) continue;
         startPacking(step);
-        any = advancePacking(std::numeric_limits<std::size_t>::max());
+        any = advancePacking(noLimit);
     }
     keepBudget();
     return any;

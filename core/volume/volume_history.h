@@ -19,6 +19,8 @@ public:
         std::size_t packedBytes = std::size_t{256} << 20; ///< for packed steps; the oldest go when they take more
         std::size_t heldBytes = 0; ///< of the volume's reserve, for steps held by snapshots; 0: an eighth of it
         std::size_t heldSteps = 4; ///< newest steps that stay held while memory allows
+        /// A volume has 64 snapshots prepared; when more steps are held, `add` packs what `tidy` did not come to.
+        std::size_t mostHeldSteps = 32;
     };
     /// What a step costs: either of the two is 0.
     struct Cost {
@@ -30,7 +32,7 @@ public:
     explicit VolumeHistory(const Budget& budget) : budget_(budget) {}
 
     /// A step ended: the volume went from `before` to where it stands now, and so do all steps that follow. What could
-    /// be redone is forgotten.
+    /// be redone is forgotten. Cost: some ms where bricks are many.
     /// @param before the state that the step before left, of the same volume; another volume starts a new history
     void add(VolumeSnapshot before);
     bool canUndo() const noexcept { return present_ > 0; }
@@ -65,7 +67,8 @@ private:
     void leave(std::size_t step, RunVolume& volume);
     std::size_t heldLimit() const noexcept;
     bool packable(std::size_t step) const noexcept;
-    std::optional<std::size_t> nextDue() const noexcept;
+    std::optional<std::size_t> nextDue(std::size_t heldSteps, std::size_t heldBytes) const noexcept;
+    bool packDue(std::size_t heldSteps, std::size_t heldBytes, std::size_t bricks);
     bool advancePacking(std::size_t bricks);
     void startPacking(std::size_t step);
     void releaseMarks();
