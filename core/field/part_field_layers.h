@@ -74,13 +74,15 @@ public:
     static constexpr int narrowStride = 736; ///< bytes a brick of 8-bit residuals
     static constexpr std::int32_t coarse = -1;
 
-    /// A place: block, brick, cell and the share of the innermost grid.
+    /// A place in the box of the layers.
     struct Place {
         glm::ivec3 voxel{0};   ///< counted from the origin
         glm::vec3 share{0.0F}; ///< of the voxel, 0 … 1
-        double outside = 0.0;  ///< mm from the box that the layers cover
+        double outside = 0.0;  ///< mm from the box: the place is its nearest point
     };
     Place place(const glm::dvec3& point) const noexcept;
+    /// Once the blocks are known.
+    void setScale() noexcept;
 
     PartDistance sample(const glm::dvec3& point) const noexcept;
     void sample(std::span<const glm::dvec3> points, std::span<PartDistance> answers) const noexcept;
@@ -121,10 +123,14 @@ private:
                static_cast<std::size_t>(n.x) *
                    (static_cast<std::size_t>(i.y) + static_cast<std::size_t>(n.y) * static_cast<std::size_t>(i.z));
     }
+    glm::dvec3 voxelCount_{0.0}; ///< along each axis
+    double perVoxel_ = 0.0;      ///< 1/mm
+
+    PartDistance sampleInside(const glm::dvec3& point, const Place& place) const noexcept;
     const FineBrick* fineBrickAt(const glm::ivec3& voxel) const noexcept;
     PartDistance sampleFine(const FineBrick& brick, const Place& place) const noexcept;
     PartDistance sampleCoarse(const Place& place) const noexcept;
-    PartDistance sampleOutside(const glm::dvec3& point) const noexcept;
+    PartDistance sampleOutside(const glm::dvec3& point, const Place& place) const noexcept;
     PartDistance sampleExact(const ExactCells& exact, const glm::ivec3& cell, const glm::dvec3& point) const noexcept;
 };
 
