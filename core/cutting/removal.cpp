@@ -27,7 +27,7 @@ struct MaterialRemoval::Tally {
     bool outOfMemory = false;
 };
 
-MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid)
+MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing)
     : flutes_(burin::flutes(cutter)), surface_(flutes_, grid.edge()) {}
 
 MaterialRemoval::Tally MaterialRemoval::takeAway(RunVolume& workpiece, const glm::dvec3& fromTip,
@@ -74,6 +74,20 @@ CutResult MaterialRemoval::cut(RunVolume& workpiece, const glm::dvec3& fromTip, 
     }
     report(workpiece, toTip, toTip - fromTip, result);
     return result;
+}
+
+CutResult MaterialRemoval::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept {
+    return cut(workpiece, from.tip, to.tip);
+}
+
+void MaterialRemoval::approach(const RunVolume&, const ToolPose&) noexcept {}
+
+CutResult MaterialRemoval::settle(RunVolume&) noexcept {
+    return {};
+}
+
+bool MaterialRemoval::settled() const noexcept {
+    return true;
 }
 
 void MaterialRemoval::reset() noexcept {
