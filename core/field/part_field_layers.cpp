@@ -14,19 +14,27 @@ namespace {
 constexpr int row = CellGrid::along, layer = CellGrid::along * CellGrid::along;
 constexpr double halfDiagonal = 0.8660254037844387; // of a cube of edge 1
 
-using Corners = std::array<float, 8>; // of a cell, x running fastest
+/// Of a cell: the four on its lower face, x running fastest, and the four above them. Kept in registers: what is put
+/// together in memory piece by piece is slow to load as one.
+struct Corners {
+    FourFloats low, high;
+};
+
+Corners cornersAt(const float* first) noexcept {
+    return {FourFloats{first[0], first[1], first[row], first[row + 1]},
+            FourFloats{first[layer], first[layer + 1], first[layer + row], first[layer + row + 1]}};
+}
 
 template <class Number>
 Corners cornersAt(const Number* first) noexcept {
-    const auto number = [first](int i) noexcept { return static_cast<float>(first[i]); };
-    return {number(0),     number(1),         number(row),         number(row + 1),
-            number(layer), number(layer + 1), number(layer + row), number(layer + row + 1)};
+    const FourInts low{first[0], first[1], first[row], first[row + 1]};
+    const FourInts high{first[layer], first[layer + 1], first[layer + row], first[layer + row + 1]};
+    return {__builtin_convertvector(low, FourFloats), __builtin_convertvector(high, FourFloats)};
 }
 
 /// Value and gradient, per edge of the cell, between eight corners.
-PartDistance between(const Corners& c, const glm::vec3& t) noexcept {
-    const FourFloats low = fourAt(c.data()), rise = fourAt(c.data() + 4) - low;
-    const FourFloats middle = low + t.z * rise;
+PartDistance between(const Corners& corners, const glm::vec3& t) noexcept {
+    const FourFloats rise = corners.high - corners.low, middle = corners.low + t.z * rise;
     const float x0 = middle[1] - middle[0], x1 = middle[3] - middle[2];
     const float y0 = middle[0] + t.x * x0, y1 = middle[2] + t.x * x1;
     const float z0 = rise[0] + t.x * (rise[1] - rise[0]), z1 = rise[2] + t.x * (rise[3] - rise[2]);
@@ -46,15 +54,8 @@ void PartFieldLayers::setScale() noexcept {
     perVoxel_ = 1.0 / request.voxel;
 }
 
-PartFieldLayers::Place PartFieldLayers::place(const glm::dvec3& point) const noexcept {
-    const glm::dvec3 wanted = (point - origin) * perVoxel_;
+PartFieldLayers::Place PartFieldLayers::placeOutside(const glm::dvec3& wanted) const noexcept {
     Place place;
-    if (wanted.x >= 0.0 && wanted.y >= 0.0 && wanted.z >= 0.0 && wanted.x < voxelCount_.x && wanted.y < voxelCount_.y &&
-        wanted.z < voxelCount_.z) {
-        place.voxel = glm::ivec3(wanted);
-        place.share = glm::vec3(wanted - glm::dvec3(place.voxel));
-        return place;
-    }
     glm::dvec3 kept;
     for (int axis = 0; axis < 3; ++axis) { // what is not a number: the low side
         kept[axis] = wanted[axis] > 0.0 ? std::min(wanted[axis], voxelCount_[axis]) : 0.0;
@@ -63,14 +64,6 @@ PartFieldLayers::Place PartFieldLayers::place(const glm::dvec3& point) const noe
     place.share = glm::vec3(kept - glm::dvec3(place.voxel));
     place.outside = glm::length(wanted - kept) * request.voxel;
     return place;
-}
-
-const FineBrick* PartFieldLayers::fineBrickAt(const glm::ivec3& voxel) const noexcept {
-    const std::int32_t block = blockNumber[blockAt(voxel >> 6)];
-    if (block == coarse) return nullptr;
-    const glm::ivec3 b = (voxel >> 3) & 7;
-    const std::int32_t number = divided[static_cast<std::size_t>(block)].fine[CellGrid::cellAt(b.x, b.y, b.z)];
-    return number == coarse ? nullptr : &bricks[static_cast<std::size_t>(number)];
 }
 
 PartDistance PartFieldLayers::sampleFine(const FineBrick& brick, const Place& place) const noexcept {
@@ -109,11 +102,12 @@ PartDistance PartFieldLayers::sampleCoarse(const Place& place) const noexcept {
         edge *= brickVoxels;
     } else {
         const glm::vec3 share = (glm::vec3(place.voxel & 63) + place.share) / static_cast<float>(blockVoxels);
-        Corners corners;
-        for (int i = 0; i < 8; ++i)
-            corners[static_cast<std::size_t>(i)] =
-                topCorners[topAt(block + glm::ivec3(i & 1, (i >> 1) & 1, (i >> 2) & 1))];
-        answer = between(corners, share);
+        const float* first = topCorners.data() + topAt(block);
+        const auto n = glm::i64vec3(blocks) + std::int64_t{1};
+        const float *next = first + n.x, *above = first + n.x * n.y, *last = above + n.x;
+        answer = between(
+            {FourFloats{first[0], first[1], next[0], next[1]}, FourFloats{above[0], above[1], last[0], last[1]}},
+            share);
         edge *= blockVoxels;
     }
     answer.gradient /= static_cast<float>(edge);
@@ -133,26 +127,13 @@ PartDistance PartFieldLayers::sampleOutside(const glm::dvec3& point, const Place
 PartDistance PartFieldLayers::sampleInside(const glm::dvec3& point, const Place& place) const noexcept {
     const FineBrick* brick = fineBrickAt(place.voxel);
     if (brick == nullptr) return sampleCoarse(place);
-    if (brick->exact != FineBrick::none) {
-        const glm::ivec3 cell = place.voxel & 7;
-        const ExactCells& exact = exactCells[brick->exact];
-        if (exact.contains(cell.x, cell.y, cell.z)) return sampleExact(exact, cell, point);
-    }
-    return sampleFine(*brick, place);
+    return isExact(*brick, place.voxel) ? sampleExact(exactCells[brick->exact], place.voxel & 7, point)
+                                        : sampleFine(*brick, place);
 }
 
 PartDistance PartFieldLayers::sample(const glm::dvec3& point) const noexcept {
     const Place where = place(point);
     return where.outside > 0.0 ? sampleOutside(point, where) : sampleInside(point, where);
-}
-
-void PartFieldLayers::sample(std::span<const glm::dvec3> points, std::span<PartDistance> answers) const noexcept {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Place where = place(points[i]);
-        const FineBrick* brick = where.outside > 0.0 ? nullptr : fineBrickAt(where.voxel);
-        answers[i] =
-            brick != nullptr && brick->exact == FineBrick::none ? sampleFine(*brick, where) : sample(points[i]);
-    }
 }
 
 double PartFieldLayers::bound(const glm::dvec3& point) const noexcept {
