@@ -24,4 +24,24 @@ PieceDistance frustum(const RevolvedPiece& piece, double radius, double height) 
     return {beside, normalRadial, normalAxial};
 }
 
+PieceDistance bulge(const RevolvedPiece& piece, double radius, double height) noexcept {
+    const PieceDistance flat = bottomOrTop(piece, height);
+    const bool below = flat.alongHeight < 0.0;
+    const double edgeRadius = below ? piece.bottomRadius : piece.topRadius;
+    const double edgeHeight = below ? piece.bottom : piece.top;
+    if (flat.distance > 0.0 && radius <= edgeRadius) return flat;
+    const double out = radius - piece.bulgeCentreRadius, over = height - piece.bulgeCentreHeight;
+    PieceDistance side = fromPoint(out, over, {0.0, 1.0, 0.0});
+    side.distance -= piece.bulgeRadius;
+    if (flat.distance <= 0.0) {
+        // Between the axis and the centre of a torus zone the flat faces are nearer than the arc's far side.
+        return out > 0.0 && side.distance > flat.distance ? side : flat;
+    }
+    // Beyond an end: the arc is nearest where the point lies within the arc's angle, else its end is.
+    const double edgeOut = edgeRadius - piece.bulgeCentreRadius, edgeOver = edgeHeight - piece.bulgeCentreHeight;
+    const double turn = edgeOut * over - edgeOver * out; // > 0: the point lies above the end, seen from the centre
+    if (below ? turn >= 0.0 : turn <= 0.0) return side;
+    return fromPoint(radius - edgeRadius, height - edgeHeight, flat);
+}
+
 } // namespace burin::profile

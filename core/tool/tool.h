@@ -42,10 +42,10 @@ struct Tool {
     std::string name; ///< English
     int number = 1;   ///< T word
     int fluteCount = 2;
-    bool centreCutting = true;         ///< may plunge
-    double maximumDepthOfCut = 0.0;    ///< axial, mm; never beyond the flutes
-    double maximumSpindleSpeed = 0.0;  ///< 1/min, the tool maker's; 0: not stated
-    std::string source;                ///< where the dimensions come from
+    bool centreCutting = true;        ///< may plunge
+    double maximumDepthOfCut = 0.0;   ///< axial, mm; never beyond the flutes
+    double maximumSpindleSpeed = 0.0; ///< 1/min, the tool maker's; 0: not stated
+    std::string source;               ///< where the dimensions come from
     Cutter cutter;
 };
 
