@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <optional>
 
 namespace burin {
 
@@ -42,6 +43,17 @@ inline RevolvedPiece bulgingPiece(double bottom, double top, double centreRadius
     };
     return {bottom, top, radiusAt(bottom), radiusAt(top), 0.0, radius, centreRadius, centreHeight};
 }
+
+/// Stretch of heights above the tip, mm.
+struct HeightRange {
+    double low = 0.0, high = 0.0;
+};
+/// What the piece covers at a distance from its axis, mm; nothing beyond its widest radius. The stretch shrinks with
+/// the distance.
+std::optional<HeightRange> heightsAt(const RevolvedPiece& piece, double radius) noexcept;
+
+/// Radius of the piece at a height between its faces, mm.
+double radiusAt(const RevolvedPiece& piece, double height) noexcept;
 
 /// Signed distance with its slopes along the two cylinder coordinates: unit length together, except on the piece's
 /// inner ridges, where they are those of one of the faces that meet there (a subgradient).

@@ -20,9 +20,10 @@ void judgeRemoval(const ToolMove& move, const CutResult& cut, Findings& findings
     if (!move.spindleOn) findings.add(FindingKind::spindleOff, move.line, cut.centroid, cut.volume);
 }
 
-void judgeContact(const ToolMove& move, const ShankContact& contact, Findings& findings) {
+void judgeContact(const ToolMove& move, const Cutter& cutter, const ShankContact& contact, Findings& findings) {
     if (!contact.touches) return;
-    const FindingKind kind = contact.piece == 1 ? FindingKind::shankCollision : FindingKind::holderCollision;
+    const bool shank = sectionOf(cutter, contact.piece) == ToolSection::shank;
+    const FindingKind kind = shank ? FindingKind::shankCollision : FindingKind::holderCollision;
     findings.add(kind, move.line, contact.place, contact.volume);
 }
 
@@ -50,7 +51,7 @@ Result<double> replay(const std::vector<ToolMove>& moves, const Tool& tool, RunV
                 return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
             removed += cut.volume;
             judgeRemoval(move, cut, findings);
-            judgeContact(move, shankContact(workpiece, stack, next), findings);
+            judgeContact(move, tool.cutter, shankContact(workpiece, stack, next), findings);
             tip = next;
         }
     }
