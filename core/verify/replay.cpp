@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/replay.h"
 
+#include "core/cutting/contact.h"
 #include "core/cutting/removal.h"
 
 #include <cmath>
@@ -33,6 +34,8 @@ Result<double> replay(const std::vector<ToolMove>& moves, const Tool& tool, RunV
                       Progress& progress) {
     const double step = workpiece.grid().edge();
     const std::vector<RevolvedPiece> stack = pieces(tool.cutter);
+    const std::size_t fluteCount = flutePieces(tool.cutter).size();
+    ContactCheck contact(workpiece.grid());
     MaterialRemoval removal(tool.cutter, workpiece.grid());
     double removed = 0.0;
     for (std::size_t index = 0; index < moves.size(); ++index) {
@@ -51,7 +54,7 @@ Result<double> replay(const std::vector<ToolMove>& moves, const Tool& tool, RunV
                 return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
             removed += cut.volume;
             judgeRemoval(move, cut, findings);
-            judgeContact(move, tool.cutter, shankContact(workpiece, stack, next), findings);
+            judgeContact(move, tool.cutter, contact.at(workpiece, stack, fluteCount, {next, {0.0, 0.0, 1.0}}), findings);
             tip = next;
         }
     }

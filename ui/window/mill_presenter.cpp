@@ -22,7 +22,7 @@ struct MillTexts {
 QString shankSentence(const SessionState& state, const Bench& bench) {
     if ((state.sample.flags & sampleShankContact) == 0) return {};
     const PropertyList& properties = bench.embedded.workpiece.properties();
-    const bool shank = sectionOf(bench.tool.cutter, state.shankPiece) == ToolSection::shank;
+    const bool shank = sectionOf(bench.tool.cutter, state.shankPiece) != ToolSection::holder;
     const QString what = state.shankTouches == airProperty || state.shankTouches >= properties.size()
                              ? MillTexts::tr("the workpiece")
                              : materialName(properties[state.shankTouches]);
