@@ -74,6 +74,7 @@ public:
 
 private:
     friend class RunVolume;
+    friend class VolumeAccess;
     explicit VolumeSnapshot(VolumeState* state) noexcept;
     VolumeState* state_ = nullptr;
 };
@@ -144,6 +145,7 @@ public:
 
 private:
     friend class VolumeSnapshot;
+    friend class VolumeAccess;
     class Impl;
     explicit RunVolume(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
