@@ -191,7 +191,7 @@ void tiltedTools(Run& run) {
 
 /// Figure 13 b of the paper: a block of 40 × 32 × 40 voxels.
 void paperCase(Run& run) {
-    const auto scene = [] { return plainBlock({40, 32, 40}, 1.0, RunAxis::z, 40.0); };
+    const auto scene = [] { return plainBlock({40, 32, 40}); };
     const auto measureRadius = [&](const std::string& name, double radius) {
         std::vector<glm::dvec3> tips;
         // Along the block's top, half the radius deep, a tenth of the radius a tick, row beside row.

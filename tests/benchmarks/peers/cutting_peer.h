@@ -16,9 +16,9 @@ namespace burin::benchmarks {
 /// Removed voxels by property.
 using VoxelCounts = std::array<std::uint64_t, 256>;
 
-/// Another way to mill whole voxels with a ball end, axis +Z, runs along z: the same job that MaterialRemoval is timed
-/// at. All of them take poses less than a voxel apart (the pose that the move starts at is cut already), a voxel goes
-/// when its centre lies in the tool at one of them, and they count what goes by property.
+/// Another way to mill whole voxels of 1 mm, axis +Z, runs along z: the same job that MaterialRemoval is timed at. All
+/// of them take poses less than a voxel apart (the pose that the move starts at is cut already), a voxel goes when its
+/// centre lies in the tool at one of them, and they count what goes by property.
 class CuttingPeer {
 public:
     virtual ~CuttingPeer() = default;
@@ -42,7 +42,10 @@ LineBlock blockOf(std::span<const glm::dvec3> tips, double radius, const Grid& g
 /// the workpiece's runs, and their removal; runs of a line in a vector of its own.
 std::unique_ptr<CuttingPeer> paperCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius);
 /// A byte a voxel, lines along z; only what the pose before did not reach is looked at.
+/// @param corner radius of the end's rounding, where it is no ball
 std::unique_ptr<CuttingPeer> denseByteCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius);
+std::unique_ptr<CuttingPeer> denseByteCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius,
+                                             double corner);
 /// A bit a voxel, 64 at a time, likewise. Knows no materials: everything counts as property 1.
 std::unique_ptr<CuttingPeer> denseBitCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius);
 

@@ -13,7 +13,7 @@ class OpenVdbCutter final : public CuttingPeer {
 public:
     OpenVdbCutter(const VolumeSnapshot& workpiece, double radius)
         : grid_(workpiece.grid())
-        , tool_(radius, grid_)
+        , tool_(radius, radius, grid_)
         , start_(propertyTree(workpiece))
         , leaves_(static_cast<std::size_t>(grid_.voxelsPerLine()) / 8) {}
 

@@ -17,7 +17,7 @@ public:
     PaperCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius)
         : grid_(workpiece.grid())
         , block_(block)
-        , tool_(radius, grid_)
+        , tool_(radius, radius, grid_)
         , lines_(static_cast<std::size_t>(grid_.lineCountU()) * static_cast<std::size_t>(grid_.lineCountV()))
         , swept_(lines_.size()) {
         for (std::int32_t v = 0; v < grid_.lineCountV(); ++v)

@@ -15,12 +15,17 @@ struct VoxelSpan {
     bool empty() const noexcept { return end <= first; }
 };
 
-/// A ball-ended cutter whose flutes are twice its radius long, as whole voxels of 1 mm at any pose with axis +Z. A
-/// voxel belongs to it when its centre lies inside.
+/// A cutter whose flutes are twice its radius long, with a ball, flat or bull-nosed end, as whole voxels of 1 mm at any
+/// pose with axis +Z. A voxel belongs to it when its centre lies inside.
 class VoxelTool {
 public:
-    VoxelTool(double radius, const Grid& grid)
-        : radius_(radius), countU_(grid.lineCountU()), countV_(grid.lineCountV()), length_(grid.voxelsPerLine()) {}
+    /// @param corner radius of the end's rounding: `radius` for a ball, 0 for a flat end
+    VoxelTool(double radius, double corner, const Grid& grid)
+        : radius_(radius)
+        , corner_(corner)
+        , countU_(grid.lineCountU())
+        , countV_(grid.lineCountV())
+        , length_(grid.voxelsPerLine()) {}
 
     double radius() const noexcept { return radius_; }
 
@@ -45,10 +50,16 @@ public:
     }
 
 private:
+    /// @param square half chord of the outline at the line, squared
     VoxelSpan along(const glm::dvec3& tip, double square) const noexcept {
         if (square <= 0.0) return {};
-        const double low = tip.z + radius_ - std::sqrt(square), high = tip.z + 2.0 * radius_;
+        const double low = tip.z + endHeight(square), high = tip.z + 2.0 * radius_;
         return {std::max(0, up(low)), std::min(length_, up(high))};
+    }
+    double endHeight(double square) const noexcept {
+        if (corner_ == radius_) return radius_ - std::sqrt(square);
+        const double beyond = std::sqrt(radius_ * radius_ - square) - (radius_ - corner_);
+        return beyond <= 0.0 ? 0.0 : corner_ - std::sqrt(std::max(0.0, corner_ * corner_ - beyond * beyond));
     }
     static VoxelSpan within(double middle, double half, std::int32_t count) noexcept {
         return {std::max(0, up(middle - half)), std::min(count, up(middle + half))};
@@ -56,7 +67,7 @@ private:
     /// The first voxel whose centre is not below a place: half-open, so that a tie is decided once.
     static std::int32_t up(double place) noexcept { return static_cast<std::int32_t>(std::ceil(place - 0.5)); }
 
-    double radius_;
+    double radius_, corner_;
     std::int32_t countU_, countV_, length_;
 };
 

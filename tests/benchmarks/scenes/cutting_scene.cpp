@@ -129,6 +129,11 @@ RunVolume layeredBlock(std::int32_t side, RunAxis axis) {
                          [](double x, double y, LineMaker& line) { layeredLine(x, y, 1.0, line); });
 }
 
+RunVolume shiftedBlock(std::int32_t side) {
+    return volumeOfLines(sceneGrid(side), 0,
+                         [](double x, double y, LineMaker& line) { layeredLine(1.09 - y, x - 0.13, 0.88, line); });
+}
+
 RunVolume scallopedFreeform(std::int32_t side) {
     return volumeOfLines(sceneGrid(side), 0, [=](double x, double y, LineMaker& line) {
         layeredLine(x, y, freeformHeight(x, y, side), line);
@@ -157,21 +162,33 @@ RunVolume gyroidLattice(std::int32_t side, int runsPerLine) {
     });
 }
 
-RunVolume plainBlock(const glm::ivec3& extent, double edge, RunAxis axis, double top) {
-    const Grid grid = require(Grid::make(glm::dvec3(0.0), edge, extent, axis), "a benchmark's grid");
-    RunVolume volume = require(RunVolume::make(grid, sceneMaterials()), "a benchmark's volume");
-    const LineIndex end{grid.lineCountU(), grid.lineCountV()};
-    LineIndex high = end;
-    RunPosition to = grid.lineEnd();
-    // Which of the three counts ends at the top depends on where z lies among them.
-    if (grid.axisOfRuns() == 2)
-        to = static_cast<RunPosition>(std::lround(top * unitsPerVoxel));
-    else if (grid.axisOfU() == 2)
-        high.u = static_cast<std::int32_t>(std::lround(top));
-    else
-        high.v = static_cast<std::int32_t>(std::lround(top));
-    if (!volume.fillBlock({0, 0}, high, 0, to, 1)) throw std::runtime_error("a benchmark's block");
-    return volume;
+RunVolume plainBlock(const glm::ivec3& extent) {
+    SlotStock stock;
+    stock.extent = extent;
+    stock.top = extent.z;
+    return slotStock(stock);
+}
+
+RunVolume slotStock(const SlotStock& stock) {
+    const Grid grid = require(Grid::make(glm::dvec3(0.0), stock.edge, stock.extent, stock.axis), "a benchmark's grid");
+    constexpr std::size_t reserve = 8U << 20U; // bytes: many are made one after another
+    // x and y are shares of u and v: of x and y for runs along z, of y and z for runs along x.
+    if (stock.axis == RunAxis::z)
+        return volumeOfLines(grid, reserve, [&](double x, double y, LineMaker& line) {
+            const glm::dvec2 place(x * stock.extent.x, y * stock.extent.y);
+            if (!stock.half || glm::dot(stock.side, place - stock.through) > 0.0)
+                line.upTo(stock.top / stock.extent.z, 1);
+        });
+    return volumeOfLines(grid, reserve, [&](double y, double z, LineMaker& line) {
+        if (z * stock.extent.z > stock.top) return;
+        if (!stock.half) return line.upTo(1.0, 1);
+        // side.x (x - through.x) > -side.y (y - through.y)
+        const double rest = stock.side.y * (y * stock.extent.y - stock.through.y);
+        if (stock.side.x == 0.0) return line.upTo(rest > 0.0 ? 1.0 : 0.0, 1);
+        const double crossing = (stock.through.x - rest / stock.side.x) / stock.extent.x;
+        line.upTo(stock.side.x > 0.0 ? crossing : 0.0, airProperty);
+        line.upTo(stock.side.x > 0.0 ? 1.0 : crossing, 1);
+    });
 }
 
 std::uint64_t countRuns(const VolumeSnapshot& volume) {

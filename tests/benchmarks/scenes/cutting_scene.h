@@ -17,7 +17,10 @@ Grid sceneGrid(std::int32_t side, RunAxis axis = RunAxis::z);
 /// runs a line.
 RunVolume layeredBlock(std::int32_t side, RunAxis axis = RunAxis::z);
 
-/// The same block after a finished freeform surface was milled down into it, scallops of a ball of R 25 every 8 voxels
+/// Another such block that overlaps it: moved by a tenth of its side or so, each way by its own amount.
+RunVolume shiftedBlock(std::int32_t side);
+
+/// The first block after a finished freeform surface was milled down into it, scallops of a ball of R 25 every 8 voxels
 /// and all.
 RunVolume scallopedFreeform(std::int32_t side);
 
@@ -25,11 +28,21 @@ RunVolume scallopedFreeform(std::int32_t side);
 /// @param runsPerLine how often a line along the runs meets it
 RunVolume gyroidLattice(std::int32_t side, int runsPerLine);
 
-/// A plain block of one material that fills its grid but for a layer of air above it.
-/// @param extent voxels along x, y, z
-/// @param edge   of a voxel, mm
-/// @param top    voxels from the grid's lower face to the block's upper one
-RunVolume plainBlock(const glm::ivec3& extent, double edge, RunAxis axis, double top);
+/// A plain block of one material that fills its grid.
+RunVolume plainBlock(const glm::ivec3& extent);
+
+/// Stock of one material for a slot: up to a height, and on one side of an upright plane or on both.
+struct SlotStock {
+    glm::ivec3 extent{1}; ///< voxels along x, y, z
+    double edge = 1.0;    ///< of a voxel, mm
+    RunAxis axis = RunAxis::z;
+    double top = 0.0;  ///< voxels above the grid's low face, whole
+    bool half = false; ///< stock only where dot(side, (x, y) - through) > 0
+    glm::dvec2 side{0.0};
+    glm::dvec2 through{0.0}; ///< voxels
+};
+/// Runs along z or x.
+RunVolume slotStock(const SlotStock& stock);
 
 /// Runs that are not air.
 std::uint64_t countRuns(const VolumeSnapshot& volume);
