@@ -22,6 +22,11 @@ public:
     bool fillSpan(LineIndex index, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool setLine(LineIndex index, std::span<const Segment> segments) noexcept;
+    /// Gives the 8 × 8 scanlines from `corner` on new content; those beyond the grid become air. Each line has to be
+    /// gapless up to the line's end, neighbours of different property. False: out of reserved memory, tile unchanged.
+    bool setTile(LineIndex corner, const TileView& lines) noexcept;
+    /// Lets the tile at `corner` share the block of the one at `other`, which has the same scanlines in the grid.
+    bool shareTile(LineIndex corner, LineIndex other) noexcept;
 
     VolumeState* snapshot();
     void restore(const VolumeState& state);
@@ -43,6 +48,7 @@ private:
     bool fillTile(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property,
                   EqualFill& known) noexcept;
     void count(std::span<const Segment> line, bool add) noexcept;
+    void count(const TileView& lines, bool add) noexcept;
 
     std::shared_ptr<VolumeStore> store_;
     std::vector<BlockIndex> pages_;

@@ -5,6 +5,7 @@
 #include "core/volume/block_arena.h"
 #include "core/volume/run_volume.h"
 
+#include <array>
 #include <cstring>
 #include <span>
 
@@ -16,6 +17,9 @@ namespace burin {
 inline constexpr std::int32_t tileSide = 8;
 inline constexpr int linesPerTile = tileSide * tileSide;
 inline constexpr std::uint32_t narrowLimit = 0xffff;
+
+/// The scanlines of a tile for reading, line 8 v + u; views into what somebody else owns.
+using TileView = std::array<std::span<const Segment>, linesPerTile>;
 
 /// Access to the content of a tile's block; owns nothing.
 class Tile {
@@ -43,6 +47,12 @@ public:
         return {segments() + begin, offset(line + 1) - begin};
     }
 
+    TileView view() const noexcept {
+        TileView lines;
+        for (int i = 0; i < linesPerTile; ++i) lines[static_cast<std::size_t>(i)] = line(i);
+        return lines;
+    }
+
     /// Every line one and the same segment.
     void fill(Segment segment) const noexcept {
         for (int line = 0; line <= linesPerTile; ++line) setOffset(line, static_cast<std::uint32_t>(line));
@@ -51,6 +61,17 @@ public:
     void copyFrom(const Tile& other) const noexcept {
         for (int line = 0; line <= linesPerTile; ++line) setOffset(line, other.offset(line));
         std::memcpy(segments(), other.segments(), other.segmentCount() * sizeof(Segment));
+    }
+    /// All lines at once. They must not be this tile's own; the caller has made sure of the capacity.
+    void assign(const TileView& lines) const noexcept {
+        std::uint32_t at = 0;
+        for (int i = 0; i < linesPerTile; ++i) {
+            const std::span<const Segment> source = lines[static_cast<std::size_t>(i)];
+            setOffset(i, at);
+            std::memcpy(segments() + at, source.data(), source.size_bytes());
+            at += static_cast<std::uint32_t>(source.size());
+        }
+        setOffset(linesPerTile, at);
     }
     /// Makes room for `added` segments in place of `removed` ones of a line, from its `first` on. The caller has made
     /// sure of the capacity and writes them to the place that is returned.
