@@ -77,16 +77,16 @@ double peerMedian(const CutCase& task, const PeerWish& wish, const VolumeSnapsho
 }
 
 /// A case's own figures and those of its peers. Nothing when no figure of it is wanted.
-std::optional<Measured> measure(Run& run, const CutCase& task) {
-    if (!run.wants(task.name)) return nullopt;
-    run.stage(task.name);
+std::optional<Measured> measure(Session& session, const CutCase& task) {
+    if (!session.wants(task.name)) return nullopt;
+    session.stage(task.name);
     RunVolume workpiece = task.scene();
     Measured measured;
     {
         Milling milling(workpiece, task.cutter);
-        measured.ticks = milling.leastTicks(run, task.path);
+        measured.ticks = milling.leastTicks(session, task.path);
         measured.removedUnits = milling.removedUnits();
-        milling.restartInAir(run);
+        milling.restartInAir(session);
     }
     measured.p50 = percentile(measured.ticks, 0.5);
     measured.p999 = percentile(measured.ticks, 0.999);
@@ -94,17 +94,17 @@ std::optional<Measured> measure(Run& run, const CutCase& task) {
     Figure median = figure(task.name + ".p50", measured.p50, "us", task.p50);
     for (const PeerWish& wish : task.peers) {
         const std::string name = median.name + wish.suffix;
-        if (!run.wants(name)) continue;
-        run.stage(task.name + ", " + wish.name);
+        if (!session.wants(name)) continue;
+        session.stage(task.name + ", " + wish.name);
         const double theirs = peerMedian(task, wish, start);
         if (theirs == 0.0) continue; // built without that peer
         if (wish.suffix.empty())
             median = against(std::move(median), wish.name, theirs, wish.ratioAtLeast);
         else
-            run.add(against(figure(name, measured.p50, "us"), wish.name, theirs, wish.ratioAtLeast));
+            session.add(against(figure(name, measured.p50, "us"), wish.name, theirs, wish.ratioAtLeast));
     }
-    run.add(std::move(median));
-    run.add(figure(task.name + ".p999", measured.p999, "us", task.p999));
+    session.add(std::move(median));
+    session.add(figure(task.name + ".p999", measured.p999, "us", task.p999));
     return measured;
 }
 
@@ -119,58 +119,59 @@ CutCase ballWalk(const std::string& name, std::int32_t side, double radius, doub
 }
 
 /// Cost must not grow with the grid.
-void walksAtOneVoxel(Run& run) {
+void walksAtOneVoxel(Session& session) {
     const auto r50 = [&](std::int32_t side, std::vector<PeerWish> peers) {
-        return measure(run, ballWalk("cut.ball.r50.m1." + std::to_string(side), side, 50.0, 1.0, 2000, 20.0, 40.0,
-                                     std::move(peers)));
+        return measure(session, ballWalk("cut.ball.r50.m1." + std::to_string(side), side, 50.0, 1.0, 2000, 20.0, 40.0,
+                                         std::move(peers)));
     };
     const auto small = r50(512, {paper(7.5)});
-    if (small && run.wants("cut.ball.r50.m1.512.p50.against_csg_difference")) {
-        run.stage("cut.ball.r50.m1.512, OpenVDB csgDifference");
+    if (small && session.wants("cut.ball.r50.m1.512.p50.against_csg_difference")) {
+        session.stage("cut.ball.r50.m1.512, OpenVDB csgDifference");
         const auto times = csgDifferenceTimes(512.0, 50.0, walk(512.0, 50.0, 1.0, 60));
         if (times)
-            run.add(against(figure("cut.ball.r50.m1.512.p50.against_csg_difference", small->p50, "us"),
-                            "OpenVDB level set, csgDifference", percentile(*times, 0.5), 1000.0));
+            session.add(against(figure("cut.ball.r50.m1.512.p50.against_csg_difference", small->p50, "us"),
+                                "OpenVDB level set, csgDifference", percentile(*times, 0.5), 1000.0));
     }
     (void)r50(1024, {paper(7.5), openVdb(), bytes(), bits()});
     const auto large = r50(2048, {paper(7.5)});
-    if (small && large) run.add(figure("cut.ball.r50.m1.2048_over_512", large->p50 / small->p50, "1", 1.2));
-    (void)measure(run, ballWalk("cut.ball.r100.m1.2048", 2048, 100.0, 1.0, 1500, 60.0, 100.0, {paper(9.5), openVdb()}));
-    (void)measure(run, ballWalk("cut.ball.r200.m1.2048", 2048, 200.0, 1.0, 1000, nullopt, 300.0, {}));
+    if (small && large) session.add(figure("cut.ball.r50.m1.2048_over_512", large->p50 / small->p50, "1", 1.2));
+    (void)measure(session,
+                  ballWalk("cut.ball.r100.m1.2048", 2048, 100.0, 1.0, 1500, 60.0, 100.0, {paper(9.5), openVdb()}));
+    (void)measure(session, ballWalk("cut.ball.r200.m1.2048", 2048, 200.0, 1.0, 1000, nullopt, 300.0, {}));
 }
 
-void slowAndFastWalks(Run& run) {
-    (void)measure(run, ballWalk("cut.ball.r50.m005.1024", 1024, 50.0, 0.05, 2000, 15.0, 28.0, {paper(nullopt)}));
-    (void)measure(run, ballWalk("cut.ball.r100.m005.2048", 2048, 100.0, 0.05, 2000, 45.0, 70.0, {paper(nullopt)}));
+void slowAndFastWalks(Session& session) {
+    (void)measure(session, ballWalk("cut.ball.r50.m005.1024", 1024, 50.0, 0.05, 2000, 15.0, 28.0, {paper(nullopt)}));
+    (void)measure(session, ballWalk("cut.ball.r100.m005.2048", 2048, 100.0, 0.05, 2000, 45.0, 70.0, {paper(nullopt)}));
     const std::string name = "cut.ball.r100.m5.2048";
-    const auto fast = measure(run, ballWalk(name, 2048, 100.0, 5.0, 1000, nullopt, 200.0, {}));
+    const auto fast = measure(session, ballWalk(name, 2048, 100.0, 5.0, 1000, nullopt, 200.0, {}));
     if (!fast) return;
     double spent = 0.0; // µs
     for (const double tick : fast->ticks) spent += tick;
     const double voxels = static_cast<double>(fast->removedUnits) / unitsPerVoxel;
     Figure rate = figure(name + ".gvoxel_per_s", 1e-3 * voxels / spent, "Gvoxel/s", 1.5);
     rate.atLeast = true;
-    run.add(std::move(rate));
+    session.add(std::move(rate));
 }
 
-void otherScenes(Run& run) {
-    (void)measure(run, {"cut.raster.r50.m1.1024",
-                        block(1024),
-                        cutterOf(CutterType::ball, 50.0),
-                        upright(raster(1024.0, 50.0, 1.0, 2000)),
-                        20.0,
-                        40.0,
-                        {paper(7.5)}});
-    (void)measure(run, {"cut.lattice.r100.m1.512",
-                        [] { return gyroidLattice(512, 30); },
-                        cutterOf(CutterType::ball, 100.0),
-                        upright(walk(512.0, 100.0, 1.0, 1000)),
-                        nullopt,
-                        400.0,
-                        {}});
+void otherScenes(Session& session) {
+    (void)measure(session, {"cut.raster.r50.m1.1024",
+                            block(1024),
+                            cutterOf(CutterType::ball, 50.0),
+                            upright(raster(1024.0, 50.0, 1.0, 2000)),
+                            20.0,
+                            40.0,
+                            {paper(7.5)}});
+    (void)measure(session, {"cut.lattice.r100.m1.512",
+                            [] { return gyroidLattice(512, 30); },
+                            cutterOf(CutterType::ball, 100.0),
+                            upright(walk(512.0, 100.0, 1.0, 1000)),
+                            nullopt,
+                            400.0,
+                            {}});
 }
 
-void tiltedTools(Run& run) {
+void tiltedTools(Session& session) {
     struct Kind {
         const char* name;
         CutterType type;
@@ -180,17 +181,17 @@ void tiltedTools(Run& run) {
                                Kind{"bull", CutterType::bullNose, 160.0}};
     const double tilt = std::numbers::pi / 6.0;
     for (const Kind& kind : kinds)
-        (void)measure(run, {"cut." + std::string(kind.name) + ".r50.tilt30.512",
-                            block(512),
-                            cutterOf(kind.type, 50.0),
-                            tilted(walk(512.0, 50.0, 1.0, 1000), tilt),
-                            nullopt,
-                            kind.p999,
-                            {}});
+        (void)measure(session, {"cut." + std::string(kind.name) + ".r50.tilt30.512",
+                                block(512),
+                                cutterOf(kind.type, 50.0),
+                                tilted(walk(512.0, 50.0, 1.0, 1000), tilt),
+                                nullopt,
+                                kind.p999,
+                                {}});
 }
 
 /// Figure 13 b of the paper: a block of 40 × 32 × 40 voxels.
-void paperCase(Run& run) {
+void paperCase(Session& session) {
     const auto scene = [] { return plainBlock({40, 32, 40}); };
     const auto measureRadius = [&](const std::string& name, double radius) {
         std::vector<glm::dvec3> tips;
@@ -205,17 +206,18 @@ void paperCase(Run& run) {
             tips.emplace_back(forth, aside, 40.0 - depth);
         }
         (void)measure(
-            run, {name, scene, cutterOf(CutterType::ball, radius), upright(tips), nullopt, nullopt, {paper(nullopt)}});
+            session,
+            {name, scene, cutterOf(CutterType::ball, radius), upright(tips), nullopt, nullopt, {paper(nullopt)}});
     };
     measureRadius("cut.paper_case.r0_5", 0.5);
     measureRadius("cut.paper_case.r5", 5.0);
 }
 
 /// A whole footprint at once, twice: coming down on the stock, and a take that begins deep within it.
-void firstContact(Run& run) {
+void firstContact(Session& session) {
     const std::string name = "cut.first_contact.r200";
-    if (!run.wants(name)) return;
-    run.stage(name);
+    if (!session.wants(name)) return;
+    session.stage(name);
     constexpr double side = 2048.0, radius = 200.0;
     RunVolume workpiece = layeredBlock(static_cast<std::int32_t>(side));
     Milling milling(workpiece, cutterOf(CutterType::ball, radius));
@@ -225,9 +227,9 @@ void firstContact(Run& run) {
         path.push_back({glm::dvec3(0.5 * side, 0.5 * side, top + height), {0.0, 0.0, 1.0}});
     const auto worstOf = [&](const std::vector<ToolPose>& poses) {
         const std::vector<double> least = leastOfReplays(
-            poses.size() - 1, [&] { milling.restartInAir(run); },
+            poses.size() - 1, [&] { milling.restartInAir(session); },
             [&](std::size_t i) { milling.tick(poses[i], poses[i + 1]); }, [&] { milling.giveBackView(); }, {5, 8, 1.0});
-        milling.finish(run);
+        milling.finish(session);
         return percentile(least, 1.0);
     };
     const double descending = worstOf(path);
@@ -236,20 +238,20 @@ void firstContact(Run& run) {
     for (const glm::dvec3& tip : walk(side, radius, 1.0, 100)) deep.push_back({tip, {0.0, 0.0, 1.0}});
     deep.front() = deep[1];
     const double within = worstOf(deep);
-    run.add(figure(name, std::max(descending, within), "us", 1000.0));
-    run.add(figure(name + ".descending", descending, "us", 1000.0));
-    run.add(figure(name + ".begun_within", within, "us", 1000.0));
+    session.add(figure(name, std::max(descending, within), "us", 1000.0));
+    session.add(figure(name + ".descending", descending, "us", 1000.0));
+    session.add(figure(name + ".begun_within", within, "us", 1000.0));
 }
 
 } // namespace
 
-void cuttingFigures(Run& run) {
-    paperCase(run);
-    walksAtOneVoxel(run);
-    slowAndFastWalks(run);
-    otherScenes(run);
-    tiltedTools(run);
-    firstContact(run);
+void cuttingFigures(Session& session) {
+    paperCase(session);
+    walksAtOneVoxel(session);
+    slowAndFastWalks(session);
+    otherScenes(session);
+    tiltedTools(session);
+    firstContact(session);
 }
 
 } // namespace burin::benchmarks

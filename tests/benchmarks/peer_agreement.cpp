@@ -26,12 +26,12 @@ std::vector<PropertyIndex> milledBy(CuttingPeer& peer, const std::vector<glm::dv
     return voxels;
 }
 
-std::vector<PropertyIndex> milledByUs(Run& run, RunVolume& workpiece, const std::vector<glm::dvec3>& tips) {
+std::vector<PropertyIndex> milledByUs(Session& session, RunVolume& workpiece, const std::vector<glm::dvec3>& tips) {
     Milling milling(workpiece, cutterOf(CutterType::ball, radius));
     const std::vector<ToolPose> path = upright(tips);
-    milling.restart(run, path.front());
+    milling.restart(session, path.front());
     for (std::size_t i = 0; i + 1 < path.size(); ++i) milling.tick(path[i], path[i + 1]);
-    milling.finish(run);
+    milling.finish(session);
     return toDense(workpiece.snapshot());
 }
 
@@ -40,9 +40,9 @@ std::vector<PropertyIndex> milledByUs(Run& run, RunVolume& workpiece, const std:
 /// Before anything is timed: the paper's way, dense bytes, dense bits and OpenVDB give the very same voxels, and those
 /// of the runs, seen as whole voxels, are the same but where the face passes a voxel's centre within the exact sweep's
 /// distance from poses half a voxel apart (s² / 8R = 0.002 voxel) and a run end's rounding (1/512 voxel).
-void peersAgree(Run& run) {
-    if (!run.wants("peers") && !run.wants("cut.")) return;
-    run.stage("the peers cut alike");
+void peersAgree(Session& session) {
+    if (!session.wants("peers") && !session.wants("cut.")) return;
+    session.stage("the peers cut alike");
     RunVolume workpiece = layeredBlock(side);
     const VolumeSnapshot start = workpiece.snapshot();
     const std::vector<PropertyIndex> before = toDense(start);
@@ -59,21 +59,21 @@ void peersAgree(Run& run) {
         std::size_t different = 0;
         for (std::size_t i = 0; i < voxels.size(); ++i)
             different += materials ? voxels[i] != paper[i] : (voxels[i] != 0) != (paper[i] != 0);
-        run.check(different == 0,
-                  name + " leaves the same voxels as the paper's way (" + std::to_string(different) + " differ)");
+        session.check(different == 0,
+                      name + " leaves the same voxels as the paper's way (" + std::to_string(different) + " differ)");
         std::uint64_t sum = 0, paperSum = 0;
         for (std::size_t i = 1; i < removed.size(); ++i) {
-            run.check(!materials || removed[i] == removedByPaper[i], name + " counts what it takes by material");
+            session.check(!materials || removed[i] == removedByPaper[i], name + " counts what it takes by material");
             sum += removed[i];
             paperSum += removedByPaper[i];
         }
-        run.check(sum == paperSum, name + " counts what it takes");
+        session.check(sum == paperSum, name + " counts what it takes");
     };
     agrees(denseByteCutter(start, block, radius), "dense bytes", true);
     agrees(denseBitCutter(start, block, radius), "dense bits", false);
     agrees(openVdbCutter(start, radius), "OpenVDB", true);
 
-    const auto ours = milledByUs(run, workpiece, tips);
+    const auto ours = milledByUs(session, workpiece, tips);
     std::size_t removed = 0, different = 0;
     for (std::size_t i = 0; i < ours.size(); ++i) {
         removed += before[i] != paper[i] ? 1U : 0U;
@@ -81,8 +81,9 @@ void peersAgree(Run& run) {
     }
     const double share = 100.0 * static_cast<double>(different) / static_cast<double>(removed);
     constexpr double most = 0.5; // %
-    run.add(figure("peers.differing_voxels", share, "%", most));
-    run.check(share <= most, "the runs lose the voxels that the peers lose but for " + std::to_string(share) + " %");
+    session.add(figure("peers.differing_voxels", share, "%", most));
+    session.check(share <= most,
+                  "the runs lose the voxels that the peers lose but for " + std::to_string(share) + " %");
 }
 
 } // namespace burin::benchmarks

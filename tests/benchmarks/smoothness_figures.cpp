@@ -67,11 +67,11 @@ struct Ripple {
     double sumDifference = 0.0; ///< of the reported sum from the exact one, as a share
 };
 
-void millSlot(Run& run, CutterType type, const Slot& slot, RunAxis axis, Ripple& worst) {
+void millSlot(Session& session, CutterType type, const Slot& slot, RunAxis axis, Ripple& worst) {
     RunVolume workpiece = slotStock(slot.stock(edge, axis));
     Milling milling(workpiece, cutterOf(type, radius));
     const auto pose = [&](std::size_t tick) { return ToolPose{edge * slot.tip(tick), {0.0, 0.0, 1.0}}; };
-    milling.restart(run, pose(0));
+    milling.restart(session, pose(0));
     milling.removal().reset(); // the plunge is not to be reported on the way
     std::vector<double> reported, exact;
     double reportedSum = 0.0, exactSum = 0.0;
@@ -84,8 +84,8 @@ void millSlot(Run& run, CutterType type, const Slot& slot, RunAxis axis, Ripple&
         reported.push_back(cut.reported);
         exact.push_back(cut.volume);
     }
-    milling.finish(run);
-    run.check(reportedSum > 0.0, "a slot reports a removed volume");
+    milling.finish(session);
+    session.check(reportedSum > 0.0, "a slot reports a removed volume");
     worst.reported = std::max(worst.reported, variation(reported));
     worst.exact = std::max(worst.exact, variation(exact));
     worst.sumDifference = std::max(worst.sumDifference, std::abs(reportedSum / exactSum - 1.0));
@@ -109,37 +109,37 @@ void millVoxels(CutterType type, const Slot& slot, Ripple& worst) {
     worst.voxels = std::max(worst.voxels, variation(counts));
 }
 
-void ripple(Run& run, const std::string& name, CutterType type, double limit) {
-    if (!run.wants(name)) return;
-    run.stage(name);
+void ripple(Session& session, const std::string& name, CutterType type, double limit) {
+    if (!session.wants(name)) return;
+    session.stage(name);
     Ripple worst;
     for (const glm::dvec3& direction : directions)
         for (const bool half : {false, true})
             for (int phase = 0; phase < phases; ++phase) {
-                Run::throwIfCancelled();
+                Session::throwIfCancelled();
                 const Slot slot{glm::normalize(direction), half, phase};
-                for (const RunAxis axis : {RunAxis::z, RunAxis::x}) millSlot(run, type, slot, axis, worst);
+                for (const RunAxis axis : {RunAxis::z, RunAxis::x}) millSlot(session, type, slot, axis, worst);
                 millVoxels(type, slot, worst);
             }
-    run.add(against(figure(name, worst.reported, "cv", limit), "whole voxels", worst.voxels));
-    run.add(figure(name + ".exact", worst.exact, "cv"));
-    run.add(figure(name + ".sum_difference", worst.sumDifference, "1", 0.01));
+    session.add(against(figure(name, worst.reported, "cv", limit), "whole voxels", worst.voxels));
+    session.add(figure(name + ".exact", worst.exact, "cv"));
+    session.add(figure(name + ".sum_difference", worst.sumDifference, "1", 0.01));
 }
 
 /// A flat end mill faces a floor that lies within a voxel; how far run ends are off it.
-void floorHeight(Run& run) {
+void floorHeight(Session& session) {
     const std::string name = "floor.height_error_voxel";
-    if (!run.wants(name)) return;
-    run.stage(name);
+    if (!session.wants(name)) return;
+    session.stage(name);
     RunVolume workpiece = slotStock(Slot{glm::dvec3(1.0, 0.0, 0.0)}.stock(edge, RunAxis::z));
     Milling milling(workpiece, cutterOf(CutterType::flat, radius));
     const double floor = topVoxels - 3.623; // voxels
     const auto pose = [&](double x, double y) { return ToolPose{edge * glm::dvec3(x, y, floor), {0.0, 0.0, 1.0}}; };
-    milling.restart(run, pose(-radiusVoxels - 1.0, 0.0));
+    milling.restart(session, pose(-radiusVoxels - 1.0, 0.0));
     for (double y = 0.0; y < extent.y + radiusVoxels; y += 0.8 * radiusVoxels)
         for (double x = -radiusVoxels - 1.0; x < extent.x + radiusVoxels; x += 1.0)
             milling.tick(pose(x, y), pose(x + 1.0, y));
-    milling.finish(run);
+    milling.finish(session);
     const Grid& grid = workpiece.grid();
     double worst = 0.0;
     for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
@@ -147,16 +147,16 @@ void floorHeight(Run& run) {
             const double height = static_cast<double>(workpiece.line({u, v}).front().end()) / unitsPerVoxel;
             worst = std::max(worst, std::abs(height - floor));
         }
-    run.add(figure(name, worst, "voxel", 0.02));
+    session.add(figure(name, worst, "voxel", 0.02));
 }
 
 } // namespace
 
-void smoothnessFigures(Run& run) {
-    ripple(run, "ripple.ball", CutterType::ball, 0.05);
-    ripple(run, "ripple.flat", CutterType::flat, 0.16);
-    ripple(run, "ripple.bull", CutterType::bullNose, 0.16);
-    floorHeight(run);
+void smoothnessFigures(Session& session) {
+    ripple(session, "ripple.ball", CutterType::ball, 0.05);
+    ripple(session, "ripple.flat", CutterType::flat, 0.16);
+    ripple(session, "ripple.bull", CutterType::bullNose, 0.16);
+    floorHeight(session);
 }
 
 } // namespace burin::benchmarks

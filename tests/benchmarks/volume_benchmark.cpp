@@ -16,15 +16,16 @@ namespace {
 using namespace burin::benchmarks;
 
 int measure(const std::string& only, bool json) {
-    Run run(only);
-    if (!hasOpenVdb()) run.note("Built without OpenVDB: its figures are left out.");
-    peersAgree(run);
-    // First the figures that a disturbed cache or a lack of memory would spoil.
-    cuttingFigures(run);
-    run.finish();
-    std::cout << (json ? jsonOf(run.figures()).dump(2) : tableOf(run.figures())) << std::endl;
-    if (json) run.note(summaryOf(run.figures()));
-    return run.allChecksHold() ? 0 : static_cast<int>(burin::ErrorClass::checkFailed);
+    Session session(only);
+    if (!hasOpenVdb()) session.note("Built without OpenVDB: its figures are left out.");
+    for (const auto group :
+         {peersAgree, cuttingFigures, loopFigures, contactFigures, smoothnessFigures, snapshotFigures, memoryFigures,
+          boundaryFigures, meshFigures, booleanFigures, voxelisationFigures})
+        group(session);
+    session.finish();
+    std::cout << (json ? jsonOf(session.figures()).dump(2) : tableOf(session.figures())) << std::endl;
+    if (json) session.note(summaryOf(session.figures()));
+    return session.allChecksHold() ? 0 : static_cast<int>(burin::ErrorClass::checkFailed);
 }
 
 } // namespace

@@ -27,9 +27,9 @@ void touchTiles(RunVolume& volume, RunPosition top) {
 
 } // namespace
 
-void snapshotFigures(Run& run) {
-    if (!run.wants("snapshot.")) return;
-    run.stage("snapshot");
+void snapshotFigures(Session& session) {
+    if (!session.wants("snapshot.")) return;
+    session.stage("snapshot");
     RunVolume volume = layeredBlock(2048);
     RunPosition top = volume.grid().lineEnd() / 2;
     VolumeSnapshot held;
@@ -49,24 +49,25 @@ void snapshotFigures(Run& run) {
         held = std::move(next);
     }
     constexpr double tiles = 100.0;
-    run.add(figure("snapshot.us", percentile(taking, 0.5), "us", 1.0));
-    run.add(figure("snapshot.first_touch_us", (percentile(first, 0.5) - percentile(again, 0.5)) / tiles, "us", 0.5));
+    session.add(figure("snapshot.us", percentile(taking, 0.5), "us", 1.0));
+    session.add(
+        figure("snapshot.first_touch_us", (percentile(first, 0.5) - percentile(again, 0.5)) / tiles, "us", 0.5));
 }
 
-void boundaryFigures(Run& run) {
-    if (!run.wants("boundary.1024")) return;
-    run.stage("boundary.1024");
+void boundaryFigures(Session& session) {
+    if (!session.wants("boundary.1024")) return;
+    session.stage("boundary.1024");
     RunVolume volume = layeredBlock(1024);
     const VolumeSnapshot snapshot = volume.snapshot();
     std::size_t voxels = 0;
     const double spent = leastSeconds(repetitions, [&] { voxels = boundaryVoxels(snapshot).size(); });
-    run.add(figure("boundary.1024", 1e3 * spent, "ms", 40.0));
-    run.add(figure("boundary.1024.voxels", static_cast<double>(voxels), "voxels"));
+    session.add(figure("boundary.1024", 1e3 * spent, "ms", 40.0));
+    session.add(figure("boundary.1024.voxels", static_cast<double>(voxels), "voxels"));
 }
 
-void booleanFigures(Run& run) {
-    if (!run.wants("boolean.")) return;
-    run.stage("boolean");
+void booleanFigures(Session& session) {
+    if (!session.wants("boolean.")) return;
+    session.stage("boolean");
     RunVolume first = layeredBlock(1024), second = shiftedBlock(1024);
     const VolumeSnapshot a = first.snapshot(), b = second.snapshot();
     using Operation = Result<RunVolume> (*)(const VolumeSnapshot&, const VolumeSnapshot&);
@@ -84,14 +85,14 @@ void booleanFigures(Run& run) {
     for (std::size_t p = 1; p < 256; ++p) both += a.amounts().units[p] + b.amounts().units[p];
     std::uint64_t alone = 0;
     for (std::size_t p = 1; p < 256; ++p) alone += a.amounts().units[p];
-    run.check(solid[0] + solid[1] == both && solid[2] + solid[1] == alone,
-              "|A| + |B| = |A or B| + |A and B|, |A| = |A without B| + |A and B|");
-    run.stage("boolean, OpenVDB");
-    const auto theirs = levelSetBooleanTimes(a, b, 3);
+    session.check(solid[0] + solid[1] == both && solid[2] + solid[1] == alone,
+                  "|A| + |B| = |A or B| + |A and B|, |A| = |A without B| + |A and B|");
+    session.stage("boolean, OpenVDB");
+    const auto theirs = levelSetBooleanTimes(layeredBlockBox(1024.0), shiftedBlockBox(1024.0), 5);
     for (std::size_t i = 0; i < names.size(); ++i) {
         Figure entry = figure(names[i], ours[i], "ms", 15.0);
-        run.add(theirs ? against(std::move(entry), "OpenVDB level set, csg...Copy", (*theirs)[i], 3.0)
-                       : std::move(entry));
+        session.add(theirs ? against(std::move(entry), "OpenVDB level set, csg...Copy", (*theirs)[i], 3.0)
+                           : std::move(entry));
     }
 }
 

@@ -19,9 +19,9 @@ struct Task {
 };
 
 /// @return lines with an odd number of crossings
-std::size_t voxeliseMesh(Run& run, const Task& task) {
-    if (!run.wants(task.name)) return 0;
-    run.stage(task.name);
+std::size_t voxeliseMesh(Session& session, const Task& task) {
+    if (!session.wants(task.name)) return 0;
+    session.stage(task.name);
     const TriangleMesh mesh = bumpyPart(task.side, task.triangles);
     const Grid grid = sceneGrid(task.side);
     std::optional<RunVolume> volume;
@@ -36,23 +36,23 @@ std::size_t voxeliseMesh(Run& run, const Task& task) {
         [&] { report = require(voxelise(mesh, 1, *volume, progress), "voxelisation"); });
     const double inside = static_cast<double>(report.filledUnits) * grid.unitVolume();
     const double exact = signedVolume(mesh);
-    run.check(std::abs(inside - exact) < 1e-5 * exact,
-              task.name + " fills the volume of the mesh (" + std::to_string(inside / exact) + " of it)");
+    session.check(std::abs(inside - exact) < 1e-5 * exact,
+                  task.name + " fills the volume of the mesh (" + std::to_string(inside / exact) + " of it)");
     Figure entry = figure(task.name, spent, "s", task.limit);
     const std::optional<double> theirs =
-        task.side <= 1024 ? meshLevelSetSeconds(run, task.side, task.triangles) : std::nullopt;
-    run.add(theirs ? against(std::move(entry), "OpenVDB meshToLevelSet, half width 3", *theirs) : std::move(entry));
+        task.side <= 1024 ? meshLevelSetSeconds(session, task.side, task.triangles) : std::nullopt;
+    session.add(theirs ? against(std::move(entry), "OpenVDB meshToLevelSet, half width 3", *theirs) : std::move(entry));
     return report.linesWithOddCrossings;
 }
 
 } // namespace
 
-void voxelisationFigures(Run& run) {
-    if (!run.wants("voxelise.")) return;
-    const std::size_t odd = voxeliseMesh(run, {"voxelise.1m.1024", 1e6, 1024, 0.05}) +
-                            voxeliseMesh(run, {"voxelise.1m.2048", 1e6, 2048, 0.1}) +
-                            voxeliseMesh(run, {"voxelise.10m.2048", 1e7, 2048, 0.4});
-    run.add(figure("voxelise.odd_lines", static_cast<double>(odd), "lines", 0.0));
+void voxelisationFigures(Session& session) {
+    if (!session.wants("voxelise.")) return;
+    const std::size_t odd = voxeliseMesh(session, {"voxelise.1m.1024", 1e6, 1024, 0.05}) +
+                            voxeliseMesh(session, {"voxelise.1m.2048", 1e6, 2048, 0.1}) +
+                            voxeliseMesh(session, {"voxelise.10m.2048", 1e7, 2048, 0.4});
+    session.add(figure("voxelise.odd_lines", static_cast<double>(odd), "lines", 0.0));
 }
 
 } // namespace burin::benchmarks

@@ -16,8 +16,8 @@ Milling::Milling(RunVolume& workpiece, const Cutter& cutter)
     , start_(workpiece.snapshot())
     , startAmounts_(start_.amounts()) {}
 
-void Milling::restartInAir(Run& run) {
-    if (cutSomething_) finish(run);
+void Milling::restartInAir(Session& session) {
+    if (cutSomething_) finish(session);
     view_ = oldView_ = VolumeSnapshot();
     removal_.reset();
     workpiece_.restore(start_);
@@ -26,8 +26,8 @@ void Milling::restartInAir(Run& run) {
     cutSomething_ = false;
 }
 
-void Milling::restart(Run& run, const ToolPose& pose) {
-    restartInAir(run);
+void Milling::restart(Session& session, const ToolPose& pose) {
+    restartInAir(session);
     constexpr int enough = 1000; // ticks for a first contact that is spread
     for (int i = 0; i < enough; ++i) {
         const CutResult cut = removal_.cut(workpiece_, pose, pose);
@@ -48,30 +48,30 @@ CutResult Milling::tick(const ToolPose& from, const ToolPose& to) noexcept {
     return cut;
 }
 
-void Milling::finish(Run& run) {
+void Milling::finish(Session& session) {
     count(removal_.settle(workpiece_));
-    run.check(!outOfMemory_, "the reserved memory suffices for the benchmark's cuts");
+    session.check(!outOfMemory_, "the reserved memory suffices for the benchmark's cuts");
     const RunAmounts recount = workpiece_.snapshot().amounts();
     std::size_t mismatches = recount == workpiece_.amounts() ? 0U : 1U;
     for (std::size_t i = 1; i < recount.units.size(); ++i)
         mismatches += startAmounts_.units[i] - removed_.units[i] == recount.units[i] ? 0U : 1U;
-    run.countMismatches(mismatches);
-    run.countInterruptions(watch_.allocations(), watch_.pageFaults());
+    session.countMismatches(mismatches);
+    session.countInterruptions(watch_.allocations(), watch_.pageFaults());
     watch_ = {};
     cutSomething_ = false;
 }
 
-std::vector<double> Milling::leastTicks(Run& run, std::span<const ToolPose> path, const ReplayRule& rule) {
+std::vector<double> Milling::leastTicks(Session& session, std::span<const ToolPose> path, const ReplayRule& rule) {
     const std::vector<double> least = leastOfReplays(
         path.size() - 1,
         [&] {
             watch_.end();
-            restart(run, path.front());
+            restart(session, path.front());
             watch_.begin();
         },
         [&](std::size_t i) { tick(path[i], path[i + 1]); }, [&] { giveBackView(); }, rule);
     watch_.end();
-    finish(run);
+    finish(session);
     return least;
 }
 

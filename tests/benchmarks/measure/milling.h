@@ -19,19 +19,19 @@ public:
     Milling(RunVolume& workpiece, const Cutter& cutter);
 
     /// Back to the start state with the tool at a pose: first contact made, runs written. Counts the cuts before it.
-    void restart(Run& run, const ToolPose& pose);
+    void restart(Session& session, const ToolPose& pose);
     /// The same, but the tool hangs in the air and nothing is cut yet.
-    void restartInAir(Run& run);
+    void restartInAir(Session& session);
     /// One tick of the loop.
     CutResult tick(const ToolPose& from, const ToolPose& to) noexcept;
     /// Between ticks: lets the view's old snapshot go, as the view does on its own thread.
     void giveBackView() noexcept { oldView_ = VolumeSnapshot(); }
     /// Writes what is pending and compares the counts with a recount: properties that differ go to the run.
-    void finish(Run& run);
+    void finish(Session& session);
 
     /// Intrinsic time of every move of a path, µs, start and first contact left out. Counts what must not happen in a
     /// tick, and recounts the volume after every replay.
-    std::vector<double> leastTicks(Run& run, std::span<const ToolPose> path, const ReplayRule& rule = {});
+    std::vector<double> leastTicks(Session& session, std::span<const ToolPose> path, const ReplayRule& rule = {});
 
     std::uint64_t removedUnits() const noexcept; ///< since the last restart
     RunVolume& workpiece() noexcept { return workpiece_; }

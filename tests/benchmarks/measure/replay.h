@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tests/benchmarks/measure/run.h"
+#include "tests/benchmarks/measure/session.h"
 
 #include <algorithm>
 #include <chrono>
@@ -60,7 +60,7 @@ std::vector<double> leastOfReplays(std::size_t ticks, const Restart& restart, co
             tick(i);
             least[i] = std::min(least[i], microseconds(Clock::now() - start));
             between();
-            if (Run::cancelled()) throw Cancelled();
+            if (Session::cancelled()) throw Cancelled();
         }
     }
     return least;
@@ -78,7 +78,7 @@ template <class Prepare, class Work>
 double leastSeconds(int runs, const Prepare& prepare, const Work& work) {
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < runs; ++i) {
-        Run::throwIfCancelled();
+        Session::throwIfCancelled();
         prepare();
         const Clock::time_point start = Clock::now();
         work();

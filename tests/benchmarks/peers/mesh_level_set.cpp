@@ -9,11 +9,11 @@
 
 namespace burin::benchmarks {
 
-std::optional<double> meshLevelSetSeconds(Run& run, std::int32_t side, double triangles) {
+std::optional<double> meshLevelSetSeconds(Session& session, std::int32_t side, double triangles) {
     static std::map<std::pair<std::int32_t, double>, std::optional<double>> known;
     const auto [place, isNew] = known.try_emplace({side, triangles});
     if (isNew && hasOpenVdb()) {
-        run.stage("OpenVDB meshToLevelSet at " + std::to_string(side));
+        session.stage("OpenVDB meshToLevelSet at " + std::to_string(side));
         place->second = meshToLevelSetSeconds(bumpyPart(side, triangles), 3.0F);
     }
     return place->second;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tests/benchmarks/measure/run.h"
+#include "tests/benchmarks/measure/session.h"
 
 #include <cstdint>
 #include <optional>
@@ -11,6 +11,6 @@ namespace burin::benchmarks {
 
 /// s of OpenVDB's meshToLevelSet (half width 3) for the bumpy part of so many triangles in a scene of so many voxels;
 /// it takes many seconds, so it is run once and its time serves all figures that stand beside it.
-std::optional<double> meshLevelSetSeconds(Run& run, std::int32_t side, double triangles);
+std::optional<double> meshLevelSetSeconds(Session& session, std::int32_t side, double triangles);
 
 } // namespace burin::benchmarks

@@ -29,11 +29,11 @@ std::optional<std::vector<double>> csgDifferenceTimes(double side, double radius
 /// s that tools::meshToLevelSet takes for a mesh. @param halfWidth voxels of 1 mm
 std::optional<double> meshToLevelSetSeconds(const TriangleMesh& mesh, float halfWidth);
 
-/// ms of csgUnionCopy, csgIntersectionCopy, csgDifferenceCopy of the level sets (half bandwidth 3) of two volumes'
-/// solids; the least of some runs.
-std::optional<std::array<double, 3>> levelSetBooleanTimes(const VolumeSnapshot& a, const VolumeSnapshot& b, int runs);
+/// ms of csgUnionCopy, csgIntersectionCopy, csgDifferenceCopy of the level sets (voxels of 1 mm, half bandwidth 3) of
+/// two blocks; the least of some runs.
+std::optional<std::array<double, 3>> levelSetBooleanTimes(const Box& a, const Box& b, int runs);
 
-/// ns of a trilinear look-up with its gradient in the level set (half bandwidth 4) of a mesh, at places in its band.
+/// ns of a trilinear look-up (BoxSampler, the value alone) in the level set (half bandwidth 4) of a mesh.
 std::optional<double> levelSetQueryNanoseconds(const TriangleMesh& mesh, const std::vector<glm::dvec3>& places);
 
 } // namespace burin::benchmarks

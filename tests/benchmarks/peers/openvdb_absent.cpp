@@ -20,7 +20,7 @@ std::optional<std::vector<double>> csgDifferenceTimes(double, double, const std:
 std::optional<double> meshToLevelSetSeconds(const TriangleMesh&, float) {
     return std::nullopt;
 }
-std::optional<std::array<double, 3>> levelSetBooleanTimes(const VolumeSnapshot&, const VolumeSnapshot&, int) {
+std::optional<std::array<double, 3>> levelSetBooleanTimes(const Box&, const Box&, int) {
     return std::nullopt;
 }
 std::optional<double> levelSetQueryNanoseconds(const TriangleMesh&, const std::vector<glm::dvec3>&) {

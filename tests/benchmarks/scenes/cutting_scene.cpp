@@ -3,7 +3,7 @@
 #include "tests/benchmarks/scenes/cutting_scene.h"
 
 #include "core/base/parallel.h"
-#include "tests/benchmarks/measure/run.h"
+#include "tests/benchmarks/measure/session.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ RunVolume volumeOfLines(const Grid& grid, std::size_t reserve, const Make& make)
     constexpr std::int32_t rowsAtOnce = 32; // made side by side, set by the one writer
     std::vector<LineMaker> lines(static_cast<std::size_t>(rowsAtOnce * countU), LineMaker(grid));
     for (std::int32_t first = 0; first < countV; first += rowsAtOnce) {
-        Run::throwIfCancelled();
+        Session::throwIfCancelled();
         const std::int32_t end = std::min(first + rowsAtOnce, countV);
         parallelFor(first, end, [&](std::int32_t v) {
             for (std::int32_t u = 0; u < countU; ++u) {
@@ -132,6 +132,14 @@ RunVolume layeredBlock(std::int32_t side, RunAxis axis) {
 RunVolume shiftedBlock(std::int32_t side) {
     return volumeOfLines(sceneGrid(side), 0,
                          [](double x, double y, LineMaker& line) { layeredLine(1.09 - y, x - 0.13, 0.88, line); });
+}
+
+Box layeredBlockBox(double side) {
+    return {glm::dvec3(0.03 * side), glm::dvec3(0.97 * side)};
+}
+
+Box shiftedBlockBox(double side) {
+    return {side * glm::dvec3(0.16, 0.12, 0.03), side * glm::dvec3(1.0, 1.0, 0.88)};
 }
 
 RunVolume scallopedFreeform(std::int32_t side) {

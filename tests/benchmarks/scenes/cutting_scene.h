@@ -19,6 +19,9 @@ RunVolume layeredBlock(std::int32_t side, RunAxis axis = RunAxis::z);
 
 /// Another such block that overlaps it: moved by a tenth of its side or so, each way by its own amount.
 RunVolume shiftedBlock(std::int32_t side);
+/// What the two blocks fill, whatever the material, mm.
+Box layeredBlockBox(double side);
+Box shiftedBlockBox(double side);
 
 /// The first block after a finished freeform surface was milled down into it, scallops of a ball of R 25 every 8 voxels
 /// and all.

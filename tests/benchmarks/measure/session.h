@@ -19,10 +19,10 @@ struct Cancelled : std::runtime_error {
 
 /// What a run of the benchmark has found out so far, which figures it is asked for, and the wish to stop it.
 /// Thread: the main thread, but for `cancelled`.
-class Run {
+class Session {
 public:
     /// @param only figures whose names begin so; empty: all
-    explicit Run(std::string only);
+    explicit Session(std::string only);
 
     /// Whether any figure whose name begins with `stem` is asked for.
     bool wants(std::string_view stem) const noexcept;

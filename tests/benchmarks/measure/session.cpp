@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/benchmarks/measure/run.h"
+#include "tests/benchmarks/measure/session.h"
 
 #include <csignal>
 #include <iostream>
@@ -18,52 +18,52 @@ extern "C" void wantStop(int) {
 
 } // namespace
 
-Run::Run(std::string only) : only_(std::move(only)), terminal_(isatty(STDERR_FILENO) != 0) {
+Session::Session(std::string only) : only_(std::move(only)), terminal_(isatty(STDERR_FILENO) != 0) {
     std::signal(SIGINT, wantStop);
     std::signal(SIGTERM, wantStop);
 }
 
-bool Run::cancelled() noexcept {
+bool Session::cancelled() noexcept {
     return stopWanted != 0;
 }
 
-void Run::throwIfCancelled() {
+void Session::throwIfCancelled() {
     if (cancelled()) throw Cancelled();
 }
 
-bool Run::wants(std::string_view stem) const noexcept {
+bool Session::wants(std::string_view stem) const noexcept {
     return stem.starts_with(only_) || std::string_view(only_).starts_with(stem);
 }
 
-void Run::stage(const std::string& title) {
+void Session::stage(const std::string& title) {
     throwIfCancelled();
     if (!terminal_) return;
     clearLine();
     std::cerr << title << " ..." << std::flush;
 }
 
-void Run::add(Figure figure) {
+void Session::add(Figure figure) {
     if (figure.name.starts_with(only_)) figures_.push_back(std::move(figure));
 }
 
-void Run::check(bool holds, const std::string& fact) {
+void Session::check(bool holds, const std::string& fact) {
     if (holds) return;
     ++failed_;
     note("CHECK FAILED: " + fact);
 }
 
-void Run::note(const std::string& text) {
+void Session::note(const std::string& text) {
     clearLine();
     std::cerr << text << std::endl;
 }
 
-void Run::countInterruptions(std::size_t allocations, std::size_t pageFaults) noexcept {
+void Session::countInterruptions(std::size_t allocations, std::size_t pageFaults) noexcept {
     cut_ = true;
     allocations_ += allocations;
     pageFaults_ += pageFaults;
 }
 
-void Run::finish() {
+void Session::finish() {
     clearLine();
     if (!cut_) return;
     // Whatever was asked for, these say whether its ticks were sound.
@@ -73,7 +73,7 @@ void Run::finish() {
     check(mismatches_ == 0, "removed volume per property equals a full recount");
 }
 
-void Run::clearLine() const {
+void Session::clearLine() const {
     if (terminal_) std::cerr << "\r\033[K" << std::flush;
 }
 
