@@ -105,6 +105,10 @@ std::optional<Measured> measure(Session& session, const CutCase& task) {
     }
     session.add(std::move(median));
     session.add(figure(task.name + ".p999", measured.p999, "us", task.p999));
+    session.add(
+        figure(task.name + ".voxels_per_tick",
+               static_cast<double>(measured.removedUnits) / unitsPerVoxel / static_cast<double>(measured.ticks.size()),
+               "voxels"));
     return measured;
 }
 

@@ -56,15 +56,17 @@ void add(Session& session, const std::string& name, double bytes, double per, st
     }
 }
 
-/// Packs a state, proves that nothing of it is lost, and adds its bytes a run. @return bytes a run of the hot form
-double packedFigures(Session& session, const std::string& name, const VolumeSnapshot& snapshot, double limit,
-                     const std::vector<PeerSize>& peers, const RatiosAtLeast& ratios) {
+/// Packs a state, proves that nothing of it is lost, and adds its bytes a run.
+void packedFigures(Session& session, const std::string& name, const VolumeSnapshot& snapshot, double limit,
+                   const std::vector<PeerSize>& peers, const RatiosAtLeast& ratios) {
     session.stage(name);
     Progress progress;
     const PackedVolume packed = require(PackedVolume::pack(snapshot, progress), "packing");
     const VolumeMemory memory = memoryOf(snapshot);
     const auto bytes = static_cast<double>(packed.memoryBytes()), runs = static_cast<double>(memory.runs);
     add(session, name, bytes, runs, limit, peers, ratios);
+    session.add(figure(name + ".runs_per_line", runs / static_cast<double>(memory.lines), "1"));
+    session.add(figure(name + ".hot_bytes_per_run", memory.bytesPerRun(), "B"));
     const Grid& grid = snapshot.grid();
     std::size_t different = 0;
     TileLines brick;
@@ -77,13 +79,14 @@ double packedFigures(Session& session, const std::string& name, const VolumeSnap
             }
         }
     session.check(different == 0, name + ": packing loses nothing (" + std::to_string(different) + " lines differ)");
-    return memory.bytesPerRun();
 }
 
-/// Six long overlapping walks, two sizes of tool.
+/// Six long overlapping walks with a short tool: tunnels cross tunnels.
 void millHeavily(Session& session, RunVolume& volume, std::size_t ticksAWalk) {
     const double side = volume.grid().lineCountU();
-    Milling milling(volume, cutterOf(CutterType::ball, 50.0));
+    Cutter cutter = cutterOf(CutterType::ball, 50.0);
+    cutter.fluteLength = cutter.radius();
+    Milling milling(volume, cutter);
     bool first = true;
     for (unsigned seed = 1; seed <= 6; ++seed) {
         const std::vector<ToolPose> path = upright(walk(side, 50.0, 1.0, ticksAWalk, seed));
@@ -105,7 +108,6 @@ void newBlock(Session& session) {
     const VolumeMemory memory = memoryOf(snapshot);
     const auto bytes = static_cast<double>(memory.bytes());
     const auto lines = static_cast<double>(memory.lines), runs = static_cast<double>(memory.runs);
-    session.add(figure("memory.runs_per_line", runs / lines, "1"));
     const std::vector<PeerSize> peers = peerSizes(session, snapshot);
     add(session, "memory.hot.bytes_per_line", bytes, lines, 25.0, peers, {.octree = 1.0});
     add(session, "memory.hot.bytes_per_run", bytes, runs, 8.5, peers, {.octree = 1.0});
@@ -125,20 +127,15 @@ void milledBlock(Session& session) {
     RunVolume volume = layeredBlock(1024);
     millHeavily(session, volume, 5000);
     const VolumeSnapshot snapshot = volume.snapshot();
-    const double hot =
-        packedFigures(session, "memory.packed.bytes_per_run.milled", snapshot, 1.3, peerSizes(session, snapshot), {});
-    session.add(figure("memory.hot.bytes_per_run.milled", hot, "B"));
+    packedFigures(session, "memory.packed.bytes_per_run.milled", snapshot, 1.3, peerSizes(session, snapshot), {});
 }
 
 } // namespace
 
 void memoryFigures(Session& session) {
-    if (session.wants("memory.hot") || session.wants("memory.packed.bytes_per_run.new") ||
-        session.wants("memory.runs_per_line"))
-        newBlock(session);
+    if (session.wants("memory.hot") || session.wants("memory.packed.bytes_per_run.new")) newBlock(session);
     if (session.wants("memory.packed.bytes_per_run.freeform")) finishedFreeform(session);
-    if (session.wants("memory.packed.bytes_per_run.milled") || session.wants("memory.hot.bytes_per_run.milled"))
-        milledBlock(session);
+    if (session.wants("memory.packed.bytes_per_run.milled")) milledBlock(session);
 }
 
 } // namespace burin::benchmarks

@@ -22,6 +22,7 @@ void Milling::restartInAir(Session& session) {
     removal_.reset();
     workpiece_.restore(start_);
     removed_ = {};
+    firstContactUnits_ = 0;
     ticksSinceView_ = 0;
     cutSomething_ = false;
 }
@@ -35,6 +36,7 @@ void Milling::restart(Session& session, const ToolPose& pose) {
         if (!cut.putOff) break;
     }
     count(removal_.settle(workpiece_));
+    firstContactUnits_ = removedUnits();
 }
 
 CutResult Milling::tick(const ToolPose& from, const ToolPose& to) noexcept {
@@ -78,7 +80,7 @@ std::vector<double> Milling::leastTicks(Session& session, std::span<const ToolPo
 std::uint64_t Milling::removedUnits() const noexcept {
     std::uint64_t units = 0;
     for (const std::uint64_t one : removed_.units) units += one;
-    return units;
+    return units - firstContactUnits_;
 }
 
 void Milling::count(const CutResult& cut) noexcept {

@@ -33,7 +33,7 @@ public:
     /// tick, and recounts the volume after every replay.
     std::vector<double> leastTicks(Session& session, std::span<const ToolPose> path, const ReplayRule& rule = {});
 
-    std::uint64_t removedUnits() const noexcept; ///< since the last restart
+    std::uint64_t removedUnits() const noexcept; ///< since the last restart, its first contact left out
     RunVolume& workpiece() noexcept { return workpiece_; }
     MaterialRemoval& removal() noexcept { return removal_; }
 
@@ -45,6 +45,7 @@ private:
     VolumeSnapshot start_, view_, oldView_;
     RunAmounts startAmounts_, removed_;
     TickWatch watch_;
+    std::uint64_t firstContactUnits_ = 0;
     int ticksSinceView_ = 0;
     bool cutSomething_ = false;
     bool outOfMemory_ = false;

@@ -6,9 +6,12 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Composite.h>
 #include <openvdb/tools/Interpolation.h>
-#include <openvdb/tools/LevelSetPlatonic.h>
 #include <openvdb/tools/LevelSetSphere.h>
 #include <openvdb/tools/MeshToVolume.h>
+#include <openvdb/tools/Prune.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace burin::benchmarks {
 
@@ -35,14 +38,46 @@ FloatGrid::Ptr meshLevelSet(const TriangleMesh& mesh, float halfWidth) {
                                                      triangles, halfWidth);
 }
 
+/// Signed distance to a box, mm.
+double boxDistance(const Box& box, const glm::dvec3& place) {
+    const glm::dvec3 beyond = glm::abs(place - box.centre()) - 0.5 * box.size();
+    return glm::length(glm::max(beyond, glm::dvec3(0.0))) + std::min(0.0, std::max({beyond.x, beyond.y, beyond.z}));
+}
+
+/// A level set of voxels of 1 mm, half bandwidth 3, leaf by leaf: createLevelSetBox takes half a minute for 1024
+/// voxels.
 FloatGrid::Ptr boxLevelSet(const Box& box) {
     initialise();
-    constexpr double voxel = 1.0;
     constexpr float halfWidth = 3.0F;
-    const openvdb::BBoxd bounds(openvdb::Vec3d(box.low.x, box.low.y, box.low.z),
-                                openvdb::Vec3d(box.high.x, box.high.y, box.high.z));
-    return openvdb::tools::createLevelSetBox<FloatGrid>(bounds, *openvdb::math::Transform::createLinearTransform(voxel),
-                                                        halfWidth);
+    constexpr std::int32_t leafSide = 8;
+    constexpr double leafReach = 7.0; // from a leaf's centre to its farthest voxel's, rounded up
+    const FloatGrid::Ptr grid = FloatGrid::create(halfWidth);
+    grid->setGridClass(openvdb::GRID_LEVEL_SET);
+    openvdb::FloatTree& tree = grid->tree();
+    const auto corner = [](const glm::dvec3& place, double inwards) {
+        const glm::ivec3 voxel(glm::round(place + inwards));
+        return openvdb::Coord(voxel.x, voxel.y, voxel.z);
+    };
+    tree.fill({corner(box.low, 1.0), corner(box.high, -1.0)}, -halfWidth, false);
+    const openvdb::Coord low = corner(box.low, -leafSide) & ~(leafSide - 1), high = corner(box.high, leafSide);
+    for (std::int32_t x = low.x(); x <= high.x(); x += leafSide)
+        for (std::int32_t y = low.y(); y <= high.y(); y += leafSide)
+            for (std::int32_t z = low.z(); z <= high.z(); z += leafSide) {
+                const glm::dvec3 middle = glm::dvec3(x, y, z) + 0.5 * (leafSide - 1);
+                if (std::abs(boxDistance(box, middle)) > halfWidth + leafReach) continue;
+                auto* const leaf = tree.touchLeaf({x, y, z});
+                for (openvdb::Index i = 0; i < openvdb::FloatTree::LeafNodeType::SIZE; ++i) {
+                    const openvdb::Coord voxel = leaf->offsetToGlobalCoord(i);
+                    const auto distance =
+                        static_cast<float>(boxDistance(box, glm::dvec3(voxel.x(), voxel.y(), voxel.z())));
+                    if (std::abs(distance) < halfWidth)
+                        leaf->setValueOn(i, distance);
+                    else
+                        leaf->setValueOff(i, std::copysign(halfWidth, distance));
+                }
+            }
+    openvdb::tools::pruneLevelSet(tree);
+    return grid;
 }
 
 } // namespace

@@ -76,7 +76,7 @@ struct PartFaces {
 };
 PartFaces partFaces(double x, double y) {
     const double dx = x - 0.5, dy = y - 0.5;
-    const double square = 0.34 * 0.34 - dx * dx - dy * dy;
+    const double square = 0.32 * 0.32 - dx * dx - dy * dy;
     if (square <= 0.0) return {};
     const double half = 0.8 * std::sqrt(square);
     const double fade = std::min(1.0, half / 0.05); // bumps end with the part
@@ -88,7 +88,7 @@ PartFaces partFaces(double x, double y) {
 void layeredLine(double x, double y, double top, LineMaker& line) {
     if (inMargin(x, y)) return;
     const PartFaces part = partFaces(x, y);
-    const std::array<double, 4> tops{0.22 + 0.10 * x - 0.05 * y, 0.45 - 0.12 * x + 0.06 * y, 0.70 + 0.05 * x - 0.14 * y,
+    const std::array<double, 4> tops{0.06 + 0.25 * x - 0.14 * y, 0.45 - 0.12 * x + 0.06 * y, 0.70 + 0.05 * x - 0.14 * y,
                                      0.97};
     line.upTo(0.03, airProperty);
     const auto layersUpTo = [&](double place) {

@@ -44,7 +44,7 @@ std::vector<glm::dvec3> walk(double side, double reach, double step, std::size_t
         turning += share * (glm::dvec3(draw(random), draw(random), draw(random)) * 4.0 - turning);
         const glm::dvec3 out = (place - middle) / room;
         const double far = std::max({std::abs(out.x), std::abs(out.y), std::abs(out.z)});
-        const glm::dvec3 back = far > 0.6 ? -3.0 * (far - 0.6) * out / far : glm::dvec3(0.0);
+        const glm::dvec3 back = far > 0.75 ? -8.0 * (far - 0.75) * out / far : glm::dvec3(0.0);
         heading = glm::normalize(heading + share * (turning + 4.0 * back));
         place += step * heading;
         tips.push_back(place);
