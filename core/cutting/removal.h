@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cutting/surface_flux.h"
+#include "core/cutting/window_cutter.h"
 #include "core/geometry/pose.h"
 #include "core/tool/swept_span.h"
 #include "core/tool/tool.h"
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace burin {
@@ -64,7 +66,7 @@ public:
     CutResult cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept;
     /// Gets ready, within a tick's bounds, for a cut that may begin at this pose, so that the first contact of a large
     /// tool is not dear. Cuts nothing. For every tick in which the tool moves without cutting.
-    void approach(const RunVolume& workpiece, const ToolPose& pose) noexcept;
+    void approach(RunVolume& workpiece, const ToolPose& pose) noexcept;
     /// Writes all that is pending to the workpiece and takes what was put off, which alone its result counts.
     /// Cost: up to that of a first contact.
     CutResult settle(RunVolume& workpiece) noexcept;
@@ -73,13 +75,19 @@ public:
     /// Forgets the workpiece, what is pending and what is still to be reported: it was changed by other means.
     void reset() noexcept;
 
+    /// What the workpiece is owed, for tests of contact between cuts; nothing: nothing ever is.
+    const GapWindow* window() const noexcept { return cutter_ ? &cutter_->window() : nullptr; }
+
 private:
-    struct Tally;
-    Tally takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
+    CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;
+    void takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
+                  RemovedUnits& removed) noexcept;
     void report(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
                 CutResult& result) noexcept;
 
     RevolvedPiece flutes_;
+    Writing writing_;
+    std::unique_ptr<WindowCutter> cutter_; ///< none: the piece is not one that it serves
     SurfaceFlux surface_;
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
     glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last

@@ -9,6 +9,8 @@ namespace burin {
 
 RunVolume::Impl::Impl(std::shared_ptr<VolumeStore> store) : store_(std::move(store)) {
     pages_.resize(store_->table.pageCount(), noBlock);
+    sparePages_.resize(pages_.size(), noBlock);
+    lacks_.resize(pages_.size());
 }
 
 bool RunVolume::Impl::fillWithAir() noexcept {
@@ -65,9 +67,16 @@ void RunVolume::Impl::drop(BlockIndex block) noexcept {
 }
 
 BlockIndex* RunVolume::Impl::writableEntry(LineIndex index) noexcept {
-    BlockIndex& page = pages_[store_->table.pageOf(index)];
+    const std::size_t place = store_->table.pageOf(index);
+    BlockIndex& page = pages_[place];
     if (!isOwn(page)) {
-        const BlockIndex copy = allocate(TileTable::pageBytes());
+        BlockIndex copy = allocate(TileTable::pageBytes());
+        if (copy == noBlock && sparePages_[place] != noBlock) {
+            copy = std::exchange(sparePages_[place], noBlock);
+            header(copy).birth = epoch_;
+            lacks_[place] = true;
+            ++lackingPages_;
+        }
         if (copy == noBlock) return nullptr;
         header(copy).users = 1;
         std::ranges::copy(store_->page(page), store_->page(copy).begin());

@@ -28,6 +28,13 @@ public:
     /// Lets the tile at `corner` share the block of the one at `other`, which has the same scanlines in the grid.
     bool shareTile(LineIndex corner, LineIndex other) noexcept;
 
+    /// A block for a brick with two more segments a line than it has. noBlock: out of memory.
+    BlockIndex setAside(LineIndex index) noexcept;
+    void giveBack(BlockIndex block) noexcept { store_->arena->release(block); }
+    /// @param room used up, then noBlock
+    bool clear(LineIndex index, const BrickSpans& spans, BlockIndex& room) noexcept;
+    bool hasPagesToSpare() const noexcept { return lackingPages_ == 0; }
+
     VolumeState* snapshot();
     void restore(const VolumeState& state);
 
@@ -49,9 +56,15 @@ private:
                   EqualFill& known) noexcept;
     void count(std::span<const Segment> line, bool add) noexcept;
     void count(const TileView& lines, bool add) noexcept;
+    bool sparePage(std::size_t page) noexcept;
+    void writeCleared(const Tile& present, const BrickSpans& spans, const Tile& tile) noexcept;
+    Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition to, Segment* place) noexcept;
 
     std::shared_ptr<VolumeStore> store_;
     std::vector<BlockIndex> pages_;
+    std::vector<BlockIndex> sparePages_; ///< by page: to copy it to, where bricks of it have room set aside
+    std::size_t lackingPages_ = 0;       ///< pages that used their spare and found no other
+    std::vector<bool> lacks_;            ///< those pages
     RunAmounts amounts_;
     std::uint64_t epoch_ = 1;        ///< blocks made now bear it
     std::uint64_t lastSnapshot_ = 0; ///< epoch of the newest snapshot

@@ -86,6 +86,12 @@ public:
         }
         return place;
     }
+    void setOffset(int line, std::uint32_t value) const noexcept {
+        if (header_->wide)
+            wideOffsets()[line] = value;
+        else
+            narrowOffsets()[line] = static_cast<std::uint16_t>(value);
+    }
 
 private:
     static constexpr std::size_t segmentsAt(bool wide) noexcept {
@@ -95,12 +101,6 @@ private:
     std::byte* bytes() const noexcept { return reinterpret_cast<std::byte*>(header_); }
     std::uint16_t* narrowOffsets() const noexcept { return reinterpret_cast<std::uint16_t*>(header_ + 1); }
     std::uint32_t* wideOffsets() const noexcept { return reinterpret_cast<std::uint32_t*>(header_ + 1); }
-    void setOffset(int line, std::uint32_t value) const noexcept {
-        if (header_->wide)
-            wideOffsets()[line] = value;
-        else
-            narrowOffsets()[line] = static_cast<std::uint16_t>(value);
-    }
 
     BlockHeader* header_;
 };
