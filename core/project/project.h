@@ -47,7 +47,7 @@ public:
     /// file stands there).
     static Result<Project> create(const std::filesystem::path& file);
     /// Where the folder can't be written, the project is open for reading alone.
-    /// Errors: fileNotFound, fileEmpty, projectNotBurin, projectFromNewerBurin, projectInUse (detail: "process 4711"),
+    /// Errors: fileNotFound, fileEmpty, projectNotBurin, fileFromNewerBurin, projectInUse (detail: "process 4711"),
     /// fileDamaged, fileNotReadable, fileNotWritable, diskFull.
     static Result<Project> open(const std::filesystem::path& file);
     ~Project(); ///< discards the working copy if everything in it was saved, keeps it otherwise

@@ -34,6 +34,8 @@ public:
     /// @param room used up, then noBlock
     bool clear(LineIndex index, const BrickSpans& spans, BlockIndex& room) noexcept;
     bool hasPagesToSpare() const noexcept { return lackingPages_ == 0; }
+    /// Makes large blocks of what is free in small ones. Outside the haptic loop. @throws std::bad_alloc
+    void joinFreeMemory();
 
     VolumeState* snapshot();
     void restore(const VolumeState& state);
@@ -47,6 +49,7 @@ private:
     BlockHeader& header(BlockIndex block) const noexcept { return *store_->arena->at(block); }
     bool isOwn(BlockIndex block) const noexcept { return header(block).birth > lastSnapshot_ || !store_->hasReaders(); }
     BlockIndex allocate(std::size_t bytes) noexcept;
+    void releaseUnseen() noexcept;
     BlockIndex allocateTile(std::uint32_t segments) noexcept;
     BlockIndex* writableEntry(LineIndex index) noexcept;
     std::optional<Tile> writableTile(LineIndex index, std::uint32_t added) noexcept;

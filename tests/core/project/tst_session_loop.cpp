@@ -40,12 +40,13 @@ private slots:
         std::vector<MillingSession::TracePoint> trace(256);
         TickNews news;
         LiveFigures figures;
+        constexpr int ticks = (StrokeHand::strokeTicks + StrokeHand::backTicks) * (int{StrokeHistory::maximum} + 10);
         hand.mill(1000);
         loop->wishTake({recorder.take(), &recorder});
         std::size_t allocations = 0, strokesSeen = 0, views = 0, recorded = 0;
         TickTiming timing;
         timing.period = 0.001;
-        for (int tick = 0; tick < 6000; ++tick) {
+        for (int tick = 0; tick < ticks; ++tick) {
             const StylusState state = hand.read(0.001 * tick);
             const std::size_t before = allocationCount;
             if (loop->edge() != AtEdge::tick) QFAIL("no tick");
@@ -73,8 +74,8 @@ private slots:
         QVERIFY(strokesSeen > StrokeHistory::maximum);
         QCOMPARE(strokes.count(), StrokeHistory::maximum);
         QVERIFY(views > 300);
-        QCOMPARE(recorded, std::size_t{6000});
-        QCOMPARE(news.ticks, std::uint64_t{6000});
+        QCOMPARE(recorded, std::size_t{ticks});
+        QCOMPARE(news.ticks, std::uint64_t{ticks});
         QVERIFY(std::abs(figures.rateHz - 1000.0) < 1.0);
     }
 
