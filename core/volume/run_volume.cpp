@@ -108,6 +108,10 @@ bool RunVolume::setLine(LineIndex line, std::span<const Segment> segments) noexc
     return impl_->setLine(line, segments);
 }
 
+bool RunVolume::rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe) {
+    return impl_->rewriteBricks(describe);
+}
+
 bool RunVolume::belongs(VoxelIndex voxel) const noexcept {
     return grid().contains(voxel) &&
            propertyAt(line(grid().lineOf(voxel)), centreOf(grid().alongOf(voxel))) != airProperty;

@@ -36,11 +36,14 @@ public:
     bool hasPagesToSpare() const noexcept { return lackingPages_ == 0; }
     /// Makes large blocks of what is free in small ones. Outside the haptic loop. @throws std::bad_alloc
     void joinFreeMemory();
+    bool rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe);
 
     VolumeState* snapshot();
     void restore(const VolumeState& state);
 
 private:
+    class BrickRewrite;
+
     /// A tile that was made equal to another: every line of it got the same stretch.
     struct EqualFill {
         BlockIndex before = noBlock, after = noBlock;

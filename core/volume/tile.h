@@ -3,9 +3,11 @@
 #pragma once
 
 #include "core/volume/block_arena.h"
+#include "core/volume/brick_lines.h"
 #include "core/volume/run_volume.h"
 
 #include <array>
+#include <algorithm>
 #include <cstring>
 #include <span>
 
@@ -14,8 +16,8 @@ namespace burin {
 // A tile holds 8 × 8 scanlines in one block: header, 65 offsets (where each line's segments begin, and the end of the
 // last), the segments of all lines without a gap, some room. Offsets are 16 bits wide, 32 in a tile of more than
 // 65,535 segments, so that no number of runs is out of reach.
-inline constexpr std::int32_t tileSide = 8;
-inline constexpr int linesPerTile = tileSide * tileSide;
+inline constexpr std::int32_t tileSide = brickSide;
+inline constexpr int linesPerTile = linesPerBrick;
 inline constexpr std::uint32_t narrowLimit = 0xffff;
 
 /// The scanlines of a tile for reading, line 8 v + u; views into what somebody else owns.
@@ -72,6 +74,14 @@ public:
             at += static_cast<std::uint32_t>(source.size());
         }
         setOffset(linesPerTile, at);
+    }
+    void copyFrom(const BrickLines& lines) const noexcept {
+        for (int line = 0; line <= linesPerTile; ++line) setOffset(line, lines.offset(line));
+        std::ranges::copy(lines.segments(), segments());
+    }
+    bool operator==(const BrickLines& lines) const noexcept {
+        return segmentCount() == lines.segmentCount() &&
+               std::memcmp(segments(), lines.segments().data(), segmentCount() * sizeof(Segment)) == 0;
     }
     /// Makes room for `added` segments in place of `removed` ones of a line, from its `first` on. The caller has made
     /// sure of the capacity and writes them to the place that is returned.

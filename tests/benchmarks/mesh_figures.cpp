@@ -17,14 +17,14 @@ namespace {
 /// voxel wider than the brick, holds both material and air.
 std::vector<Brick> mixedBricks(const VolumeSnapshot& volume, SurfaceTile tile) {
     const Grid& grid = volume.grid();
-    std::vector<std::uint8_t> air(static_cast<std::size_t>(grid.voxelsPerLine() / brickSide)), material = air;
+    std::vector<std::uint8_t> air(static_cast<std::size_t>(grid.voxelsPerLine() / flyingBrickSide)), material = air;
     const auto mark = [&](std::vector<std::uint8_t>& marks, std::int32_t first, std::int32_t last) {
-        const std::int32_t low = std::max(0, (first - 1) / brickSide);
-        const std::int32_t high = std::min(static_cast<std::int32_t>(marks.size()) - 1, (last + 1) / brickSide);
+        const std::int32_t low = std::max(0, (first - 1) / flyingBrickSide);
+        const std::int32_t high = std::min(static_cast<std::int32_t>(marks.size()) - 1, (last + 1) / flyingBrickSide);
         for (std::int32_t i = low; i <= high; ++i) marks[static_cast<std::size_t>(i)] = 1;
     };
-    for (std::int32_t v = tile.v * brickSide - 1; v <= (tile.v + 1) * brickSide; ++v)
-        for (std::int32_t u = tile.u * brickSide - 1; u <= (tile.u + 1) * brickSide; ++u) {
+    for (std::int32_t v = tile.v * flyingBrickSide - 1; v <= (tile.v + 1) * flyingBrickSide; ++v)
+        for (std::int32_t u = tile.u * flyingBrickSide - 1; u <= (tile.u + 1) * flyingBrickSide; ++u) {
             if (!grid.contains(LineIndex{u, v})) continue;
             forEachVoxelRun(volume.line({u, v}), [&](const Run& run) {
                 mark(run.property == airProperty ? air : material, run.first, run.last);
@@ -33,7 +33,7 @@ std::vector<Brick> mixedBricks(const VolumeSnapshot& volume, SurfaceTile tile) {
     std::vector<Brick> bricks;
     for (std::size_t i = 0; i < air.size(); ++i)
         if (air[i] != 0 && material[i] != 0)
-            bricks.push_back({tile.u * brickSide, tile.v * brickSide, static_cast<std::int32_t>(i) * brickSide});
+            bricks.push_back({tile.u * flyingBrickSide, tile.v * flyingBrickSide, static_cast<std::int32_t>(i) * flyingBrickSide});
     return bricks;
 }
 

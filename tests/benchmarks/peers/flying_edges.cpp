@@ -18,7 +18,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-constexpr std::int32_t samples = brickSide + 2;
+constexpr std::int32_t samples = flyingBrickSide + 2;
 
 } // namespace
 
@@ -41,8 +41,8 @@ public:
     void expand(const VolumeSnapshot& volume, const Brick& brick) {
         const Grid& grid = volume.grid();
         auto* row = static_cast<std::uint8_t*>(image_->GetScalarPointer());
-        for (std::int32_t v = brick.v - 1; v <= brick.v + brickSide; ++v)
-            for (std::int32_t u = brick.u - 1; u <= brick.u + brickSide; ++u, row += samples) {
+        for (std::int32_t v = brick.v - 1; v <= brick.v + flyingBrickSide; ++v)
+            for (std::int32_t u = brick.u - 1; u <= brick.u + flyingBrickSide; ++u, row += samples) {
                 std::memset(row, 0, samples);
                 if (!grid.contains(LineIndex{u, v})) continue;
                 forEachVoxelRun(volume.line({u, v}), [&](const Run& run) {

@@ -8,7 +8,7 @@
 
 namespace burin::benchmarks {
 
-inline constexpr std::int32_t brickSide = 32; ///< voxels
+inline constexpr std::int32_t flyingBrickSide = 32; ///< voxels
 
 /// A cube of 32 × 32 × 32 voxels: scanlines u … u + 31, v … v + 31, and voxels from `along` on.
 struct Brick {
