@@ -64,6 +64,9 @@ const PropertyList& RunVolume::properties() const noexcept {
 std::span<const Segment> RunVolume::line(LineIndex line) const noexcept {
     return impl_->line(line);
 }
+std::span<const Segment> RunVolume::brick(LineIndex line) const noexcept {
+    return impl_->brick(line);
+}
 const RunAmounts& RunVolume::amounts() const noexcept {
     return impl_->amounts();
 }

@@ -83,6 +83,10 @@ public:
     const PropertyList& properties() const noexcept;
     /// Segments of a scanline, in order. `line` must lie in the grid.
     std::span<const Segment> line(LineIndex line) const noexcept;
+    /// Segments of the brick of 8 × 8 scanlines around `line`: of its 64 lines, one after another, u counting fastest.
+    /// Each line ends with the segment that ends at `Grid::lineEnd`. What lines of it beyond the grid say means
+    /// nothing.
+    std::span<const Segment> brick(LineIndex line) const noexcept;
     /// Total of every property, recounted over all scanlines (parallel).
     RunAmounts amounts() const;
     /// Whether both show moments of one and the same volume.
@@ -118,6 +122,8 @@ public:
     const Grid& grid() const noexcept;
     const PropertyList& properties() const noexcept;
     std::span<const Segment> line(LineIndex line) const noexcept;
+    /// As VolumeSnapshot::brick.
+    std::span<const Segment> brick(LineIndex line) const noexcept;
 
     // ---- Scanlines. No allocation, no exception: fit for the haptic loop.
 

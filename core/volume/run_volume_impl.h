@@ -17,6 +17,7 @@ public:
     const VolumeStore& store() const noexcept { return *store_; }
     const RunAmounts& amounts() const noexcept { return amounts_; }
     std::span<const Segment> line(LineIndex index) const noexcept { return store_->line(pages_, index); }
+    std::span<const Segment> brick(LineIndex index) const noexcept { return store_->tileAt(pages_, index).all(); }
 
     Removal removeSpan(LineIndex index, RunPosition from, RunPosition to, RunAmounts& removed) noexcept;
     bool fillSpan(LineIndex index, RunPosition from, RunPosition to, PropertyIndex property) noexcept;

@@ -44,6 +44,7 @@ public:
     }
     std::uint32_t segmentCount() const noexcept { return offset(linesPerTile); }
     Segment* segments() const noexcept { return reinterpret_cast<Segment*>(bytes() + segmentsAt(header_->wide)); }
+    std::span<const Segment> all() const noexcept { return {segments(), segmentCount()}; }
     std::span<const Segment> line(int line) const noexcept {
         const std::uint32_t begin = offset(line);
         return {segments() + begin, offset(line + 1) - begin};
@@ -76,7 +77,11 @@ public:
         setOffset(linesPerTile, at);
     }
     void copyFrom(const BrickLines& lines) const noexcept {
-        for (int line = 0; line <= linesPerTile; ++line) setOffset(line, lines.offset(line));
+        if (header_->wide)
+            for (int line = 0; line <= linesPerTile; ++line) wideOffsets()[line] = lines.offset(line);
+        else
+            for (int line = 0; line <= linesPerTile; ++line)
+                narrowOffsets()[line] = static_cast<std::uint16_t>(lines.offset(line));
         std::ranges::copy(lines.segments(), segments());
     }
     bool operator==(const BrickLines& lines) const noexcept {
