@@ -82,6 +82,16 @@ public:
         lineBegin_ = count_;
     }
 
+    /// For what works on a whole brick at once. `write(Segment* segments, std::uint32_t* offsets)` gets room for so many
+    /// segments and for 65 offsets (where each line begins, and the end), fills them and keeps the rules by itself.
+    template <class Write>
+    void writeAll(std::size_t atMost, Write&& write) {
+        if (segments_.size() < atMost) segments_.resize(atMost);
+        write(segments_.data(), offsets_.data());
+        count_ = lineBegin_ = offsets_[linesPerBrick];
+        lines_ = linesPerBrick;
+    }
+
     /// Whether all of its lines are the same.
     bool uniform() const noexcept {
         if (count_ % linesPerBrick != 0) return false;

@@ -4,6 +4,7 @@
 #include "core/volume/run_volume_impl.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <mutex>
 #include <vector>
@@ -32,6 +33,31 @@ void addCount(std::span<const Segment> line, RunAmounts& amounts) noexcept {
         start = segment.end();
     }
 }
+
+/// Counts whole lines, one after the other. Each sum is kept in several parts, as the same few materials come again and
+/// again and an addition would have to wait for the one before.
+class LineCount {
+public:
+    void add(std::span<const Segment> lines, RunPosition lineEnd) noexcept {
+        RunPosition start = 0;
+        const auto addTo = [&](RunAmounts& part, Segment segment) {
+            const RunPosition end = segment.end();
+            part.units[segment.property()] += end - start;
+            start = end & (end == lineEnd ? 0U : ~0U);
+        };
+        std::size_t i = 0;
+        for (; i + parts_.size() <= lines.size(); i += parts_.size())
+            for (std::size_t k = 0; k < parts_.size(); ++k) addTo(parts_[k], lines[i + k]);
+        for (; i < lines.size(); ++i) addTo(parts_[0], lines[i]);
+    }
+    void moveTo(RunAmounts& amounts) noexcept {
+        for (RunAmounts& part : parts_)
+            for (std::size_t i = 0; i < amounts.units.size(); ++i) amounts.units[i] += std::exchange(part.units[i], 0);
+    }
+
+private:
+    std::array<RunAmounts, 4> parts_;
+};
 
 void sum(RunAmounts& amounts, const RunAmounts& change) noexcept {
     for (std::size_t i = 0; i < amounts.units.size(); ++i) amounts.units[i] += change.units[i]; // modulo 2^64: may fall
@@ -65,7 +91,7 @@ public:
             parallelFor(std::size_t{0}, rows.size(), [&](std::size_t i) {
                 Row bricks(*this, results[i]);
                 describe(rows[i], bricks);
-                bricks.subtractReplaced();
+                bricks.finish();
             });
             std::vector<std::int32_t> left;
             for (std::size_t i = 0; i < rows.size(); ++i)
@@ -103,13 +129,17 @@ private:
             all_.fresh_[all_.placeOf(low)] = block;
             count(low, present, tile, lines);
         }
+        void finish() noexcept {
+            subtractReplaced();
+            written_.moveTo(result_.change);
+        }
+
+    private:
         void subtractReplaced() noexcept {
             for (std::size_t i = 0; i < replaced_.units.size(); ++i)
                 result_.change.units[i] -= replacedBricks_ * std::exchange(replaced_.units[i], 0);
             replacedBricks_ = 0;
         }
-
-    private:
         void count(LineIndex low, BlockIndex present, const Tile& tile, const BrickLines& lines) noexcept {
             const Grid& grid = all_.volume_.store_->grid;
             const int width = std::min(tileSide, grid.lineCountU() - low.u);
@@ -118,7 +148,10 @@ private:
                 for (int v = 0; v < height; ++v)
                     for (int u = 0; u < width; ++u) visit(v * tileSide + u);
             };
-            eachLine([&](int line) { addCount(lines.line(line), result_.change); });
+            if (width == tileSide && height == tileSide)
+                written_.add(lines.segments(), grid.lineEnd());
+            else
+                eachLine([&](int line) { addCount(lines.line(line), result_.change); });
             // Neighbours often share what they were before: air, or the stock's inside.
             if (present != counted_ || width * height != countedLines_) {
                 subtractReplaced();
@@ -132,6 +165,7 @@ private:
         RowResult& result_;
         BlockIndex counted_ = noBlock;
         int countedLines_ = 0;
+        LineCount written_;
         RunAmounts replaced_; ///< in brick `counted_`
         std::uint64_t replacedBricks_ = 0;
     };
