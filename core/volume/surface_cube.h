@@ -16,14 +16,6 @@ namespace burin {
 // Lanes are ordered (u, n): (0, 0), (0, 1), (1, 0), (1, 1); a lane order for v says so. No branches: which edges the
 // surface crosses can't be foreseen.
 
-/// Which of eight nodes in a row lie inside: a bit each.
-inline std::uint32_t insideBits(const std::uint16_t* values, std::uint16_t half) noexcept {
-    const __m128i eight = _mm_loadu_si128(reinterpret_cast<const __m128i*>(values));
-    const __m128i below = _mm_subs_epu16(_mm_set1_epi16(static_cast<short>(half)), eight); // 0: at least half
-    const __m128i inside = _mm_cmpeq_epi16(below, _mm_setzero_si128());
-    return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(inside, _mm_setzero_si128())));
-}
-
 /// The columns of nodes around a cube, 4 × 4, each from the node before the cube's lower one on.
 class CubeColumns {
 public:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface_field.h"
 
+#include "core/volume/surface_lanes.h"
 #include "core/volume/volume_access.h"
 
 #include <algorithm>
@@ -12,6 +13,31 @@ namespace {
 
 constexpr std::int64_t blockNodes = 16; ///< nodes along the runs that are told solid, air or mixed as one
 constexpr int shortInterval = 120;      ///< nodes of 256 units, two of which more fit 16 bits
+
+/// Columns are worked on so many nodes at a time; the ones too many are right, too.
+constexpr int wholeLanes(int nodes) {
+    constexpr int lanes = nodeLanes;
+    return (nodes + lanes - 1) / lanes * lanes;
+}
+
+/// Looks lines up that mostly lie in one brick.
+class LineReader {
+public:
+    explicit LineReader(const VolumeSnapshot& workpiece) : state_(VolumeAccess::state(workpiece)) {}
+    std::span<const Segment> at(LineIndex line) {
+        const LineIndex brick{line.u / tileSide, line.v / tileSide};
+        if (brick != brick_) {
+            brick_ = brick;
+            tile_ = state_.store->tile(VolumeAccess::tileAt(state_, brick.u, brick.v));
+        }
+        return tile_.line(TileTable::lineInTile(line));
+    }
+
+private:
+    const VolumeState& state_;
+    LineIndex brick_{-1, -1};
+    Tile tile_{nullptr};
+};
 
 std::int64_t floorQuotient(std::int64_t value, std::int64_t divisor) {
     return value >= 0 ? value / divisor : -((divisor - 1 - value) / divisor);
@@ -59,8 +85,8 @@ std::span<const SurfaceField::Interval> SurfaceField::findIntervals(const Volume
             const int first = static_cast<int>(begin) * static_cast<int>(blockNodes) - 1;
             const int end = std::min(static_cast<int>(block) * static_cast<int>(blockNodes), nodesAlong) - 1;
             // Beyond the blocks nothing crosses, so all nodes but the last may own what they find.
-            const int from = first - overhang, count = end - first + 2 * overhang;
-            intervals_.push_back({from, count, from, from + count - 1});
+            const int from = first - overhang, behind = end + overhang;
+            intervals_.push_back({from, wholeLanes(behind - from), from, behind - 1});
         } else
             ++block;
     }
@@ -70,7 +96,7 @@ std::span<const SurfaceField::Interval> SurfaceField::findIntervals(const Volume
 SurfaceField::Interval SurfaceField::brickInterval(const Grid& grid, std::int32_t brick) {
     const int begin = brick == 0 ? -1 : brick * linesPerSurfaceTile; // the surface closes before the first voxel
     const int end = std::min((brick + 1) * linesPerSurfaceTile, grid.voxelsPerLine());
-    return {begin - overhang, end - begin + 2 * overhang, begin, end};
+    return {begin - overhang, wholeLanes(end - begin + 2 * overhang), begin, end};
 }
 
 void SurfaceField::mark(std::span<const Segment> line, RunPosition lineEnd) {
@@ -124,22 +150,26 @@ void SurfaceField::fill(const VolumeSnapshot& workpiece, Interval interval) {
 /// bits.
 template <class Sum>
 void SurfaceField::fillColumns(const VolumeSnapshot& workpiece) {
-    const VolumeState& state = VolumeAccess::state(workpiece);
     const Grid& grid = workpiece.grid();
     const auto count = static_cast<std::size_t>(filled_.count);
     const int shift = level_ == 0 ? 0 : 3 * level_ - 2;
-    std::vector<Sum> sums(count);
-    for (int u = 0; u < columnsU_; ++u)
+    constexpr bool inPlace = sizeof(Sum) == sizeof(std::uint16_t); // level 0: nothing to scale
+    std::vector<Sum> sums(inPlace ? 0 : count);
+    LineReader lines(workpiece);
+    for (int u = 0; u < columnsU_; ++u) {
+        const std::int32_t lowU = (firstU_ + u) * cell(), highU = std::min(lowU + cell(), grid.lineCountU());
         for (int v = 0; v < columnsV_; ++v) {
-            std::fill(sums.begin(), sums.end(), Sum{0});
-            const LineIndex low{(firstU_ + u) * cell(), (firstV_ + v) * cell()};
-            for (std::int32_t lineU = std::max(low.u, 0); lineU < std::min(low.u + cell(), grid.lineCountU()); ++lineU)
-                for (std::int32_t lineV = std::max(low.v, 0); lineV < std::min(low.v + cell(), grid.lineCountV());
-                     ++lineV)
-                    addLine(state.store->line(state.pages, {lineU, lineV}), sums.data());
             std::uint16_t* const column = raw_.data() + offset(u, v);
-            for (std::size_t n = 0; n < count; ++n) column[n] = static_cast<std::uint16_t>(sums[n] >> shift);
+            Sum* const sum = inPlace ? reinterpret_cast<Sum*>(column) : sums.data();
+            std::fill_n(sum, count, Sum{0});
+            const std::int32_t lowV = (firstV_ + v) * cell(), highV = std::min(lowV + cell(), grid.lineCountV());
+            for (std::int32_t lineU = std::max(lowU, 0); lineU < highU; ++lineU)
+                for (std::int32_t lineV = std::max(lowV, 0); lineV < highV; ++lineV)
+                    addLine(lines.at({lineU, lineV}), sum);
+            if constexpr (!inPlace)
+                for (std::size_t n = 0; n < count; ++n) column[n] = static_cast<std::uint16_t>(sum[n] >> shift);
         }
+    }
 }
 
 template <class Sum>
@@ -147,39 +177,41 @@ void SurfaceField::addLine(std::span<const Segment> line, Sum* sums) {
     // Materials count as far as a point's own may be looked for.
     constexpr std::int64_t reach = 2;
     const std::int64_t node = std::int64_t{unitsPerVoxel} << level_;
-    const std::int64_t low = (filled_.first - reach) * node, high = (filled_.first + filled_.count + reach) * node;
-    std::int64_t begin = 0, from = 0;
+    const auto last = static_cast<std::int64_t>(line.back().end());
+    const auto low = static_cast<RunPosition>(std::clamp((filled_.first - reach) * node, std::int64_t{0}, last));
+    const auto high =
+        static_cast<RunPosition>(std::clamp((filled_.first + filled_.count + reach) * node, std::int64_t{0}, last));
+    const Segment* segment = line.data();
+    RunPosition begin = 0;
+    for (; segment->end() <= low && segment->end() < last; ++segment) begin = segment->end();
     bool solid = false;
-    for (const Segment segment : line) {
-        const std::int64_t end = segment.end();
-        if (end > low) {
-            const bool segmentSolid = segment.property() != airProperty;
-            seen_[segment.property()] = true;
-            if (segmentSolid && !solid) from = begin;
-            if (!segmentSolid && solid) addStretch(from, begin, sums);
-            solid = segmentSolid;
-            if (end >= high) {
-                begin = end;
-                break;
-            }
-        }
-        begin = end;
+    RunPosition from = 0;
+    for (;; ++segment) {
+        const bool segmentSolid = segment->property() != airProperty;
+        seen_[segment->property()] = true;
+        if (segmentSolid && !solid) from = begin;
+        if (!segmentSolid && solid) addStretch(from, begin, sums);
+        solid = segmentSolid;
+        begin = segment->end();
+        if (begin >= high) break;
     }
     if (solid) addStretch(from, begin, sums);
 }
 
 /// Node n sees from (n - 1/2) to (n + 3/2) nodes.
 template <class Sum>
-void SurfaceField::addStretch(std::int64_t from, std::int64_t to, Sum* sums) const {
+void SurfaceField::addStretch(RunPosition from, RunPosition to, Sum* sums) const {
     const int node = static_cast<int>(unitsPerVoxel) << level_, count = filled_.count;
-    const std::int64_t origin = std::int64_t{filled_.first} * node, end = std::int64_t{count + 1} * node;
-    const auto low = static_cast<Sum>(std::clamp<std::int64_t>(from - origin, -node, end));
-    const auto high = static_cast<Sum>(std::clamp<std::int64_t>(to - origin, -node, end));
-    const auto whole = static_cast<Sum>(2 * node);
-    for (int n = 0; n < count; ++n) {
-        const auto sees = static_cast<Sum>(n * node - node / 2);
-        const auto solid = static_cast<Sum>(std::min<Sum>(high, static_cast<Sum>(sees + whole)) - std::max(low, sees));
-        sums[n] = static_cast<Sum>(sums[n] + std::max<Sum>(solid, 0));
+    const int origin = filled_.first * node, end = (count + 1) * node;
+    const auto low = static_cast<Sum>(std::clamp(static_cast<int>(from) - origin, -node, end));
+    const auto high = static_cast<Sum>(std::clamp(static_cast<int>(to) - origin, -node, end));
+    if constexpr (sizeof(Sum) == sizeof(std::int16_t)) {
+        addSeen(low, high, static_cast<std::size_t>(count), sums);
+    } else {
+        for (int n = 0; n < count; ++n) {
+            const Sum sees = n * node - node / 2;
+            sums[n] += std::max(std::min(high, sees + 2 * node) - std::max(low, sees), 0);
+        }
     }
 }
 
@@ -197,19 +229,14 @@ bool SurfaceField::holdsProtected(const PropertyList& properties) const {
 
 void SurfaceField::smooth() {
     const auto count = static_cast<std::size_t>(filled_.count);
-    const auto average = [count](const std::uint16_t* before, const std::uint16_t* at, const std::uint16_t* behind,
-                                 std::uint16_t* result) {
-        for (std::size_t n = 0; n < count; ++n)
-            result[n] = static_cast<std::uint16_t>(before[n] + 2 * at[n] + behind[n]);
-    };
     for (int u = 0; u < columnsU_; ++u)
         for (int v = 1; v + 1 < columnsV_; ++v)
-            average(raw_.data() + offset(u, v - 1), raw_.data() + offset(u, v), raw_.data() + offset(u, v + 1),
-                    smoothAlongV_.data() + offset(u, v));
+            averageColumns(raw_.data() + offset(u, v - 1), raw_.data() + offset(u, v), raw_.data() + offset(u, v + 1),
+                           count, smoothAlongV_.data() + offset(u, v));
     for (int u = 1; u + 1 < columnsU_; ++u)
         for (int v = 1; v + 1 < columnsV_; ++v)
-            average(smoothAlongV_.data() + offset(u - 1, v), smoothAlongV_.data() + offset(u, v),
-                    smoothAlongV_.data() + offset(u + 1, v), smooth_.data() + offset(u, v));
+            averageColumns(smoothAlongV_.data() + offset(u - 1, v), smoothAlongV_.data() + offset(u, v),
+                           smoothAlongV_.data() + offset(u + 1, v), count, smooth_.data() + offset(u, v));
 }
 
 } // namespace burin

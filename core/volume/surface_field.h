@@ -25,7 +25,7 @@ public:
 
     /// Stretch along the runs, of nodes.
     struct Interval {
-        int first = 0, count = 0;
+        int first = 0, count = 0;    ///< a multiple of eight
         int owned = 0, ownedEnd = 0; ///< whose edges are drawn with it; a node more on either side is enough beyond
     };
 
@@ -64,7 +64,7 @@ private:
     template <class Sum>
     void addLine(std::span<const Segment> line, Sum* sums);
     template <class Sum>
-    void addStretch(std::int64_t from, std::int64_t to, Sum* sums) const;
+    void addStretch(RunPosition from, RunPosition to, Sum* sums) const;
     void smooth();
 
     int level_ = 0, ownedU_ = 0, ownedV_ = 0, firstU_ = 0, firstV_ = 0, columnsU_ = 0, columnsV_ = 0;
