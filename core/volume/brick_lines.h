@@ -45,6 +45,22 @@ public:
     void append(std::span<const Segment> segments) {
         for (const Segment segment : segments) append(segment.end(), segment.property());
     }
+    /// A whole line at once, the present one being empty: `property` between `from` and `to`, else `around`.
+    void appendLine(RunPosition from, RunPosition to, PropertyIndex property, PropertyIndex around) {
+        assert(count_ == lineBegin_ && lines_ < linesPerBrick && from <= to && to <= lineEnd_);
+        if (segments_.size() < count_ + 3) segments_.resize(2 * std::size_t{count_} + linesPerBrick);
+        if (property == around || from == to) {
+            segments_[count_++] = Segment(lineEnd_, around);
+        } else {
+            segments_[count_] = Segment(from, around);
+            count_ += from > 0 ? 1U : 0U;
+            segments_[count_++] = Segment(to, property);
+            segments_[count_] = Segment(lineEnd_, around);
+            count_ += to < lineEnd_ ? 1U : 0U;
+        }
+        lineBegin_ = count_;
+        offsets_[static_cast<std::size_t>(++lines_)] = count_;
+    }
     /// Goes on to the next line; what is missing of the present one is air.
     void endLine() {
         assert(lines_ < linesPerBrick);
