@@ -16,14 +16,12 @@ public:
     /// Parallel. @throws std::bad_alloc
     TriangleBins(const TriangleMesh& mesh, const std::vector<LatticeVertex>& vertices, const Grid& grid);
 
-    /// Calls visit(triangle) for those of a row, in the mesh's order.
+    /// Calls visit(span of triangle indices) for stretches that make up those of a row, in the mesh's order.
     template <class Visit>
-    void forEachIn(std::int32_t row, Visit&& visit) const {
+    void forEachStretch(std::int32_t row, Visit&& visit) const {
         for (const Part& part : parts_) {
             const std::uint32_t first = part.firsts[static_cast<std::size_t>(row)];
-            for (const std::uint32_t triangle :
-                 std::span(part.triangles).subspan(first, part.firsts[static_cast<std::size_t>(row) + 1] - first))
-                visit(triangle);
+            visit(std::span(part.triangles).subspan(first, part.firsts[static_cast<std::size_t>(row) + 1] - first));
         }
     }
 

@@ -86,6 +86,15 @@ public:
     }
 
 private:
+    /// A large mesh lies in memory, a row of bricks takes its triangles from all over it: what comes soon is fetched.
+    static void prefetch(const PreparedBody& body, std::span<const std::uint32_t> triangles, std::size_t now) noexcept {
+        constexpr std::size_t vertices = 8, indices = 24; // triangles ahead
+        if (now + indices < triangles.size()) __builtin_prefetch(&body.mesh->triangles[triangles[now + indices]]);
+        if (now + vertices < triangles.size())
+            for (const std::uint32_t vertex : body.mesh->triangles[triangles[now + vertices]])
+                __builtin_prefetch(&body.vertices[vertex]);
+    }
+
     /// Puts the crossings of a row's triangles into their lines' cells.
     void cross(const PreparedBody& body, std::int32_t row) {
         const LineRange range{0, row * brickSide, grid_.lineCountU(),
@@ -93,13 +102,17 @@ private:
         const TriangleMesh& mesh = *body.mesh;
         const std::size_t firstCap = body.open ? body.open->firstCap() : mesh.triangles.size();
         const double beyond = static_cast<double>(grid_.lineEnd()) + 1.0;
-        body.bins->forEachIn(row, [&](std::uint32_t triangle) {
-            const auto& [a, b, c] = mesh.triangles[triangle];
-            const TriangleCover cover(body.vertices[a], body.vertices[b], body.vertices[c], range);
-            cover.forEachLine(-1.0, beyond, [&](std::int32_t u, std::int32_t v, double along, bool leaves) {
-                const auto position = static_cast<std::int32_t>(along + 1.5) - 1; // to the nearest; never below -1
-                cells_.add(u, v - range.lowV, LineCrossing(position, leaves, triangle >= firstCap));
-            });
+        body.bins->forEachStretch(row, [&](std::span<const std::uint32_t> triangles) {
+            for (std::size_t i = 0; i < triangles.size(); ++i) {
+                prefetch(body, triangles, i);
+                const auto& [a, b, c] = mesh.triangles[triangles[i]];
+                const TriangleCover cover(body.vertices[a], body.vertices[b], body.vertices[c], range);
+                const bool cap = triangles[i] >= firstCap;
+                cover.forEachLine(-1.0, beyond, [&](std::int32_t u, std::int32_t v, double along, bool leaves) {
+                    const auto position = static_cast<std::int32_t>(along + 1.5) - 1; // to the nearest; never below -1
+                    cells_.add(u, v - range.lowV, LineCrossing(position, leaves, cap));
+                });
+            }
         });
         cells_.finish();
     }
