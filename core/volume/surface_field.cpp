@@ -134,46 +134,114 @@ void SurfaceField::markStretch(std::vector<std::uint8_t>& blocks, std::int64_t f
 void SurfaceField::fill(const VolumeSnapshot& workpiece, Interval interval) {
     filled_ = interval;
     seen_.fill(false);
-    const auto values = static_cast<std::size_t>(columnsU_ * columnsV_) * static_cast<std::size_t>(interval.count);
+    // Places within a brick fit 16 bits, of which twice as many are worked on at once.
+    if (level_ == 0 && interval.count <= shortInterval)
+        fillShort(workpiece);
+    else
+        fillLong(workpiece);
+    smooth();
+}
+
+void SurfaceField::makeRoom() {
+    const auto values = static_cast<std::size_t>(columnsU_ * columnsV_) * static_cast<std::size_t>(filled_.count);
     raw_.resize(values);
     smoothAlongV_.resize(values);
     smooth_.resize(values);
-    // Places within a brick fit 16 bits, of which twice as many are worked on at once.
-    if (level_ == 0 && interval.count <= shortInterval)
-        fillColumns<std::int16_t>(workpiece);
-    else
-        fillColumns<std::int32_t>(workpiece);
-    smooth();
+}
+
+/// A column is one line. All lines are read first: nodes before the first place and behind the last one at which any of
+/// them changes are alike, and are left out.
+void SurfaceField::fillShort(const VolumeSnapshot& workpiece) {
+    const Grid& grid = workpiece.grid();
+    constexpr int node = static_cast<int>(unitsPerVoxel);
+    const int origin = filled_.first * node, end = (filled_.count + 1) * node;
+    const auto within = [&](RunPosition position) {
+        return static_cast<std::int16_t>(std::clamp(static_cast<int>(position) - origin, -node, end));
+    };
+    LineReader lines(workpiece);
+    stretches_.clear();
+    firstStretch_.clear();
+    bool solidAtBegin = false, airAtBegin = false, solidAtEnd = false, airAtEnd = false;
+    int firstChange = end, lastChange = -node;
+    for (std::int32_t u = firstU_; u < firstU_ + columnsU_; ++u)
+        for (std::int32_t v = firstV_; v < firstV_ + columnsV_; ++v) {
+            const std::size_t first = stretches_.size();
+            firstStretch_.push_back(first);
+            if (grid.contains(LineIndex{u, v}))
+                eachStretch(lines.at({u, v}), [&](RunPosition from, RunPosition to) {
+                    const Stretch16 stretch{within(from), within(to)};
+                    if (stretch.low == stretch.high) return;
+                    stretches_.push_back(stretch);
+                    if (stretch.low > -node) firstChange = std::min<int>(firstChange, stretch.low);
+                    if (stretch.low > -node) lastChange = std::max<int>(lastChange, stretch.low);
+                    if (stretch.high < end) firstChange = std::min<int>(firstChange, stretch.high);
+                    if (stretch.high < end) lastChange = std::max<int>(lastChange, stretch.high);
+                });
+            const bool any = stretches_.size() > first;
+            const bool begins = any && stretches_[first].low == -node, ends = any && stretches_.back().high == end;
+            (begins ? solidAtBegin : airAtBegin) = true;
+            (ends ? solidAtEnd : airAtEnd) = true;
+        }
+    firstStretch_.push_back(stretches_.size());
+    if (solidAtBegin && airAtBegin) firstChange = -node;
+    if (solidAtEnd && airAtEnd) lastChange = end;
+    narrow(firstChange, lastChange);
+
+    makeRoom();
+    const auto count = static_cast<std::size_t>(filled_.count);
+    const int shift = filled_.first * node - origin;
+    for (std::size_t column = 0; column + 1 < firstStretch_.size(); ++column) {
+        auto* const sums = reinterpret_cast<std::int16_t*>(raw_.data() + column * count);
+        std::fill_n(sums, count, std::int16_t{0});
+        for (std::size_t i = firstStretch_[column]; i < firstStretch_[column + 1]; ++i)
+            addSeen(static_cast<std::int16_t>(stretches_[i].low - shift),
+                    static_cast<std::int16_t>(stretches_[i].high - shift), count, sums);
+    }
+}
+
+/// Leaves the nodes where something changes, and `overhang` more on either side.
+/// @param firstChange, lastChange in run units from the interval's first node
+void SurfaceField::narrow(int firstChange, int lastChange) {
+    constexpr int node = static_cast<int>(unitsPerVoxel), reach = overhang + 2; // a node sees two of the changes' nodes
+    if (firstChange > lastChange) {
+        filled_.count = 0;
+        return;
+    }
+    const int first = std::max(0, firstChange / node - reach);
+    const int end = std::min(filled_.count, wholeLanes(lastChange / node + reach + 1 - first) + first);
+    filled_.first += first;
+    filled_.count = wholeLanes(end - first);
+    filled_.owned = std::max(filled_.owned, filled_.first);
+    filled_.ownedEnd = std::max(filled_.owned, std::min(filled_.ownedEnd, filled_.first + filled_.count - 1));
 }
 
 /// A node's solid is scaled to 0 … 512 (level 0) or 0 … 2048: sixteen times that, which smoothing makes of it, fits 16
 /// bits.
-template <class Sum>
-void SurfaceField::fillColumns(const VolumeSnapshot& workpiece) {
+void SurfaceField::fillLong(const VolumeSnapshot& workpiece) {
     const Grid& grid = workpiece.grid();
     const auto count = static_cast<std::size_t>(filled_.count);
     const int shift = level_ == 0 ? 0 : 3 * level_ - 2;
-    constexpr bool inPlace = sizeof(Sum) == sizeof(std::uint16_t); // level 0: nothing to scale
-    std::vector<Sum> sums(inPlace ? 0 : count);
+    makeRoom();
+    std::vector<int> sums(count);
     LineReader lines(workpiece);
     for (int u = 0; u < columnsU_; ++u) {
         const std::int32_t lowU = (firstU_ + u) * cell(), highU = std::min(lowU + cell(), grid.lineCountU());
         for (int v = 0; v < columnsV_; ++v) {
-            std::uint16_t* const column = raw_.data() + offset(u, v);
-            Sum* const sum = inPlace ? reinterpret_cast<Sum*>(column) : sums.data();
-            std::fill_n(sum, count, Sum{0});
+            std::ranges::fill(sums, 0);
             const std::int32_t lowV = (firstV_ + v) * cell(), highV = std::min(lowV + cell(), grid.lineCountV());
             for (std::int32_t lineU = std::max(lowU, 0); lineU < highU; ++lineU)
                 for (std::int32_t lineV = std::max(lowV, 0); lineV < highV; ++lineV)
-                    addLine(lines.at({lineU, lineV}), sum);
-            if constexpr (!inPlace)
-                for (std::size_t n = 0; n < count; ++n) column[n] = static_cast<std::uint16_t>(sum[n] >> shift);
+                    eachStretch(lines.at({lineU, lineV}),
+                                [&](RunPosition from, RunPosition to) { addStretch(from, to, sums); });
+            std::uint16_t* const column = raw_.data() + offset(u, v);
+            for (std::size_t n = 0; n < count; ++n) column[n] = static_cast<std::uint16_t>(sums[n] >> shift);
         }
     }
 }
 
-template <class Sum>
-void SurfaceField::addLine(std::span<const Segment> line, Sum* sums) {
+/// Calls visit(from, to) for the stretches of a line that hold material, as far as they lie near the nodes.
+template <class Visit>
+void SurfaceField::eachStretch(std::span<const Segment> line, Visit visit) {
     // Materials count as far as a point's own may be looked for.
     constexpr std::int64_t reach = 2;
     const std::int64_t node = std::int64_t{unitsPerVoxel} << level_;
@@ -190,28 +258,22 @@ void SurfaceField::addLine(std::span<const Segment> line, Sum* sums) {
         const bool segmentSolid = segment->property() != airProperty;
         seen_[segment->property()] = true;
         if (segmentSolid && !solid) from = begin;
-        if (!segmentSolid && solid) addStretch(from, begin, sums);
+        if (!segmentSolid && solid) visit(from, begin);
         solid = segmentSolid;
         begin = segment->end();
         if (begin >= high) break;
     }
-    if (solid) addStretch(from, begin, sums);
+    if (solid) visit(from, begin);
 }
 
 /// Node n sees from (n - 1/2) to (n + 3/2) nodes.
-template <class Sum>
-void SurfaceField::addStretch(RunPosition from, RunPosition to, Sum* sums) const {
-    const int node = static_cast<int>(unitsPerVoxel) << level_, count = filled_.count;
-    const int origin = filled_.first * node, end = (count + 1) * node;
-    const auto low = static_cast<Sum>(std::clamp(static_cast<int>(from) - origin, -node, end));
-    const auto high = static_cast<Sum>(std::clamp(static_cast<int>(to) - origin, -node, end));
-    if constexpr (sizeof(Sum) == sizeof(std::int16_t)) {
-        addSeen(low, high, static_cast<std::size_t>(count), sums);
-    } else {
-        for (int n = 0; n < count; ++n) {
-            const Sum sees = n * node - node / 2;
-            sums[n] += std::max(std::min(high, sees + 2 * node) - std::max(low, sees), 0);
-        }
+void SurfaceField::addStretch(RunPosition from, RunPosition to, std::span<int> sums) const {
+    const int node = static_cast<int>(unitsPerVoxel) << level_, origin = filled_.first * node;
+    const int low = static_cast<int>(from) - origin, high = static_cast<int>(to) - origin;
+    const int count = filled_.count;
+    for (int n = 0; n < count; ++n) {
+        const int sees = n * node - node / 2;
+        sums[static_cast<std::size_t>(n)] += std::max(std::min(high, sees + 2 * node) - std::max(low, sees), 0);
     }
 }
 

@@ -39,6 +39,7 @@ void SurfaceNet::add(const SurfaceField& field, const Grid& grid, SurfaceMesh& m
     columnsU_ = field.ownedU() + 2 * SurfaceField::margin;
     columnsV_ = field.ownedV() + 2 * SurfaceField::margin;
     count_ = field.filled().count;
+    if (count_ == 0) return;
     words_ = (static_cast<std::size_t>(count_) + wordBits - 1) / wordBits;
     const int owned = field.filled().owned - field.filled().first;
     const int ownedEnd = field.filled().ownedEnd - field.filled().first;
