@@ -68,7 +68,7 @@ void CommandLineTest::initTestCase() {
 
 void CommandLineTest::helpsWithEachCommand_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command : {"import", "embed", "mill", "path", "post", "verify", "info", "demo"})
+    for (const char* command : {"import", "embed", "mill", "path", "post", "verify", "info", "demo", "bench"})
         QTest::newRow(command) << QString(command);
 }
 
