@@ -50,6 +50,13 @@ function(burin_library name)
     add_library(burin::${name} ALIAS burin_${name})
 endfunction()
 
+# burin_vectorised(SOURCES ...)
+# Sources with BURIN_VECTORISED functions (core/base/vectorised.h): square roots that report no errno and comparisons
+# that raise no flags, so that lanes stay side by side. Results are the same.
+function(burin_vectorised)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math;-Wno-psabi")
+endfunction()
+
 # burin_program(NAME SOURCES ... USES ...)
 function(burin_program name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;USES")

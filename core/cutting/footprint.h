@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/cutting/gap_window.h"
 #include "core/tool/swept_span.h"
 #include "core/volume/run_volume.h"
 
@@ -67,6 +68,21 @@ void forEachPiece(std::span<const Segment> segments, RunPosition from, RunPositi
         start = segment.end();
         if (start >= to) return;
     }
+}
+
+/// The same of a line of which a window may owe some.
+template <class Visit>
+void forEachPieceLeft(const RunVolume& workpiece, const GapWindow* window, LineIndex line, RunPosition from,
+                      RunPosition to, Visit&& visit) noexcept {
+    const GapWindow::Owed owed = window != nullptr ? window->owed(line) : GapWindow::Owed{};
+    forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
+        if (owed.from >= owed.to || workpiece.properties().isProtected(property)) {
+            visit(property, start, end);
+            return;
+        }
+        if (start < owed.from) visit(property, start, std::min(end, owed.from));
+        if (end > owed.to) visit(property, std::max(start, owed.to), end);
+    });
 }
 
 } // namespace burin

@@ -19,64 +19,103 @@ constexpr double pendingShare = 1.0 / 64.0;
 
 } // namespace
 
-/// What one cut took, as it is counted scanline by scanline.
-struct MaterialRemoval::Tally {
-    RunAmounts removed;
-    std::uint64_t units = 0;
-    glm::dvec3 moment{0.0}; ///< mm times units
-    bool outOfMemory = false;
-};
+MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing)
+    : flutes_(burin::flutes(cutter)), writing_(writing), surface_(flutes_, grid.edge()) {
+    if (WindowCutter::serves(flutes_)) cutter_ = std::make_unique<WindowCutter>(flutes_, grid);
+}
 
-MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid)
-    : flutes_(burin::flutes(cutter)), surface_(flutes_, grid.edge()) {}
-
-MaterialRemoval::Tally MaterialRemoval::takeAway(RunVolume& workpiece, const glm::dvec3& fromTip,
-                                                 const glm::dvec3& toTip) noexcept {
-    Tally tally;
-    const Grid& grid = workpiece.grid();
+/// Line by line, written at once: the axis lies along the runs.
+void MaterialRemoval::takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
+                               RemovedUnits& removed) noexcept {
     const PropertyList& properties = workpiece.properties();
+    RunAmounts taken;
     const auto take = [&](LineIndex line, RunPosition from, RunPosition to) {
         std::uint64_t units = 0;
-        double along = 0.0; // mm times units
+        double along = 0.0;
         forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
             if (properties.isProtected(property)) return;
             units += end - start;
-            along += 0.5 * (grid.toMillimetres(start) + grid.toMillimetres(end)) * (end - start);
+            along += 0.5 * (static_cast<double>(start) + static_cast<double>(end)) * (end - start);
         });
         if (units == 0) return true;
-        tally.outOfMemory = workpiece.removeSpan(line, from, to, tally.removed) == Removal::outOfMemory;
-        if (tally.outOfMemory) return false;
-        tally.units += units;
-        tally.moment += glm::dvec3(grid.lineCentre(line) * static_cast<double>(units), along);
+        removed.outOfMemory = workpiece.removeSpan(line, from, to, taken) == Removal::outOfMemory;
+        if (removed.outOfMemory) return false;
+        removed.total += units;
+        removed.momentU += static_cast<double>(units) * line.u;
+        removed.momentV += static_cast<double>(units) * line.v;
+        removed.momentAlong += along;
         return true;
     };
-    forEachSpan(SweptPiece(flutes_, fromTip, toTip), grid, take);
-    return tally;
+    forEachSpan(SweptPiece(flutes_, fromTip, toTip), workpiece.grid(), take);
+    removed.byProperty = taken.units;
 }
 
-CutResult MaterialRemoval::cut(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept {
-    assert(workpiece.grid().axis() == RunAxis::z);
+CutResult MaterialRemoval::account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept {
     CutResult result;
-    if (!isFinite(fromTip) || !isFinite(toTip)) return result;
-    const Tally tally = takeAway(workpiece, fromTip, toTip);
-    const double unitVolume = workpiece.grid().unitVolume();
-    result.outOfMemory = tally.outOfMemory;
-    result.volume = static_cast<double>(tally.units) * unitVolume;
-    if (tally.units > 0) result.centroid = tally.moment / static_cast<double>(tally.units);
+    const Grid& grid = workpiece.grid();
+    const double unitVolume = grid.unitVolume(), units = static_cast<double>(removed.total);
+    result.outOfMemory = removed.outOfMemory;
+    result.volume = units * unitVolume;
+    if (removed.total > 0) {
+        const double edge = grid.edge();
+        result.centroid[grid.axisOfU()] = grid.low()[grid.axisOfU()] + (removed.momentU / units + 0.5) * edge;
+        result.centroid[grid.axisOfV()] = grid.low()[grid.axisOfV()] + (removed.momentV / units + 0.5) * edge;
+        result.centroid[grid.axisOfRuns()] =
+            grid.low()[grid.axisOfRuns()] + removed.momentAlong / units / unitsPerVoxel * edge;
+    }
     std::size_t entry = 0;
     const PropertyList& properties = workpiece.properties();
     for (int i = 1; i < properties.size(); ++i) {
         const auto property = static_cast<PropertyIndex>(i);
         if (properties.isProtected(property)) continue;
         assert(entry < result.removed.size()); // PropertyList holds no more machinable ones
-        const std::uint64_t units = tally.removed.units[property];
-        result.removed[entry++] = {property, units, static_cast<double>(units) * unitVolume, 0.0};
+        const std::uint64_t lost = removed.byProperty[property];
+        result.removed[entry++] = {property, lost, static_cast<double>(lost) * unitVolume, 0.0};
     }
-    report(workpiece, toTip, toTip - fromTip, result);
     return result;
 }
 
+CutResult MaterialRemoval::cut(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept {
+    glm::dvec3 axis(0.0);
+    axis[workpiece.grid().axisOfRuns()] = 1.0;
+    return cut(workpiece, {fromTip, axis}, {toTip, axis});
+}
+
+CutResult MaterialRemoval::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept {
+    if (!isFinite(from.tip) || !isFinite(to.tip) || !isFinite(from.axis) || !isFinite(to.axis)) return {};
+    RemovedUnits removed;
+    bool putOff = false;
+    if (cutter_ && writing_ == Writing::deferred) {
+        putOff = cutter_->cut(workpiece, from, to, removed);
+    } else {
+        assert(workpiece.grid().axis() == RunAxis::z);
+        takeAway(workpiece, from.tip, to.tip, removed);
+    }
+    CutResult result = account(workpiece, removed);
+    result.putOff = putOff;
+    report(workpiece, to.tip, to.tip - from.tip, result);
+    return result;
+}
+
+void MaterialRemoval::approach(RunVolume& workpiece, const ToolPose& pose) noexcept {
+    if (cutter_ && writing_ == Writing::deferred && isFinite(pose.tip)) cutter_->approach(workpiece, pose);
+}
+
+CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
+    if (settled()) return {};
+    RemovedUnits removed;
+    cutter_->settle(workpiece, removed);
+    CutResult result = account(workpiece, removed);
+    for (MaterialVolume& material : result.removed) pending_[material.property] += material.volume;
+    return result;
+}
+
+bool MaterialRemoval::settled() const noexcept {
+    return !cutter_ || cutter_->settled();
+}
+
 void MaterialRemoval::reset() noexcept {
+    if (cutter_) cutter_->reset();
     pending_.fill(0.0);
     lastPlace_ = glm::dvec3(0.0);
 }
@@ -86,7 +125,7 @@ void MaterialRemoval::report(const RunVolume& workpiece, const glm::dvec3& tip, 
     const double step = glm::length(motion);
     const bool moves = step > 0.0, small = step < longestFluxStep * workpiece.grid().edge();
     SurfaceFlux::Flux flux;
-    if (moves && small) surface_.measure(workpiece, tip, motion, flux);
+    if (moves && small) surface_.measure(workpiece, window(), tip, motion, flux);
     for (MaterialVolume& material : result.removed) {
         if (material.property == airProperty) break;
         double& pending = pending_[material.property];

@@ -4,12 +4,15 @@
 
 #include "core/cutting/contact.h"
 #include "core/cutting/surface_flux.h"
+#include "core/cutting/window_cutter.h"
+#include "core/geometry/pose.h"
 #include "core/tool/swept_span.h"
 #include "core/tool/tool.h"
 #include "core/volume/run_volume.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 namespace burin {
 
@@ -31,31 +34,60 @@ struct CutResult {
     /// mm, of what is reported, setup frame, from tick to tick as smooth as that; meaningless when `reported` is 0.
     glm::dvec3 reportedCentroid{0.0};
     bool outOfMemory = false; ///< reserved memory of the volume is used up; lines from there on are uncut
+    /// Part of the way is put off to bound the tick's work: the next cuts, or `settle`, take it and count it then.
+    bool putOff = false;
 };
 
-/// Takes what the flutes sweep between two tips (axis along the runs) out of the machinable runs of a workpiece.
+/// When a cut reaches the workpiece's runs.
+enum class Writing : std::uint8_t {
+    everyCut, ///< before `cut` returns
+    deferred, ///< within 16 cuts, or with `settle`: for loops of short moves, many times faster
+};
+
+/// Takes what the flutes sweep between two poses out of the machinable runs of a workpiece.
 /// Keeps the state that the smooth figure needs from tick to tick; one object a tool and workpiece.
-/// The tool's axis is +Z and the workpiece's runs lie along z (asserted).
-/// No allocation, lock or exception in `cut`.
+/// No allocation, lock or exception in `cut`, `approach` and `settle`.
+///
+/// Deferred writing: `CutResult` counts at once and exactly, but the runs follow later. Whoever reads the workpiece
+/// for good (undo, saving, amounts, a recount) or changes it otherwise calls `settle` first; pictures need not.
+/// What is pending when the object goes is lost.
 class MaterialRemoval {
 public:
-    MaterialRemoval(const Cutter& cutter, const Grid& grid);
+    /// Allocates. @param grid of every workpiece that is cut
+    MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing = Writing::everyCut);
 
+    /// The tool's axis lies along the runs, +.
     /// A tip that is not finite removes nothing; neither does a tool that stands still where it arrived.
     /// The reported volume is the flux through the flutes' surface for moves below 0.3 voxel and the exact one above;
     /// 1/64 of what the sum of the reported lags the exact one is added each tick that the tool moves.
     /// Cost: grows with the scanlines under the cutter, not with the grid.
     CutResult cut(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
-    /// Forgets what is still to be reported: the workpiece changed by other means, or the tool was taken elsewhere.
+    /// The same with any axis, which may turn on the way.
+    CutResult cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept;
+    /// Gets ready, within a tick's bounds, for a cut that may begin at this pose, so that the first contact of a large
+    /// tool is not dear. Cuts nothing. For every tick in which the tool moves without cutting.
+    void approach(RunVolume& workpiece, const ToolPose& pose) noexcept;
+    /// Writes all that is pending to the workpiece and takes what was put off, which alone its result counts.
+    /// Cost: up to that of a first contact.
+    CutResult settle(RunVolume& workpiece) noexcept;
+    /// True when the workpiece's runs show every cut.
+    bool settled() const noexcept;
+    /// Forgets the workpiece, what is pending and what is still to be reported: it was changed by other means.
     void reset() noexcept;
 
+    /// What the workpiece is owed, for tests of contact between cuts; nothing: nothing ever is.
+    const GapWindow* window() const noexcept { return cutter_ ? &cutter_->window() : nullptr; }
+
 private:
-    struct Tally;
-    Tally takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
+    CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;
+    void takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
+                  RemovedUnits& removed) noexcept;
     void report(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
                 CutResult& result) noexcept;
 
     RevolvedPiece flutes_;
+    Writing writing_;
+    std::unique_ptr<WindowCutter> cutter_; ///< none: the piece is not one that it serves
     SurfaceFlux surface_;
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
     glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last

@@ -59,8 +59,8 @@ void SurfaceFlux::addRing(const Ring& ring, double spacing) {
     }
 }
 
-void SurfaceFlux::measure(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
-                          Flux& flux) const noexcept {
+void SurfaceFlux::measure(const RunVolume& workpiece, const GapWindow* window, const glm::dvec3& tip,
+                          const glm::dvec3& motion, Flux& flux) const noexcept {
     const Grid& grid = workpiece.grid();
     const PropertyList& properties = workpiece.properties();
     const glm::dvec3 probe = tip + motion * (lookAhead * edge_ / glm::length(motion));
@@ -81,7 +81,7 @@ void SurfaceFlux::measure(const RunVolume& workpiece, const glm::dvec3& tip, con
             flux.moment += volume * glm::dvec3(tip.x + patch.x, tip.y + patch.y,
                                                0.5 * (grid.toMillimetres(start) + grid.toMillimetres(end)));
         };
-        if (from < to) forEachPiece(workpiece.line(line), from, to, add);
+        if (from < to) forEachPieceLeft(workpiece, window, line, from, to, add);
     }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/cutting/gap_window.h"
 #include "core/geometry/revolved_piece.h"
 #include "core/volume/run_volume.h"
 
@@ -30,7 +31,8 @@ public:
     };
     /// @param tip    at the end of the move, mm, setup frame, axis +Z, runs along z
     /// @param motion of the tip, mm, not 0
-    void measure(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
+    /// @param window what of the workpiece is gone, though not yet written; may be none
+    void measure(const RunVolume& workpiece, const GapWindow* window, const glm::dvec3& tip, const glm::dvec3& motion,
                  Flux& flux) const noexcept;
 
 private:

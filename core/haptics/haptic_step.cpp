@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/haptic_step.h"
 
+#include "core/haptics/recorded_removal.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -173,8 +175,7 @@ CuttingForce HapticStep::cut(Motion& motion, double period, Sample& sample) noex
     if (!cuts()) travelSinceRemoval_ = std::numeric_limits<double>::infinity();
     if (!cuts() || takesUp_ || motion.shankContact || memoryFull_) return {};
     const CutResult cut = removal_.cut(*workpiece_, motion.from, motion.to);
-    for (std::size_t i = 0; i < sample.removed.size() && i < cut.removed.size(); ++i)
-        sample.removed[i] = {cut.removed[i].units, cut.removed[i].property};
+    recordRemoval(cut, workpiece_->properties(), sample);
     sample.reportedRemoval = cut.reported;
     const glm::dvec3 way = motion.to - motion.from;
     travelSinceRemoval_ = cut.volume > 0.0 ? 0.0 : travelSinceRemoval_ + glm::length(way);

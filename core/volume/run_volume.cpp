@@ -29,7 +29,7 @@ std::size_t RunVolume::defaultReserve(const Grid& grid) noexcept {
     const std::size_t lines = static_cast<std::size_t>(grid.lineCountU()) * static_cast<std::size_t>(grid.lineCountV());
     const std::size_t extra =
         std::min(extraLimit, lines * static_cast<std::size_t>(grid.voxelsPerLine()) * bytesPerVoxel);
-    return tileCount(grid) * bytesPerTile + 3 * TileTable(grid).pageCount() * TileTable::pageBytes() + extra;
+    return tileCount(grid) * bytesPerTile + 4 * TileTable(grid).pageCount() * TileTable::pageBytes() + extra;
 }
 
 Result<RunVolume> RunVolume::make(const Grid& grid, PropertyList properties, std::size_t reservedBytes) {
@@ -64,6 +64,9 @@ const PropertyList& RunVolume::properties() const noexcept {
 std::span<const Segment> RunVolume::line(LineIndex line) const noexcept {
     return impl_->line(line);
 }
+std::span<const Segment> RunVolume::brick(LineIndex line) const noexcept {
+    return impl_->brick(line);
+}
 const RunAmounts& RunVolume::amounts() const noexcept {
     return impl_->amounts();
 }
@@ -78,6 +81,23 @@ Removal RunVolume::removeSpan(LineIndex line, RunPosition from, RunPosition to, 
     return impl_->removeSpan(line, from, to, removed);
 }
 
+bool RunVolume::setAside(LineIndex line, BrickRoom& room) noexcept {
+    room.block_ = impl_->setAside(line);
+    return !room.empty();
+}
+
+void RunVolume::giveBack(BrickRoom& room) noexcept {
+    if (!room.empty()) impl_->giveBack(std::exchange(room.block_, noBlock));
+}
+
+bool RunVolume::clear(LineIndex line, const BrickSpans& spans, BrickRoom& room) noexcept {
+    return impl_->clear(line, spans, room.block_);
+}
+
+bool RunVolume::hasPagesToSpare() const noexcept {
+    return impl_->hasPagesToSpare();
+}
+
 bool RunVolume::fillSpan(LineIndex line, RunPosition from, RunPosition to, PropertyIndex property) noexcept {
     return impl_->fillSpan(line, from, to, property);
 }
@@ -89,6 +109,10 @@ bool RunVolume::fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPo
 
 bool RunVolume::setLine(LineIndex line, std::span<const Segment> segments) noexcept {
     return impl_->setLine(line, segments);
+}
+
+bool RunVolume::rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe) {
+    return impl_->rewriteBricks(describe);
 }
 
 bool RunVolume::belongs(VoxelIndex voxel) const noexcept {

@@ -9,6 +9,8 @@ namespace burin {
 
 RunVolume::Impl::Impl(std::shared_ptr<VolumeStore> store) : store_(std::move(store)) {
     pages_.resize(store_->table.pageCount(), noBlock);
+    sparePages_.resize(pages_.size(), noBlock);
+    lacks_.resize(pages_.size());
 }
 
 bool RunVolume::Impl::fillWithAir() noexcept {
@@ -36,17 +38,26 @@ bool RunVolume::Impl::fillWithAir() noexcept {
 BlockIndex RunVolume::Impl::allocate(std::size_t bytes) noexcept {
     BlockIndex block = store_->arena->allocate(bytes);
     if (block == noBlock && dead_.first != noBlock && !store_->hasReaders()) {
-        // The newest snapshot was released, so nobody sees what died since.
-        for (BlockIndex gone = dead_.first; gone != noBlock;) {
-            const BlockIndex next = header(gone).next;
-            store_->arena->release(gone);
-            gone = next;
-        }
-        dead_ = {};
+        releaseUnseen();
         block = store_->arena->allocate(bytes);
     }
     if (block != noBlock) header(block).birth = epoch_;
     return block;
+}
+
+/// The newest snapshot was released, so nobody sees what died since.
+void RunVolume::Impl::releaseUnseen() noexcept {
+    for (BlockIndex gone = dead_.first; gone != noBlock;) {
+        const BlockIndex next = header(gone).next;
+        store_->arena->release(gone);
+        gone = next;
+    }
+    dead_ = {};
+}
+
+void RunVolume::Impl::joinFreeMemory() {
+    if (!store_->hasReaders()) releaseUnseen();
+    store_->arena->joinFreeBlocks();
 }
 
 BlockIndex RunVolume::Impl::allocateTile(std::uint32_t segments) noexcept {
@@ -65,9 +76,16 @@ void RunVolume::Impl::drop(BlockIndex block) noexcept {
 }
 
 BlockIndex* RunVolume::Impl::writableEntry(LineIndex index) noexcept {
-    BlockIndex& page = pages_[store_->table.pageOf(index)];
+    const std::size_t place = store_->table.pageOf(index);
+    BlockIndex& page = pages_[place];
     if (!isOwn(page)) {
-        const BlockIndex copy = allocate(TileTable::pageBytes());
+        BlockIndex copy = allocate(TileTable::pageBytes());
+        if (copy == noBlock && sparePages_[place] != noBlock) {
+            copy = std::exchange(sparePages_[place], noBlock);
+            header(copy).birth = epoch_;
+            lacks_[place] = true;
+            ++lackingPages_;
+        }
         if (copy == noBlock) return nullptr;
         header(copy).users = 1;
         std::ranges::copy(store_->page(page), store_->page(copy).begin());

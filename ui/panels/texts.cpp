@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/texts.h"
 
+#include "core/base/units.h"
 #include "ui/panels/quantity.h"
 
 #include <QCoreApplication>

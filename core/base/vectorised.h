@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+// BURIN_VECTORISED before a function compiles it twice, for AVX2 and for any x86-64, and picks when the program is
+// loaded. Neither has fused multiply-add, so that both give the same bits. What such a function calls must be inlined
+// (BURIN_INLINE) or it stays as it is. Sources that use it want -fno-math-errno (see burin_vectorised in CMake).
+// Empty for clang and under sanitizers, whose runtime is not up yet when the choice is made.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) &&                        \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define BURIN_VECTORISED __attribute__((target_clones("avx2", "default")))
+#else
+#define BURIN_VECTORISED
+#endif
+#define BURIN_INLINE inline __attribute__((always_inline))
+
+// The eight lanes are handed on in registers of whatever width there is; nothing here crosses a library's border.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+namespace burin {
+
+/// Eight numbers side by side (GCC vector extension, which clang knows too): +, -, *, /, comparisons (all bits or none)
+/// and `condition ? a : b` work lane by lane.
+/// For values in registers alone: their alignment depends on what a function is compiled for. In memory they are `Eight`.
+using Floats = float __attribute__((vector_size(32)));
+using Integers = std::int32_t __attribute__((vector_size(32)));
+using Words = std::uint32_t __attribute__((vector_size(32)));
+inline constexpr int lanes = 8;
+
+/// Eight numbers in memory.
+template <class Number>
+struct alignas(32) Eight {
+    Number lane[lanes];
+    Number& operator[](int i) noexcept { return lane[i]; }
+    Number operator[](int i) const noexcept { return lane[i]; }
+};
+using EightFloats = Eight<float>;
+using EightIntegers = Eight<std::int32_t>;
+using EightWords = Eight<std::uint32_t>;
+
+BURIN_INLINE Floats load(const EightFloats& from) noexcept {
+    Floats values;
+    __builtin_memcpy(&values, &from, sizeof values);
+    return values;
+}
+BURIN_INLINE Integers load(const EightIntegers& from) noexcept {
+    Integers values;
+    __builtin_memcpy(&values, &from, sizeof values);
+    return values;
+}
+BURIN_INLINE Words load(const EightWords& from) noexcept {
+    Words values;
+    __builtin_memcpy(&values, &from, sizeof values);
+    return values;
+}
+template <class Number, class Lanes>
+BURIN_INLINE void store(const Lanes& values, Eight<Number>& to) noexcept {
+    static_assert(sizeof values == sizeof to);
+    __builtin_memcpy(&to, &values, sizeof to);
+}
+
+BURIN_INLINE Floats floats(float value) noexcept {
+    return Floats{} + value;
+}
+BURIN_INLINE Integers integers(std::int32_t value) noexcept {
+    return Integers{} + value;
+}
+BURIN_INLINE Floats least(Floats a, Floats b) noexcept {
+    return a < b ? a : b;
+}
+BURIN_INLINE Floats most(Floats a, Floats b) noexcept {
+    return a > b ? a : b;
+}
+BURIN_INLINE Integers least(Integers a, Integers b) noexcept {
+    return a < b ? a : b;
+}
+BURIN_INLINE Integers most(Integers a, Integers b) noexcept {
+    return a > b ? a : b;
+}
+/// Square roots; 0 of what is below 0.
+BURIN_INLINE Floats rootsOf(Floats squares) noexcept {
+    const Floats held = most(squares, Floats{});
+    Floats roots;
+    for (int i = 0; i < lanes; ++i) roots[i] = __builtin_sqrtf(held[i]);
+    return roots;
+}
+/// Whole part of numbers, towards 0.
+BURIN_INLINE Integers wholeOf(Floats numbers) noexcept {
+    return __builtin_convertvector(numbers, Integers);
+}
+BURIN_INLINE Floats floatsOf(Integers numbers) noexcept {
+    return __builtin_convertvector(numbers, Floats);
+}
+/// One bit a lane of a comparison's result.
+BURIN_INLINE std::uint32_t bitsOf(Integers condition) noexcept {
+    using Pairs = std::uint64_t __attribute__((vector_size(32)));
+    const Integers bits = condition & Integers{1, 2, 4, 8, 16, 32, 64, 128};
+    const Pairs pairs = reinterpret_cast<Pairs>(bits);
+    const std::uint64_t all = pairs[0] | pairs[1] | pairs[2] | pairs[3];
+    return static_cast<std::uint32_t>(all | (all >> 32));
+}
+
+} // namespace burin

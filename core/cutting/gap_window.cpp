@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cutting/gap_window.h"
+
+#include "core/cutting/gap_window_kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace burin {
+
+namespace {
+
+constexpr std::int32_t far = 1 << 30; ///< beyond any run position, and so that sums of two fit
+
+/// A sum over lanes.
+template <class Lanes>
+double sumOf(const Lanes& values) noexcept {
+    double sum = 0.0;
+    for (int i = 0; i < lanes; ++i) sum += static_cast<double>(values[i]);
+    return sum;
+}
+
+std::size_t firstEndingAfter(std::span<const Segment> line, RunPosition position) noexcept {
+    std::size_t i = 0;
+    while (i < line.size() && line[i].end() <= position) ++i;
+    return i;
+}
+
+} // namespace
+
+GapWindow::GapWindow(const Grid& grid, double reach) : lineCountU_(grid.lineCountU()), lineCountV_(grid.lineCountV()) {
+    // So many bricks a stretch of lines lies in at most, wherever it begins.
+    const auto bricks = (static_cast<std::uint32_t>(std::ceil(std::clamp(2.0 * reach, 0.0, 65536.0))) + 15) / 8;
+    // No more than the grid has, and the brick beyond its end that the lines of a group may reach.
+    const auto most = static_cast<std::uint32_t>(std::max(lineCountU_, lineCountV_)) / 8 + 2;
+    side_ = std::bit_ceil(std::min(bricks, most));
+    mask_ = static_cast<std::int32_t>(side_) - 1;
+    rowMask_ = static_cast<std::int32_t>(side_) * 8 - 1;
+    gaps_.resize((side_ + 1) * side_ * 8);
+    bricks_.resize(side_ * side_);
+    queue_.resize(2 * bricks_.size());
+    hits_.resize(side_ + 1);
+    open_.resize(side_ + 1);
+    openLanes_.resize(side_ + 1);
+    cutLanes_.resize(side_ + 1);
+}
+
+/// Gives a brick's place to other lines, of which nothing is known yet.
+void GapWindow::claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept {
+    brick.u = u;
+    brick.v = v;
+    for (std::int32_t row = v * 8; row < v * 8 + 8; ++row) {
+        Gap& gap = gaps_[gapAt(row, u)];
+        const Integers line = Integers{0, 1, 2, 3, 4, 5, 6, 7} + u * 8;
+        // No span reaches out of the gap of a line that the grid does not have.
+        const Integers there = (line < integers(lineCountU_)) & integers(row < lineCountV_ ? -1 : 0);
+        store(there ? integers(far) : integers(-far), gap.low);
+        store(there ? integers(-far) : integers(far), gap.high);
+        gap.left = {};
+        gap.right = {};
+    }
+}
+
+bool GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
+                      std::int32_t lastGroup) noexcept {
+    const std::int32_t first = firstRow >> 3, last = lastRow >> 3;
+    if (first >= coveredFirstRow_ && last <= coveredLastRow_ && firstGroup >= coveredFirstGroup_ &&
+        lastGroup <= coveredLastGroup_)
+        return true;
+    coveredLastRow_ = -1; // until it is done
+    for (std::int32_t v = first; v <= last; ++v)
+        for (std::int32_t u = firstGroup; u <= lastGroup; ++u) {
+            Brick& brick = bricks_[brickAt(u, v)];
+            if (brick.u == u && brick.v == v) continue;
+            if (brick.owing != 0 && !write(workpiece, brick)) return false;
+            if (brick.queued) unqueue(brick);
+            workpiece.giveBack(brick.room);
+            claim(brick, u, v);
+        }
+    coveredFirstRow_ = first;
+    coveredLastRow_ = last;
+    coveredFirstGroup_ = firstGroup;
+    coveredLastGroup_ = lastGroup;
+    return true;
+}
+
+/// Before the lines of a group are cut: memory to write them, and a place in the queue.
+bool GapWindow::expectCuts(RunVolume& workpiece, std::int32_t v, std::int32_t group) noexcept {
+    const std::size_t place = brickAt(group, v >> 3);
+    Brick& brick = bricks_[place];
+    if (brick.queued) return true;
+    const LineIndex line{group * 8, v & ~7};
+    if (brick.room.empty() && !workpiece.setAside(line, brick.room)) return false;
+    return enqueue(workpiece, static_cast<std::uint32_t>(place));
+}
+
+bool GapWindow::enqueue(RunVolume& workpiece, std::uint32_t place) noexcept {
+    if (queueCount_ == queue_.size() && !writeNext(workpiece)) return false;
+    Brick& brick = bricks_[place];
+    brick.queued = true;
+    brick.due = static_cast<std::uint8_t>((tick_ + longestDelay - 1) % longestDelay);
+    ++dueCounts_[brick.due];
+    queue_[(queueFirst_ + queueCount_++) % queue_.size()] = {place, brick.stamp};
+    return true;
+}
+
+void GapWindow::unqueue(Brick& brick) noexcept {
+    brick.queued = false;
+    ++brick.stamp;
+    --dueCounts_[brick.due];
+}
+
+bool GapWindow::write(RunVolume& workpiece, Brick& brick) noexcept {
+    if (brick.owing == 0) return true;
+    BrickSpans spans;
+    spans.lines = brick.owing;
+    for (std::int32_t row = 0; row < 8; ++row) {
+        const Gap& gap = gaps_[gapAt(brick.v * 8 + row, brick.u)];
+        std::memcpy(&spans.from[static_cast<std::size_t>(row) * 8], &gap.low, sizeof gap.low);
+        std::memcpy(&spans.to[static_cast<std::size_t>(row) * 8], &gap.high, sizeof gap.high);
+    }
+    if (!workpiece.clear({brick.u * 8, brick.v * 8}, spans, brick.room)) return false;
+    brick.owing = 0;
+    --owingBricks_;
+    return true;
+}
+
+/// Takes the first brick out of the queue.
+bool GapWindow::writeNext(RunVolume& workpiece) noexcept {
+    const Entry entry = queue_[queueFirst_];
+    Brick& brick = bricks_[entry.brick];
+    if (brick.queued && brick.stamp == entry.stamp) {
+        if (!write(workpiece, brick)) return false;
+        unqueue(brick);
+    }
+    queueFirst_ = (queueFirst_ + 1) % queue_.size();
+    --queueCount_;
+    return true;
+}
+
+bool GapWindow::writeDue(RunVolume& workpiece) noexcept {
+    // Without a page to spare only now is it certain that everything can be written.
+    if (!workpiece.hasPagesToSpare()) return writeAll(workpiece);
+    std::uint32_t due = 0, pace = 0;
+    for (std::uint32_t ahead = 0; ahead < longestDelay; ++ahead) {
+        due += dueCounts_[(tick_ + ahead) % longestDelay];
+        pace = std::max(pace, (due + ahead) / (ahead + 1));
+    }
+    for (; pace > 0 && queueCount_ > 0; --pace)
+        if (!writeNext(workpiece)) return false;
+    ++tick_;
+    return true;
+}
+
+bool GapWindow::writeAll(RunVolume& workpiece) noexcept {
+    while (queueCount_ > 0)
+        if (!writeNext(workpiece)) return false;
+    for (Brick& brick : bricks_) workpiece.giveBack(brick.room);
+    return true;
+}
+
+void GapWindow::forget() noexcept {
+    for (Brick& brick : bricks_) {
+        brick.u = brick.v = -1;
+        brick.owing = 0;
+        brick.queued = false;
+        brick.room = {};
+    }
+    owingBricks_ = queueCount_ = 0;
+    dueCounts_ = {};
+    coveredLastRow_ = -1;
+}
+
+int GapWindow::take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
+                    const EightIntegers* low, const EightIntegers* high, RemovedUnits& removed) noexcept {
+    const Row row{&gaps_[gapAt(v, 0)], static_cast<std::uint32_t>(mask_), firstGroup, groups, low, high};
+    std::int32_t count = kernels::findHits(row, hits_.data());
+    if (count == 0) return 0;
+    for (std::int32_t i = 0; i < count; ++i)
+        if (!expectCuts(workpiece, v, firstGroup + hits_[static_cast<std::size_t>(i)])) {
+            removed.outOfMemory = true;
+            count = i;
+        }
+    sums_.alongOrigin = low[hits_[0]][0] < far ? 2 * low[hits_[0]][0] : 0;
+    kernels::Growth growth{cutLanes_.data(), open_.data(), openLanes_.data(), 0};
+    kernels::growGaps(row, hits_.data(), count, sums_, growth);
+    const int shift = (v & 7) * 8;
+    for (std::int32_t i = 0; i < count; ++i) {
+        const auto hit = static_cast<std::size_t>(i);
+        if (cutLanes_[hit] == 0) continue;
+        Brick& brick = bricks_[brickAt(firstGroup + hits_[hit], v >> 3)];
+        if (brick.owing == 0) ++owingBricks_;
+        brick.owing |= std::uint64_t{cutLanes_[hit]} << shift;
+    }
+    collect(v, firstGroup, removed);
+    int read = 0;
+    for (std::int32_t i = 0; i < growth.openCount; ++i) {
+        const auto entry = static_cast<std::size_t>(i);
+        const std::int32_t group = hits_[static_cast<std::size_t>(open_[entry])];
+        for (std::uint32_t lanesLeft = openLanes_[entry]; lanesLeft != 0; lanesLeft &= lanesLeft - 1) {
+            const int lane = std::countr_zero(lanesLeft);
+            const LineIndex line{(firstGroup + group) * 8 + lane, v};
+            if (!widen(workpiece, line, low[group][lane], high[group][lane], removed)) {
+                removed.outOfMemory = true;
+                return read;
+            }
+            ++read;
+        }
+    }
+    return read;
+}
+
+/// Adds up the lanes of a row.
+void GapWindow::collect(std::int32_t v, std::int32_t firstGroup, RemovedUnits& removed) noexcept {
+    for (std::size_t word = 0; word < sums_.used.size(); ++word)
+        for (; sums_.used[word] != 0; sums_.used[word] &= sums_.used[word] - 1) {
+            const std::size_t property = word * 64 + static_cast<std::size_t>(std::countr_zero(sums_.used[word]));
+            std::uint64_t units = 0;
+            for (int i = 0; i < lanes; ++i) units += static_cast<std::uint64_t>(sums_.byProperty[property][i]);
+            sums_.byProperty[property] = {};
+            removed.byProperty[property] += units;
+            removed.total += units;
+        }
+    const double units = sumOf(sums_.units);
+    removed.momentU += sumOf(sums_.momentU) + units * firstGroup * 8.0;
+    removed.momentV += units * v;
+    removed.momentAlong += 0.5 * (sumOf(sums_.momentAlong) + units * sums_.alongOrigin);
+    sums_.units = sums_.momentU = sums_.momentAlong = {};
+}
+
+/// Looks from a stretch in which nothing is left, `around`, as far as `low` and `high` and on to the next machinable
+/// segments. What the volume shows within it may be gone already; what it shows beyond is there, and is counted as taken
+/// up to `low` and `high`.
+GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, std::int32_t low,
+                                       std::int32_t high, RemovedUnits& removed) noexcept {
+    const PropertyList& properties = workpiece.properties();
+    const std::span<const Segment> segments = workpiece.line(line);
+    const auto machinable = [&](Segment s) {
+        return s.property() != airProperty && !properties.isProtected(s.property());
+    };
+    Found found{around.low, around.high, 0, 0, 0};
+    const auto take = [&](PropertyIndex property, std::int32_t from, std::int32_t to) {
+        if (from >= to) return;
+        const auto units = static_cast<std::uint64_t>(to - from);
+        removed.byProperty[property] += units;
+        removed.momentAlong += 0.5 * (to - from) * (static_cast<double>(to) + from);
+        found.taken += units;
+    };
+    const std::size_t holdsHigh = firstEndingAfter(segments, static_cast<RunPosition>(around.high));
+    for (std::size_t i = holdsHigh; i < segments.size(); ++i) {
+        const auto end = static_cast<std::int32_t>(segments[i].end());
+        const bool stays = machinable(segments[i]) && end > high;
+        const std::int32_t reached = stays ? std::max(found.high, high) : end;
+        if (machinable(segments[i])) take(segments[i].property(), found.high, reached);
+        found.high = reached;
+        if (!stays || reached == end) continue;
+        found.right = segments[i].end() << 8 | segments[i].property();
+        break;
+    }
+    for (std::size_t i = std::min(holdsHigh + 1, segments.size()); i > 0; --i) {
+        const Segment segment = segments[i - 1];
+        const std::int32_t start = i == 1 ? 0 : static_cast<std::int32_t>(segments[i - 2].end());
+        if (start >= found.low) continue;
+        const bool stays = machinable(segment) && start < low;
+        const std::int32_t reached = stays ? std::min(found.low, low) : start;
+        if (machinable(segment)) take(segment.property(), reached, found.low);
+        found.low = reached;
+        if (!stays || reached == start) continue;
+        found.left = static_cast<std::uint32_t>(start) << 8 | segment.property();
+        break;
+    }
+    return found;
+}
+
+void GapWindow::keep(LineIndex line, const Found& found) noexcept {
+    Gap& gap = gaps_[gapAt(line.v, line.u >> 3)];
+    const int lane = line.u & 7;
+    gap.low[lane] = found.low;
+    gap.high[lane] = found.high;
+    gap.left[lane] = found.left;
+    gap.right[lane] = found.right;
+}
+
+/// Takes a span that its neighbours do not hold: over the border of two materials, apart from the gap, or of a line that
+/// was not known.
+bool GapWindow::widen(RunVolume& workpiece, LineIndex line, std::int32_t low, std::int32_t high,
+                      RemovedUnits& removed) noexcept {
+    Brick& brick = bricks_[brickAt(line.u >> 3, line.v >> 3)];
+    const Gap& gap = gaps_[gapAt(line.v, line.u >> 3)];
+    Bounds around{gap.low[line.u & 7], gap.high[line.u & 7]};
+    if (around.low > around.high || low > around.high || high < around.low) {
+        if ((brick.owing >> bitOf(line) & 1) != 0) {
+            if (!write(workpiece, brick)) return false;
+            if (!workpiece.setAside({line.u & ~7, line.v & ~7}, brick.room)) return false;
+        }
+        around = {low, low};
+    }
+    const Found found = lookAround(workpiece, line, around, low, high, removed);
+    keep(line, found);
+    if (found.taken == 0) return true;
+    removed.total += found.taken;
+    removed.momentU += static_cast<double>(found.taken) * line.u;
+    removed.momentV += static_cast<double>(found.taken) * line.v;
+    if (brick.owing == 0) ++owingBricks_;
+    brick.owing |= std::uint64_t{1} << bitOf(line);
+    return true;
+}
+
+int GapWindow::look(const RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
+                    const EightIntegers* low, const EightIntegers* high) noexcept {
+    int read = 0;
+    RemovedUnits nothing;
+    for (std::int32_t group = 0; group < groups; ++group) {
+        const Gap& gap = gaps_[gapAt(v, firstGroup + group)];
+        std::uint32_t unknown = bitsOf((load(gap.low) > load(gap.high)) & (load(low[group]) < load(high[group])));
+        for (; unknown != 0; unknown &= unknown - 1, ++read) {
+            const int lane = std::countr_zero(unknown);
+            const std::int32_t middle = low[group][lane] + (high[group][lane] - low[group][lane]) / 2;
+            const LineIndex line{(firstGroup + group) * 8 + lane, v};
+            keep(line, lookAround(workpiece, line, {middle, middle}, middle, middle, nothing));
+        }
+    }
+    return read;
+}
+
+} // namespace burin

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/vectorised.h"
+#include "core/volume/run_volume.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// What cuts took, counted as they take it.
+struct RemovedUnits {
+    std::array<std::uint64_t, 256> byProperty{}; ///< run units
+    std::uint64_t total = 0;                     ///< run units
+    double momentU = 0.0, momentV = 0.0;         ///< run units times line
+    double momentAlong = 0.0;                    ///< run units times run unit
+    bool outOfMemory = false;                    ///< lines from there on are uncut
+};
+
+/// The scanlines around a tool, kept where a tick finds them at once. For each line it holds the gap: a stretch in which
+/// nothing machinable is left, and what borders it on either side. A span that grows the gap within its neighbours is
+/// taken by arithmetic on eight lines at a time, without a look at the volume; other spans read the volume's line. What
+/// was taken is owed to the volume until it is written, a brick of 8 × 8 lines at a time, within 16 ticks.
+/// Memory: 16 bytes a line, toroidal: a brick of lines uses the place of another that the tool left behind.
+class GapWindow {
+public:
+    static constexpr int longestDelay = 16; ///< ticks that a cut is owed at most
+
+    /// Allocates. @param reach lines from the tool's tip that a cut may lie away, the way counted in
+    GapWindow(const Grid& grid, double reach);
+
+    /// Makes sure that the lines of some rows and groups of eight are the window's; what was owed for the lines whose
+    /// places they take is written. False: out of reserved memory; nothing is lost.
+    bool cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
+               std::int32_t lastGroup) noexcept;
+    /// Takes the spans of some lines of a row. Stops at a brick for which no memory is left: see RemovedUnits.
+    /// @param low, high spans of `groups` groups of eight lines, run units; none where low > high
+    /// @return lines for which the volume was read
+    int take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups, const EightIntegers* low,
+             const EightIntegers* high, RemovedUnits& removed) noexcept;
+    /// Gets lines ready of which a cut may ask soon. Parameters and result as `take`.
+    int look(const RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
+             const EightIntegers* low, const EightIntegers* high) noexcept;
+
+    /// To be called once a tick: writes what has to be, at an even pace. False: out of reserved memory.
+    bool writeDue(RunVolume& workpiece) noexcept;
+    /// Writes all that is owed. False: out of reserved memory; the rest is still owed.
+    bool writeAll(RunVolume& workpiece) noexcept;
+    bool owesNothing() const noexcept { return owingBricks_ == 0; }
+    /// Forgets all lines, and what is owed with them.
+    void forget() noexcept;
+
+    /// A stretch of which the machinable runs are gone, though the volume may show them; empty where nothing is owed.
+    struct Owed {
+        RunPosition from = 0, to = 0;
+    };
+    Owed owed(LineIndex line) const noexcept {
+        const auto brick = brickAt(line.u >> 3, line.v >> 3);
+        const Brick& found = bricks_[brick];
+        if (found.u != line.u >> 3 || found.v != line.v >> 3 || !(found.owing >> bitOf(line) & 1)) return {};
+        const Gap& gap = gaps_[gapAt(line.v, line.u >> 3)];
+        return {static_cast<RunPosition>(gap.low[line.u & 7]), static_cast<RunPosition>(gap.high[line.u & 7])};
+    }
+
+    /// Gaps of eight lines beside each other, run units, and the machinable segments that border them.
+    struct alignas(64) Gap {
+        EightIntegers low, high; ///< low > high: not known yet
+        EightWords left;         ///< start << 8 | property, of the segment that ends at `low`; 0: none
+        EightWords right;        ///< end << 8 | property, of the segment that begins at `high`; 0: none
+    };
+    /// Sums of one row, lane by lane.
+    struct alignas(64) RowSums {
+        std::array<EightIntegers, 256> byProperty{};
+        std::array<std::uint64_t, 4> used{}; ///< a bit for each property
+        EightFloats units{}, momentU{}, momentAlong{};
+        std::int32_t alongOrigin = 0; ///< run units, doubled
+    };
+    /// A row of the window.
+    struct Row {
+        Gap* gaps = nullptr;
+        std::uint32_t mask = 0; ///< of a group's place in the row
+        std::int32_t firstGroup = 0, groups = 0;
+        const EightIntegers* low = nullptr;
+        const EightIntegers* high = nullptr;
+    };
+
+private:
+    struct Brick {
+        std::int32_t u = -1, v = -1;
+        std::uint64_t owing = 0; ///< a bit for each line
+        BrickRoom room;
+        std::uint32_t stamp = 0; ///< an entry of the queue with another one is void
+        std::uint8_t due = 0;    ///< tick, of 16
+        bool queued = false;
+    };
+    struct Entry {
+        std::uint32_t brick = 0, stamp = 0;
+    };
+    struct Bounds {
+        std::int32_t low = 0, high = 0; ///< run units
+    };
+    /// A gap as the volume shows it.
+    struct Found {
+        std::int32_t low = 0, high = 0;
+        std::uint32_t left = 0, right = 0;
+        std::uint64_t taken = 0; ///< run units
+    };
+    static int bitOf(LineIndex line) noexcept { return (line.v & 7) * 8 + (line.u & 7); }
+    std::size_t brickAt(std::int32_t u, std::int32_t v) const noexcept {
+        return static_cast<std::size_t>(v & mask_) * side_ + static_cast<std::size_t>(u & mask_);
+    }
+    std::size_t gapAt(std::int32_t row, std::int32_t group) const noexcept {
+        // One more a row than there are: rows a power of two apart would share their places in the cache.
+        return static_cast<std::size_t>(row & rowMask_) * (side_ + 1) + static_cast<std::size_t>(group & mask_);
+    }
+    void claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept;
+    bool expectCuts(RunVolume& workpiece, std::int32_t v, std::int32_t group) noexcept;
+    bool enqueue(RunVolume& workpiece, std::uint32_t brick) noexcept;
+    void unqueue(Brick& brick) noexcept;
+    bool write(RunVolume& workpiece, Brick& brick) noexcept;
+    bool writeNext(RunVolume& workpiece) noexcept;
+    bool widen(RunVolume& workpiece, LineIndex line, std::int32_t low, std::int32_t high,
+               RemovedUnits& removed) noexcept;
+    static Found lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, std::int32_t low,
+                            std::int32_t high, RemovedUnits& removed) noexcept;
+    void keep(LineIndex line, const Found& found) noexcept;
+    void collect(std::int32_t v, std::int32_t firstGroup, RemovedUnits& removed) noexcept;
+
+    std::int32_t lineCountU_, lineCountV_;
+    std::size_t side_ = 0;                ///< bricks
+    std::int32_t mask_ = 0, rowMask_ = 0; ///< of a brick's place, of a row's
+    std::vector<Gap> gaps_;
+    std::vector<Brick> bricks_;
+    std::size_t owingBricks_ = 0;
+    std::int32_t coveredFirstRow_ = 0, coveredLastRow_ = -1, coveredFirstGroup_ = 0, coveredLastGroup_ = -1;
+
+    std::vector<Entry> queue_; ///< a ring
+    std::size_t queueFirst_ = 0, queueCount_ = 0;
+    std::array<std::uint32_t, longestDelay> dueCounts_{}; ///< bricks by the tick that they are due in
+    std::uint32_t tick_ = 0;
+
+    std::vector<std::int32_t> hits_;
+    std::vector<std::int32_t> open_; ///< groups with lines that need the volume …
+    std::vector<std::uint32_t> openLanes_; ///< … and which those are
+    std::vector<std::uint32_t> cutLanes_;  ///< by hit: the lines of it that were cut
+    RowSums sums_;
+};
+
+} // namespace burin

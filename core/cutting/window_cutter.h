@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/gap_window.h"
+#include "core/geometry/pose.h"
+#include "core/tool/span_rows.h"
+
+#include <array>
+#include <vector>
+
+namespace burin {
+
+/// Takes what one convex piece sweeps out of a workpiece through a GapWindow, within the bounds of a tick: what a tick
+/// has no time for (a large tool's first contact) is put off and taken by the next ones, oldest first.
+class WindowCutter {
+public:
+    /// @param piece mm; one that `serves`. Allocates.
+    WindowCutter(const RevolvedPiece& piece, const Grid& grid);
+    static bool serves(const RevolvedPiece& piece) noexcept { return SpanRows::serves(piece); }
+
+    /// Takes a way. When reserved memory runs out, what is left of this way is not taken.
+    /// @return true: part of it is put off
+    bool cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to, RemovedUnits& removed) noexcept;
+    void approach(RunVolume& workpiece, const ToolPose& pose) noexcept;
+    /// Takes what was put off, and writes all.
+    void settle(RunVolume& workpiece, RemovedUnits& removed) noexcept;
+    bool settled() const noexcept { return stepCount_ == 0 && window_.owesNothing(); }
+    /// Forgets the workpiece and all that is pending.
+    void reset() noexcept;
+    const GapWindow& window() const noexcept { return window_; }
+
+private:
+    /// A way with a standing axis.
+    struct Step {
+        LinePose from;
+        glm::dvec3 to{0.0};
+        bool withStart = true;
+        std::int32_t nextRow = 0; ///< rows before are done
+    };
+    static constexpr std::size_t mostSteps = 64; ///< that are put off at once
+
+    LinePose inLines(const ToolPose& pose) const noexcept;
+    bool add(RunVolume& workpiece, const Step& step, RemovedUnits& removed) noexcept;
+    double advance(RunVolume& workpiece, double budget, RemovedUnits& removed) noexcept;
+    LineStretch groupsOf(const LineStretch& lines) const noexcept;
+    bool cover(RunVolume& workpiece, const LineStretch& rows) noexcept;
+
+    Grid grid_;
+    double radius_;
+    SpanRows spans_;
+    GapWindow window_;
+    std::vector<EightIntegers> low_, high_; ///< of one row
+
+    std::array<Step, mostSteps> steps_; ///< a ring
+    std::size_t firstStep_ = 0, stepCount_ = 0;
+    bool hasArrived_ = false; ///< where the last way ended, the piece has been (or will, once all steps are done)
+    LinePose arrived_;
+};
+
+} // namespace burin

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/vectorised.h"
+#include "core/geometry/revolved_piece.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace burin {
+
+/// Where a piece of a tool stands among scanlines. Lengths are voxels; x counts lines along u, y along v (a line is
+/// where both are whole), z lies along the runs from the low end of the grid.
+struct LinePose {
+    glm::dvec3 tip{0.0};
+    glm::dvec3 axis{0.0, 0.0, 1.0}; ///< unit length
+};
+
+/// Places first … last along an axis of lines; none when last < first.
+struct LineStretch {
+    std::int32_t first = 0, last = -1;
+};
+
+/// Spans of a ball-ended, flat or bull-nosed piece on whole rows of scanlines, eight lines at a time: what it sweeps
+/// on a straight way with a standing axis, in run units (1/256 voxel), rounded to the nearest.
+///
+/// A span depends on the line and on each end of the way apart: two ways that meet in a tip agree on what is covered
+/// there, to the last bit, so a tool that stands still after a move finds nothing left to take.
+///
+/// Accuracy: float, relative to the tip. A span is that of a piece whose outline is off by at most
+/// `outlineError` × (radius + way), with ends then right to `endError` units.
+class SpanRows {
+public:
+    static constexpr double outlineError = 1.0 / (1 << 20);
+    static constexpr double endError = 1.0; ///< run units, rounding included
+    static constexpr std::int32_t none = 1 << 30;
+
+    /// @param piece in voxels. True: this class knows its shape.
+    static bool serves(const RevolvedPiece& piece) noexcept;
+
+    /// @param piece   in voxels; one that `serves`
+    /// @param lineEnd of the scanlines, run units
+    SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept;
+
+    /// Longest way that may be swept at once, voxels; longer ones are to be cut up, which loses nothing.
+    double longestWay() const noexcept { return longestWay_; }
+
+    /// Sets the way of the next rows.
+    /// @param withStart false: what the piece covers at the start, or left behind it, is not asked for, and lines that
+    ///        can't have more may be left out
+    void begin(const LinePose& from, const glm::dvec3& toTip, bool withStart) noexcept;
+    /// Rows that the swept piece can meet.
+    LineStretch rows() const noexcept { return rows_; }
+    /// Lines of any row that the swept piece can meet.
+    LineStretch columns() const noexcept { return columns_; }
+    /// Lines of a row that the swept piece can meet.
+    LineStretch row(std::int32_t v) const noexcept;
+    /// Spans of the lines 8 × firstGroup … of a row; where there is none, low > high. Held within the lines' ends.
+    /// @param low, high `groups` entries
+    void spans(std::int32_t v, std::int32_t firstGroup, std::int32_t groups, EightIntegers* low,
+               EightIntegers* high) const noexcept;
+
+    enum class Shape : std::uint8_t { ball, flat, bullNose };
+    /// One end of an upright piece's way.
+    struct End {
+        double x = 0.0, y = 0.0;             ///< voxels
+        std::int32_t wholeX = 0;             ///< of x
+        float partX = 0.0F;                  ///< the rest
+        std::int32_t flatLow = 0, top = 0;   ///< units, of the flat middle and of the upper face
+        std::int32_t base = 0;               ///< units, that heights over the rounding count from
+        float middle = 0.0F;                 ///< units from base, of the rounding's middle, + 1/2
+    };
+    /// An upright piece on its way.
+    struct Upright {
+        float radius = 0.0F, flatRadius = 0.0F, cornerRadius = 0.0F; ///< voxels
+        End from, to;
+        std::int32_t lineEnd = 0;
+        // The way between: direction and length across the runs, rise along them.
+        double wayX = 1.0, wayY = 0.0;          ///< unit
+        float reach = 0.0F, perReach = 0.0F;    ///< voxels, its inverse
+        float rise = 0.0F;                      ///< units
+        float sine = 0.0F, cosine = 1.0F;       ///< of the way's slope
+        std::int32_t base = 0, flatBase = 0, topBase = 0; ///< units, that heights between count from
+        float roundMiddle = 0.0F;               ///< units from base, at the start, + 1/2
+        float flatMiddle = 0.0F, topMiddle = 0.0F; ///< the same of the lower and the upper face
+    };
+
+private:
+    void beginEnd(End& end, const glm::dvec3& tip) const noexcept;
+    void beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept;
+
+    RevolvedPiece piece_;
+    Shape shape_ = Shape::ball;
+    double radius_ = 0.0, longestWay_ = 0.0;
+    bool withStart_ = true, moves_ = false;
+    LineStretch rows_, columns_;
+    Upright upright_;
+};
+
+} // namespace burin

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/tool/span_rows.h"
+
+// Within core/tool: the inner loops of SpanRows.
+namespace burin::kernels {
+
+/// Some groups of eight lines of one row.
+struct Stretch {
+    std::int32_t v = 0, firstGroup = 0, groups = 0;
+    EightIntegers* low = nullptr;
+    EightIntegers* high = nullptr;
+    bool withStart = true, moves = false;
+};
+
+void uprightBall(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
+void uprightFlat(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
+void uprightBullNose(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
+
+} // namespace burin::kernels
