@@ -14,6 +14,8 @@ namespace {
 
 // Above this step the flux through the surface, a first-order figure, is worse than the volume itself.
 constexpr double longestFluxStep = 0.3; // voxels
+// A larger ball takes so many scanlines a tick that the volume itself is smooth enough (README).
+constexpr double largestFluxBall = 30.0; // voxels
 // Share of the pending difference that a tick reports: slow beside the rows of scanlines, fast beside the hand.
 constexpr double pendingShare = 1.0 / 64.0;
 
@@ -21,6 +23,8 @@ constexpr double pendingShare = 1.0 / 64.0;
 
 MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing)
     : flutes_(burin::flutes(cutter)), writing_(writing), surface_(flutes_, grid.edge()) {
+    const bool isBall = flutes_.cornerRadius == flutes_.bottomRadius && flutes_.topRadius == flutes_.bottomRadius;
+    reportsFlux_ = !isBall || flutes_.bottomRadius <= largestFluxBall * grid.edge();
     if (WindowCutter::serves(flutes_)) cutter_ = std::make_unique<WindowCutter>(flutes_, grid);
 }
 
@@ -123,7 +127,7 @@ void MaterialRemoval::reset() noexcept {
 void MaterialRemoval::report(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
                              CutResult& result) noexcept {
     const double step = glm::length(motion);
-    const bool moves = step > 0.0, small = step < longestFluxStep * workpiece.grid().edge();
+    const bool moves = step > 0.0, small = reportsFlux_ && step < longestFluxStep * workpiece.grid().edge();
     SurfaceFlux::Flux flux;
     if (moves && small) surface_.measure(workpiece, window(), tip, motion, flux);
     for (MaterialVolume& material : result.removed) {

@@ -89,6 +89,7 @@ private:
     Writing writing_;
     std::unique_ptr<WindowCutter> cutter_; ///< none: the piece is not one that it serves
     SurfaceFlux surface_;
+    bool reportsFlux_ = true;
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
     glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last
 };
