@@ -99,10 +99,13 @@ template <Rounding rounding>
 struct RowEnd {
     const TiltedPiece& piece;
     RowCylinder standing;
+    RowSlab hemisphere;
     float y; ///< of the rounding's middle
 
     BURIN_INLINE RowEnd(const TiltedPiece& itsPiece, double fromTip) noexcept
-        : piece(itsPiece), standing(itsPiece.standing, fromTip), y(static_cast<float>(fromTip - itsPiece.middleYExact)) {}
+        : piece(itsPiece), standing(itsPiece.standing, fromTip)
+        , hemisphere(itsPiece.hemisphere, fromTip)
+        , y(static_cast<float>(fromTip - itsPiece.middleYExact)) {}
 
     BURIN_INLINE Heights at(Floats fromTip) const noexcept {
         Heights all;
@@ -129,10 +132,12 @@ struct RowEnd {
         if constexpr (rounding == Rounding::ball) {
             const Floats x = fromTip - piece.middleX;
             const Floats inside = piece.radius * piece.radius - (x * x + y * y);
-            const Integers meets = inside > Floats{};
             const Floats half = unitsAVoxel * rootsOf(inside);
-            all.low = meets ? least(all.low, piece.middleZ - half) : all.low;
-            all.high = meets ? most(all.high, piece.middleZ + half) : all.high;
+            Heights own{piece.middleZ - half, piece.middleZ + half};
+            hemisphere.narrow(fromTip, own);
+            const Integers meets = (inside > Floats{}) & (own.low < own.high);
+            all.low = meets ? least(all.low, own.low) : all.low;
+            all.high = meets ? most(all.high, own.high) : all.high;
         }
         return all;
     }
@@ -145,15 +150,17 @@ struct RowWay {
     std::array<RowCylinder, 2> faces;
     std::array<RowSlab, 3> box;
     float ahead, aside, wayX, wayY; ///< of a ball's middle
+    float y;
 
-    BURIN_INLINE RowWay(const TiltedPiece& itsPiece, double y) noexcept
+    BURIN_INLINE RowWay(const TiltedPiece& itsPiece, double fromTip) noexcept
         : piece(itsPiece)
-        , faces{RowCylinder(itsPiece.faces[0], y), RowCylinder(itsPiece.faces[1], y)}
-        , box{RowSlab(itsPiece.box[0], y), RowSlab(itsPiece.box[1], y), RowSlab(itsPiece.box[2], y)}
-        , ahead(static_cast<float>((y - itsPiece.middleYExact) * itsPiece.wayY))
-        , aside(static_cast<float>((y - itsPiece.middleYExact) * itsPiece.wayX))
+        , faces{RowCylinder(itsPiece.faces[0], fromTip), RowCylinder(itsPiece.faces[1], fromTip)}
+        , box{RowSlab(itsPiece.box[0], fromTip), RowSlab(itsPiece.box[1], fromTip), RowSlab(itsPiece.box[2], fromTip)}
+        , ahead(static_cast<float>((fromTip - itsPiece.middleYExact) * itsPiece.wayY))
+        , aside(static_cast<float>((fromTip - itsPiece.middleYExact) * itsPiece.wayX))
         , wayX(static_cast<float>(itsPiece.wayX))
-        , wayY(static_cast<float>(itsPiece.wayY)) {}
+        , wayY(static_cast<float>(itsPiece.wayY))
+        , y(static_cast<float>(fromTip)) {}
 
     BURIN_INLINE Heights at(Floats fromTip) const noexcept {
         Heights all;
@@ -176,7 +183,11 @@ struct RowWay {
             const Floats half = (unitsAVoxel * piece.cosine) * chord;
             const Floats low = piece.rise * first - half + piece.middleZ, high = piece.rise * last + half + piece.middleZ;
             const Integers meets = inside > zero;
-            const Integers lows = meets & (first > zero) & (first < one), highs = meets & (last > zero) & (last < one);
+            // Only what the ball's own half touches: beyond its flat side is the straight part, or nothing.
+            const Floats side = fromTip * piece.axisX + y * piece.axisY - piece.hemisphereTop;
+            const Floats rise = floats(piece.axisZ / unitsAVoxel);
+            const Integers lows = meets & (first > zero) & (first < one) & (side + rise * low <= piece.axialWay * first);
+            const Integers highs = meets & (last > zero) & (last < one) & (side + rise * high <= piece.axialWay * last);
             // Either is a place of the solid, so that it counts for both ends of the span.
             all.low = lows ? least(all.low, low) : all.low;
             all.high = lows ? most(all.high, low) : all.high;

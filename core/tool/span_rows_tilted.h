@@ -51,6 +51,8 @@ struct TiltedPiece {
     std::array<Cylinder, 2> faces;     ///< lower and upper flat face on the way
     std::array<Slab, 3> box;           ///< its side on the way
     bool hasBox = false;
+    Slab hemisphere;                   ///< what of a ball is not within the straight part
+    float hemisphereTop = 0.0F, axialWay = 0.0F; ///< voxels along the axis, of its flat side from the tip, of the way
     // Ball: its middle from the tip. Bull nose: the middle of its rounding's circle.
     float middleX = 0.0F, middleY = 0.0F, middleZ = 0.0F; ///< voxels; middleZ run units
     double middleYExact = 0.0;

@@ -93,6 +93,8 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     standing.aside = {0.0, -heading.y, heading.x};
     standing.middle = {0.0, heading.x * axis.z / sine * unitsAVoxel, heading.y * axis.z / sine * unitsAVoxel};
     standing.slab = slabOf(axis, piece.bottom + (ball ? corner : 0.0), piece.top);
+    tilted.hemisphere = slabOf(axis, piece.bottom - corner, piece.bottom + corner);
+    tilted.hemisphereTop = static_cast<float>(piece.bottom + corner);
 }
 
 void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& axis, const glm::dvec3& from,
@@ -114,6 +116,7 @@ void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& a
         tilted.box[2] = slabOf(acrossAxis / glm::dot(acrossAxis, way), 0.0, 1.0);
     }
     const double reach = std::hypot(way.x, way.y), total = glm::length(way);
+    tilted.axialWay = static_cast<float>(glm::dot(way, axis));
     tilted.hasCapsule = tilted.rounding == TiltedPiece::Rounding::ball && reach > 1e-9;
     if (!tilted.hasCapsule) return;
     tilted.wayX = way.x / reach;
