@@ -47,7 +47,7 @@ enum class ErrorCode : std::uint16_t {
     traceInvalid,            ///< subject: file; place: line
     // project
     projectNotBurin,         ///< subject: file
-    projectFromNewerBurin,   ///< subject: file; detail: its version
+    fileFromNewerBurin,      ///< subject: file; detail: its version
     projectInUse,            ///< subject: file; detail: by whom
     projectIncomplete,       ///< subject: what is missing ("embedded stock", "recording", …); place: the command that makes it
     recordingOverflow,       ///< the disk could not keep up; subject: samples kept

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/cutting/contact.h"
 #include "core/cutting/surface_flux.h"
 #include "core/cutting/window_cutter.h"
 #include "core/geometry/pose.h"
@@ -12,7 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
+#include <vector>
 
 namespace burin {
 
@@ -80,33 +81,15 @@ public:
 
 private:
     CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;
-    void takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
-                  RemovedUnits& removed) noexcept;
-    void report(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
-                CutResult& result) noexcept;
+    void takeAway(RunVolume& workpiece, const ToolPose& from, const ToolPose& to, RemovedUnits& removed) noexcept;
+    void report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to, CutResult& result) noexcept;
 
-    RevolvedPiece flutes_;
-    Writing writing_;
-    std::unique_ptr<WindowCutter> cutter_; ///< none: the piece is not one that it serves
+    std::vector<RevolvedPiece> flutes_;
+    std::unique_ptr<WindowCutter> cutter_; ///< none: written with every cut, or of a form that it does not serve
     SurfaceFlux surface_;
     bool reportsFlux_ = true;
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
     glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last
 };
-
-/// Where shank or holder touches something.
-struct ShankContact {
-    bool touches = false;
-    std::uint8_t piece = 0;               ///< place in pieces(cutter) of what overlaps most: 1 shank, 2 … holder
-    PropertyIndex property = airProperty; ///< what is touched, most of it
-    glm::dvec3 place{0.0};                ///< mm, centre of the collision area (paper, eq. 4), setup frame
-    double volume = 0.0;                  ///< mm³ of overlap
-};
-
-/// Shank and holder at a tip (axis +Z, runs along z) against everything in the workpiece, part and stock alike. Read
-/// only. A scanline counts when it overlaps by more than a quarter of a voxel.
-/// @param tool pieces(cutter); the first, the flutes, may touch.
-ShankContact shankContact(const RunVolume& workpiece, std::span<const RevolvedPiece> tool,
-                          const glm::dvec3& tip) noexcept;
 
 } // namespace burin

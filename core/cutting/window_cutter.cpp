@@ -16,8 +16,13 @@ constexpr double costOfReading = 5.0; // of a line of the volume, in groups
 constexpr double turnTolerance = 0.1; // voxels, that a point of the piece moves in a turn that one step stands for
 
 RevolvedPiece inVoxels(const RevolvedPiece& piece, double edge) noexcept {
-    return {piece.bottom / edge, piece.top / edge, piece.bottomRadius / edge, piece.topRadius / edge,
-            piece.cornerRadius / edge};
+    RevolvedPiece scaled;
+    scaled.bottom = piece.bottom / edge;
+    scaled.top = piece.top / edge;
+    scaled.bottomRadius = piece.bottomRadius / edge;
+    scaled.topRadius = piece.topRadius / edge;
+    scaled.cornerRadius = piece.cornerRadius / edge;
+    return scaled;
 }
 
 /// Lines about its middle that a piece takes up: upright, or leaning at any angle, as far as that is affordable.

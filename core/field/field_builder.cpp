@@ -2,35 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/field_builder.h"
 
-#include "core/base/parallel.h"
 #include "core/field/brick_sampler.h"
+#include "core/field/spread.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <thread>
 
 namespace burin {
 
 namespace {
 
 constexpr double halfDiagonal = 0.5 * std::numbers::sqrt3; // of a cube of edge 1
-
-/// @param work takes a number of 0 … count; spread over the processors, reported from `from` to `to`.
-template <class Work>
-void spread(std::size_t count, double from, double to, Progress& progress, const Work& work) {
-    std::atomic<std::size_t> done{0};
-    const std::thread::id caller = std::this_thread::get_id(); // Progress has one writer
-    parallelFor(std::size_t{0}, count, [&](std::size_t i) {
-        if (progress.cancelled()) return;
-        work(i);
-        const std::size_t ready = done.fetch_add(1, std::memory_order_relaxed) + 1;
-        if (std::this_thread::get_id() == caller)
-            progress.report(from + (to - from) * static_cast<double>(ready) / static_cast<double>(count));
-    });
-}
 
 class Builder {
 public:

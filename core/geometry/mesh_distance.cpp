@@ -63,6 +63,7 @@ public:
 
     const Box& bounds() const noexcept { return tree_.bounds(); }
     bool empty() const noexcept { return tree_.empty(); }
+    std::span<const Triangle> triangles() const noexcept { return tree_.triangles(); }
     std::size_t triangleOf(std::size_t slot) const noexcept { return places_[tree_.order()[slot]]; }
 
     Found nearest(const glm::dvec3& point, double within) const noexcept {
@@ -86,9 +87,36 @@ public:
     ClosestPoint closest(const glm::dvec3& point, double within) const noexcept {
         if (empty()) within = std::numeric_limits<double>::infinity();
         const Found found = empty() ? Found{} : nearest(point, within);
-        if (!found.any) return {point, within, within, 0};
-        const bool inside = glm::dot(point - found.point, normalAt(found)) < 0.0;
-        return {found.point, found.distance, inside ? -found.distance : found.distance, triangleOf(found.slot)};
+        if (!found.any) return {point, within, within, 0, glm::dvec3(0.0)};
+        return signedAnswer(found, point);
+    }
+
+    void trianglesNear(const glm::dvec3& point, double within, std::vector<std::uint32_t>& numbers) const {
+        numbers.clear();
+        NearPoint near(tree_, point);
+        near.limit(within * within);
+        std::size_t met = 0;
+        walk(tree_, near, [&](std::size_t) noexcept { ++met; });
+        numbers.reserve(met); // what follows does not throw
+        walk(tree_, near, [&](std::size_t slot) noexcept {
+            const glm::dvec3 way = closestOnTriangle(tree_.triangles()[slot], point).point - point;
+            if (glm::dot(way, way) <= within * within) numbers.push_back(static_cast<std::uint32_t>(slot));
+        });
+    }
+
+    ClosestPoint closestOf(std::span<const std::uint32_t> numbers, const glm::dvec3& point) const noexcept {
+        Found found;
+        double leastSquared = std::numeric_limits<double>::infinity();
+        for (const std::uint32_t slot : numbers) {
+            const TrianglePoint candidate = closestOnTriangle(tree_.triangles()[slot], point);
+            const glm::dvec3 way = candidate.point - point;
+            const double squared = glm::dot(way, way);
+            if (!(squared < leastSquared)) continue;
+            leastSquared = squared;
+            found = {slot, candidate.point, candidate.feature, 0.0, 0, true};
+        }
+        found.distance = std::sqrt(leastSquared);
+        return signedAnswer(found, point);
     }
 
     ToolClearance clearance(std::span<const RevolvedPiece> tool, ToolPose pose, double within) const noexcept {
@@ -117,6 +145,13 @@ private:
         order.reserve(places_.size());
         for (const std::uint32_t place : tree_.order()) order.push_back(places_[place]);
         return order;
+    }
+
+    ClosestPoint signedAnswer(const Found& found, const glm::dvec3& point) const noexcept {
+        const glm::dvec3 outward = normalAt(found);
+        const bool inside = glm::dot(point - found.point, outward) < 0.0;
+        return {found.point, found.distance, inside ? -found.distance : found.distance, triangleOf(found.slot),
+                outward};
     }
 
     glm::dvec3 normalAt(const Found& found) const noexcept {
@@ -254,8 +289,20 @@ ToolClearance MeshDistance::clearance(std::span<const RevolvedPiece> tool, const
     return tree_->clearance(tool, pose, within);
 }
 
+void MeshDistance::trianglesNear(const glm::dvec3& point, double within, std::vector<std::uint32_t>& numbers) const {
+    tree_->trianglesNear(point, within, numbers);
+}
+
+ClosestPoint MeshDistance::closestOf(std::span<const std::uint32_t> numbers, const glm::dvec3& point) const noexcept {
+    return tree_->closestOf(numbers, point);
+}
+
 Box MeshDistance::bounds() const noexcept {
     return tree_->bounds();
+}
+
+std::span<const Triangle> MeshDistance::triangles() const noexcept {
+    return tree_->triangles();
 }
 
 } // namespace burin

@@ -5,11 +5,14 @@
 #include "core/base/result.h"
 #include "core/geometry/pose.h"
 #include "core/geometry/revolved_piece.h"
+#include "core/geometry/triangle.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace burin {
 
@@ -19,6 +22,7 @@ struct ClosestPoint {
     double distance = 0.0;       ///< mm, >= 0
     double signedDistance = 0.0; ///< mm, negative inside a closed, outward mesh (angle-weighted pseudo-normals)
     std::size_t triangle = 0;
+    glm::dvec3 outward{0.0}; ///< pseudo-normal there, not of unit length; zero when nothing was found
 };
 
 /// How far a tool keeps from a mesh.
@@ -44,6 +48,12 @@ public:
     /// are `within` (the sign is not known then), the point is the asked one.
     ClosestPoint closest(const glm::dvec3& point, double within = 1e300) const;
 
+    /// Triangles by numbers of this object's own, for `closestOf`: all that are no farther than `within` from a point,
+    /// mm. Replaces what `numbers` holds.
+    void trianglesNear(const glm::dvec3& point, double within, std::vector<std::uint32_t>& numbers) const;
+    /// As `closest`, among the triangles that were named, at least one. No allocation. Cost: some 15 ns a triangle.
+    ClosestPoint closestOf(std::span<const std::uint32_t> numbers, const glm::dvec3& point) const noexcept;
+
     /// Clearance of a tool, given as stacked pieces, at a pose with any axis.
     /// Apart or touching: the distance between tool and mesh. Otherwise minus the greater of two depths: of the mesh's
     /// deepest point in a piece, and of the tip in the solid. Wholly inside: minus the depth of the deepest of its
@@ -52,6 +62,8 @@ public:
     ToolClearance clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within = 1e300) const;
 
     Box bounds() const noexcept;
+    /// What is measured to, in an order in which neighbours are near each other.
+    std::span<const Triangle> triangles() const noexcept;
 
 private:
     class Tree;

@@ -49,12 +49,16 @@ double surfaceArea(const TriangleMesh& mesh) {
 }
 
 std::vector<std::uint32_t> firstAtSamePlace(const TriangleMesh& mesh) {
-    std::unordered_map<glm::dvec3, std::uint32_t, PointHash> places;
-    places.reserve(mesh.vertices.size());
-    std::vector<std::uint32_t> first;
-    first.reserve(mesh.vertices.size());
-    for (const glm::dvec3& vertex : mesh.vertices)
-        first.push_back(places.try_emplace(vertex, static_cast<std::uint32_t>(first.size())).first->second);
+    constexpr std::uint32_t none = 0xFFFFFFFFU;
+    const std::size_t size = std::bit_ceil(2 * mesh.vertices.size() + 1); // of an open hash table
+    std::vector<std::uint32_t> table(size, none), first(mesh.vertices.size());
+    for (std::uint32_t vertex = 0; vertex < first.size(); ++vertex) {
+        std::size_t place = PointHash{}(mesh.vertices[vertex]) & (size - 1);
+        while (table[place] != none && mesh.vertices[table[place]] != mesh.vertices[vertex])
+            place = (place + 1) & (size - 1);
+        if (table[place] == none) table[place] = vertex;
+        first[vertex] = table[place];
+    }
     return first;
 }
 

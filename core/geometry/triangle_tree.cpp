@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/triangle_tree.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace burin {
 
@@ -44,7 +45,14 @@ FloatBox boxOf(const Triangle& t, const glm::dvec3& origin) noexcept {
     return box;
 }
 
-/// A run of triangles in the order that is being made.
+/// What building looks at of a triangle, moved about as one.
+struct Entry {
+    FloatBox box;
+    std::uint32_t triangle = 0;
+    float centre(int axis) const noexcept { return 0.5F * (box.low[axis] + box.high[axis]); }
+};
+
+/// A run of entries.
 struct Range {
     std::uint32_t begin = 0, end = 0;
     FloatBox box;
@@ -53,43 +61,51 @@ struct Range {
 
 class Builder {
 public:
-    Builder(const std::vector<Triangle>& source, const glm::dvec3& origin, std::vector<std::uint32_t>& order,
-            std::vector<TreeNode>& nodes)
-        : source_(source), origin_(origin), order_(order), nodes_(nodes) {
-        boxes_.reserve(source.size());
-        for (const Triangle& triangle : source) boxes_.push_back(boxOf(triangle, origin));
-    }
-
-    std::uint32_t build(const Range& range, int depth) {
-        std::array<Range, TreeNode::width> parts;
-        const std::size_t count = divide(range, depth, parts);
-        const auto self = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.emplace_back();
-        for (std::size_t child = 0; child < TreeNode::width; ++child) {
-            const bool used = child < count;
-            const bool leaf = used && parts[child].count() <= TriangleTree::trianglesPerLeaf;
-            const std::uint32_t first = !used || leaf ? parts[child].begin : build(parts[child], depth + 1);
-            TreeNode& node = nodes_[self]; // building a child may have moved it
-            node.first[child] = first;
-            node.count[child] = leaf ? parts[child].count() : 0;
-            for (int axis = 0; axis < 3; ++axis) {
-                node.low[static_cast<std::size_t>(axis)][child] = parts[child].box.low[axis];
-                node.high[static_cast<std::size_t>(axis)][child] = parts[child].box.high[axis];
-            }
-            setPlate(node, child, parts[child]);
-        }
-        return self;
-    }
+    Builder(const std::vector<Triangle>& source, const glm::dvec3& origin, std::vector<Entry>& entries)
+        : source_(source), origin_(origin), entries_(entries) {}
 
     Range whole() const {
-        Range range{0, static_cast<std::uint32_t>(order_.size()), {}};
-        for (const FloatBox& box : boxes_) range.box.include(box);
+        Range range{0, static_cast<std::uint32_t>(entries_.size()), {}};
+        for (const Entry& entry : entries_) range.box.include(entry.box);
         return range;
+    }
+
+    /// Appends the nodes of a range, its own first.
+    void build(const Range& range, int depth, std::vector<TreeNode>& nodes) {
+        std::array<Range, TreeNode::width> parts;
+        const std::size_t count = divide(range, depth, parts);
+        const std::size_t self = nodes.size();
+        nodes.emplace_back();
+        for (std::size_t child = 0; child < TreeNode::width; ++child) {
+            const bool leaf = parts[child].count() <= TriangleTree::trianglesPerLeaf; // or unused
+            setChild(nodes[self], child, parts[child]);
+            nodes[self].first[child] = leaf ? parts[child].begin : branch;
+            nodes[self].count[child] = leaf ? parts[child].count() : 0;
+        }
+        std::array<std::vector<TreeNode>, TreeNode::width> below;
+        const bool share = range.count() > shared;
+        if (share)
+            parallelFor(std::size_t{0}, count, [&](std::size_t child) {
+                if (nodes[self].first[child] == branch) build(parts[child], depth + 1, below[child]);
+            });
+        for (std::size_t child = 0; child < count; ++child) {
+            if (nodes[self].first[child] != branch) continue;
+            nodes[self].first[child] = static_cast<std::uint32_t>(nodes.size());
+            if (share)
+                adopt(nodes, below[child]);
+            else
+                build(parts[child], depth + 1, nodes);
+        }
     }
 
 private:
     static constexpr std::size_t binCount = 16;
     static constexpr int deepest = 40; ///< beyond it ranges are halved, so that the stack of a walk stays bounded
+    static constexpr std::uint32_t shared = 8192;        ///< larger ranges are worth another core
+    static constexpr std::uint32_t branch = 0xFFFFFFFFU; ///< a child that is a node yet to come
+    static constexpr std::uint32_t few =
+        32; ///< a larger range is cut across its longest side, without a look at the others
+    static constexpr std::uint32_t bent = 512; ///< the surface of larger ranges is no plate: their box will do
 
     struct Bin {
         FloatBox box;
@@ -101,25 +117,44 @@ private:
         std::size_t bin = 0; ///< the last one of the lower half
     };
 
-    glm::vec3 centre(std::uint32_t triangle) const noexcept {
-        return 0.5F * (boxes_[triangle].low + boxes_[triangle].high);
+    /// Nodes that count from their own first are moved behind those that there are.
+    static void adopt(std::vector<TreeNode>& nodes, const std::vector<TreeNode>& below) {
+        const auto offset = static_cast<std::uint32_t>(nodes.size());
+        nodes.insert(nodes.end(), below.begin(), below.end());
+        for (std::size_t i = offset; i < nodes.size(); ++i)
+            for (std::size_t child = 0; child < TreeNode::width; ++child)
+                if (nodes[i].count[child] == 0 && nodes[i].first[child] != 0) nodes[i].first[child] += offset;
+    }
+
+    void setChild(TreeNode& node, std::size_t child, const Range& range) const noexcept {
+        for (int axis = 0; axis < 3; ++axis) {
+            node.low[static_cast<std::size_t>(axis)][child] = range.box.low[axis];
+            node.high[static_cast<std::size_t>(axis)][child] = range.box.high[axis];
+        }
+        setPlate(node, child, range);
     }
 
     void setPlate(TreeNode& node, std::size_t child, const Range& range) const noexcept {
         glm::dvec3 sum(0.0);
-        for (std::uint32_t i = range.begin; i < range.end; ++i) sum += areaNormal(source_[order_[i]]);
+        if (range.count() <= bent)
+            for (std::uint32_t i = range.begin; i < range.end; ++i) sum += areaNormal(source_[entries_[i].triangle]);
         const double length = glm::length(sum);
         const glm::vec3 normal(length > 0.0 ? sum / length : glm::dvec3(0.0, 0.0, 1.0));
-        const glm::dvec3 centre = 0.5 * (glm::dvec3(range.box.low) + glm::dvec3(range.box.high));
+        const glm::dvec3 low(range.box.low), high(range.box.high), centre = 0.5 * (low + high);
         double below = 0.0, above = 0.0, squared = 0.0;
-        for (std::uint32_t i = range.begin; i < range.end; ++i)
-            for (const glm::dvec3& corner : source_[order_[i]]) {
-                const glm::dvec3 way = corner - origin_ - centre;
-                const double along = glm::dot(glm::dvec3(normal), way);
-                below = std::min(below, along);
-                above = std::max(above, along);
-                squared = std::max(squared, glm::dot(way, way));
-            }
+        const auto include = [&](const glm::dvec3& way) noexcept {
+            const double along = glm::dot(glm::dvec3(normal), way);
+            below = std::min(below, along);
+            above = std::max(above, along);
+            squared = std::max(squared, glm::dot(way, way));
+        };
+        if (range.count() > bent) {
+            include(low - centre);
+            include(high - centre);
+        } else {
+            for (std::uint32_t i = range.begin; i < range.end; ++i)
+                for (const glm::dvec3& corner : source_[entries_[i].triangle]) include(corner - origin_ - centre);
+        }
         node.below[child] = roundedDown(below);
         node.above[child] = roundedUp(above);
         node.radius[child] = roundedUp(std::sqrt(squared) * (1.0 + 1e-12));
@@ -151,48 +186,53 @@ private:
 
     Range boxed(std::uint32_t begin, std::uint32_t end) const {
         Range range{begin, end, {}};
-        for (std::uint32_t i = begin; i < end; ++i) range.box.include(boxes_[order_[i]]);
+        for (std::uint32_t i = begin; i < end; ++i) range.box.include(entries_[i].box);
         return range;
     }
+
+    auto at(std::uint32_t i) noexcept { return entries_.begin() + static_cast<std::ptrdiff_t>(i); }
 
     std::uint32_t splitInHalves(const Range& range) {
         const glm::vec3 size = range.box.high - range.box.low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::uint32_t middle = range.begin + range.count() / 2;
-        const auto at = [this](std::uint32_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
         std::nth_element(at(range.begin), at(middle), at(range.end),
-                         [&](std::uint32_t a, std::uint32_t b) { return centre(a)[axis] < centre(b)[axis]; });
+                         [axis](const Entry& a, const Entry& b) { return a.centre(axis) < b.centre(axis); });
         return middle;
     }
 
     std::uint32_t splitByArea(const Range& range) {
         FloatBox centres;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const glm::vec3 c = centre(order_[i]);
+            const glm::vec3 c = 0.5F * (entries_[i].box.low + entries_[i].box.high);
             centres.include({c, c});
         }
         const glm::vec3 size = centres.high - centres.low;
-        const auto binOf = [&](std::uint32_t triangle, int axis) {
-            const float place = (centre(triangle)[axis] - centres.low[axis]) / size[axis];
+        const auto binOf = [&](const Entry& entry, int axis) {
+            const float place = (entry.centre(axis) - centres.low[axis]) / size[axis];
             return std::min(static_cast<std::size_t>(place * static_cast<float>(binCount)), binCount - 1);
         };
         std::array<std::array<Bin, binCount>, 3> bins;
-        for (std::uint32_t i = range.begin; i < range.end; ++i)
-            for (int axis = 0; axis < 3; ++axis) {
-                if (!(size[axis] > 0.0F)) continue;
-                Bin& bin = bins[static_cast<std::size_t>(axis)][binOf(order_[i], axis)];
-                bin.box.include(boxes_[order_[i]]);
+        const float longest = std::max({size.x, size.y, size.z});
+        const auto counts = [&](int axis) noexcept {
+            return size[axis] > 0.0F && (range.count() <= few || size[axis] == longest);
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!counts(axis)) continue;
+            for (std::uint32_t i = range.begin; i < range.end; ++i) {
+                Bin& bin = bins[static_cast<std::size_t>(axis)][binOf(entries_[i], axis)];
+                bin.box.include(entries_[i].box);
                 ++bin.count;
             }
+        }
         Cut best;
         for (int axis = 0; axis < 3; ++axis)
-            if (size[axis] > 0.0F) improve(best, axis, bins[static_cast<std::size_t>(axis)]);
+            if (counts(axis)) improve(best, axis, bins[static_cast<std::size_t>(axis)]);
         if (best.cost == infinity) return splitInHalves(range);
 
-        const auto begin = order_.begin();
-        const auto middle = std::partition(begin + range.begin, begin + range.end,
-                                           [&](std::uint32_t t) { return binOf(t, best.axis) <= best.bin; });
-        return static_cast<std::uint32_t>(middle - begin);
+        const auto middle = std::partition(at(range.begin), at(range.end),
+                                           [&](const Entry& entry) { return binOf(entry, best.axis) <= best.bin; });
+        return static_cast<std::uint32_t>(middle - entries_.begin());
     }
 
     static void improve(Cut& best, int axis, const std::array<Bin, binCount>& bins) {
@@ -215,9 +255,7 @@ private:
 
     const std::vector<Triangle>& source_;
     const glm::dvec3& origin_;
-    std::vector<FloatBox> boxes_;
-    std::vector<std::uint32_t>& order_;
-    std::vector<TreeNode>& nodes_;
+    std::vector<Entry>& entries_;
 };
 
 } // namespace
@@ -227,13 +265,21 @@ TriangleTree::TriangleTree(std::vector<Triangle> source) : order_(source.size())
     for (const Triangle& triangle : source)
         for (const glm::dvec3& corner : triangle) bounds_.include(corner);
     origin_ = bounds_.centre();
-    std::iota(order_.begin(), order_.end(), 0U);
+    constexpr std::size_t grain = 4096;
+    std::vector<Entry> entries(source.size());
+    parallelStretches(std::size_t{0}, source.size(), grain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) entries[i] = {boxOf(source[i], origin_), static_cast<std::uint32_t>(i)};
+    });
+    Builder builder(source, origin_, entries);
+    builder.build(builder.whole(), 0, nodes_);
 
-    Builder builder(source, origin_, order_, nodes_);
-    builder.build(builder.whole(), 0);
-
-    triangles_.reserve(source.size());
-    for (const std::uint32_t place : order_) triangles_.push_back(source[place]);
+    triangles_.resize(source.size());
+    parallelStretches(std::size_t{0}, source.size(), grain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            order_[i] = entries[i].triangle;
+            triangles_[i] = source[entries[i].triangle];
+        }
+    });
 }
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/four_floats.h"
 #include "core/geometry/piece_minimum.h"
 #include "core/geometry/triangle_tree.h"
 
@@ -64,12 +65,15 @@ inline double fallOverPlate(const TreeNode& node, std::size_t child, const glm::
     return across * node.radius[child] - along * thickness;
 }
 
-/// Squared distances from a point to boxes and plates.
+/// Squared distances from a point to boxes and plates: the plate is a disc of the child's radius between two planes.
 class NearPoint {
 public:
-    NearPoint(const TriangleTree& tree, const glm::dvec3& point) noexcept : point_(point - tree.origin()), at_(point_) {
-        const glm::vec3 size = glm::abs(at_);
-        slack_ = 2.4e-7F * std::max({size.x, size.y, size.z}); // what rounding the point may have hidden
+    NearPoint(const TriangleTree& tree, const glm::dvec3& point) noexcept {
+        const glm::vec3 at(point - tree.origin());
+        const glm::vec3 size = glm::abs(at);
+        const float slack = 2.4e-7F * std::max({size.x, size.y, size.z}); // what rounding the point may have hidden
+        slack_ = FourFloats{} + slack;
+        for (int axis = 0; axis < 3; ++axis) at_[static_cast<std::size_t>(axis)] = FourFloats{} + at[axis];
     }
     /// Only what is nearer counts, mm².
     void limit(double squared) noexcept {
@@ -78,33 +82,33 @@ public:
     }
     bool stillBelow(float bound) const noexcept { return bound < limit_; }
     ChildBounds of(const TreeNode& node) const noexcept {
-        ChildBounds squared{};
+        const FourFloats zero{};
+        FourFloats box{}, squared{}, along{}, spread{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float low = at_[static_cast<int>(axis)] + slack_, high = at_[static_cast<int>(axis)] - slack_;
-            for (std::size_t child = 0; child < TreeNode::width; ++child) {
-                const float below = node.low[axis][child] - low, above = high - node.high[axis][child];
-                const float gap = std::max(std::max(below, above), 0.0F);
-                squared[child] += gap * gap;
-            }
+            const FourFloats low = fourAt(node.low[axis].data()), high = fourAt(node.high[axis].data());
+            const FourFloats gap = greater(greater(low - at_[axis], at_[axis] - high) - slack_, zero);
+            box += gap * gap;
+            const FourFloats way = at_[axis] - 0.5F * (low + high);
+            squared += way * way;
+            along += way * fourAt(node.normal[axis].data());
+            spread += absolute(way);
         }
-        for (std::size_t child = 0; child < TreeNode::width; ++child)
-            if (squared[child] < limit_) squared[child] = std::max(squared[child], plateBound(node, child));
-        return squared;
+        // Single precision keeps lengths to a few units of the seventh place.
+        const FourFloats slack = slack_ + 1e-6F * spread;
+        const FourFloats beyond =
+            greater(greater(along - fourAt(node.above.data()), fourAt(node.below.data()) - along) - slack, zero);
+        FourFloats across = greater(squared * (1.0F - 2e-6F) - along * along, zero);
+        for (int child = 0; child < 4; ++child) across[child] = std::sqrt(across[child]);
+        const FourFloats beside = greater(across - fourAt(node.radius.data()) - slack, zero);
+        const FourFloats bound = greater(box, beyond * beyond + beside * beside);
+        ChildBounds bounds;
+        put(bound, bounds.data());
+        return bounds;
     }
 
 private:
-    /// The distance is convex: over a plate it stays above its tangent at the middle.
-    float plateBound(const TreeNode& node, std::size_t child) const noexcept {
-        const glm::dvec3 way = boxCentre(node, child) - point_;
-        const double distance = glm::length(way);
-        if (!(distance > 0.0)) return 0.0F;
-        const double bound = distance - fallOverPlate(node, child, way / distance) - 1e-12 * distance;
-        return bound > 0.0 ? static_cast<float>(bound * bound) : 0.0F;
-    }
-
-    glm::dvec3 point_;
-    glm::vec3 at_;
-    float slack_ = 0.0F;
+    std::array<FourFloats, 3> at_;
+    FourFloats slack_;
     float limit_ = 0.0F;
 };
 
@@ -119,10 +123,12 @@ public:
         const auto& [tip, axis] = placed.pose();
         const RevolvedPiece& piece = placed.piece();
         const glm::dvec3 bottom = tip + floor * axis - origin_, top = tip + piece.top * axis - origin_;
+        const double lower = piece.bulges() ? piece.widestRadius() : piece.bottomRadius;
+        const double upper = piece.bulges() ? piece.widestRadius() : piece.topRadius;
         for (int i = 0; i < 3; ++i) {
             const double across = std::sqrt(std::max(0.0, 1.0 - axis[i] * axis[i]));
-            const double low = std::min(bottom[i] - piece.bottomRadius * across, top[i] - piece.topRadius * across);
-            const double high = std::max(bottom[i] + piece.bottomRadius * across, top[i] + piece.topRadius * across);
+            const double low = std::min(bottom[i] - lower * across, top[i] - upper * across);
+            const double high = std::max(bottom[i] + lower * across, top[i] + upper * across);
             const double slack = 1e-9 + 2.4e-7 * std::max(std::abs(low), std::abs(high));
             low_[i] = static_cast<float>(low - slack);
             high_[i] = static_cast<float>(high + slack);

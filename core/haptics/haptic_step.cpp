@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/haptic_step.h"
 
+#include "core/haptics/recorded_removal.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -49,7 +51,7 @@ HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const 
     , spacing_(field.spacing())
     , travelPerSecond_(travelPerSecond(settings, workpiece.grid()))
     , removal_(tool.cutter, workpiece.grid())
-    , brake_(tool.cutter)
+    , brake_(tool.cutter, workpiece.grid())
     , proxy_(field)
     , allowance_(settings.allowance)
     , guard_(settings.stylus, settings.tickPeriod)
@@ -113,6 +115,7 @@ void HapticStep::beginTake() noexcept {
 
 void HapticStep::workpieceChanged() noexcept {
     removal_.reset();
+    brake_.workpieceChanged();
     travelSinceRemoval_ = std::numeric_limits<double>::infinity();
     memoryFull_ = false;
     deviceForce_ = glm::dvec3(0.0);
@@ -172,8 +175,7 @@ CuttingForce HapticStep::cut(Motion& motion, double period, Sample& sample) noex
     if (!cuts()) travelSinceRemoval_ = std::numeric_limits<double>::infinity();
     if (!cuts() || takesUp_ || motion.shankContact || memoryFull_) return {};
     const CutResult cut = removal_.cut(*workpiece_, motion.from, motion.to);
-    for (std::size_t i = 0; i < sample.removed.size() && i < cut.removed.size(); ++i)
-        sample.removed[i] = {cut.removed[i].units, cut.removed[i].property};
+    recordRemoval(cut, workpiece_->properties(), sample);
     sample.reportedRemoval = cut.reported;
     const glm::dvec3 way = motion.to - motion.from;
     travelSinceRemoval_ = cut.volume > 0.0 ? 0.0 : travelSinceRemoval_ + glm::length(way);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/column_codec.h"
 
-#include "core/project/compression.h"
+#include "core/base/compression.h"
 
 #include <bit>
 

@@ -221,6 +221,7 @@ void LiveSession::setAllowance(double allowance) {
 
 bool LiveSession::newest(SessionState& state) {
     collectStrokes();
+    strokes_.tidy();
     loop_.takeFigures(figures_);
     TickNews news;
     if (!loop_.takeNews(news)) return false;
@@ -248,7 +249,7 @@ bool LiveSession::newest(SessionState& state) {
 void LiveSession::makeRoom(const TickNews& news) {
     constexpr std::uint64_t patience = 10; // ticks until the loop has heard of it
     if ((news.sample.flags & sampleMemoryFull) == 0 || news.ticks < roomMade_ + patience) return;
-    if (!strokes_.forgetOldest()) return;
+    if (!strokes_.makeRoom()) return;
     loop_.resumeCutting();
     roomMade_ = news.ticks;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/project/compression.h"
+#include "core/base/compression.h"
 #include "core/project/mesh_blob.h"
 #include "core/project/stores.h"
 

@@ -138,7 +138,7 @@ Result<void> checkLeftoverVersion(const WorkingCopy& copy) {
     if (!copy.exists()) return {};
     Result<Database> database = Database::open(copy.path(), copy.file().string(), Database::Access::write);
     if (!database) return {};
-    if (Result<void> ours = checkIdentity(*database); !ours && ours.error().code == ErrorCode::projectFromNewerBurin)
+    if (Result<void> ours = checkIdentity(*database); !ours && ours.error().code == ErrorCode::fileFromNewerBurin)
         return ours;
     return {};
 }

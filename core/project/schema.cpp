@@ -127,7 +127,7 @@ Result<void> checkIdentity(Database& file, int newest) {
         return Error{ErrorCode::projectNotBurin, file.subject(), {}, "application id " + std::to_string(*application)};
     const Result<std::int64_t> version = file.integer("PRAGMA user_version");
     if (!version) return version.error();
-    if (*version > newest) return Error{ErrorCode::projectFromNewerBurin, file.subject(), {}, std::to_string(*version)};
+    if (*version > newest) return Error{ErrorCode::fileFromNewerBurin, file.subject(), {}, std::to_string(*version)};
     if (*version < 1) return Error{ErrorCode::fileDamaged, file.subject(), {}, "version " + std::to_string(*version)};
     return {};
 }

@@ -30,7 +30,7 @@ inline constexpr int projectVersion = static_cast<int>(projectMigrations.size())
 /// Makes the tables of the current version in an empty database.
 Result<void> createSchema(Database& file);
 
-/// That a database is a project which this version can read. Errors: projectNotBurin, projectFromNewerBurin,
+/// That a database is a project which this version can read. Errors: projectNotBurin, fileFromNewerBurin,
 /// fileDamaged.
 Result<void> checkIdentity(Database& file, int newest = projectVersion);
 

@@ -44,7 +44,7 @@ void includeCircle(Extent& extent, double x, double y, double radius) noexcept {
 } // namespace
 
 bool SpanRows::serves(const RevolvedPiece& piece) noexcept {
-    return piece.bottomRadius == piece.topRadius && piece.bottomRadius > 0.0 && piece.top > piece.bottom;
+    return !piece.bulges() && piece.bottomRadius == piece.topRadius && piece.bottomRadius > 0.0 && piece.top > piece.bottom;
 }
 
 SpanRows::SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept

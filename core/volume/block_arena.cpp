@@ -8,6 +8,7 @@
 #include <limits>
 #include <new>
 #include <sys/mman.h>
+#include <vector>
 
 namespace burin {
 
@@ -119,6 +120,27 @@ void BlockArena::shelve(BlockIndex first, std::size_t units) noexcept {
         free_[sizeClass] = first;
         first += classSizes[sizeClass];
         units -= classSizes[sizeClass];
+    }
+}
+
+void BlockArena::joinFreeBlocks() {
+    struct Stretch {
+        BlockIndex first;
+        std::uint32_t units;
+    };
+    std::vector<Stretch> stretches;
+    for (std::size_t sizeClass = 0; sizeClass < classCount; ++sizeClass)
+        for (BlockIndex block = take(sizeClass); block != noBlock; block = take(sizeClass))
+            stretches.push_back({block, classSizes[sizeClass]});
+    std::ranges::sort(stretches, {}, &Stretch::first);
+    for (std::size_t i = 0; i < stretches.size();) {
+        Stretch joined = stretches[i++];
+        while (i < stretches.size() && stretches[i].first == joined.first + joined.units)
+            joined.units += stretches[i++].units;
+        if (joined.first + joined.units == untouched_)
+            untouched_ = joined.first;
+        else
+            shelve(joined.first, joined.units);
     }
 }
 

@@ -38,6 +38,9 @@ public:
     BlockIndex allocate(std::size_t bytes) noexcept;
     /// Writer.
     void release(BlockIndex block) noexcept;
+    /// Joins free blocks that lie side by side, so that larger ones can be had. Sorts all of them (allocates): not for
+    /// the haptic loop. Writer. @throws std::bad_alloc
+    void joinFreeBlocks();
     /// Any thread, one at a time.
     void giveBack(BlockIndex block) noexcept;
 

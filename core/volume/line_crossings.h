@@ -2,92 +2,76 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/volume/grid.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace burin {
 
-/// Where a scanline's centre passes through a triangle.
-struct LineCrossing {
-    std::int32_t position = 0; ///< run units from the low end of the grid; may lie outside of it
-    std::int32_t turn = 0;     ///< +1 where a line that runs upwards enters an outward mesh, -1 where it leaves
+/// A vertex seen along the run axis of a grid: across it on an integer lattice of 1/65,536 voxel whose origin is the
+/// centre of scanline (0, 0), so that which lines an edge has on which side is a matter of whole numbers. Triangles
+/// that share an edge ask the same question and get the same answer: no line slips between them or hits both.
+struct LatticeVertex {
+    std::int64_t u = 0, v = 0;
+    double along = 0.0; ///< run units from the low end of the grid
 };
 
-/// A mesh seen along the run axis of a grid: vertices across it on an integer lattice of 1/65,536 voxel whose origin is
-/// the centre of scanline (0, 0), so that which lines an edge has on which side is a matter of whole numbers. The two
-/// triangles at an edge ask the same question and get the same answer: no line slips between them or hits both.
-class ProjectedMesh {
+inline constexpr int latticeBits = 16;
+
+/// Vertices of a mesh on the lattice of a grid. Parallel. Error: argumentInvalid for a vertex that is not finite or
+/// 2^34 voxels or more away from the grid's low corner. @throws std::bad_alloc
+Result<std::vector<LatticeVertex>> projectVertices(const TriangleMesh& mesh, const Grid& grid);
+
+/// A rectangle of scanlines, half-open.
+struct LineRange {
+    std::int32_t lowU = 0, lowV = 0, highU = 0, highV = 0;
+    bool empty() const noexcept { return lowU >= highU || lowV >= highV; }
+};
+
+/// Which scanlines pass through a triangle. A line on an edge belongs to one of the two triangles there: it counts as
+/// moved by next to nothing along u, and by still less against v. Two ways, one answer: by the signs of the edges'
+/// functions for small triangles, else by exact division of whole numbers.
+class TriangleCover {
 public:
-    static constexpr int fractionBits = 16;
+    /// @param range only lines in it are looked at
+    TriangleCover(const LatticeVertex& a, const LatticeVertex& b, const LatticeVertex& c,
+                  const LineRange& range) noexcept;
 
-    /// Error: argumentInvalid for a vertex that the lattice can't hold.
-    static Result<ProjectedMesh> make(const TriangleMesh& mesh, const Grid& grid);
+    /// Lines that the triangle may cross. None: none passes through it.
+    const LineRange& lines() const noexcept { return lines_; }
 
-    /// Scanlines v that a triangle may cross: first <= v < end, within the grid.
-    struct Rows {
-        std::int32_t first = 0, end = 0;
-    };
-    Rows rows(std::size_t triangle) const noexcept;
-
-    /// Calls visit(u, LineCrossing) for each scanline of row v whose centre passes through the triangle.
+    /// Calls visit(u, v, along, leaves) for each line through the triangle: `along` in run units, between those of its
+    /// corners; `leaves` where a line that runs upwards leaves an outward mesh. `lowest` and `highest` clamp `along`.
     template <class Visit>
-    void forEachCrossing(std::size_t triangle, std::int32_t v, Visit&& visit) const;
-
-    std::size_t triangleCount() const noexcept { return mesh_->triangles.size(); }
+    void forEachLine(double lowest, double highest, Visit&& visit) const;
 
 private:
-    struct Vertex {
-        std::int64_t u = 0, v = 0; ///< lattice
-        double along = 0.0;        ///< run units
-    };
-    /// The lines u of a row that a triangle covers, first <= u < end, and which way it faces.
-    struct Cover {
-        std::int32_t first = 0, end = 0, turn = 0;
-    };
+    static constexpr std::int32_t mostRows = 8, mostColumns = 16; ///< of a small one
 
-    std::array<Vertex, 3> corners(std::size_t triangle) const noexcept {
-        const auto& [a, b, c] = mesh_->triangles[triangle];
-        return {vertices_[a], vertices_[b], vertices_[c]};
-    }
-    Cover cover(const std::array<Vertex, 3>& points, std::int32_t row) const noexcept;
+    /// The lines of a small triangle: a bit for each, by row and by column.
+    using Mask = std::array<std::uint32_t, mostRows>;
+    struct Row {
+        std::int32_t first = 0, end = 0;
+        bool leaves = false;
+    };
+    struct Edge {
+        std::int32_t value = 0, alongU = 0, alongV = 0; ///< inside where the value is not negative; its steps
+    };
+    class Plane;
 
-    const TriangleMesh* mesh_ = nullptr;
-    std::vector<Vertex> vertices_;
-    std::int32_t lineCountU_ = 0, lineCountV_ = 0;
+    bool isSmall() const noexcept;
+    std::uint32_t mask(std::int64_t area, Mask& rows) const noexcept;
+    Edge edge(const LatticeVertex& from, const LatticeVertex& to) const noexcept;
+    Row row(std::int32_t v) const noexcept;
+
+    LatticeVertex a_, b_, c_;
+    LineRange lines_;
 };
 
-template <class Visit>
-void ProjectedMesh::forEachCrossing(std::size_t triangle, std::int32_t v, Visit&& visit) const {
-    const std::array<Vertex, 3> points = corners(triangle);
-    const Cover covered = cover(points, v);
-    if (covered.first >= covered.end) return;
-    // The plane's height over the lattice, relative to the first corner to keep digits.
-    const auto& [a, b, c] = points;
-    const double bu = static_cast<double>(b.u - a.u), bv = static_cast<double>(b.v - a.v), bz = b.along - a.along;
-    const double cu = static_cast<double>(c.u - a.u), cv = static_cast<double>(c.v - a.v), cz = c.along - a.along;
-    const double area = bu * cv - bv * cu;
-    const double slopeU = (bz * cv - cz * bv) / area, slopeV = (bu * cz - cu * bz) / area;
-    const double low = std::min({a.along, b.along, c.along}), high = std::max({a.along, b.along, c.along});
-    const double dv = static_cast<double>((std::int64_t{v} << fractionBits) - a.v);
-    for (std::int32_t u = covered.first; u < covered.end; ++u) {
-        const double du = static_cast<double>((std::int64_t{u} << fractionBits) - a.u);
-        // A triangle seen nearly edge-on has slopes without meaning; its crossing lies between its corners all the
-        // same.
-        double along = a.along + slopeU * du + slopeV * dv;
-        if (!(along >= low))
-            along = low;
-        else if (along > high)
-            along = high;
-        constexpr double farAway = 1 << 30;
-        visit(u, LineCrossing{static_cast<std::int32_t>(std::floor(std::clamp(along, -farAway, farAway) + 0.5)),
-                              covered.turn});
-    }
-}
-
 } // namespace burin
+
+#include "core/volume/line_crossings_impl.h"

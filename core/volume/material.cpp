@@ -37,6 +37,7 @@ std::string toJson(const Property& property) {
     object["name"] = property.name;
     object["colour"] = property.colour;
     object["machinability"] = property.machinability == Machinability::machinable ? "machinable" : "protected";
+    if (!property.base.empty()) object["base"] = property.base;
     auto& values = object["values"] = nlohmann::ordered_json::object();
     for (const auto& [name, value] : property.values)
         values[name] = {
@@ -56,6 +57,7 @@ Result<Property> propertyFromJson(std::string_view text, const std::string& orig
     property.machinability = object->choice("machinability", {"machinable", "protected"}) == protectedChoice
                                  ? Machinability::isProtected
                                  : Machinability::machinable;
+    if (object->has("base")) property.base = object->text("base");
     object->objectsByName(
         "values", [&](const std::string& name, JsonObject& value) { property.values.emplace(name, readValue(value)); });
     if (Result<void> read = object->finish(); !read) return read.error();

@@ -16,8 +16,11 @@ namespace burin {
 /// Entry of a property list. 0 is air, always.
 using PropertyIndex = std::uint8_t;
 inline constexpr PropertyIndex airProperty = 0;
-/// Machinable entries that one list may hold: a recorded sample has room for the removed volume of so many materials.
-inline constexpr int maximumMachinableProperties = 8;
+/// Machinable entries that one list may hold, grades included: one cut answers for so many at most.
+inline constexpr int maximumMachinableProperties = 32;
+/// Machinable materials among them that are no grades of another: a recorded sample has room for the removed volume of
+/// so many, and grades are recorded as the material that they belong to (PropertyList::baseOf).
+inline constexpr int maximumMachinableMaterials = 8;
 
 /// What a cutter may do to a run.
 enum class Machinability : std::uint8_t { machinable, isProtected };
@@ -44,26 +47,32 @@ struct Property {
     std::string name;                                  ///< English, shown through translation
     std::array<std::uint8_t, 3> colour{128, 128, 128}; ///< sRGB
     Machinability machinability = Machinability::machinable;
+    std::string base; ///< grades (graded.h): id of the material that this is a grade of; else empty
     std::map<std::string, NamedValue, std::less<>> values;
 
     /// The value called `valueName`, or `otherwise` when the material has none.
     double valueOr(std::string_view valueName, double otherwise) const;
 };
 
-/// The property list of a volume: air and up to 255 materials, at most `maximumMachinableProperties` machinable.
+/// The property list of a volume: air and up to 255 materials, at most `maximumMachinableProperties` machinable, of
+/// them `maximumMachinableMaterials` that are no grades.
 class PropertyList {
 public:
     PropertyList(); ///< holds air alone
 
-    /// Errors: argumentInvalid (an id that stands already, a list that is full).
+    /// Errors: argumentInvalid (an id that stands already, a list that is full, a grade of what is not in the list, is
+    /// a grade itself or has another machinability).
     Result<PropertyIndex> add(Property property);
     const Property& operator[](PropertyIndex index) const { return entries_[index]; }
     int size() const noexcept { return static_cast<int>(entries_.size()); } ///< air included
     bool isProtected(PropertyIndex index) const noexcept { return protected_[index]; }
+    /// The material that an entry is a grade of; itself when it is none.
+    PropertyIndex baseOf(PropertyIndex index) const noexcept { return base_[index]; }
 
 private:
     std::vector<Property> entries_;
     std::array<bool, 256> protected_{};
+    std::array<PropertyIndex, 256> base_{};
 };
 
 /// Materials that Burin is shipped with or the user added: `<id>.json` files of one folder.

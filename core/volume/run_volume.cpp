@@ -64,6 +64,9 @@ const PropertyList& RunVolume::properties() const noexcept {
 std::span<const Segment> RunVolume::line(LineIndex line) const noexcept {
     return impl_->line(line);
 }
+std::span<const Segment> RunVolume::brick(LineIndex line) const noexcept {
+    return impl_->brick(line);
+}
 const RunAmounts& RunVolume::amounts() const noexcept {
     return impl_->amounts();
 }
@@ -106,6 +109,10 @@ bool RunVolume::fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPo
 
 bool RunVolume::setLine(LineIndex line, std::span<const Segment> segments) noexcept {
     return impl_->setLine(line, segments);
+}
+
+bool RunVolume::rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe) {
+    return impl_->rewriteBricks(describe);
 }
 
 bool RunVolume::belongs(VoxelIndex voxel) const noexcept {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -61,6 +62,7 @@ private:
 };
 
 class VolumeState;
+class BrickSink;
 
 enum class Removal : std::uint8_t { nothing, removed, outOfMemory };
 
@@ -81,6 +83,10 @@ public:
     const PropertyList& properties() const noexcept;
     /// Segments of a scanline, in order. `line` must lie in the grid.
     std::span<const Segment> line(LineIndex line) const noexcept;
+    /// Segments of the brick of 8 × 8 scanlines around `line`: of its 64 lines, one after another, u counting fastest.
+    /// Each line ends with the segment that ends at `Grid::lineEnd`. What lines of it beyond the grid say means
+    /// nothing.
+    std::span<const Segment> brick(LineIndex line) const noexcept;
     /// Total of every property, recounted over all scanlines (parallel).
     RunAmounts amounts() const;
     /// Whether both show moments of one and the same volume.
@@ -91,6 +97,7 @@ public:
 
 private:
     friend class RunVolume;
+    friend class VolumeAccess;
     explicit VolumeSnapshot(VolumeState* state) noexcept;
     VolumeState* state_ = nullptr;
 };
@@ -115,6 +122,8 @@ public:
     const Grid& grid() const noexcept;
     const PropertyList& properties() const noexcept;
     std::span<const Segment> line(LineIndex line) const noexcept;
+    /// As VolumeSnapshot::brick.
+    std::span<const Segment> brick(LineIndex line) const noexcept;
 
     // ---- Scanlines. No allocation, no exception: fit for the haptic loop.
 
@@ -143,6 +152,17 @@ public:
     /// Replaces a line. `segments` must rise and cover it; empty ones and equal neighbours are merged. They must not be
     /// this volume's own (a snapshot's may be). False: out of reserved memory, line unchanged.
     bool setLine(LineIndex line, std::span<const Segment> segments) noexcept;
+
+    // ---- Bricks of 8 × 8 scanlines, whole. Not for the haptic loop.
+
+    /// Rewrites bricks on all cores; about ten times as fast as line by line.
+    /// @param describe gets a row of bricks (from 0 along v) and hands over those of them that change (brick_lines.h).
+    ///        Called on several threads at once, and again for a row that the memory did not suffice for at first. It
+    ///        may read its own row of bricks only, which stands unchanged until it returns.
+    /// False: out of reserved memory; some rows are rewritten already, the others unchanged. An exception of
+    /// `describe` goes on to the caller; nothing is rewritten then or some rows are.
+    /// Bricks whose 64 lines are the same share one block.
+    bool rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe);
 
     // ---- The paper's operations on whole voxels (section 3), an exact special case. A voxel belongs to the property
     // that its centre lies in.
@@ -174,6 +194,7 @@ public:
 
 private:
     friend class VolumeSnapshot;
+    friend class VolumeAccess;
     class Impl;
     explicit RunVolume(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;

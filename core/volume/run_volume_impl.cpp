@@ -40,17 +40,26 @@ bool RunVolume::Impl::fillWithAir() noexcept {
 BlockIndex RunVolume::Impl::allocate(std::size_t bytes) noexcept {
     BlockIndex block = store_->arena->allocate(bytes);
     if (block == noBlock && dead_.first != noBlock && !store_->hasReaders()) {
-        // The newest snapshot was released, so nobody sees what died since.
-        for (BlockIndex gone = dead_.first; gone != noBlock;) {
-            const BlockIndex next = header(gone).next;
-            store_->arena->release(gone);
-            gone = next;
-        }
-        dead_ = {};
+        releaseUnseen();
         block = store_->arena->allocate(bytes);
     }
     if (block != noBlock) header(block).birth = epoch_;
     return block;
+}
+
+/// The newest snapshot was released, so nobody sees what died since.
+void RunVolume::Impl::releaseUnseen() noexcept {
+    for (BlockIndex gone = dead_.first; gone != noBlock;) {
+        const BlockIndex next = header(gone).next;
+        store_->arena->release(gone);
+        gone = next;
+    }
+    dead_ = {};
+}
+
+void RunVolume::Impl::joinFreeMemory() {
+    if (!store_->hasReaders()) releaseUnseen();
+    store_->arena->joinFreeBlocks();
 }
 
 BlockIndex RunVolume::Impl::allocateTile(std::uint32_t segments) noexcept {

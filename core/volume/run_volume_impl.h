@@ -17,11 +17,21 @@ public:
     const VolumeStore& store() const noexcept { return *store_; }
     const RunAmounts& amounts() const noexcept { return amounts_; }
     std::span<const Segment> line(LineIndex index) const noexcept { return store_->line(pages_, index); }
+    std::span<const Segment> brick(LineIndex index) const noexcept { return store_->tileAt(pages_, index).all(); }
 
     Removal removeSpan(LineIndex index, RunPosition from, RunPosition to, RunAmounts& removed) noexcept;
     bool fillSpan(LineIndex index, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool setLine(LineIndex index, std::span<const Segment> segments) noexcept;
+    bool rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe);
+    /// Gives the 8 × 8 scanlines from `corner` on new content; those beyond the grid become air. Each line has to be
+    /// gapless up to the line's end, neighbours of different property. False: out of reserved memory, tile unchanged.
+    bool setTile(LineIndex corner, const TileView& lines) noexcept;
+    /// Lets the tile at `corner` share the block of the one at `other`, which has the same scanlines in the grid.
+    bool shareTile(LineIndex corner, LineIndex other) noexcept;
+
+    /// Makes large blocks of what is free in small ones. Outside the haptic loop. @throws std::bad_alloc
+    void joinFreeMemory();
 
     /// A block for a brick with two more segments a line than it has. noBlock: out of memory.
     BlockIndex setAside(LineIndex index) noexcept;
@@ -34,6 +44,8 @@ public:
     void restore(const VolumeState& state);
 
 private:
+    class BrickRewrite;
+
     /// A tile that was made equal to another: every line of it got the same stretch.
     struct EqualFill {
         BlockIndex before = noBlock, after = noBlock;
@@ -42,6 +54,7 @@ private:
     BlockHeader& header(BlockIndex block) const noexcept { return *store_->arena->at(block); }
     bool isOwn(BlockIndex block) const noexcept { return header(block).birth > lastSnapshot_ || !store_->hasReaders(); }
     BlockIndex allocate(std::size_t bytes) noexcept;
+    void releaseUnseen() noexcept;
     BlockIndex allocateTile(std::uint32_t segments) noexcept;
     BlockIndex* writableEntry(LineIndex index) noexcept;
     std::optional<Tile> writableTile(LineIndex index, std::uint32_t added) noexcept;
@@ -50,6 +63,7 @@ private:
     bool fillTile(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property,
                   EqualFill& known) noexcept;
     void count(std::span<const Segment> line, bool add) noexcept;
+    void count(const TileView& lines, bool add) noexcept;
     bool sparePage(std::size_t page) noexcept;
     void writeCleared(const Tile& present, const BrickSpans& spans, const Tile& tile) noexcept;
     Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition to, Segment* place) noexcept;

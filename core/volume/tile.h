@@ -3,8 +3,11 @@
 #pragma once
 
 #include "core/volume/block_arena.h"
+#include "core/volume/brick_lines.h"
 #include "core/volume/run_volume.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
 
@@ -13,9 +16,12 @@ namespace burin {
 // A tile holds 8 × 8 scanlines in one block: header, 65 offsets (where each line's segments begin, and the end of the
 // last), the segments of all lines without a gap, some room. Offsets are 16 bits wide, 32 in a tile of more than
 // 65,535 segments, so that no number of runs is out of reach.
-inline constexpr std::int32_t tileSide = 8;
-inline constexpr int linesPerTile = tileSide * tileSide;
+inline constexpr std::int32_t tileSide = brickSide;
+inline constexpr int linesPerTile = linesPerBrick;
 inline constexpr std::uint32_t narrowLimit = 0xffff;
+
+/// The scanlines of a tile for reading, line 8 v + u; views into what somebody else owns.
+using TileView = std::array<std::span<const Segment>, linesPerTile>;
 
 /// Access to the content of a tile's block; owns nothing.
 class Tile {
@@ -38,9 +44,16 @@ public:
     }
     std::uint32_t segmentCount() const noexcept { return offset(linesPerTile); }
     Segment* segments() const noexcept { return reinterpret_cast<Segment*>(bytes() + segmentsAt(header_->wide)); }
+    std::span<const Segment> all() const noexcept { return {segments(), segmentCount()}; }
     std::span<const Segment> line(int line) const noexcept {
         const std::uint32_t begin = offset(line);
         return {segments() + begin, offset(line + 1) - begin};
+    }
+
+    TileView view() const noexcept {
+        TileView lines;
+        for (int i = 0; i < linesPerTile; ++i) lines[static_cast<std::size_t>(i)] = line(i);
+        return lines;
     }
 
     /// Every line one and the same segment.
@@ -51,6 +64,29 @@ public:
     void copyFrom(const Tile& other) const noexcept {
         for (int line = 0; line <= linesPerTile; ++line) setOffset(line, other.offset(line));
         std::memcpy(segments(), other.segments(), other.segmentCount() * sizeof(Segment));
+    }
+    void copyFrom(const BrickLines& lines) const noexcept {
+        if (header_->wide)
+            for (int line = 0; line <= linesPerTile; ++line) wideOffsets()[line] = lines.offset(line);
+        else
+            for (int line = 0; line <= linesPerTile; ++line)
+                narrowOffsets()[line] = static_cast<std::uint16_t>(lines.offset(line));
+        std::ranges::copy(lines.segments(), segments());
+    }
+    bool operator==(const BrickLines& lines) const noexcept {
+        return segmentCount() == lines.segmentCount() &&
+               std::memcmp(segments(), lines.segments().data(), segmentCount() * sizeof(Segment)) == 0;
+    }
+    /// All lines at once. They must not be this tile's own; the caller has made sure of the capacity.
+    void assign(const TileView& lines) const noexcept {
+        std::uint32_t at = 0;
+        for (int i = 0; i < linesPerTile; ++i) {
+            const std::span<const Segment> source = lines[static_cast<std::size_t>(i)];
+            setOffset(i, at);
+            std::memcpy(segments() + at, source.data(), source.size_bytes());
+            at += static_cast<std::uint32_t>(source.size());
+        }
+        setOffset(linesPerTile, at);
     }
     /// Makes room for `added` segments in place of `removed` ones of a line, from its `first` on. The caller has made
     /// sure of the capacity and writes them to the place that is returned.

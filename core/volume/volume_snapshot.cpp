@@ -39,6 +39,10 @@ std::span<const Segment> VolumeSnapshot::line(LineIndex line) const noexcept {
     return state_->store->line(state_->pages, line);
 }
 
+std::span<const Segment> VolumeSnapshot::brick(LineIndex line) const noexcept {
+    return state_->store->tileAt(state_->pages, line).all();
+}
+
 bool VolumeSnapshot::sameVolume(const VolumeSnapshot& other) const noexcept {
     return state_ != nullptr && other.state_ != nullptr && state_->store == other.state_->store;
 }

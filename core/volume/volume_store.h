@@ -77,9 +77,11 @@ public:
         return {reinterpret_cast<BlockIndex*>(arena->at(block) + 1), TileTable::tilesPerPage};
     }
     Tile tile(BlockIndex block) const noexcept { return Tile(arena->at(block)); }
+    Tile tileAt(const std::vector<BlockIndex>& pages, LineIndex index) const noexcept {
+        return tile(page(pages[table.pageOf(index)])[static_cast<std::size_t>(TileTable::entryOf(index))]);
+    }
     std::span<const Segment> line(const std::vector<BlockIndex>& pages, LineIndex index) const noexcept {
-        const auto entry = static_cast<std::size_t>(TileTable::entryOf(index));
-        return tile(page(pages[table.pageOf(index)])[entry]).line(TileTable::lineInTile(index));
+        return tileAt(pages, index).line(TileTable::lineInTile(index));
     }
 
     // ---- Writer's thread

@@ -3,164 +3,242 @@
 #include "core/volume/voxelisation.h"
 
 #include "core/base/parallel.h"
-#include "core/volume/line_crossings.h"
+#include "core/volume/line_filling.h"
+#include "core/volume/triangle_bins.h"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <new>
-#include <vector>
+#include <numeric>
+#include <optional>
 
 namespace burin {
 
 namespace {
 
-constexpr std::int32_t rowsPerSlab = 8;
-constexpr std::int32_t slabsAtOnce = 16;
-
-/// A stretch of one scanline inside the mesh.
-struct InnerSpan {
-    LineIndex line;
-    RunPosition from = 0, to = 0;
+/// A body, ready to be looked through row by row.
+struct PreparedBody {
+    const TriangleMesh* mesh = nullptr; ///< closed
+    PropertyIndex property = airProperty;
+    std::unique_ptr<OpenMesh> open; ///< holds `mesh` when the caller's was open
+    std::vector<LatticeVertex> vertices;
+    std::optional<TriangleBins> bins;
 };
 
-/// What was found in a slab of rows.
-struct Slab {
-    std::vector<InnerSpan> inside;
-    VoxelisationReport report;
-};
+Result<void> sortTriangles(PreparedBody& body, const Grid& grid) {
+    Result<std::vector<LatticeVertex>> vertices = projectVertices(*body.mesh, grid);
+    if (!vertices) return vertices.error();
+    body.vertices = *std::move(vertices);
+    body.bins.emplace(*body.mesh, body.vertices, grid);
+    return {};
+}
 
-/// Which triangles reach into which slab.
-class SlabBins {
+Result<void> prepare(const BodyMesh& body, const Grid& grid, PreparedBody& prepared, VoxelisationReport& report) {
+    prepared.mesh = body.mesh;
+    prepared.property = body.property;
+    if (Result<void> done = sortTriangles(prepared, grid); !done || prepared.bins->closed()) return done;
+    constexpr double slit = 1.0 / 16.0; // voxels
+    prepared.open = std::make_unique<OpenMesh>(*body.mesh, slit * grid.edge());
+    prepared.mesh = &prepared.open->closed();
+    report.openEdges = prepared.open->capCount();
+    report.holes = prepared.open->holes();
+    report.duplicateTriangles = prepared.open->duplicates();
+    return sortTriangles(prepared, grid);
+}
+
+/// Fills rows of bricks on one thread, one after the other.
+class RowFilling {
 public:
-    SlabBins(const ProjectedMesh& mesh, std::int32_t slabCount) : firsts_(static_cast<std::size_t>(slabCount) + 1) {
-        const auto forEachSlab = [&](std::size_t triangle, auto&& visit) {
-            const ProjectedMesh::Rows rows = mesh.rows(triangle);
-            if (rows.first < rows.end)
-                for (std::int32_t slab = rows.first / rowsPerSlab; slab <= (rows.end - 1) / rowsPerSlab; ++slab)
-                    visit(static_cast<std::size_t>(slab));
-        };
-        for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
-            forEachSlab(t, [&](std::size_t slab) { ++firsts_[slab + 1]; });
-        for (std::size_t slab = 1; slab < firsts_.size(); ++slab) firsts_[slab] += firsts_[slab - 1];
-        triangles_.resize(firsts_.back());
-        std::vector<std::size_t> next(firsts_.begin(), firsts_.end() - 1);
-        for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
-            forEachSlab(t, [&](std::size_t slab) { triangles_[next[slab]++] = static_cast<std::uint32_t>(t); });
-    }
-    std::span<const std::uint32_t> in(std::int32_t slab) const {
-        const auto at = static_cast<std::size_t>(slab);
-        return std::span(triangles_).subspan(firsts_[at], firsts_[at + 1] - firsts_[at]);
+    explicit RowFilling(const Grid& grid)
+        : grid_(grid)
+        , filling_(grid)
+        , cells_(grid.lineCountU())
+        , lines_(grid.lineEnd())
+        , earlier_(static_cast<std::size_t>((grid.lineCountU() + brickSide - 1) / brickSide)) {}
+
+    /// @param bodies lowest priority first
+    void fill(const RunVolume& volume, std::int32_t row, std::span<const PreparedBody> bodies,
+              std::span<VoxelisationReport> reports, BrickSink& sink) {
+        for (std::size_t body = 0; body < bodies.size(); ++body) {
+            cross(bodies[body], row);
+            const bool last = body + 1 == bodies.size();
+            for (LineIndex low{0, row * brickSide}; low.u < grid_.lineCountU(); low.u += brickSide) {
+                const std::int32_t column = low.u / brickSide;
+                std::unique_ptr<BrickLines>& earlier = earlier_[static_cast<std::size_t>(column)];
+                if (cells_.touched(column)) {
+                    paint(earlier ? earlier->segments() : volume.brick(low), low, bodies[body], reports[body]);
+                    if (last) {
+                        sink.put(low, lines_);
+                        earlier.reset();
+                    } else if (earlier) {
+                        std::swap(*earlier, lines_);
+                    } else {
+                        earlier = std::make_unique<BrickLines>(std::exchange(lines_, BrickLines(grid_.lineEnd())));
+                    }
+                } else if (last && earlier) {
+                    sink.put(low, *earlier);
+                    earlier.reset();
+                }
+            }
+            cells_.clear();
+        }
     }
 
 private:
-    std::vector<std::size_t> firsts_;
-    std::vector<std::uint32_t> triangles_;
-};
-
-/// Turns the crossings of one line into the stretches inside.
-void addInside(std::span<LineCrossing> crossings, LineIndex line, RunPosition lineEnd, Slab& slab) {
-    if (crossings.empty()) return;
-    if (crossings.size() % 2 != 0) {
-        ++slab.report.linesWithOddCrossings;
-        return;
-    }
-    std::ranges::sort(crossings, {}, &LineCrossing::position);
-    std::int32_t winding = 0;
-    for (const LineCrossing crossing : crossings) winding += crossing.turn;
-    const bool turned = winding != 0;
-    if (turned) ++slab.report.linesWithTurnedFaces;
-    const auto end = static_cast<std::int32_t>(lineEnd);
-    if (crossings.front().position < 0 || crossings.back().position > end) ++slab.report.clippedLines;
-    winding = 0;
-    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-        winding += turned ? (i % 2 == 0 ? 1 : -1) : crossings[i].turn;
-        const auto from = static_cast<RunPosition>(std::clamp(crossings[i].position, 0, end));
-        const auto to = static_cast<RunPosition>(std::clamp(crossings[i + 1].position, 0, end));
-        if (winding == 0 || from == to) continue;
-        slab.report.filledUnits += to - from;
-        if (!slab.inside.empty() && slab.inside.back().line == line && slab.inside.back().to == from)
-            slab.inside.back().to = to;
-        else
-            slab.inside.push_back({line, from, to});
-    }
-}
-
-Slab crossSlab(const ProjectedMesh& mesh, std::span<const std::uint32_t> triangles, std::int32_t slabIndex,
-               const Grid& grid) {
-    const std::int32_t low = slabIndex * rowsPerSlab, high = std::min(low + rowsPerSlab, grid.lineCountV());
-    const auto width = static_cast<std::size_t>(grid.lineCountU());
-    struct Placed {
-        std::uint32_t line;
-        LineCrossing crossing;
-    };
-    std::vector<Placed> found;
-    std::vector<std::uint32_t> firsts(width * rowsPerSlab + 1, 0);
-    for (const std::uint32_t triangle : triangles) {
-        const ProjectedMesh::Rows rows = mesh.rows(triangle);
-        for (std::int32_t v = std::max(rows.first, low); v < std::min(rows.end, high); ++v)
-            mesh.forEachCrossing(triangle, v, [&](std::int32_t u, LineCrossing crossing) {
-                const auto line =
-                    static_cast<std::uint32_t>(static_cast<std::size_t>(v - low) * width + static_cast<std::size_t>(u));
-                ++firsts[line + 1];
-                found.push_back({line, crossing});
+    /// Puts the crossings of a row's triangles into their lines' cells.
+    void cross(const PreparedBody& body, std::int32_t row) {
+        const LineRange range{0, row * brickSide, grid_.lineCountU(),
+                              std::min((row + 1) * brickSide, grid_.lineCountV())};
+        const TriangleMesh& mesh = *body.mesh;
+        const std::size_t firstCap = body.open ? body.open->firstCap() : mesh.triangles.size();
+        const double beyond = static_cast<double>(grid_.lineEnd()) + 1.0;
+        body.bins->forEachIn(row, [&](std::uint32_t triangle) {
+            const auto& [a, b, c] = mesh.triangles[triangle];
+            const TriangleCover cover(body.vertices[a], body.vertices[b], body.vertices[c], range);
+            cover.forEachLine(-1.0, beyond, [&](std::int32_t u, std::int32_t v, double along, bool leaves) {
+                const auto position = static_cast<std::int32_t>(along + 1.5) - 1; // to the nearest; never below -1
+                cells_.add(u, v - range.lowV, LineCrossing(position, leaves, triangle >= firstCap));
             });
+        });
+        cells_.finish();
     }
-    for (std::size_t line = 1; line < firsts.size(); ++line) firsts[line] += firsts[line - 1];
-    std::vector<LineCrossing> ordered(found.size());
-    std::vector<std::uint32_t> next(firsts.begin(), firsts.end() - 1);
-    for (const Placed& placed : found) ordered[next[placed.line]++] = placed.crossing;
 
-    Slab slab;
-    slab.inside.reserve(found.size() / 2);
-    for (std::size_t line = 0; line + 1 < firsts.size(); ++line)
-        addInside(std::span(ordered).subspan(firsts[line], firsts[line + 1] - firsts[line]),
-                  {static_cast<std::int32_t>(line % width), low + static_cast<std::int32_t>(line / width)},
-                  grid.lineEnd(), slab);
-    return slab;
-}
+    /// Makes the new content of a brick.
+    void paint(std::span<const Segment> present, LineIndex low, const PreparedBody& body, VoxelisationReport& report) {
+        lines_.clear();
+        std::uint64_t* const replaced = report.replaced.units.data();
+        for (int line = 0; line < linesPerBrick; ++line) {
+            std::size_t count = 1;
+            while (present[count - 1].end() != grid_.lineEnd()) ++count;
+            const std::span<const Segment> before = present.first(count);
+            present = present.subspan(count);
+            const std::span<const LineCrossing> crossings = cells_.take(low.u / brickSide, line);
+            if (count == 1 && crossings.empty()) {
+                lines_.appendLine(0, 0, body.property, before[0].property());
+            } else if (count == 1 && LineFilling::isPlain(crossings, grid_.lineEnd())) {
+                const auto from = static_cast<RunPosition>(crossings[0].position());
+                const auto to = static_cast<RunPosition>(crossings[1].position());
+                lines_.appendLine(from, to, body.property, before[0].property());
+                replaced[before[0].property()] += to - from;
+                report.filledUnits += to - from;
+            } else {
+                std::span<const InnerSpan> inside;
+                if (!crossings.empty())
+                    inside = filling_.spans(crossings, {low.u + line % brickSide, low.v + line / brickSide},
+                                            body.open.get(), report);
+                appendPainted(before, inside, body.property, lines_, report.replaced);
+            }
+        }
+        cells_.leave(low.u / brickSide);
+    }
+
+    Grid grid_;
+    LineFilling filling_;
+    CrossingCells cells_;
+    BrickLines lines_;
+    std::vector<std::unique_ptr<BrickLines>> earlier_; ///< what bodies filled before made of a brick
+};
 
 void add(VoxelisationReport& sum, const VoxelisationReport& part) {
     sum.linesWithOddCrossings += part.linesWithOddCrossings;
+    sum.linesThroughHoles += part.linesThroughHoles;
     sum.linesWithTurnedFaces += part.linesWithTurnedFaces;
-    sum.filledUnits += part.filledUnits;
+    sum.linesInsideOut += part.linesInsideOut;
     sum.clippedLines += part.clippedLines;
+    sum.filledUnits += part.filledUnits;
+    for (std::size_t i = 0; i < sum.replaced.units.size(); ++i) sum.replaced.units[i] += part.replaced.units[i];
+    sum.doubtful.include(part.doubtful);
 }
 
-Result<VoxelisationReport> fillInside(const TriangleMesh& mesh, PropertyIndex property, RunVolume& volume,
-                                      Progress& progress) {
-    const Grid& grid = volume.grid();
-    const Result<ProjectedMesh> projected = ProjectedMesh::make(mesh, grid);
-    if (!projected) return projected.error();
-    const std::int32_t slabCount = (grid.lineCountV() + rowsPerSlab - 1) / rowsPerSlab;
-    const SlabBins bins(*projected, slabCount);
-    VoxelisationReport report;
-    // Crossings are found in parallel, a few slabs at once to bound the memory; the volume has one writer.
-    for (std::int32_t first = 0; first < slabCount; first += slabsAtOnce) {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "voxelisation", {}, {}};
-        std::vector<Slab> slabs(static_cast<std::size_t>(std::min(slabsAtOnce, slabCount - first)));
-        parallelFor(std::size_t{0}, slabs.size(), [&](std::size_t i) {
-            const std::int32_t slab = first + static_cast<std::int32_t>(i);
-            slabs[i] = crossSlab(*projected, bins.in(slab), slab, grid);
+/// What all threads share.
+class Filling {
+public:
+    Filling(RunVolume& volume, std::span<const PreparedBody> bodies, Progress& progress)
+        : volume_(volume), bodies_(bodies), progress_(progress), rows_(rowCount(volume.grid())) {}
+
+    bool run() {
+        return volume_.rewriteBricks([&](std::int32_t row, BrickSink& sink) {
+            if (progress_.cancelled()) return;
+            std::unique_ptr<RowFilling> worker = takeWorker();
+            std::vector<VoxelisationReport>& reports = rows_[static_cast<std::size_t>(row)];
+            reports.assign(bodies_.size(), {}); // anew when the row is described once more
+            worker->fill(volume_, row, bodies_, reports, sink);
+            giveBack(std::move(worker));
         });
-        for (const Slab& slab : slabs) {
-            for (const InnerSpan& span : slab.inside)
-                if (!volume.fillSpan(span.line, span.from, span.to, property))
-                    return Error{ErrorCode::volumeOutOfMemory, std::to_string(volume.reservedBytes()), {}, {}};
-            add(report, slab.report);
-        }
-        progress.report(static_cast<double>(first + slabsAtOnce) / slabCount);
     }
-    return report;
+    VoxelisationReport sum(std::size_t body) const {
+        VoxelisationReport all;
+        for (const auto& row : rows_)
+            if (!row.empty()) add(all, row[body]);
+        return all;
+    }
+
+private:
+    static std::size_t rowCount(const Grid& grid) {
+        return static_cast<std::size_t>((grid.lineCountV() + brickSide - 1) / brickSide);
+    }
+    std::unique_ptr<RowFilling> takeWorker() {
+        const std::lock_guard lock(mutex_);
+        if (idle_.empty()) return std::make_unique<RowFilling>(volume_.grid());
+        std::unique_ptr<RowFilling> worker = std::move(idle_.back());
+        idle_.pop_back();
+        return worker;
+    }
+    void giveBack(std::unique_ptr<RowFilling> worker) {
+        const std::lock_guard lock(mutex_);
+        idle_.push_back(std::move(worker));
+        progress_.report(static_cast<double>(++done_) / static_cast<double>(rows_.size()));
+    }
+
+    RunVolume& volume_;
+    std::span<const PreparedBody> bodies_;
+    Progress& progress_;
+    std::vector<std::vector<VoxelisationReport>> rows_; ///< by row of bricks, then by body
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<RowFilling>> idle_;
+    std::size_t done_ = 0;
+};
+
+Result<std::vector<VoxelisationReport>> fillAll(std::span<const BodyMesh> bodies, RunVolume& volume,
+                                                Progress& progress) {
+    std::vector<std::size_t> order(bodies.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t body) { return bodies[body].priority; });
+    std::vector<VoxelisationReport> reports(bodies.size());
+    std::vector<PreparedBody> prepared(bodies.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (progress.cancelled()) break;
+        if (Result<void> done = prepare(bodies[order[i]], volume.grid(), prepared[i], reports[order[i]]); !done)
+            return done.error();
+    }
+    Filling filling(volume, prepared, progress);
+    const bool enough = filling.run();
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "voxelisation", {}, {}};
+    if (!enough) return Error{ErrorCode::volumeOutOfMemory, std::to_string(volume.reservedBytes()), {}, {}};
+    for (std::size_t i = 0; i < order.size(); ++i) add(reports[order[i]], filling.sum(i));
+    return reports;
 }
 
 } // namespace
 
+Result<std::vector<VoxelisationReport>> voxelise(std::span<const BodyMesh> bodies, RunVolume& volume,
+                                                 Progress& progress) {
+    try {
+        return fillAll(bodies, volume, progress);
+    } catch (const std::bad_alloc&) {
+        std::size_t triangles = 0;
+        for (const BodyMesh& body : bodies) triangles += body.mesh->triangles.size();
+        return Error{ErrorCode::outOfMemory, "voxelisation", {}, std::to_string(triangles) + " triangles"};
+    }
+}
+
 Result<VoxelisationReport> voxelise(const TriangleMesh& mesh, PropertyIndex property, RunVolume& volume,
                                     Progress& progress) {
-    try {
-        return fillInside(mesh, property, volume, progress);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::outOfMemory, "voxelisation", {}, std::to_string(mesh.triangles.size()) + " triangles"};
-    }
+    const BodyMesh body{&mesh, property, 0};
+    Result<std::vector<VoxelisationReport>> reports = voxelise(std::span(&body, 1), volume, progress);
+    if (!reports) return reports.error();
+    return std::move(reports->front());
 }
 
 } // namespace burin

@@ -6,23 +6,62 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/volume/run_volume.h"
 
+#include <span>
+#include <string>
+#include <vector>
+
 namespace burin {
+
+/// A body to be filled into a volume.
+struct BodyMesh {
+    const TriangleMesh* mesh = nullptr; ///< closed, mm; the caller's
+    PropertyIndex property = airProperty;
+    int priority = 0; ///< where bodies overlap the highest has the place; among equals the later in the list
+};
 
 /// What voxelising a mesh found out about it.
 struct VoxelisationReport {
-    std::size_t linesWithOddCrossings = 0; ///< scanlines where the mesh was not closed; they were left untouched
-    std::size_t linesWithTurnedFaces = 0;  ///< closed, but faces do not agree on what is outside: filled by parity
-    std::uint64_t filledUnits = 0;         ///< run units inside the mesh
+    std::size_t linesWithOddCrossings = 0; ///< scanlines that pass a hole: the open surface has an odd number of places
+    std::size_t linesThroughHoles = 0;     ///< those, and the ones that pass several holes: filled by the rule for them
+    std::size_t linesWithTurnedFaces = 0;  ///< faces do not agree on what is outside: filled by parity
+    std::size_t linesInsideOut = 0;        ///< a whole shell is turned inwards, but not a cavity of another
     std::size_t clippedLines = 0;          ///< scanlines on which the mesh reached out of the grid
+    std::size_t openEdges = 0, holes = 0;  ///< edges of no or one neighbour that are not slits; rims they form
+    std::size_t duplicateTriangles = 0;    ///< left out
+    std::uint64_t filledUnits = 0;         ///< run units inside the mesh
+    RunAmounts replaced;                   ///< what stood there before, bodies filled earlier included
+    Box doubtful; ///< of the lines that a rule decided, from the first to the last place on them; mm, empty for none
+
+    /// One English sentence that says what was odd, how it was filled and where; empty when nothing was.
+    std::string warning() const;
 };
 
-/// Fills the inside of a closed mesh with a property. Run ends lie where the scanline's centre crosses the surface, to
-/// 1/256 voxel. Rule for overlapping shells: a place is inside where the winding number is not zero; a place exactly on
-/// a triangle's edge is decided once for all triangles that share it, so that a closed mesh never gives an odd line.
-/// Which way a whole shell is turned does not matter. Across the runs, vertices are taken to the nearest 1/65,536
-/// voxel. Cost: time linear in triangles and crossings; parallel over slabs of scanlines. Errors: volumeOutOfMemory,
-/// cancelled (some lines are filled then), argumentInvalid (a vertex that is not finite or a million times farther away
-/// than the largest grid reaches).
+/// Fills the inside of meshes, each with its property. Run ends lie where the scanline's centre crosses the surface, to
+/// 1/256 voxel. Across the runs, vertices are taken to the nearest 1/65,536 voxel. A place exactly on a triangle's edge
+/// is decided once for all triangles that share it, so that a closed mesh never gives an odd line.
+///
+/// Rules, for what is not one clean closed shell:
+/// - Shells that overlap: inside is where the winding number is not zero; a shell turned inwards within another is a
+///   cavity. Which way a single shell is turned does not matter.
+/// - A line on which windings do not close, as faces disagree: parity of its crossings.
+/// - Triangles without area cross nothing. A triangle that is there twice, turned alike, counts once, in a mesh that is
+///   open else. Slits up to 1/16 voxel wide between open edges close (their vertices move by no more than that).
+/// - A hole's rim is closed by a cone to its middle. Lines that meet such a cap are cut into pieces at surface and
+/// caps;
+///   a piece is inside where the generalised winding number of the surface at its middle is above 1/2: where the
+///   surface takes up more than half of the view (Jacobson, Kavan & Sorkine-Hornung 2013). So a plane hole in a
+///   closed shape ends in a plane. Beyond 20,000 open edges the caps are taken for surface.
+/// All of them hold for any run axis; what a mesh encloses by a rule of the last two kinds is a guess, and warned of.
+///
+/// Bodies are filled in the order of their priorities, equal ones in the order of the list; the result is that of one
+/// after the other. Reports are in the order of the list. Cost: time linear in triangles and crossings, in lines
+/// through holes times open edges; parallel over rows of bricks. Errors: volumeOutOfMemory, cancelled (some lines are
+/// filled then), argumentInvalid (a vertex of a triangle that is not finite or half a million times farther away than
+/// the largest grid reaches), outOfMemory.
+Result<std::vector<VoxelisationReport>> voxelise(std::span<const BodyMesh> bodies, RunVolume& volume,
+                                                 Progress& progress);
+
+/// One body.
 Result<VoxelisationReport> voxelise(const TriangleMesh& mesh, PropertyIndex property, RunVolume& volume,
                                     Progress& progress);
 

@@ -92,7 +92,7 @@ QString Messages::sentence(const Error& error) {
         return tr("The trace \"%1\" can't be used (%2); correct it or record it again.").arg(file, place);
     case ErrorCode::projectNotBurin:
         return tr("\"%1\" is not a Burin project; choose a file that Burin saved.").arg(file);
-    case ErrorCode::projectFromNewerBurin:
+    case ErrorCode::fileFromNewerBurin:
         return tr("\"%1\" was saved by a newer Burin (format %2); update Burin to open it.").arg(file, detail);
     case ErrorCode::projectInUse:
         return tr("\"%1\" is open in another program (%2); close it there first.").arg(file, ownerText(error.detail));

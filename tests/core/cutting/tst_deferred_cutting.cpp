@@ -63,8 +63,11 @@ public:
 private:
     RevolvedPiece inVoxels(const RevolvedPiece& piece) const {
         const double edge = grid_.edge();
-        return {piece.bottom / edge, piece.top / edge, piece.bottomRadius / edge, piece.topRadius / edge,
-                piece.cornerRadius / edge};
+        return piece.cornerRadius == 0.0
+                   ? RevolvedPiece{piece.bottom / edge, piece.top / edge, piece.bottomRadius / edge,
+                                   piece.topRadius / edge}
+                   : RevolvedPiece{piece.bottom / edge, piece.top / edge, piece.bottomRadius / edge,
+                                   piece.topRadius / edge, piece.cornerRadius / edge};
     }
     glm::dvec3 inLines(const glm::dvec3& tip) const {
         const glm::dvec3 place = (tip - grid_.low()) / grid_.edge();

@@ -44,7 +44,7 @@ bool isTheOriginal(const Content& content) {
 }
 
 bool isClear(const Error& error, const fs::path& file) {
-    constexpr std::array codes{ErrorCode::projectNotBurin, ErrorCode::fileDamaged,     ErrorCode::projectFromNewerBurin,
+    constexpr std::array codes{ErrorCode::projectNotBurin, ErrorCode::fileDamaged,     ErrorCode::fileFromNewerBurin,
                                ErrorCode::fileEmpty,       ErrorCode::fileNotReadable, ErrorCode::outOfMemory};
     return error.subject == file.string() && std::ranges::find(codes, error.code) != codes.end();
 }
@@ -162,7 +162,7 @@ private slots:
         QVERIFY(Database::open(file, "", Database::Access::write)->execute(statement.c_str()));
         const Result<Project> project = Project::open(file);
         QVERIFY(!project);
-        QCOMPARE(project.error().code, ErrorCode::projectFromNewerBurin);
+        QCOMPARE(project.error().code, ErrorCode::fileFromNewerBurin);
         QCOMPARE(project.error().detail, std::to_string(newer));
     }
 

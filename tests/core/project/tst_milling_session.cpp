@@ -332,32 +332,35 @@ private slots:
         QVERIFY(session->newestView(view) && linesOf(view.workpiece) == seen);
     }
 
-    /// When the volume's memory runs out, old strokes make room and milling goes on.
+    /// When the volume's memory runs out, old strokes are packed and milling goes on; all of them can still be taken back.
     void oldStrokesMakeRoomForNewCuts() {
         const QTemporaryDir folder;
         Stage stage(fileIn(folder));
         RunVolume& workpiece = stage.bench.embedded.workpiece;
         const Grid grid = workpiece.grid();
-        RunVolume small = *RunVolume::make(grid, workpiece.properties(), 90'000);
+        RunVolume small = *RunVolume::make(grid, workpiece.properties(), 60'000);
         QVERIFY(small.fillBlock({0, 0}, {grid.lineCountU(), grid.lineCountV()}, 0, grid.toRunPosition(top),
                                 stage.bench.embedded.stockProperty));
         workpiece = std::move(small);
+        const Lines before = stage.workpiece();
         const auto session = stage.begin(handRequest());
         QVERIFY(session->startRecording("dense"));
         stage.hand.mill(100);
+        QVERIFY(await([&] { return stage.hand.done() >= 20; })); // nobody packs meanwhile
         bool full = false;
         SessionState state;
-        std::size_t most = 0, strokes = 0;
         const bool made = await([&] {
             if (!session->newest(state)) return false;
             full = full || (state.sample.flags & sampleMemoryFull);
-            strokes = stage.strokes.count();
-            most = std::max(most, strokes);
-            return full && strokes < most && !(state.sample.flags & sampleMemoryFull) && state.removalRate > 0.0;
+            return full && !(state.sample.flags & sampleMemoryFull) && state.removalRate > 0.0;
         });
         QVERIFY(full);
         QVERIFY(made);
         QVERIFY(session->end());
+        QCOMPARE(stage.strokes.count(), std::size_t{stage.strokes.added()});
+        QVERIFY(stage.strokes.cost().packedBytes > 0);
+        while (stage.strokes.canUndo()) QVERIFY(stage.strokes.undo(stage.project, workpiece));
+        QVERIFY(stage.workpiece() == before);
     }
 
     /// The virtual operator as the window shows it: the stages of the plan, in time lapse, as the command line mills.

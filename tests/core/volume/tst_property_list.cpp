@@ -52,12 +52,20 @@ private slots:
     void machinableAndAllEntriesAreLimited() {
         PropertyList list;
         Property property;
-        for (int i = 0; i < maximumMachinableProperties; ++i) {
+        for (int i = 0; i < maximumMachinableMaterials; ++i) {
             property.id = "m" + std::to_string(i);
             QVERIFY(list.add(property));
         }
         property.id = "one more";
         QVERIFY(!list.add(property));
+        property.base = "m3"; // grades of a material are recorded as it, but a cut has to tell them apart
+        for (int i = maximumMachinableMaterials; i < maximumMachinableProperties; ++i) {
+            property.id = "g" + std::to_string(i);
+            QVERIFY(list.add(property));
+        }
+        property.id = "one grade more";
+        QVERIFY(!list.add(property));
+        property.base.clear();
         property.machinability = Machinability::isProtected;
         for (int i = maximumMachinableProperties; i < 255; ++i) {
             property.id = "p" + std::to_string(i);
@@ -66,6 +74,29 @@ private slots:
         QCOMPARE(list.size(), 256);
         property.id = "one too many";
         QVERIFY(!list.add(property));
+    }
+
+    void gradesKnowTheirMaterial() {
+        PropertyList list;
+        Property stock, grade;
+        stock.id = grade.base = "stock";
+        grade.id = "grade";
+        QVERIFY(list.add(grade).error().code == ErrorCode::argumentInvalid); // of what is not there yet
+        const PropertyIndex stockEntry = *list.add(stock), gradeEntry = *list.add(grade);
+        QCOMPARE(list.baseOf(gradeEntry), stockEntry);
+        QCOMPARE(list.baseOf(stockEntry), stockEntry);
+        QCOMPARE(list.baseOf(airProperty), airProperty);
+        grade.id = "grade of a grade";
+        grade.base = "grade";
+        QVERIFY(!list.add(grade));
+        grade.id = "other";
+        grade.base = "air";
+        QVERIFY(!list.add(grade));
+        grade.base = "stock";
+        grade.machinability = Machinability::isProtected;
+        QVERIFY(!list.add(grade));
+        grade.name = "Grade";
+        QCOMPARE(propertyFromJson(toJson(grade), "grade.json")->base, std::string("stock"));
     }
 
     void aMaterialReadsBackAsItWasWritten() {

@@ -173,13 +173,19 @@ private slots:
         QCOMPARE(volume.amounts().units[part], std::uint64_t{512 * 256});
     }
 
-    void anOpenMeshIsReportedAndLeavesItsLinesUntouched() {
+    void anOpenBoxIsFilledToItsRim() {
         const Grid grid = *Grid::make(glm::dvec3(0.0), 1.0, {16, 16, 16});
         RunVolume volume = emptyVolume(grid);
         TriangleMesh mesh = boxMesh({1, 1, 1}, {9, 9, 9});
         mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4); // the top
-        QCOMPARE(fill(mesh, volume).linesWithOddCrossings, std::size_t{64});
-        QCOMPARE(volume.amounts().units[part], std::uint64_t{0});
+        const auto report = fill(mesh, volume);
+        QCOMPARE(report.linesWithOddCrossings, std::size_t{64});
+        QCOMPARE(report.linesThroughHoles, std::size_t{64});
+        QCOMPARE(report.openEdges, std::size_t{4});
+        QCOMPARE(report.holes, std::size_t{1});
+        QCOMPARE(volume.amounts().units[part], std::uint64_t{512 * 256});
+        QCOMPARE(report.warning(), std::string("the surface is open at 4 edges (1 rim): what it encloses on 64 scanlines "
+                                               "is a guess, between (1.000, 1.000, 1.000) and (9.000, 9.000, 9.000) mm"));
     }
 
     void whatReachesOutOfTheGridIsClippedAndReported() {

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.h"
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QProcess>
+
+#include <array>
+
+namespace burin {
+
+namespace {
+
+using nlohmann::json;
+
+/// A program that tests/benchmarks builds beside Burin, because it links peers that Burin itself does not need.
+struct Benchmark {
+    const char* name;
+    const char* program;
+    const char* shows;
+};
+constexpr std::array benchmarks{
+    Benchmark{"volume", "burin-bench-volume",
+              "the S-RLE engine and cutting beside the paper's way, dense grids, OpenVDB and VTK"},
+};
+
+struct BenchArguments {
+    std::string name, only;
+};
+
+QString programOf(const Benchmark& benchmark) {
+    return QCoreApplication::applicationDirPath() + QStringLiteral("/") + QString::fromLatin1(benchmark.program);
+}
+
+bool isBuilt(const Benchmark& benchmark) {
+    return QFileInfo(programOf(benchmark)).isExecutable();
+}
+
+void listBenchmarks(CommandContext& context) {
+    json list = json::array();
+    std::string text;
+    for (const Benchmark& benchmark : benchmarks) {
+        const bool built = isBuilt(benchmark);
+        list.push_back({{"name", benchmark.name}, {"shows", benchmark.shows}, {"built", built}});
+        text += (text.empty() ? "" : "\n") + std::string(benchmark.name) + "  " + benchmark.shows +
+                (built ? "" : " (not built: tests/run --bench builds it)");
+    }
+    context.answer(list, text);
+}
+
+/// The benchmark writes to our own output and messages; Ctrl-C reaches it as it reaches us.
+int start(const Benchmark& benchmark, const BenchArguments& arguments, CommandContext& context) {
+    QStringList words;
+    if (context.json) words << QStringLiteral("--json");
+    if (!arguments.only.empty()) words << QStringLiteral("--only") << QString::fromStdString(arguments.only);
+    QProcess process;
+    process.setProcessChannelMode(QProcess::ForwardedChannels);
+    process.setInputChannelMode(QProcess::ForwardedInputChannel);
+    process.start(programOf(benchmark), words);
+    constexpr int wait = 100; // ms
+    for (bool asked = false; process.state() != QProcess::NotRunning;) {
+        process.waitForFinished(wait);
+        if (!context.progress().cancelled() || asked) continue;
+        process.terminate(); // a signal to us alone
+        asked = true;
+    }
+    if (process.error() == QProcess::FailedToStart || process.exitStatus() == QProcess::CrashExit)
+        return context.fail({ErrorCode::internalFault, benchmark.program, {}, process.errorString().toStdString()});
+    return process.exitCode();
+}
+
+int runBench(const BenchArguments& arguments, CommandContext& context) {
+    if (arguments.name.empty()) {
+        listBenchmarks(context);
+        return 0;
+    }
+    std::string known;
+    for (const Benchmark& benchmark : benchmarks) {
+        known += (known.empty() ? "" : ", ") + std::string(benchmark.name);
+        if (arguments.name != benchmark.name) continue;
+        if (!isBuilt(benchmark))
+            return context.fail({ErrorCode::fileNotFound, programOf(benchmark).toStdString(), {}, {}});
+        return start(benchmark, arguments, context);
+    }
+    return context.fail({ErrorCode::nameUnknown, "benchmark", arguments.name, known});
+}
+
+} // namespace
+
+void registerBench(CLI::App& program, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<BenchArguments>();
+    CLI::App* command = program.add_subcommand("bench", "Measure Burin beside what else there is");
+    command->add_option("NAME", arguments->name, "What to measure; without it, what there is");
+    command->add_option("--only", arguments->only, "Only figures whose names begin with this");
+    addJsonFlag(*command, context);
+    command->callback([arguments, &context, &status] { status = runBench(*arguments, context); });
+}
+
+} // namespace burin

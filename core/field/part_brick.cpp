@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/part_brick.h"
+
+#include "core/geometry/four_floats.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace burin {
+
+namespace {
+
+// All in voxels; README.md says what they amount to.
+constexpr float mostBend = 0.06F;          // of a line that is interpolated
+constexpr float mostResidual = 0.04F;      // of its ends' slopes
+constexpr float mostSpread = 0.02F;        // between the lines through a sample
+constexpr float mostCellError = 0.05F;     // of a trilinear cell; worse ones are exact
+constexpr float mostImbalance = 0.08F;     // between the bends at the ends of an edge, in a smooth cell
+constexpr float narrowQuantum = 0.008F;    // coarsest unit of residuals of 8 bits
+constexpr float estimate = 0.005F;         // of a sample that was not asked for, at least
+constexpr float rounding = 1e-5F;          // of single precision
+constexpr float halfDiagonal = 0.8660254F; // of a cube of edge 1
+constexpr std::size_t longList = 8;        // triangles: worth a second look
+constexpr std::size_t mostTriangles = 64;  // that an exact cell may name
+
+/// The greatest chord error along one axis of a whole brick, or more: of four edges at a time.
+class ChordErrors {
+public:
+    void meet(const float* value, const float* slope, std::size_t step) noexcept {
+        const FourFloats rise = fourAt(value + step) - fourAt(value);
+        const FourFloats low = rise - fourAt(slope), high = fourAt(slope + step) - rise;
+        const FourFloats quarter = 0.25F * absolute(low + high);
+        const FourFloats half = 0.5F * greater(absolute(low), absolute(high));
+        const FourFloats imbalance = absolute(low - high);
+        imbalance_ = greater(imbalance_, imbalance);
+        worst_ = greater(worst_, (low * high > 0.0F ? quarter : half) + 0.25F * imbalance);
+    }
+    float worst() const noexcept { return greatest(worst_); }
+    float imbalance() const noexcept { return greatest(imbalance_); }
+
+private:
+    FourFloats worst_{}, imbalance_{};
+};
+
+/// Runs of edges along an axis: begin, length, and how far one run is from the next.
+ChordErrors chordErrors(const SampleGrid& grid, std::size_t axis) noexcept {
+    constexpr std::array<std::size_t, 3> step{1, 9, 81}, length{8, 72, 648}, next{9, 81, 729};
+    ChordErrors errors;
+    for (std::size_t run = 0; run < CellGrid::samples; run += next[axis])
+        for (std::size_t i = 0; i < length[axis]; i += 4)
+            errors.meet(grid.values[0].data() + run + i, grid.values[axis + 1].data() + run + i, step[axis]);
+    return errors;
+}
+
+/// How far a chord can be from a function with these ends and slopes, if that is convex or concave: the tangents bound
+/// it. An inflection: either end may be the bad one.
+float chordError(float rise, float fromSlope, float toSlope) noexcept {
+    const float low = rise - fromSlope, high = toSlope - rise;
+    if (low * high > 0.0F) return std::abs(low * high / (low + high));
+    return 0.5F * std::max(std::abs(low), std::abs(high));
+}
+
+} // namespace
+
+bool isSmooth(const LineCheck& check) noexcept {
+    return check.bend <= mostBend && check.residual <= mostResidual;
+}
+
+void BrickMaker::make(const glm::ivec3& corner, const SampleGrid& third, bool everything, MadeBrick& made) {
+    corner_ = glm::dvec3(corner);
+    sampleAll(third, everything);
+    float cells = boundCells();
+    pack(made);
+    cells = std::max(cells, listTriangles(made));
+    const float quantisation = 0.5F * made.header.quantum;
+    made.bound = static_cast<float>(static_cast<double>(cells + sampleError_ + rounding) * voxel_) + quantisation;
+}
+
+void BrickMaker::sampleAll(const SampleGrid& third, bool everything) {
+    sampleError_ = 0.0F;
+    LineCheck four, two;
+    refine(third, five_, 4.0F, four);
+    refine(five_, nine_, 2.0F, two);
+    if (everything) {
+        for (int z = 0; z < 9; ++z)
+            for (int y = 0; y < 9; ++y)
+                for (int x = 0; x < 9; ++x) nine_.set(nine_.at(x, y, z), asker_.ask(corner_ + glm::dvec3(x, y, z)));
+        return;
+    }
+    if (isSmooth(four) && isSmooth(two)) {
+        sampleError_ = estimate + std::max(0.5F * std::max(four.residual, two.residual), 0.25F * four.bend);
+        return;
+    }
+    for (int z = 0; z < 5; ++z)
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 5; ++x)
+                if (x % 2 != 0 || y % 2 != 0 || z % 2 != 0)
+                    five_.set(five_.at(x, y, z), asker_.ask(corner_ + 2.0 * glm::dvec3(x, y, z)));
+    two = {};
+    refine(five_, nine_, 2.0F, two);
+    sampleError_ = estimate + 0.5F * std::min(std::max(two.residual, 0.5F * two.bend), mostResidual);
+    if (!isSmooth(two)) sampleFailing();
+}
+
+/// Keeps what smooth lines agree on.
+void BrickMaker::sampleFailing() {
+    for (int z = 0; z < 9; ++z)
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 9; ++x) {
+                if (x % 2 == 0 && y % 2 == 0 && z % 2 == 0) continue;
+                const std::optional<PartSample> known = onLines({x, y, z});
+                nine_.set(nine_.at(x, y, z), known ? *known : asker_.ask(corner_ + glm::dvec3(x, y, z)));
+            }
+}
+
+/// A sample with odd places lies in the middle of one, two or four lines between even ones.
+std::optional<PartSample> BrickMaker::onLines(const glm::ivec3& sample) const noexcept {
+    const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
+    float least = std::numeric_limits<float>::infinity(), most = -least;
+    PartSample sum;
+    int lines = 0;
+    for (int signs = 0; signs < 8; ++signs) {
+        const glm::ivec3 up{signs & 1, (signs >> 1) & 1, signs >> 2};
+        if (up.x > odd.x || up.y > odd.y || up.z > odd.z) continue;
+        if (signs > 7 - signs && odd == glm::ivec3(1)) continue;
+        const glm::ivec3 a = low + up, b = low + odd - up;
+        const PartSample from = five_.get(five_.at(a.x, a.y, a.z)), to = five_.get(five_.at(b.x, b.y, b.z));
+        const glm::vec3 way = 2.0F * glm::vec3(odd - 2 * up);
+        const float bend = glm::dot(from.gradient - to.gradient, way) * 0.125F;
+        const float residual = to.distance - from.distance - 0.5F * glm::dot(from.gradient + to.gradient, way);
+        if (!(std::abs(bend) <= mostBend) || !(std::abs(residual) <= mostResidual)) return std::nullopt;
+        const float estimate = 0.5F * (from.distance + to.distance) + bend;
+        least = std::min(least, estimate);
+        most = std::max(most, estimate);
+        sum.distance += estimate;
+        sum.gradient += 0.5F * (from.gradient + to.gradient);
+        ++lines;
+    }
+    if (most - least > mostSpread) return std::nullopt;
+    const float share = 1.0F / static_cast<float>(lines);
+    return PartSample{sum.distance * share, sum.gradient * share};
+}
+
+/// Where the ends of each edge bend alike, the chords' errors; where a ridge passes through, a quarter of the slopes'
+/// range, for it may cross the edges near their ends and the middle of the cell all the same.
+float BrickMaker::cellError(int x, int y, int z) const noexcept {
+    const std::array<std::size_t, 3> step{1, 9, 81};
+    const std::size_t first = nine_.at(x, y, z);
+    float smooth = 0.0F, ridge = 0.0F, imbalance = 0.0F;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::vector<float>& slope = nine_.values[axis + 1];
+        const std::size_t u = step[(axis + 1) % 3], v = step[(axis + 2) % 3];
+        float worst = 0.0F, least = slope[first], most = least;
+        for (const std::size_t from : {first, first + u, first + v, first + u + v}) {
+            const std::size_t to = from + step[axis];
+            const float rise = nine_.values[0][to] - nine_.values[0][from];
+            const float uneven = std::abs(2.0F * rise - slope[from] - slope[to]);
+            worst = std::max(worst, chordError(rise, slope[from], slope[to]) + 0.25F * uneven);
+            imbalance = std::max(imbalance, uneven);
+            least = std::min({least, slope[from], slope[to]});
+            most = std::max({most, slope[from], slope[to]});
+        }
+        smooth += worst;
+        ridge += 0.25F * (most - least);
+    }
+    return imbalance <= mostImbalance ? smooth : std::max(smooth, ridge);
+}
+
+/// The largest error of the cells that stay trilinear, voxels; the others are marked.
+float BrickMaker::boundCells() {
+    mask_ = {};
+    float whole = 0.0F, imbalance = 0.0F;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const ChordErrors errors = chordErrors(nine_, axis);
+        whole += errors.worst();
+        imbalance = std::max(imbalance, errors.imbalance());
+    }
+    if (whole <= mostCellError && imbalance <= mostImbalance) return whole;
+    float largest = 0.0F;
+    for (int z = 0; z < 8; ++z)
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x) {
+                const float error = cellError(x, y, z);
+                if (error > mostCellError)
+                    mask_[static_cast<std::size_t>(z)] |= std::uint64_t{1} << (x + 8 * y);
+                else
+                    largest = std::max(largest, error);
+            }
+    return largest;
+}
+
+/// A triangle that is nearest to some point of a cell is no farther from the cell's centre than the nearest one is, and
+/// twice the way to the cell's corner.
+float BrickMaker::listTriangles(MadeBrick& made) {
+    float cells = 0.0F; ///< error of those that stay trilinear nevertheless
+    made.exactMask = mask_;
+    made.cellLists.clear();
+    made.lists.clear();
+    std::vector<std::uint32_t> last;
+    std::uint32_t lastAt = 0;
+    for (int z = 0; z < 8; ++z)
+        for (int place = 0; place < 64; ++place) {
+            if (((mask_[static_cast<std::size_t>(z)] >> place) & 1U) == 0) continue;
+            const glm::dvec3 centre = corner_ + glm::dvec3(place % 8, place / 8, z) + 0.5;
+            const double distance = std::abs(static_cast<double>(asker_.ask(centre).distance));
+            part_.trianglesNear(origin_ + centre * voxel_, (distance + 2.0 * 0.8660255) * voxel_, near_);
+            if (near_.size() > longList && near_.size() <= 8 * mostTriangles) prune(centre);
+            if (near_.size() > mostTriangles) { // quicker as it is
+                made.exactMask[static_cast<std::size_t>(z)] &= ~(std::uint64_t{1} << place);
+                cells = std::max(cells, cellError(place % 8, place / 8, z));
+                continue;
+            }
+            std::sort(near_.begin(), near_.end());
+            if (near_ != last || made.lists.empty()) {
+                lastAt = static_cast<std::uint32_t>(made.lists.size());
+                made.lists.push_back(static_cast<std::uint32_t>(near_.size()));
+                made.lists.insert(made.lists.end(), near_.begin(), near_.end());
+                last = near_;
+            }
+            made.cellLists.push_back(lastAt);
+        }
+    return cells;
+}
+
+/// The same for each eighth of the cell.
+void BrickMaker::prune(const glm::dvec3& centre) {
+    std::vector<bool> wanted(near_.size(), false);
+    std::vector<double> distances(near_.size());
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 side{i & 1 ? 0.25 : -0.25, i & 2 ? 0.25 : -0.25, i & 4 ? 0.25 : -0.25};
+        const glm::dvec3 point = origin_ + (centre + side) * voxel_;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t t = 0; t < near_.size(); ++t) {
+            distances[t] = part_.closestOf({&near_[t], 1}, point).distance;
+            least = std::min(least, distances[t]);
+        }
+        for (std::size_t t = 0; t < near_.size(); ++t)
+            if (distances[t] <= least + 0.8660255 * voxel_) wanted[t] = true;
+    }
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < near_.size(); ++t)
+        if (wanted[t]) near_[kept++] = near_[t];
+    near_.resize(kept);
+}
+
+float distanceIn(const MadeBrick& made, const glm::vec3& place) noexcept {
+    const glm::ivec3 cell = glm::clamp(glm::ivec3(place), 0, CellGrid::cells - 1);
+    const glm::vec3 share = place - glm::vec3(cell);
+    const std::size_t first = CellGrid::sampleAt(cell.x, cell.y, cell.z);
+    const bool wide = made.header.wide != 0;
+    const auto residual = [&](std::size_t step) noexcept {
+        return wide ? static_cast<float>(made.wide[first + step]) : static_cast<float>(made.narrow[first + step]);
+    };
+    const auto alongX = [&](std::size_t step) noexcept {
+        return glm::mix(residual(step), residual(step + 1), share.x);
+    };
+    const float rest =
+        glm::mix(glm::mix(alongX(0), alongX(9), share.y), glm::mix(alongX(81), alongX(90), share.y), share.z);
+    const auto& [x, y, z] = made.header.slope;
+    return made.header.base + glm::dot(glm::vec3(x, y, z), place) + made.header.quantum * rest;
+}
+
+bool isExactIn(const MadeBrick& made, const glm::vec3& place) noexcept {
+    const glm::ivec3 cell = glm::clamp(glm::ivec3(place), 0, CellGrid::cells - 1);
+    return ((made.exactMask[static_cast<std::size_t>(cell.z)] >> (cell.x + 8 * cell.y)) & 1U) != 0;
+}
+
+void BrickMaker::pack(MadeBrick& made) const {
+    const std::vector<float>& f = nine_.values[0];
+    std::array<double, 4> sums{}; // of the values, and of them times the place from the middle
+    float nearest = std::numeric_limits<float>::infinity();
+    bool below = false, above = false;
+    made.bandVoxels = 0;
+    for (int z = 0; z < 9; ++z)
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 9; ++x) {
+                const float value = f[nine_.at(x, y, z)], size = std::abs(value);
+                const auto precise = static_cast<double>(value);
+                sums[0] += precise;
+                sums[1] += precise * (x - 4);
+                sums[2] += precise * (y - 4);
+                sums[3] += precise * (z - 4);
+                nearest = std::min(nearest, size);
+                (value < 0.0F ? below : above) = true;
+                if (x < 8 && y < 8 && z < 8 && size <= bandVoxels) ++made.bandVoxels;
+            }
+    made.least =
+        below && above ? 0.0F : static_cast<float>(voxel_) * std::max(nearest - halfDiagonal - sampleError_, 0.0F);
+
+    constexpr double weight = 81.0 * 60.0; // sum of the squared places
+    const glm::vec3 slope(glm::dvec3(sums[1], sums[2], sums[3]) / weight);
+    const float base = static_cast<float>(sums[0] / CellGrid::samples) - 4.0F * (slope.x + slope.y + slope.z);
+    std::array<float, CellGrid::samples> residuals;
+    float least = std::numeric_limits<float>::infinity(), most = -least;
+    for (int z = 0; z < 9; ++z)
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 9; ++x) {
+                const std::size_t at = nine_.at(x, y, z);
+                const float plane = base + glm::dot(slope, glm::vec3(x, y, z));
+                residuals[at] = f[at] - plane;
+                least = std::min(least, residuals[at]);
+                most = std::max(most, residuals[at]);
+            }
+    const float middle = 0.5F * (least + most), half = 0.5F * (most - least);
+    for (float& residual : residuals) residual -= middle;
+    const auto voxel = static_cast<float>(voxel_);
+    made.header.base = (base + middle) * voxel;
+    for (int axis = 0; axis < 3; ++axis) made.header.slope[static_cast<std::size_t>(axis)] = slope[axis] * voxel;
+    packResiduals(made, residuals, half);
+}
+
+void BrickMaker::packResiduals(MadeBrick& made, const std::array<float, CellGrid::samples>& residuals,
+                               float half) const {
+    const bool narrow = half <= 127.0F * narrowQuantum;
+    const float quantum = std::max(half / (narrow ? 127.0F : 32767.0F), 1e-9F);
+    made.header.quantum = quantum * static_cast<float>(voxel_);
+    made.header.wide = narrow ? 0 : 1;
+    made.wide.clear();
+    if (narrow) {
+        for (std::size_t i = 0; i < residuals.size(); ++i)
+            made.narrow[i] = static_cast<std::int8_t>(std::lrint(residuals[i] / quantum));
+    } else {
+        made.wide.resize(residuals.size());
+        for (std::size_t i = 0; i < residuals.size(); ++i)
+            made.wide[i] = static_cast<std::int16_t>(std::lrint(residuals[i] / quantum));
+    }
+}
+
+} // namespace burin

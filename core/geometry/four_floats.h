@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+
+namespace burin {
+
+/// Four floats that are computed with at once: SSE2, which every x86-64 has.
+using FourFloats = float __attribute__((vector_size(16)));
+using FourInts = int __attribute__((vector_size(16)));
+
+inline FourFloats fourAt(const float* first) noexcept {
+    FourFloats vector;
+    std::memcpy(&vector, first, sizeof vector);
+    return vector;
+}
+inline void put(const FourFloats& vector, float* first) noexcept {
+    std::memcpy(first, &vector, sizeof vector);
+}
+inline FourFloats greater(const FourFloats& a, const FourFloats& b) noexcept {
+    return a > b ? a : b;
+}
+inline FourFloats absolute(const FourFloats& a) noexcept {
+    return greater(a, -a);
+}
+inline float greatest(const FourFloats& a) noexcept {
+    return std::max(std::max(a[0], a[1]), std::max(a[2], a[3]));
+}
+
+} // namespace burin

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/packed_volume.h"
+
+#include "core/base/parallel.h"
+#include "core/volume/packed_blocks.h"
+
+#include <algorithm>
+#include <cassert>
+#include <new>
+#include <unordered_map>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+constexpr std::size_t bricksPerStage = 4096; ///< between looks at the wish to stop
+
+Error cancelled(const char* work) {
+    return {ErrorCode::cancelled, work, {}, {}};
+}
+
+/// Each block once, in the order of its first place, and which of them stands at each place.
+struct Blocks {
+    std::vector<BlockIndex> different;
+    std::vector<std::uint32_t> atPlace;
+};
+
+Blocks blocksOf(const VolumeState& state) {
+    const TileTable& table = state.store->table;
+    Blocks blocks;
+    std::unordered_map<BlockIndex, std::uint32_t> known;
+    for (std::int32_t v = 0; v < table.tilesV; ++v)
+        for (std::int32_t u = 0; u < table.tilesU; ++u) {
+            const BlockIndex block = VolumeAccess::tileAt(state, u, v);
+            const auto [place, isNew] = known.try_emplace(block, static_cast<std::uint32_t>(known.size()));
+            if (isNew) blocks.different.push_back(block);
+            blocks.atPlace.push_back(place->second);
+        }
+    return blocks;
+}
+
+} // namespace
+
+Result<PackedVolume> PackedVolume::pack(const VolumeSnapshot& snapshot, Progress& progress) try {
+    const VolumeState& state = VolumeAccess::state(snapshot);
+    const Blocks blocks = blocksOf(state);
+    PackedVolume volume(snapshot.grid(), snapshot.properties());
+    volume.amounts_ = state.amounts;
+    InternedTiles tiles;
+    std::vector<std::uint64_t> starts;
+    const std::span<const BlockIndex> all = blocks.different;
+    for (std::size_t first = 0; first < all.size(); first += bricksPerStage) {
+        if (progress.cancelled()) return cancelled("packing");
+        const PackedBlocks packed =
+            packBlocks(*state.store, all.subspan(first, std::min(bricksPerStage, all.size() - first)));
+        for (std::size_t i = 0; i + 1 < packed.starts.size(); ++i) {
+            const std::size_t before = tiles.count();
+            starts.push_back(tiles.add(packed.tile(i)));
+            if (tiles.count() > before) volume.segments_ += state.store->tile(all[first + i]).segmentCount();
+        }
+        progress.report(static_cast<double>(starts.size()) / static_cast<double>(all.size()));
+    }
+    volume.differentBricks_ = tiles.count();
+    volume.bytes_ = tiles.take();
+    volume.starts_.reserve(blocks.atPlace.size());
+    for (const std::uint32_t place : blocks.atPlace) volume.starts_.push_back(starts[place]);
+    return volume;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "packing", {}, {}};
+}
+
+void PackedVolume::brick(LineIndex line, TileLines& brick) const {
+    const std::size_t place =
+        static_cast<std::size_t>(line.v / tileSide) * static_cast<std::size_t>(TileTable(grid_).tilesU) +
+        static_cast<std::size_t>(line.u / tileSide);
+    const bool sound =
+        unpackTile(std::string_view(bytes_).substr(starts_[place]), packedFrame(grid_, properties_), brick);
+    assert(sound);
+    static_cast<void>(sound);
+}
+
+std::vector<Segment> PackedVolume::line(LineIndex line) const {
+    TileLines lines;
+    brick(line, lines);
+    const std::span<const Segment> segments = lines.line(TileTable::lineInTile(line));
+    return {segments.begin(), segments.end()};
+}
+
+Result<RunVolume> PackedVolume::unpack(Progress& progress, std::size_t reservedBytes) const try {
+    // Twice what the segments take: editing goes on afterwards.
+    const std::size_t reserve =
+        reservedBytes != 0 ? reservedBytes : RunVolume::defaultReserve(grid_) + 2 * segments_ * sizeof(Segment);
+    Result<RunVolume> volume = RunVolume::make(grid_, properties_, reserve);
+    if (!volume) return volume;
+    auto& writer = VolumeAccess::writer(*volume);
+    const TileTable table(grid_);
+    const auto corner = [&](std::size_t place) {
+        const auto tilesU = static_cast<std::size_t>(table.tilesU);
+        return LineIndex{static_cast<std::int32_t>(place % tilesU) * tileSide,
+                         static_cast<std::int32_t>(place / tilesU) * tileSide};
+    };
+    std::unordered_map<std::uint64_t, LineIndex> known;
+    std::vector<std::size_t> fresh; // places whose bricks stand nowhere yet
+    std::vector<TileLines> lines(std::min(bricksPerStage, starts_.size()));
+    for (std::size_t first = 0; first < starts_.size(); first += bricksPerStage) {
+        if (progress.cancelled()) return cancelled("unpacking");
+        const std::size_t end = std::min(first + bricksPerStage, starts_.size());
+        fresh.clear();
+        for (std::size_t place = first; place < end; ++place)
+            if (known.try_emplace(starts_[place], corner(place)).second) fresh.push_back(place);
+        parallelStretches(std::size_t{0}, fresh.size(), 64, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) brick(corner(fresh[i]), lines[i]);
+        });
+        bool fits = true;
+        for (std::size_t i = 0; fits && i < fresh.size(); ++i) fits = writer.setTile(corner(fresh[i]), lines[i].view());
+        for (std::size_t place = first; fits && place < end; ++place)
+            fits = writer.shareTile(corner(place), known.at(starts_[place]));
+        if (!fits) return Error{ErrorCode::volumeOutOfMemory, std::to_string(volume->reservedBytes()), {}, {}};
+        progress.report(static_cast<double>(end) / static_cast<double>(starts_.size()));
+    }
+    return volume;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "unpacking", {}, {}};
+}
+
+} // namespace burin

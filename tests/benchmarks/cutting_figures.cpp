@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/benchmarks/figure_groups.h"
+#include "tests/benchmarks/measure/milling.h"
+#include "tests/benchmarks/peers/openvdb.h"
+#include "tests/benchmarks/scenes/cutting_scene.h"
+#include "tests/benchmarks/scenes/tool_paths.h"
+
+#include <array>
+#include <functional>
+#include <numbers>
+
+namespace burin::benchmarks {
+
+namespace {
+
+using std::nullopt;
+using Limit = std::optional<double>;
+
+/// A peer for the median tick. The paper's way stands beside the main figure, others have figures of their own.
+struct PeerWish {
+    std::string name;   ///< as it is shown
+    std::string suffix; ///< of the figure's name
+    std::unique_ptr<CuttingPeer> (*make)(const VolumeSnapshot&, const LineBlock&, double radius);
+    Limit ratioAtLeast;
+};
+
+std::unique_ptr<CuttingPeer> makeOpenVdb(const VolumeSnapshot& workpiece, const LineBlock&, double radius) {
+    return openVdbCutter(workpiece, radius);
+}
+
+PeerWish paper(Limit ratio) {
+    return {"paper's way", "", paperCutter, ratio};
+}
+PeerWish openVdb() {
+    return {"OpenVDB Int8, incremental leaf writes", ".against_openvdb", makeOpenVdb, 8.0};
+}
+PeerWish bytes() {
+    return {"dense bytes, incremental", ".against_bytes", denseByteCutter, nullopt};
+}
+PeerWish bits() {
+    return {"dense bits, incremental, no material", ".against_bits", denseBitCutter, nullopt};
+}
+
+struct CutCase {
+    std::string name;
+    std::function<RunVolume()> scene;
+    Cutter cutter;
+    std::vector<ToolPose> path;
+    Limit p50, p999;
+    std::vector<PeerWish> peers;
+};
+
+/// What is still wanted of a case after it was measured.
+struct Measured {
+    std::vector<double> ticks; ///< µs
+    double p50 = 0.0, p999 = 0.0;
+    std::uint64_t removedUnits = 0;
+};
+
+double peerMedian(const CutCase& task, const PeerWish& wish, const VolumeSnapshot& workpiece) {
+    std::vector<glm::dvec3> tips;
+    for (const ToolPose& pose : task.path) tips.push_back(pose.tip);
+    const double radius = task.cutter.radius();
+    const auto peer = wish.make(workpiece, blockOf(tips, radius, workpiece.grid()), radius);
+    if (!peer) return 0.0;
+    VoxelCounts removed{};
+    const auto restart = [&] {
+        peer->restart();
+        peer->cut(tips.front(), tips.front(), removed);
+    };
+    const ReplayRule rule{4, 6, 0.5};
+    return percentile(
+        leastOfReplays(
+            tips.size() - 1, restart, [&](std::size_t i) { peer->cut(tips[i], tips[i + 1], removed); }, rule),
+        0.5);
+}
+
+/// A case's own figures and those of its peers. Nothing when no figure of it is wanted.
+std::optional<Measured> measure(Session& session, const CutCase& task) {
+    if (!session.wants(task.name)) return nullopt;
+    session.stage(task.name);
+    RunVolume workpiece = task.scene();
+    Measured measured;
+    {
+        Milling milling(workpiece, task.cutter);
+        measured.ticks = milling.leastTicks(session, task.path);
+        measured.removedUnits = milling.removedUnits();
+        milling.restartInAir(session);
+    }
+    measured.p50 = percentile(measured.ticks, 0.5);
+    measured.p999 = percentile(measured.ticks, 0.999);
+    const VolumeSnapshot start = workpiece.snapshot();
+    Figure median = figure(task.name + ".p50", measured.p50, "us", task.p50);
+    for (const PeerWish& wish : task.peers) {
+        const std::string name = median.name + wish.suffix;
+        if (!session.wants(name)) continue;
+        session.stage(task.name + ", " + wish.name);
+        const double theirs = peerMedian(task, wish, start);
+        if (theirs == 0.0) continue; // built without that peer
+        if (wish.suffix.empty())
+            median = against(std::move(median), wish.name, theirs, wish.ratioAtLeast);
+        else
+            session.add(against(figure(name, measured.p50, "us"), wish.name, theirs, wish.ratioAtLeast));
+    }
+    session.add(std::move(median));
+    session.add(figure(task.name + ".p999", measured.p999, "us", task.p999));
+    session.add(
+        figure(task.name + ".voxels_per_tick",
+               static_cast<double>(measured.removedUnits) / unitsPerVoxel / static_cast<double>(measured.ticks.size()),
+               "voxels"));
+    return measured;
+}
+
+std::function<RunVolume()> block(std::int32_t side) {
+    return [side] { return layeredBlock(side); };
+}
+
+CutCase ballWalk(const std::string& name, std::int32_t side, double radius, double step, std::size_t ticks, Limit p50,
+                 Limit p999, std::vector<PeerWish> peers) {
+    return {name, block(side),     cutterOf(CutterType::ball, radius), upright(walk(side, radius, step, ticks)), p50,
+            p999, std::move(peers)};
+}
+
+/// Cost must not grow with the grid.
+void walksAtOneVoxel(Session& session) {
+    const auto r50 = [&](std::int32_t side, std::vector<PeerWish> peers) {
+        return measure(session, ballWalk("cut.ball.r50.m1." + std::to_string(side), side, 50.0, 1.0, 2000, 20.0, 40.0,
+                                         std::move(peers)));
+    };
+    const auto small = r50(512, {paper(7.5)});
+    if (small && session.wants("cut.ball.r50.m1.512.p50.against_csg_difference")) {
+        session.stage("cut.ball.r50.m1.512, OpenVDB csgDifference");
+        const auto times = csgDifferenceTimes(512.0, 50.0, walk(512.0, 50.0, 1.0, 60));
+        if (times)
+            session.add(against(figure("cut.ball.r50.m1.512.p50.against_csg_difference", small->p50, "us"),
+                                "OpenVDB level set, csgDifference", percentile(*times, 0.5), 1000.0));
+    }
+    (void)r50(1024, {paper(7.5), openVdb(), bytes(), bits()});
+    const auto large = r50(2048, {paper(7.5)});
+    if (small && large) session.add(figure("cut.ball.r50.m1.2048_over_512", large->p50 / small->p50, "1", 1.2));
+    (void)measure(session,
+                  ballWalk("cut.ball.r100.m1.2048", 2048, 100.0, 1.0, 1500, 60.0, 100.0, {paper(9.5), openVdb()}));
+    (void)measure(session, ballWalk("cut.ball.r200.m1.2048", 2048, 200.0, 1.0, 1000, nullopt, 300.0, {}));
+}
+
+void slowAndFastWalks(Session& session) {
+    (void)measure(session, ballWalk("cut.ball.r50.m005.1024", 1024, 50.0, 0.05, 2000, 15.0, 28.0, {paper(nullopt)}));
+    (void)measure(session, ballWalk("cut.ball.r100.m005.2048", 2048, 100.0, 0.05, 2000, 45.0, 70.0, {paper(nullopt)}));
+    const std::string name = "cut.ball.r100.m5.2048";
+    const auto fast = measure(session, ballWalk(name, 2048, 100.0, 5.0, 1000, nullopt, 200.0, {}));
+    if (!fast) return;
+    double spent = 0.0; // µs
+    for (const double tick : fast->ticks) spent += tick;
+    const double voxels = static_cast<double>(fast->removedUnits) / unitsPerVoxel;
+    Figure rate = figure(name + ".gvoxel_per_s", 1e-3 * voxels / spent, "Gvoxel/s", 1.5);
+    rate.atLeast = true;
+    session.add(std::move(rate));
+}
+
+void otherScenes(Session& session) {
+    (void)measure(session, {"cut.raster.r50.m1.1024",
+                            block(1024),
+                            cutterOf(CutterType::ball, 50.0),
+                            upright(raster(1024.0, 50.0, 1.0, 2000)),
+                            20.0,
+                            40.0,
+                            {paper(7.5)}});
+    (void)measure(session, {"cut.lattice.r100.m1.512",
+                            [] { return gyroidLattice(512, 30); },
+                            cutterOf(CutterType::ball, 100.0),
+                            upright(walk(512.0, 100.0, 1.0, 1000)),
+                            nullopt,
+                            400.0,
+                            {}});
+}
+
+void tiltedTools(Session& session) {
+    struct Kind {
+        const char* name;
+        CutterType type;
+        double p999;
+    };
+    constexpr std::array kinds{Kind{"ball", CutterType::ball, 60.0}, Kind{"flat", CutterType::flat, 60.0},
+                               Kind{"bull", CutterType::bullNose, 160.0}};
+    const double tilt = std::numbers::pi / 6.0;
+    for (const Kind& kind : kinds)
+        (void)measure(session, {"cut." + std::string(kind.name) + ".r50.tilt30.512",
+                                block(512),
+                                cutterOf(kind.type, 50.0),
+                                tilted(walk(512.0, 50.0, 1.0, 1000), tilt),
+                                nullopt,
+                                kind.p999,
+                                {}});
+}
+
+/// Figure 13 b of the paper: a block of 40 × 32 × 40 voxels.
+void paperCase(Session& session) {
+    const auto scene = [] { return plainBlock({40, 32, 40}); };
+    const auto measureRadius = [&](const std::string& name, double radius) {
+        std::vector<glm::dvec3> tips;
+        // Along the block's top, half the radius deep, a tenth of the radius a tick, row beside row.
+        const double step = 0.1 * radius, length = 40.0;
+        const auto perRow = static_cast<std::size_t>(length / step);
+        for (std::size_t i = 0; tips.size() < 2001; ++i) {
+            const std::size_t row = i / perRow, along = i % perRow;
+            const double forth = static_cast<double>(row % 2 == 0 ? along : perRow - along) * step;
+            const double aside = std::fmod(static_cast<double>(row) * radius, 32.0);
+            const double depth = 0.5 * radius * (1.0 + std::floor(static_cast<double>(row) * radius / 32.0));
+            tips.emplace_back(forth, aside, 40.0 - depth);
+        }
+        (void)measure(
+            session,
+            {name, scene, cutterOf(CutterType::ball, radius), upright(tips), nullopt, nullopt, {paper(nullopt)}});
+    };
+    measureRadius("cut.paper_case.r0_5", 0.5);
+    measureRadius("cut.paper_case.r5", 5.0);
+}
+
+/// A whole footprint at once, twice: coming down on the stock, and a take that begins deep within it.
+void firstContact(Session& session) {
+    const std::string name = "cut.first_contact.r200";
+    if (!session.wants(name)) return;
+    session.stage(name);
+    constexpr double side = 2048.0, radius = 200.0;
+    RunVolume workpiece = layeredBlock(static_cast<std::int32_t>(side));
+    Milling milling(workpiece, cutterOf(CutterType::ball, radius));
+    const double top = 0.97 * side;
+    std::vector<ToolPose> path;
+    for (double height = 40.0; height > -40.0; height -= 1.0)
+        path.push_back({glm::dvec3(0.5 * side, 0.5 * side, top + height), {0.0, 0.0, 1.0}});
+    const auto worstOf = [&](const std::vector<ToolPose>& poses) {
+        const std::vector<double> least = leastOfReplays(
+            poses.size() - 1, [&] { milling.restartInAir(session); },
+            [&](std::size_t i) { milling.tick(poses[i], poses[i + 1]); }, [&] { milling.giveBackView(); }, {5, 8, 1.0});
+        milling.finish(session);
+        return percentile(least, 1.0);
+    };
+    const double descending = worstOf(path);
+    // The tool stands deep in the stock when its first tick comes, and goes on from there.
+    std::vector<ToolPose> deep{{glm::dvec3(0.5 * side), {0.0, 0.0, 1.0}}};
+    for (const glm::dvec3& tip : walk(side, radius, 1.0, 100)) deep.push_back({tip, {0.0, 0.0, 1.0}});
+    deep.front() = deep[1];
+    const double within = worstOf(deep);
+    session.add(figure(name, std::max(descending, within), "us", 1000.0));
+    session.add(figure(name + ".descending", descending, "us", 1000.0));
+    session.add(figure(name + ".begun_within", within, "us", 1000.0));
+}
+
+} // namespace
+
+void cuttingFigures(Session& session) {
+    paperCase(session);
+    walksAtOneVoxel(session);
+    slowAndFastWalks(session);
+    otherScenes(session);
+    tiltedTools(session);
+    firstContact(session);
+}
+
+} // namespace burin::benchmarks

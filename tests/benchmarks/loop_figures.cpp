@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/surface.h"
+#include "tests/benchmarks/figure_groups.h"
+#include "tests/benchmarks/measure/milling.h"
+#include "tests/benchmarks/scenes/cutting_scene.h"
+#include "tests/benchmarks/scenes/tool_paths.h"
+
+#include <atomic>
+#include <cerrno>
+#include <condition_variable>
+#include <ctime>
+#include <mutex>
+#include <pthread.h>
+#include <thread>
+
+namespace burin::benchmarks {
+
+namespace {
+
+constexpr std::size_t ticks = 10'000, ticksAtOnce = 1000; // the empty loop runs in turn with the other
+constexpr long period = 1'000'000;                        // ns
+constexpr double periodMicroseconds = 1e-3 * period;
+
+/// Meshes what changed, on a thread of its own, as the window does: the newest snapshot counts, older ones are skipped.
+class View {
+public:
+    View() : thread_([this] { work(); }) {}
+    ~View() {
+        {
+            const std::lock_guard lock(mutex_);
+            ended_ = true;
+        }
+        wake_.notify_one();
+        thread_.join();
+    }
+    View(const View&) = delete;
+    View& operator=(const View&) = delete;
+
+    /// From the loop: never waits. False when the view is just taking the one before; offer it again next tick.
+    bool offer(VolumeSnapshot& snapshot) noexcept {
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        if (!lock) return false;
+        std::swap(newest_, snapshot); // the caller lets the other one go
+        fresh_ = true;
+        return true;
+    }
+    void wake() noexcept { wake_.notify_one(); }
+    std::size_t pictures() const noexcept { return pictures_; }
+    std::size_t tiles() const noexcept { return tiles_; }
+
+private:
+    void work() {
+        SurfaceExtractor extractor;
+        SurfaceMesh mesh;
+        VolumeSnapshot shown;
+        for (;;) {
+            VolumeSnapshot next;
+            {
+                std::unique_lock lock(mutex_);
+                wake_.wait(lock, [&] { return fresh_ || ended_; });
+                if (ended_) return;
+                fresh_ = false;
+                next = std::move(newest_);
+            }
+            if (!shown.empty()) {
+                for (const SurfaceTile tile : changedSurface(shown, next, 0)) {
+                    extractor.extract(next, tile, {}, mesh);
+                    ++tiles_;
+                }
+                ++pictures_;
+            }
+            shown = std::move(next);
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    VolumeSnapshot newest_;
+    bool fresh_ = false, ended_ = false;
+    std::atomic<std::size_t> pictures_{0}, tiles_{0};
+    std::thread thread_; // last: it uses the others
+};
+
+/// Calls `work(i)` at absolute times a period apart. What it took, µs, goes to `spent`. @return ticks that were not
+/// over when the next one was due
+template <class Work>
+std::size_t atEachPeriod(std::size_t first, std::size_t count, const Work& work, std::vector<double>& spent) {
+    std::size_t missed = 0;
+    timespec due{};
+    ::clock_gettime(CLOCK_MONOTONIC, &due);
+    const auto later = [](timespec time) {
+        time.tv_nsec += period;
+        if (time.tv_nsec >= 1'000'000'000) {
+            time.tv_nsec -= 1'000'000'000;
+            ++time.tv_sec;
+        }
+        return time;
+    };
+    for (std::size_t i = first; i < first + count; ++i) {
+        due = later(due);
+        while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
+        }
+        const Clock::time_point start = Clock::now();
+        work(i);
+        spent[i] = microseconds(Clock::now() - start);
+        timespec now{};
+        ::clock_gettime(CLOCK_MONOTONIC, &now);
+        const double since =
+            1e6 * static_cast<double>(now.tv_sec - due.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec - due.tv_nsec);
+        if (since <= periodMicroseconds) continue;
+        ++missed;
+        due = now; // a loop that was late does not hurry after lost time
+    }
+    return missed;
+}
+
+/// So that no tick is the first to use a page of a new thread's stack.
+void touchStack() {
+    constexpr std::size_t bytes = 256 * 1024, page = 4096;
+    volatile char stack[bytes]; // NOLINT: nothing but its pages is used
+    for (std::size_t i = 0; i < bytes; i += page) stack[i] = 0;
+    (void)stack[0];
+}
+
+/// Runs on a thread of its own, real-time where the system allows it.
+struct Loop {
+    std::vector<double> work = std::vector<double>(ticks), empty = std::vector<double>(ticks);
+    std::size_t missed = 0, missedEmpty = 0;
+    bool realTime = false;
+    bool cancelled = false;
+
+    template <class Tick>
+    void run(const Tick& tick) {
+        sched_param priority{};
+        priority.sched_priority = 60;
+        realTime = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &priority) == 0;
+        for (std::size_t first = 0; first < ticks && !cancelled; first += ticksAtOnce) {
+            missed += atEachPeriod(first, ticksAtOnce, tick, work);
+            missedEmpty += atEachPeriod(
+                first, ticksAtOnce, [](std::size_t) {}, empty);
+            cancelled = Session::cancelled();
+        }
+    }
+};
+
+} // namespace
+
+void loopFigures(Session& session) {
+    const std::string name = "loop.r100.2048";
+    if (!session.wants(name)) return;
+    session.stage(name + " (20 s)");
+    constexpr double side = 2048.0, radius = 100.0;
+    RunVolume workpiece = layeredBlock(static_cast<std::int32_t>(side));
+    const std::vector<ToolPose> path = upright(walk(side, radius, 1.0, ticks));
+    MaterialRemoval removal(cutterOf(CutterType::ball, radius), workpiece.grid(), Writing::deferred);
+    const RunAmounts before = workpiece.amounts();
+    RunAmounts removed;
+    const auto count = [&](const CutResult& cut) {
+        for (const MaterialVolume& material : cut.removed) removed.units[material.property] += material.units;
+    };
+    do count(removal.cut(workpiece, path.front(), path.front()));
+    while (!removal.settled() && (count(removal.settle(workpiece)), true));
+    count(removal.settle(workpiece));
+
+    Loop loop;
+    View view;
+    TickWatch watch;
+    std::thread thread([&] {
+        touchStack();
+        VolumeSnapshot waiting;
+        bool offered = true;
+        watch.begin();
+        loop.run([&](std::size_t i) {
+            count(removal.cut(workpiece, path[i], path[i + 1]));
+            if (i % 16 == 0) {
+                waiting = workpiece.snapshot();
+                offered = false;
+            }
+            if (!offered) offered = view.offer(waiting);
+            if (i % 16 == 0) view.wake();
+        });
+        watch.end();
+    });
+    thread.join();
+    if (loop.cancelled) throw Cancelled();
+    count(removal.settle(workpiece));
+    removed.units[airProperty] = 0;
+    std::size_t mismatches = 0;
+    const RunAmounts recount = workpiece.snapshot().amounts();
+    for (std::size_t i = 1; i < recount.units.size(); ++i)
+        mismatches += before.units[i] - removed.units[i] == recount.units[i] ? 0U : 1U;
+    session.countMismatches(mismatches);
+    session.countInterruptions(watch.allocations(), watch.pageFaults());
+    if (!loop.realTime)
+        session.note("The system allows no real-time thread (SCHED_FIFO): loop figures are of a normal one.");
+
+    const double beyond = static_cast<double>(loop.missed) - static_cast<double>(loop.missedEmpty);
+    session.add(figure(name + ".p50", percentile(loop.work, 0.5), "us"));
+    session.add(figure(name + ".p999", percentile(loop.work, 0.999), "us", 200.0));
+    session.add(figure(name + ".worst", percentile(loop.work, 1.0), "us", 400.0));
+    session.add(against(figure(name + ".misses", static_cast<double>(loop.missed), "ticks"), "empty loop, in turn",
+                        static_cast<double>(loop.missedEmpty)));
+    session.add(figure(name + ".misses_beyond_empty", std::max(0.0, beyond), "ticks", 0.0));
+    session.add(figure(name + ".pictures_per_s",
+                       1e3 * static_cast<double>(view.pictures()) / static_cast<double>(ticks), "1/s"));
+    session.add(figure(name + ".real_time", loop.realTime ? 1.0 : 0.0, "1"));
+}
+
+} // namespace burin::benchmarks

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/benchmarks/measure/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace burin::benchmarks {
+
+using Clock = std::chrono::steady_clock;
+
+inline double microseconds(Clock::duration time) noexcept {
+    return std::chrono::duration<double, std::micro>(time).count();
+}
+inline double milliseconds(Clock::duration time) noexcept {
+    return 1e-3 * microseconds(time);
+}
+inline double seconds(Clock::duration time) noexcept {
+    return 1e-6 * microseconds(time);
+}
+
+/// Nearest rank: the least value that at least `share` of all are not above.
+inline double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+/// How often a path is replayed: at least so often, and more while little time has passed.
+struct ReplayRule {
+    int least = 5;
+    int most = 12;
+    double enough = 0.8; ///< s: no further replay is begun after so long
+};
+
+/// Intrinsic times of ticks, µs: the same path is replayed from the same state, and the least that each tick ever took
+/// is kept, so that what other programs take from a shared machine drops out.
+/// @param restart back to the start state, not timed
+/// @param tick    work of tick i
+/// @param between what others do after it, not timed
+/// Throws Cancelled.
+template <class Restart, class Tick, class Between>
+std::vector<double> leastOfReplays(std::size_t ticks, const Restart& restart, const Tick& tick, const Between& between,
+                                   const ReplayRule& rule) {
+    std::vector<double> least(ticks, std::numeric_limits<double>::infinity());
+    const Clock::time_point begun = Clock::now();
+    for (int replay = 0; replay < rule.most; ++replay) {
+        if (replay >= rule.least && seconds(Clock::now() - begun) > rule.enough) break;
+        restart();
+        for (std::size_t i = 0; i < ticks; ++i) {
+            const Clock::time_point start = Clock::now();
+            tick(i);
+            least[i] = std::min(least[i], microseconds(Clock::now() - start));
+            between();
+            if (Session::cancelled()) throw Cancelled();
+        }
+    }
+    return least;
+}
+template <class Restart, class Tick>
+std::vector<double> leastOfReplays(std::size_t ticks, const Restart& restart, const Tick& tick,
+                                   const ReplayRule& rule = {}) {
+    return leastOfReplays(
+        ticks, restart, tick, [] {}, rule);
+}
+
+/// The least time of some runs of a longer work, s.
+/// @param prepare not timed
+template <class Prepare, class Work>
+double leastSeconds(int runs, const Prepare& prepare, const Work& work) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < runs; ++i) {
+        Session::throwIfCancelled();
+        prepare();
+        const Clock::time_point start = Clock::now();
+        work();
+        least = std::min(least, seconds(Clock::now() - start));
+    }
+    return least;
+}
+template <class Work>
+double leastSeconds(int runs, const Work& work) {
+    return leastSeconds(
+        runs, [] {}, work);
+}
+
+} // namespace burin::benchmarks

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/benchmarks/peers/octree_size.h"
+
+#include "core/volume/voxel_runs.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <vector>
+
+namespace burin::benchmarks {
+
+namespace {
+
+/// Cubes of one level on a line: up to `end`, all hold `value`.
+struct Stretch {
+    std::int32_t end = 0;
+    std::int32_t value = 0;
+};
+constexpr std::int32_t mixed = -1;
+
+/// All lines of one level, one after another.
+struct Level {
+    std::int32_t side = 0; ///< cubes along an axis
+    std::vector<Stretch> stretches;
+    std::vector<std::size_t> begin{0}; ///< of each line, and the end of the last
+
+    void append(std::int32_t end, std::int32_t value) {
+        const bool fresh = stretches.size() == begin.back();
+        const std::int32_t reached = fresh ? 0 : stretches.back().end;
+        if (end <= reached) return;
+        if (!fresh && stretches.back().value == value)
+            stretches.back().end = end;
+        else
+            stretches.push_back({end, value});
+    }
+    void endLine() { begin.push_back(stretches.size()); }
+};
+
+Level voxelsOf(const VolumeSnapshot& volume) {
+    Level level;
+    level.side = volume.grid().voxelsPerLine();
+    for (std::int32_t v = 0; v < level.side; ++v)
+        for (std::int32_t u = 0; u < level.side; ++u) {
+            forEachVoxelRun(volume.line({u, v}), [&](const Run& run) { level.append(run.last + 1, run.property); });
+            level.endLine();
+        }
+    return level;
+}
+
+/// Four lines beside each other become one of cubes of twice the edge.
+void halveLine(const Level& fine, std::int32_t u, std::int32_t v, Level& coarse) {
+    std::array<const Stretch*, 4> at{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto row = static_cast<std::size_t>(2 * v + static_cast<std::int32_t>(i / 2));
+        const auto column = static_cast<std::size_t>(2 * u + static_cast<std::int32_t>(i % 2));
+        at[i] = fine.stretches.data() + fine.begin[row * static_cast<std::size_t>(fine.side) + column];
+    }
+    for (std::int32_t from = 0; from < fine.side;) {
+        std::int32_t to = fine.side;
+        bool equal = at[0]->value != mixed;
+        for (const Stretch* stretch : at) {
+            to = std::min(to, stretch->end);
+            equal = equal && stretch->value == at[0]->value;
+        }
+        // Cubes that begin or end within the stretch are mixed, unless the next stretch goes on alike: then the four
+        // lines would not end here. A cube that this stretch only begins is settled by the rule below.
+        const std::int32_t whole = to / 2;
+        if (equal) {
+            coarse.append((from + 1) / 2, mixed);
+            coarse.append(whole, at[0]->value);
+        } else {
+            coarse.append((to + 1) / 2, mixed);
+        }
+        for (const Stretch*& stretch : at)
+            if (stretch->end == to && to < fine.side) ++stretch;
+        from = to;
+    }
+    coarse.append(coarse.side, mixed);
+    coarse.endLine();
+}
+
+Level halved(const Level& fine) {
+    Level coarse;
+    coarse.side = fine.side / 2;
+    for (std::int32_t v = 0; v < coarse.side; ++v)
+        for (std::int32_t u = 0; u < coarse.side; ++u) halveLine(fine, u, v, coarse);
+    return coarse;
+}
+
+std::uint64_t mixedCubes(const Level& level) {
+    std::uint64_t count = 0;
+    for (std::size_t line = 0; line + 1 < level.begin.size(); ++line) {
+        std::int32_t from = 0;
+        for (std::size_t i = level.begin[line]; i < level.begin[line + 1]; ++i) {
+            const Stretch& stretch = level.stretches[i];
+            if (stretch.value == mixed) count += static_cast<std::uint64_t>(stretch.end - from);
+            from = stretch.end;
+        }
+    }
+    return count;
+}
+
+} // namespace
+
+std::uint64_t octreeBytes(const VolumeSnapshot& volume) {
+    assert(volume.grid().lineCountU() == volume.grid().voxelsPerLine());
+    Level level = halved(voxelsOf(volume)); // cubes of two voxels: mixed ones hold their voxels themselves
+    std::uint64_t nodes = 1;
+    while (level.side > 1) {
+        level = halved(level);
+        nodes += 8 * mixedCubes(level);
+    }
+    return 8 * nodes;
+}
+
+} // namespace burin::benchmarks

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/run_volume.h"
+
+namespace burin::benchmarks {
+
+// Workpieces that the benchmarks mill, as cubes of `side` voxels of 1 mm, so that lengths in mm are voxels. Four
+// materials of stock and a part; all machinable, so that a cutter may go anywhere.
+
+inline constexpr int materialCount = 5;
+PropertyList sceneMaterials();
+Grid sceneGrid(std::int32_t side, RunAxis axis = RunAxis::z);
+
+/// A block with a margin of 3 % of air all round: four oblique layers of stock with a bumpy part in them, about 3.5
+/// runs a line.
+RunVolume layeredBlock(std::int32_t side, RunAxis axis = RunAxis::z);
+
+/// Another such block that overlaps it: moved by a tenth of its side or so, each way by its own amount.
+RunVolume shiftedBlock(std::int32_t side);
+/// What the two blocks fill, whatever the material, mm.
+Box layeredBlockBox(double side);
+Box shiftedBlockBox(double side);
+
+/// The first block after a finished freeform surface was milled down into it, scallops of a ball of R 25 every 8 voxels
+/// and all.
+RunVolume scallopedFreeform(std::int32_t side);
+
+/// A gyroid of one material.
+/// @param runsPerLine how often a line along the runs meets it
+RunVolume gyroidLattice(std::int32_t side, int runsPerLine);
+
+/// A plain block of one material that fills its grid.
+RunVolume plainBlock(const glm::ivec3& extent);
+
+/// Stock of one material for a slot: up to a height, and on one side of an upright plane or on both.
+struct SlotStock {
+    glm::ivec3 extent{1}; ///< voxels along x, y, z
+    double edge = 1.0;    ///< of a voxel, mm
+    RunAxis axis = RunAxis::z;
+    double top = 0.0;  ///< voxels above the grid's low face, whole
+    bool half = false; ///< stock only where dot(side, (x, y) - through) > 0
+    glm::dvec2 side{0.0};
+    glm::dvec2 through{0.0}; ///< voxels
+};
+/// Runs along z or x.
+RunVolume slotStock(const SlotStock& stock);
+
+/// Runs that are not air.
+std::uint64_t countRuns(const VolumeSnapshot& volume);
+
+} // namespace burin::benchmarks

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/pose.h"
+#include "core/tool/tool.h"
+
+#include <vector>
+
+namespace burin::benchmarks {
+
+/// A cutter whose flutes are as long as it is wide. @param radius mm
+Cutter cutterOf(CutterType type, double radius);
+
+/// A smooth walk about the inside of a scene: a hand that wanders, mostly in solid material, the worst case for a tick.
+/// @param side  of the scene, voxels of 1 mm
+/// @param reach of the tool, mm: tips stay so far from the sides
+/// @param step  mm a tick
+/// @return ticks + 1 tips; the same for the same numbers on every machine
+std::vector<glm::dvec3> walk(double side, double reach, double step, std::size_t ticks, unsigned seed = 1);
+
+/// Zig-zag in a plane at 20 degrees to the lines, a step-over of half a radius, half immersed.
+std::vector<glm::dvec3> raster(double side, double radius, double step, std::size_t ticks);
+
+/// The same tips with an axis that rocks about one that is tilted from +Z.
+/// @param tilt rad, towards +X; it rocks by a twentieth of that, a quarter of a degree a tick at most
+std::vector<ToolPose> tilted(const std::vector<glm::dvec3>& tips, double tilt);
+std::vector<ToolPose> upright(const std::vector<glm::dvec3>& tips);
+
+} // namespace burin::benchmarks

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/packed_volume.h"
+#include "core/volume/volume_memory.h"
+#include "tests/core/volume/random_volumes.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+PackedVolume packedOf(const VolumeSnapshot& snapshot) {
+    Progress progress;
+    return PackedVolume::pack(snapshot, progress).value();
+}
+
+/// A line of a packed volume as a volume gives it.
+struct PackedLines {
+    const PackedVolume& volume;
+    const Grid& grid() const { return volume.grid(); }
+    std::vector<Segment> line(LineIndex line) const { return volume.line(line); }
+};
+
+bool sameSegments(const TileLines& a, const TileLines& b) {
+    return a.offsets == b.offsets && std::ranges::equal(a.segments, b.segments);
+}
+
+/// A tile with one surface: `height(u, v)` in run units.
+template <class Height>
+TileLines surfaceTile(RunPosition lineEnd, Height height) {
+    TileLines tile;
+    for (int line = 0; line < linesPerTile; ++line) {
+        tile.segments.emplace_back(static_cast<RunPosition>(height(line % 8, line / 8)), wax);
+        tile.segments.emplace_back(lineEnd, airProperty);
+        tile.offsets[static_cast<std::size_t>(line) + 1] = static_cast<std::uint32_t>(tile.segments.size());
+    }
+    return tile;
+}
+
+std::size_t packedSize(const TileLines& tile, const PackedTileFrame& frame) {
+    std::string bytes;
+    TilePacker(frame).pack(tile.view(), bytes);
+    return bytes.size();
+}
+
+} // namespace
+
+class TestPackedVolume : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anyVolumeComesBack() {
+        QVERIFY(rc::check("packed, read line by line, and back", [] {
+            const Grid grid = randomGrid(*rc::gen::arbitrary<std::uint32_t>(), 40);
+            const auto content = static_cast<Content>(*rc::gen::inRange(0, contentCount));
+            RunVolume volume = emptyVolume(grid, std::size_t{8} << 20);
+            RandomContent(*rc::gen::arbitrary<std::uint32_t>(), content).fill(volume);
+            const LineCopies copies(volume);
+            const PackedVolume packed = packedOf(volume.snapshot());
+            RC_ASSERT(copies.equals(PackedLines{packed}));
+            RC_ASSERT(packed.amounts() == copies.amounts());
+            Progress progress;
+            const RunVolume back = packed.unpack(progress).value();
+            RC_ASSERT(copies.equals(back));
+            RC_ASSERT(back.amounts() == copies.amounts());
+        }));
+    }
+
+    void anUnpackedVolumeIsEditedLikeAnother() {
+        const Grid grid = cubeGrid({40, 24, 64});
+        RunVolume volume = emptyVolume(grid);
+        QVERIFY(volume.fillBlock({0, 0}, {40, 24}, 100, 9000, wax)); // bricks share memory
+        Progress progress;
+        RunVolume back = packedOf(volume.snapshot()).unpack(progress).value();
+        RunAmounts removed;
+        for (LineIndex line{3, 0}; line.v < 24; ++line.v) {
+            QVERIFY(volume.removeSpan(line, 500, 700, removed) == Removal::removed);
+            QVERIFY(back.removeSpan(line, 500, 700, removed) == Removal::removed);
+        }
+        QVERIFY(LineCopies(volume).equals(back));
+        QVERIFY(back.snapshot().amounts() == volume.amounts());
+    }
+
+    /// Slopes that whole numbers can hold leave next to nothing: 64 ends in the bytes of a few.
+    void surfacesTakeWhatTheirShapeTakes() {
+        const PackedTileFrame frame{1U << 18, 4};
+        const std::size_t level = packedSize(surfaceTile(frame.lineEnd, [](int, int) { return 70000; }), frame);
+        const std::size_t plane =
+            packedSize(surfaceTile(frame.lineEnd, [](int u, int v) { return 70000 + 37 * u - 91 * v; }), frame);
+        const std::size_t bowl = packedSize(
+            surfaceTile(frame.lineEnd, [](int u, int v) { return 70000 + 5 * u * u - 3 * u * v + 9 * v * v; }), frame);
+        QVERIFY2(level <= 8, qPrintable(QString::number(level)));
+        QVERIFY2(plane <= 16, qPrintable(QString::number(plane)));
+        QVERIFY2(bowl <= 24, qPrintable(QString::number(bowl)));
+    }
+
+    void aTileOfMoreThan65535SegmentsComesBack() {
+        const PackedTileFrame frame{32768 * unitsPerVoxel, 256};
+        TileLines tile;
+        RandomContent random(7, Content::noise);
+        for (std::size_t line = 0; line < linesPerTile; ++line) {
+            const RunPosition step = line < 4 ? 101 : 4001; // lines of 83,000 segments, of 2,100
+            PropertyIndex property = static_cast<PropertyIndex>(line);
+            for (RunPosition at = step; at < frame.lineEnd; at += step + at % 7)
+                tile.segments.emplace_back(at, property = static_cast<PropertyIndex>(property * 5 + 3));
+            tile.segments.emplace_back(frame.lineEnd, static_cast<PropertyIndex>(property + 1));
+            tile.offsets[line + 1] = static_cast<std::uint32_t>(tile.segments.size());
+        }
+        QVERIFY(tile.segments.size() > 400000);
+        std::string bytes = "before";
+        TilePacker(frame).pack(tile.view(), bytes);
+        TileLines back;
+        std::size_t length = 0;
+        QVERIFY(unpackTile(std::string_view(bytes).substr(6), frame, back, &length));
+        QVERIFY(sameSegments(tile, back));
+        QCOMPARE(length, bytes.size() - 6);
+    }
+
+    /// Whatever the bytes are, what is read is gapless, rises and ends where lines end, or it is refused.
+    void damagedBytesGiveSoundLinesOrNone() {
+        const PackedTileFrame frame{1U << 14, 4};
+        int refused = 0, read = 0;
+        const bool held = rc::check("flipped, cut or made up", [&] {
+            RunVolume volume = emptyVolume(cubeGrid({8, 8, 64}));
+            RandomContent(*rc::gen::arbitrary<std::uint32_t>(), static_cast<Content>(*rc::gen::inRange(0, 6)))
+                .fill(volume);
+            std::string bytes;
+            TileView lines;
+            for (int i = 0; i < linesPerTile; ++i) lines[static_cast<std::size_t>(i)] = volume.line({i % 8, i / 8});
+            TilePacker(frame).pack(lines, bytes);
+            for (int flips = *rc::gen::inRange(1, 4); flips > 0; --flips)
+                bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] ^=
+                    static_cast<char>(1 << *rc::gen::inRange(0, 8));
+            if (*rc::gen::inRange(0, 4) == 0) bytes.resize(*rc::gen::inRange<std::size_t>(0, bytes.size()));
+            TileLines tile;
+            if (!unpackTile(bytes, frame, tile)) {
+                ++refused;
+                return;
+            }
+            ++read;
+            for (int i = 0; i < linesPerTile; ++i) {
+                const auto line = tile.line(i);
+                RC_ASSERT(!line.empty());
+                RC_ASSERT(line.back().end() == frame.lineEnd);
+                RunPosition before = 0;
+                for (const Segment segment : line) {
+                    RC_ASSERT(segment.end() > before);
+                    RC_ASSERT(segment.property() < frame.properties);
+                    before = segment.end();
+                }
+            }
+        });
+        QVERIFY(held);
+        QVERIFY(refused > 0 && read > 0);
+    }
+
+    void packingCanBeStopped() {
+        RunVolume volume = emptyVolume(cubeGrid({16, 16, 16}));
+        Progress progress;
+        progress.cancel();
+        QCOMPARE(PackedVolume::pack(volume.snapshot(), progress).error().code, ErrorCode::cancelled);
+        QCOMPARE(packedOf(volume.snapshot()).unpack(progress).error().code, ErrorCode::cancelled);
+    }
+
+    void tooSmallAReserveIsRefused() {
+        RunVolume volume = emptyVolume(cubeGrid({64, 64, 256}));
+        RandomContent(1, Content::lattice).fill(volume);
+        Progress progress;
+        QCOMPARE(packedOf(volume.snapshot()).unpack(progress, 4096).error().code, ErrorCode::volumeOutOfMemory);
+    }
+
+    /// The parts add up to what the arena has handed out, and shared bricks count once.
+    void memoryIsCountedToTheByte() {
+        const Grid grid = cubeGrid({61, 43, 64});
+        RunVolume volume = emptyVolume(grid);
+        QVERIFY(volume.fillBlock({0, 0}, {61, 43}, 100, 9000, wax));
+        const VolumeMemory filled = memoryOf(volume.snapshot());
+        QCOMPARE(filled.runs, std::size_t{61 * 43});
+        QCOMPARE(filled.lines, std::size_t{61 * 43});
+        QCOMPARE(filled.places, std::size_t{8 * 6});
+        QCOMPARE(filled.tiles, std::size_t{1 + 8 + 5}); // all inner ones are one, those at the rim are filled each
+        RandomContent(5, Content::creases).fill(volume);
+        (void)volume.snapshot();
+        const VolumeMemory memory = memoryOf(volume.snapshot());
+        std::size_t segments = 0, runs = 0;
+        for (LineIndex line; line.v < 43; ++line.v)
+            for (line.u = 0; line.u < 61; ++line.u)
+                for (const Segment segment : volume.line(line)) {
+                    ++segments;
+                    if (segment.property() != airProperty) ++runs;
+                }
+        QCOMPARE(memory.tiles, memory.places);
+        QCOMPARE(memory.runs, runs);
+        QCOMPARE(memory.segmentBytes, (segments + (64 * 48 - 61 * 43)) * sizeof(Segment)); // air beyond the grid
+        const std::size_t root = sizeof(std::uint32_t); // one page, in the snapshot itself
+        QCOMPARE(memory.bytes() - root, volume.usedBytes());
+    }
+
+    void whatASnapshotHoldsBackComesFreeWithIt() {
+        const Grid grid = cubeGrid({64, 64, 64});
+        RunVolume volume = emptyVolume(grid);
+        RandomContent(5, Content::sheets).fill(volume);
+        (void)volume.snapshot();
+        VolumeSnapshot before = volume.snapshot();
+        RunAmounts removed;
+        for (LineIndex line; line.v < 20; ++line.v)
+            for (line.u = 8; line.u < 40; ++line.u) (void)volume.removeSpan(line, 3000, 5000, removed);
+        const VolumeSnapshot now = volume.snapshot();
+        const std::size_t held = bytesHeldBack(before, now), used = volume.usedBytes();
+        before = {};
+        QVERIFY(held > 12 * 64);
+        QCOMPARE(used - volume.usedBytes(), held);
+        QCOMPARE(bytesHeldBack(now, now), std::size_t{0});
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPackedVolume)
+#include "tst_packed_volume.moc"

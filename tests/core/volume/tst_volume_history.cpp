@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/volume_history.h"
+#include "tests/core/volume/random_volumes.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+/// A groove: a stretch of each line in a rectangle.
+void cutSomewhere(RunVolume& volume, std::mt19937& random) {
+    const Grid& grid = volume.grid();
+    const auto any = [&](std::int32_t end) { return std::uniform_int_distribution<std::int32_t>(0, end - 1)(random); };
+    const LineIndex low{any(grid.lineCountU()), any(grid.lineCountV())};
+    const LineIndex high{std::min(grid.lineCountU(), low.u + 1 + any(24)), std::min(grid.lineCountV(), low.v + 9)};
+    const auto from = static_cast<RunPosition>(any(static_cast<std::int32_t>(grid.lineEnd())));
+    RunAmounts removed;
+    for (LineIndex line = low; line.v < high.v; ++line.v)
+        for (line.u = low.u; line.u < high.u; ++line.u)
+            (void)volume.removeSpan(line, from + static_cast<RunPosition>(7 * line.u), from + 900, removed);
+}
+
+/// A volume with a history, and a copy of every state that it went through.
+struct Milled {
+    explicit Milled(std::uint32_t seed, Content content, const VolumeHistory::Budget& budget = {},
+                    glm::ivec3 count = {70, 40, 32})
+        : random(seed), volume(emptyVolume(cubeGrid(count), std::size_t{16} << 20)), history(budget) {
+        RandomContent(seed, content).fill(volume);
+        states.emplace_back(volume);
+    }
+    /// One step; `cuts` grooves.
+    void mill(int cuts) {
+        VolumeSnapshot before = volume.snapshot();
+        for (int i = 0; i < cuts; ++i) cutSomewhere(volume, random);
+        history.add(std::move(before));
+        states.resize(present + 1);
+        states.emplace_back(volume);
+        ++present;
+    }
+    bool isAtPresent() const { return states[present].equals(volume) && volume.amounts() == states[present].amounts(); }
+
+    std::mt19937 random;
+    RunVolume volume;
+    VolumeHistory history;
+    std::vector<LineCopies> states;
+    std::size_t present = 0;
+};
+
+void packEverything(VolumeHistory& history) {
+    while (!history.tidy(1000)) {
+    }
+}
+
+} // namespace
+
+class TestVolumeHistory : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aDeltaTakesAVolumeBothWays() {
+        QVERIFY(rc::check("between any two moments", [] {
+            const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+            Milled milled(seed, static_cast<Content>(*rc::gen::inRange(1, contentCount)));
+            const VolumeSnapshot before = milled.volume.snapshot();
+            for (int i = *rc::gen::inRange(0, 6); i > 0; --i) cutSomewhere(milled.volume, milled.random);
+            const LineCopies after(milled.volume);
+            const VolumeDelta delta = deltaBetween(before, milled.volume.snapshot());
+            RC_ASSERT(delta.applyBackward(milled.volume).hasValue());
+            RC_ASSERT(milled.states[0].equals(milled.volume));
+            RC_ASSERT(milled.volume.amounts() == milled.states[0].amounts());
+            RC_ASSERT(delta.applyForward(milled.volume).hasValue());
+            RC_ASSERT(after.equals(milled.volume));
+            RC_ASSERT(milled.volume.amounts() == after.amounts());
+        }));
+    }
+
+    /// Steps, undo, redo, packing and forgetting in any order: the volume is always exactly what it was then.
+    void anyWalkThroughTheHistoryIsExact() {
+        QVERIFY(rc::check("walks", [] {
+            VolumeHistory::Budget budget;
+            budget.heldSteps = *rc::gen::inRange<std::size_t>(0, 4);
+            Milled milled(*rc::gen::arbitrary<std::uint32_t>(), Content::creases, budget);
+            std::size_t forgotten = 0;
+            for (int move = *rc::gen::inRange(5, 60); move > 0; --move) {
+                switch (*rc::gen::inRange(0, 9)) {
+                case 0:
+                case 1:
+                case 2:
+                    milled.mill(*rc::gen::inRange(0, 4));
+                    break;
+                case 3:
+                case 4:
+                    RC_ASSERT(milled.history.canUndo() == (milled.present > forgotten));
+                    if (milled.history.undo(milled.volume)) --milled.present;
+                    break;
+                case 5:
+                case 6:
+                    RC_ASSERT(milled.history.canRedo() == (milled.present + 1 < milled.states.size()));
+                    if (milled.history.redo(milled.volume)) ++milled.present;
+                    break;
+                case 7:
+                    (void)milled.history.tidy(*rc::gen::inRange<std::size_t>(1, 40));
+                    break;
+                default:
+                    if (*rc::gen::inRange(0, 4) == 0) {
+                        forgotten += std::min<std::size_t>(1, milled.history.undoSteps());
+                        milled.history.forgetOldest(1);
+                    } else {
+                        (void)milled.history.packAll();
+                    }
+                }
+                RC_ASSERT(milled.isAtPresent());
+                RC_ASSERT(milled.history.undoSteps() == milled.present - forgotten);
+                RC_ASSERT(milled.history.redoSteps() == milled.states.size() - 1 - milled.present);
+            }
+        }));
+    }
+
+    void packedStepsHoldNothingOfTheReserve() {
+        Milled milled(3, Content::sheets);
+        for (int i = 0; i < 12; ++i) milled.mill(3);
+        const std::size_t used = milled.volume.usedBytes();
+        QVERIFY(milled.history.cost(0).heldBytes > 0 && milled.history.cost(0).packedBytes == 0);
+        QVERIFY(milled.history.packAll());
+        QVERIFY(milled.history.cost(0).heldBytes == 0 && milled.history.cost(0).packedBytes > 0);
+        for (int i = 0; i < 2; ++i) (void)milled.volume.snapshot(); // what waited for the next snapshot is free now
+        QVERIFY(milled.volume.usedBytes() < used);
+        // 11 packed steps take less than the snapshots of them held back.
+        QVERIFY(milled.history.totalCost().packedBytes < used - milled.volume.usedBytes());
+        while (milled.history.undo(milled.volume)) {
+            --milled.present;
+            QVERIFY(milled.isAtPresent());
+        }
+        QCOMPARE(milled.present, std::size_t{0});
+        while (milled.history.redo(milled.volume)) {
+            ++milled.present;
+            QVERIFY(milled.isAtPresent());
+        }
+        QCOMPARE(milled.present, std::size_t{12});
+    }
+
+    void memoryStaysInTheBudget() {
+        VolumeHistory::Budget budget;
+        budget.packedBytes = 40'000;
+        budget.heldSteps = 2;
+        Milled milled(5, Content::sheets, budget);
+        std::size_t most = 0, mostUsed = 0, usedEarly = 0;
+        for (int i = 0; i < 200; ++i) {
+            milled.mill(2);
+            packEverything(milled.history);
+            most = std::max(most, milled.history.totalCost().packedBytes);
+            (i < 40 ? usedEarly : mostUsed) = std::max(i < 40 ? usedEarly : mostUsed, milled.volume.usedBytes());
+        }
+        QVERIFY(most <= budget.packedBytes);
+        QVERIFY2(mostUsed < 2 * usedEarly, qPrintable(QString("%1, %2").arg(usedEarly).arg(mostUsed)));
+        const std::size_t steps = milled.history.undoSteps();
+        QVERIFY(steps > 10 && steps < 200); // the oldest went, the newest are exact
+        while (milled.history.undo(milled.volume)) {
+            --milled.present;
+            QVERIFY(milled.isAtPresent());
+        }
+        QCOMPARE(milled.present, 200 - steps);
+    }
+
+    /// A reserve that others hold: the packed step is refused, nothing is changed; once they are gone it goes back.
+    void withoutMemoryTheVolumeStaysAsItIs() {
+        const Grid grid = cubeGrid({64, 64, 64});
+        RunVolume volume = emptyVolume(grid, 400'000);
+        RandomContent(9, Content::sheets).fill(volume);
+        const LineCopies before(volume);
+        VolumeHistory history;
+        VolumeSnapshot first = volume.snapshot();
+        QVERIFY(volume.fillBlock({0, 0}, {64, 64}, 0, grid.lineEnd(), airProperty));
+        history.add(std::move(first));
+        first = volume.snapshot();
+        history.add(first);
+        QVERIFY(history.packAll());
+        // Something else fills the volume up, and a reader looks at it.
+        QVERIFY(history.undo(volume)); // the empty step
+        const LineCopies empty(volume);
+        std::vector<VolumeSnapshot> readers;
+        RandomContent other(4, Content::creases);
+        for (std::int32_t i = 0; i < 64 * 64; ++i) {
+            readers.push_back(volume.snapshot());
+            const LineIndex line{i % 64, i / 64};
+            if (!volume.setLine(line, other.segments(line, grid.lineEnd()))) break;
+        }
+        volume.restore(readers.front());
+        const Result<void> refused = history.undo(volume);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::volumeOutOfMemory);
+        QVERIFY(empty.equals(volume));
+        QVERIFY(volume.amounts() == empty.amounts());
+        readers.clear();
+        first = {};
+        for (int i = 0; i < 2; ++i) (void)volume.snapshot();
+        QVERIFY(history.undo(volume));
+        QVERIFY(before.equals(volume));
+    }
+
+    void anotherVolumeStartsANewHistory() {
+        Milled one(1, Content::sheets), other(2, Content::sheets);
+        one.mill(1);
+        one.history.add(other.volume.snapshot());
+        QCOMPARE(one.history.undoSteps(), std::size_t{1});
+        QCOMPARE(one.history.redo(one.volume).error().code, ErrorCode::argumentInvalid);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestVolumeHistory)
+#include "tst_volume_history.moc"
