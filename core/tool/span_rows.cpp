@@ -15,6 +15,7 @@ namespace {
 constexpr double unitsAVoxel = 256.0;
 // A way that is shorter across the runs counts as one along them.
 constexpr double leastReach = 1e-9; // voxels
+constexpr double shortWay = 8.0;    // voxels
 
 /// Nearest run unit, held within what an int can say.
 std::int32_t unitOf(double voxels) noexcept {
@@ -50,12 +51,14 @@ bool SpanRows::serves(const RevolvedPiece& piece) noexcept {
 SpanRows::SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept
     : piece_(piece)
     , radius_(piece.bottomRadius)
-    , longestWay_(std::max(8.0, 0.25 * radius_))
+    , longestWay_(std::max(shortWay, 0.25 * radius_))
     , depth_(std::ceil((piece.cornerRadius + longestWay_) * unitsAVoxel) + 2.0) {
     if (piece.cornerRadius == 0.0)
         shape_ = Shape::flat;
     else
         shape_ = piece.cornerRadius == piece.bottomRadius ? Shape::ball : Shape::bullNose;
+    // The search for a rounding's lowest place between the ends comes near enough within so many voxels.
+    if (shape_ == Shape::bullNose) longestWay_ = shortWay;
     upright_.radius = static_cast<float>(radius_);
     upright_.flatRadius = static_cast<float>(piece.bottomRadius - piece.cornerRadius);
     upright_.cornerRadius = static_cast<float>(piece.cornerRadius);

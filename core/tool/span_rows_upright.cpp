@@ -11,7 +11,7 @@ using Upright = SpanRows::Upright;
 using End = SpanRows::End;
 
 constexpr float unitsAVoxel = 256.0F;
-constexpr int cornerSteps = 6;
+constexpr int cornerSteps = 10;
 
 /// Above every height: no part of the piece.
 constexpr float nowhere = 1e9F;
