@@ -13,20 +13,21 @@ namespace {
 
 // Above this step the flux through the surface, a first-order figure, is worse than the volume itself.
 constexpr double longestFluxStep = 0.3; // voxels
+// A larger ball takes so many scanlines a tick that the volume itself is smooth enough (README).
+constexpr double largestFluxBall = 30.0; // voxels
 // Share of the pending difference that a tick reports: slow beside the rows of scanlines, fast beside the hand.
 constexpr double pendingShare = 1.0 / 64.0;
 
 } // namespace
 
 MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing)
-    : flutes_(flutePieces(cutter).front())
-    , sweep_(flutePieces(cutter), grid.edge())
-    , writing_(writing)
-    , surface_(flutes_, grid.edge()) {
-    // The window and the flux know one piece of flutes, with a straight side.
-    const bool simple = flutePieces(cutter).size() == 1 && !flutes_.bulges();
-    reportsFlux_ = simple;
-    if (simple && WindowCutter::serves(flutes_)) cutter_ = std::make_unique<WindowCutter>(flutes_, grid);
+    : sweep_(flutePieces(cutter), grid.edge()), surface_(flutePieces(cutter).front(), grid.edge()) {
+    const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
+    const RevolvedPiece& first = flutes.front();
+    const bool known = flutes.size() == 1 && WindowCutter::serves(first);
+    const bool isBall = known && first.cornerRadius == first.bottomRadius;
+    reportsFlux_ = known && (!isBall || first.bottomRadius <= largestFluxBall * grid.edge());
+    if (known && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
 }
 
 CutResult MaterialRemoval::account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept {
@@ -64,21 +65,19 @@ CutResult MaterialRemoval::cut(RunVolume& workpiece, const ToolPose& from, const
     if (!isFinite(from.tip) || !isFinite(to.tip) || !isFinite(from.axis) || !isFinite(to.axis)) return {};
     RemovedUnits removed;
     bool putOff = false;
-    if (cutter_ && writing_ == Writing::deferred) {
+    if (cutter_) {
         putOff = cutter_->cut(workpiece, from, to, removed);
     } else {
         sweep_.cut(workpiece, from, to, removed);
     }
     CutResult result = account(workpiece, removed);
     result.putOff = putOff;
-    const glm::dvec3 upright(0.0, 0.0, 1.0); // all that the flux knows, as do runs along z
-    const bool flux = workpiece.grid().axis() == RunAxis::z && from.axis == upright && to.axis == upright;
-    report(workpiece, flux, to.tip, to.tip - from.tip, result);
+    report(workpiece, from, to, result);
     return result;
 }
 
 void MaterialRemoval::approach(RunVolume& workpiece, const ToolPose& pose) noexcept {
-    if (cutter_ && writing_ == Writing::deferred && isFinite(pose.tip)) cutter_->approach(workpiece, pose);
+    if (cutter_ && isFinite(pose.tip) && isFinite(pose.axis)) cutter_->approach(workpiece, pose);
 }
 
 CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
@@ -100,13 +99,18 @@ void MaterialRemoval::reset() noexcept {
     lastPlace_ = glm::dvec3(0.0);
 }
 
-void MaterialRemoval::report(const RunVolume& workpiece, bool fluxApplies, const glm::dvec3& tip,
-                             const glm::dvec3& motion, CutResult& result) noexcept {
+void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
+                             CutResult& result) noexcept {
+    const glm::dvec3 tip = to.tip, motion = to.tip - from.tip;
     const double step = glm::length(motion);
-    const bool moves = step > 0.0,
-               small = reportsFlux_ && fluxApplies && step < longestFluxStep * workpiece.grid().edge();
+    // The flux knows upright tools over runs along z.
+    const glm::dvec3 upright(0.0, 0.0, 1.0);
+    const bool hasFlux =
+        reportsFlux_ && from.axis == upright && to.axis == upright && workpiece.grid().axis() == RunAxis::z;
+    const bool moves = step > 0.0 || from.axis != to.axis,
+               small = hasFlux && step < longestFluxStep * workpiece.grid().edge();
     SurfaceFlux::Flux flux;
-    if (moves && small) surface_.measure(workpiece, window(), tip, motion, flux);
+    if (step > 0.0 && small) surface_.measure(workpiece, window(), tip, motion, flux);
     for (MaterialVolume& material : result.removed) {
         if (material.property == airProperty) break;
         double& pending = pending_[material.property];

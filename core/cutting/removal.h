@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace burin {
 
@@ -81,13 +82,10 @@ public:
 
 private:
     CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;
-    void report(const RunVolume& workpiece, bool fluxApplies, const glm::dvec3& tip, const glm::dvec3& motion,
-                CutResult& result) noexcept;
+    void report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to, CutResult& result) noexcept;
 
-    RevolvedPiece flutes_; ///< the lowest of them
     SweepCutter sweep_;
-    Writing writing_;
-    std::unique_ptr<WindowCutter> cutter_; ///< none: the piece is not one that it serves
+    std::unique_ptr<WindowCutter> cutter_; ///< none: written with every cut, or of a form that it does not serve
     SurfaceFlux surface_;
     bool reportsFlux_ = true;
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
