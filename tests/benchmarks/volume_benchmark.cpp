@@ -20,7 +20,7 @@ int measure(const std::string& only, bool json) {
     if (!hasOpenVdb()) session.note("Built without OpenVDB: its figures are left out.");
     for (const auto group :
          {peersAgree, cuttingFigures, loopFigures, contactFigures, smoothnessFigures, snapshotFigures, memoryFigures,
-          boundaryFigures, meshFigures, booleanFigures, voxelisationFigures})
+          boundaryFigures, meshFigures, booleanFigures, voxelisationFigures, fieldFigures})
         group(session);
     session.finish();
     std::cout << (json ? jsonOf(session.figures()).dump(2) : tableOf(session.figures())) << std::endl;
