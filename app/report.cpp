@@ -45,11 +45,10 @@ json jsonOf(const Model& model) {
 }
 
 json jsonOf(const Tool& tool) {
-    constexpr const char* types[] = {"ball", "flat", "bull_nose"};
     return {{"id", tool.id},
             {"name", tool.name},
             {"number", tool.number},
-            {"type", types[static_cast<std::size_t>(tool.cutter.type)]},
+            {"type", cutterTypeName(tool.cutter.type)},
             {"diameter_mm", tool.cutter.diameter},
             {"corner_radius_mm", tool.cutter.cornerRadius},
             {"flute_length_mm", tool.cutter.fluteLength},

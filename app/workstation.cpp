@@ -5,13 +5,13 @@
 #include "core/base/error.h"
 #include "ui/dialogs/preferences.h"
 #include "ui/messages/messages.h"
+#include "ui/scene/surface_format.h"
 #include "ui/theme/icon.h"
 #include "ui/window/main_window.h"
 #include "ui/window/unix_signals.h"
 
 #include <QApplication>
 #include <QLibraryInfo>
-#include <QSurfaceFormat>
 #include <QTranslator>
 
 #include <atomic>
@@ -69,12 +69,7 @@ int runWorkstation(int argc, char** argv) {
                      "\"burin demo\" does the whole job without one, \"burin --help\" lists the others.\n";
         return static_cast<int>(ErrorClass::wrongUse);
     }
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    QSurfaceFormat::setDefaultFormat(format);
+    useSceneSurfaceFormat();
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("Burin"));
     QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));

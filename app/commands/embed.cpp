@@ -83,7 +83,10 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (!project) return context.fail(project.error());
     for (const auto& step :
          {project->setModel(*model), project->setSetup(*setup), project->setMaterials(*materials), project->save()})
-        if (!step) return context.fail(step.error());
+        if (!step) {
+            project->abandonChanges(); // nothing of the hand's is in it
+            return context.fail(step.error());
+        }
 
     const glm::ivec3 voxels = embedded->workpiece.grid().count();
     const nlohmann::json answer{{"project", std::filesystem::absolute(arguments.output).lexically_normal().string()},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/cutting/contact.h"
 #include "core/cutting/surface_flux.h"
 #include "core/cutting/window_cutter.h"
 #include "core/geometry/pose.h"
@@ -12,7 +13,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 
 namespace burin {
 
@@ -92,20 +92,5 @@ private:
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
     glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last
 };
-
-/// Where shank or holder touches something.
-struct ShankContact {
-    bool touches = false;
-    std::uint8_t piece = 0;               ///< place in pieces(cutter) of what overlaps most: 1 shank, 2 … holder
-    PropertyIndex property = airProperty; ///< what is touched, most of it
-    glm::dvec3 place{0.0};                ///< mm, centre of the collision area (paper, eq. 4), setup frame
-    double volume = 0.0;                  ///< mm³ of overlap
-};
-
-/// Shank and holder at a tip (axis +Z, runs along z) against everything in the workpiece, part and stock alike. Read
-/// only. A scanline counts when it overlaps by more than a quarter of a voxel.
-/// @param tool pieces(cutter); the first, the flutes, may touch.
-ShankContact shankContact(const RunVolume& workpiece, std::span<const RevolvedPiece> tool,
-                          const glm::dvec3& tip) noexcept;
 
 } // namespace burin

@@ -16,9 +16,13 @@ constexpr float mostBend = 0.06F;          // of a line that is interpolated
 constexpr float mostResidual = 0.04F;      // of its ends' slopes
 constexpr float mostSpread = 0.02F;        // between the lines through a sample
 constexpr float mostCellError = 0.05F;     // of a trilinear cell; worse ones are exact
+constexpr float mostImbalance = 0.08F;     // between the bends at the ends of an edge, in a smooth cell
 constexpr float narrowQuantum = 0.008F;    // coarsest unit of residuals of 8 bits
+constexpr float estimate = 0.005F;         // of a sample that was not asked for, at least
+constexpr float rounding = 1e-5F;          // of single precision
 constexpr float halfDiagonal = 0.8660254F; // of a cube of edge 1
 constexpr std::size_t longList = 8;        // triangles: worth a second look
+constexpr std::size_t mostTriangles = 64;  // that an exact cell may name
 
 /// The greatest chord error along one axis of a whole brick, or more: of four edges at a time.
 class ChordErrors {
@@ -28,22 +32,25 @@ public:
         const FourFloats low = rise - fourAt(slope), high = fourAt(slope + step) - rise;
         const FourFloats quarter = 0.25F * absolute(low + high);
         const FourFloats half = 0.5F * greater(absolute(low), absolute(high));
-        worst_ = greater(worst_, low * high > 0.0F ? quarter : half);
+        const FourFloats imbalance = absolute(low - high);
+        imbalance_ = greater(imbalance_, imbalance);
+        worst_ = greater(worst_, (low * high > 0.0F ? quarter : half) + 0.25F * imbalance);
     }
     float worst() const noexcept { return greatest(worst_); }
+    float imbalance() const noexcept { return greatest(imbalance_); }
 
 private:
-    FourFloats worst_{};
+    FourFloats worst_{}, imbalance_{};
 };
 
 /// Runs of edges along an axis: begin, length, and how far one run is from the next.
-float worstChord(const SampleGrid& grid, std::size_t axis) noexcept {
+ChordErrors chordErrors(const SampleGrid& grid, std::size_t axis) noexcept {
     constexpr std::array<std::size_t, 3> step{1, 9, 81}, length{8, 72, 648}, next{9, 81, 729};
     ChordErrors errors;
     for (std::size_t run = 0; run < CellGrid::samples; run += next[axis])
         for (std::size_t i = 0; i < length[axis]; i += 4)
             errors.meet(grid.values[0].data() + run + i, grid.values[axis + 1].data() + run + i, step[axis]);
-    return errors.worst();
+    return errors;
 }
 
 /// How far a chord can be from a function with these ends and slopes, if that is convex or concave: the tangents bound
@@ -63,11 +70,11 @@ bool isSmooth(const LineCheck& check) noexcept {
 void BrickMaker::make(const glm::ivec3& corner, const SampleGrid& third, bool everything, MadeBrick& made) {
     corner_ = glm::dvec3(corner);
     sampleAll(third, everything);
-    const float cells = boundCells();
+    float cells = boundCells();
     pack(made);
-    listTriangles(made);
+    cells = std::max(cells, listTriangles(made));
     const float quantisation = 0.5F * made.header.quantum;
-    made.bound = static_cast<float>(static_cast<double>(cells + sampleError_) * voxel_) + quantisation;
+    made.bound = static_cast<float>(static_cast<double>(cells + sampleError_ + rounding) * voxel_) + quantisation;
 }
 
 void BrickMaker::sampleAll(const SampleGrid& third, bool everything) {
@@ -82,7 +89,7 @@ void BrickMaker::sampleAll(const SampleGrid& third, bool everything) {
         return;
     }
     if (isSmooth(four) && isSmooth(two)) {
-        sampleError_ = 0.5F * std::max(four.residual, two.residual);
+        sampleError_ = estimate + std::max(0.5F * std::max(four.residual, two.residual), 0.25F * four.bend);
         return;
     }
     for (int z = 0; z < 5; ++z)
@@ -92,7 +99,7 @@ void BrickMaker::sampleAll(const SampleGrid& third, bool everything) {
                     five_.set(five_.at(x, y, z), asker_.ask(corner_ + 2.0 * glm::dvec3(x, y, z)));
     two = {};
     refine(five_, nine_, 2.0F, two);
-    sampleError_ = 0.5F * std::min(two.residual, mostResidual);
+    sampleError_ = estimate + 0.5F * std::min(std::max(two.residual, 0.5F * two.bend), mostResidual);
     if (!isSmooth(two)) sampleFailing();
 }
 
@@ -135,28 +142,41 @@ std::optional<PartSample> BrickMaker::onLines(const glm::ivec3& sample) const no
     return PartSample{sum.distance * share, sum.gradient * share};
 }
 
+/// Where the ends of each edge bend alike, the chords' errors; where a ridge passes through, a quarter of the slopes'
+/// range, for it may cross the edges near their ends and the middle of the cell all the same.
 float BrickMaker::cellError(int x, int y, int z) const noexcept {
-    float sum = 0.0F;
     const std::array<std::size_t, 3> step{1, 9, 81};
     const std::size_t first = nine_.at(x, y, z);
+    float smooth = 0.0F, ridge = 0.0F, imbalance = 0.0F;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::vector<float>& slope = nine_.values[axis + 1];
         const std::size_t u = step[(axis + 1) % 3], v = step[(axis + 2) % 3];
-        float worst = 0.0F;
+        float worst = 0.0F, least = slope[first], most = least;
         for (const std::size_t from : {first, first + u, first + v, first + u + v}) {
             const std::size_t to = from + step[axis];
-            worst = std::max(worst, chordError(nine_.values[0][to] - nine_.values[0][from], slope[from], slope[to]));
+            const float rise = nine_.values[0][to] - nine_.values[0][from];
+            const float uneven = std::abs(2.0F * rise - slope[from] - slope[to]);
+            worst = std::max(worst, chordError(rise, slope[from], slope[to]) + 0.25F * uneven);
+            imbalance = std::max(imbalance, uneven);
+            least = std::min({least, slope[from], slope[to]});
+            most = std::max({most, slope[from], slope[to]});
         }
-        sum += worst;
+        smooth += worst;
+        ridge += 0.25F * (most - least);
     }
-    return sum;
+    return imbalance <= mostImbalance ? smooth : std::max(smooth, ridge);
 }
 
 /// The largest error of the cells that stay trilinear, voxels; the others are marked.
 float BrickMaker::boundCells() {
     mask_ = {};
-    const float whole = worstChord(nine_, 0) + worstChord(nine_, 1) + worstChord(nine_, 2);
-    if (whole <= mostCellError) return whole;
+    float whole = 0.0F, imbalance = 0.0F;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const ChordErrors errors = chordErrors(nine_, axis);
+        whole += errors.worst();
+        imbalance = std::max(imbalance, errors.imbalance());
+    }
+    if (whole <= mostCellError && imbalance <= mostImbalance) return whole;
     float largest = 0.0F;
     for (int z = 0; z < 8; ++z)
         for (int y = 0; y < 8; ++y)
@@ -172,7 +192,8 @@ float BrickMaker::boundCells() {
 
 /// A triangle that is nearest to some point of a cell is no farther from the cell's centre than the nearest one is, and
 /// twice the way to the cell's corner.
-void BrickMaker::listTriangles(MadeBrick& made) {
+float BrickMaker::listTriangles(MadeBrick& made) {
+    float cells = 0.0F; ///< error of those that stay trilinear nevertheless
     made.exactMask = mask_;
     made.cellLists.clear();
     made.lists.clear();
@@ -184,7 +205,12 @@ void BrickMaker::listTriangles(MadeBrick& made) {
             const glm::dvec3 centre = corner_ + glm::dvec3(place % 8, place / 8, z) + 0.5;
             const double distance = std::abs(static_cast<double>(asker_.ask(centre).distance));
             part_.trianglesNear(origin_ + centre * voxel_, (distance + 2.0 * 0.8660255) * voxel_, near_);
-            if (near_.size() > longList) prune(centre);
+            if (near_.size() > longList && near_.size() <= 8 * mostTriangles) prune(centre);
+            if (near_.size() > mostTriangles) { // quicker as it is
+                made.exactMask[static_cast<std::size_t>(z)] &= ~(std::uint64_t{1} << place);
+                cells = std::max(cells, cellError(place % 8, place / 8, z));
+                continue;
+            }
             std::sort(near_.begin(), near_.end());
             if (near_ != last || made.lists.empty()) {
                 lastAt = static_cast<std::uint32_t>(made.lists.size());
@@ -194,6 +220,7 @@ void BrickMaker::listTriangles(MadeBrick& made) {
             }
             made.cellLists.push_back(lastAt);
         }
+    return cells;
 }
 
 /// The same for each eighth of the cell.
@@ -215,6 +242,28 @@ void BrickMaker::prune(const glm::dvec3& centre) {
     for (std::size_t t = 0; t < near_.size(); ++t)
         if (wanted[t]) near_[kept++] = near_[t];
     near_.resize(kept);
+}
+
+float distanceIn(const MadeBrick& made, const glm::vec3& place) noexcept {
+    const glm::ivec3 cell = glm::clamp(glm::ivec3(place), 0, CellGrid::cells - 1);
+    const glm::vec3 share = place - glm::vec3(cell);
+    const std::size_t first = CellGrid::sampleAt(cell.x, cell.y, cell.z);
+    const bool wide = made.header.wide != 0;
+    const auto residual = [&](std::size_t step) noexcept {
+        return wide ? static_cast<float>(made.wide[first + step]) : static_cast<float>(made.narrow[first + step]);
+    };
+    const auto alongX = [&](std::size_t step) noexcept {
+        return glm::mix(residual(step), residual(step + 1), share.x);
+    };
+    const float rest =
+        glm::mix(glm::mix(alongX(0), alongX(9), share.y), glm::mix(alongX(81), alongX(90), share.y), share.z);
+    const auto& [x, y, z] = made.header.slope;
+    return made.header.base + glm::dot(glm::vec3(x, y, z), place) + made.header.quantum * rest;
+}
+
+bool isExactIn(const MadeBrick& made, const glm::vec3& place) noexcept {
+    const glm::ivec3 cell = glm::clamp(glm::ivec3(place), 0, CellGrid::cells - 1);
+    return ((made.exactMask[static_cast<std::size_t>(cell.z)] >> (cell.x + 8 * cell.y)) & 1U) != 0;
 }
 
 void BrickMaker::pack(MadeBrick& made) const {

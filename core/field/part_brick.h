@@ -21,6 +21,11 @@ struct MadeBrick {
     std::uint32_t bandVoxels = 0; ///< its own samples (all but those on the upper faces) within the band
 };
 
+/// What a made brick answers where its cells are trilinear, mm. @param place  voxels from its lowest corner, 0 … 8
+float distanceIn(const MadeBrick& made, const glm::vec3& place) noexcept;
+/// Whether the place is in an exact cell.
+bool isExactIn(const MadeBrick& made, const glm::vec3& place) noexcept;
+
 /// Whether lines are so smooth that cubics between their ends do.
 bool isSmooth(const LineCheck& check) noexcept;
 
@@ -43,7 +48,7 @@ private:
     std::optional<PartSample> onLines(const glm::ivec3& sample) const noexcept;
     float boundCells();
     float cellError(int x, int y, int z) const noexcept;
-    void listTriangles(MadeBrick& made);
+    float listTriangles(MadeBrick& made);
     void prune(const glm::dvec3& centre);
     void pack(MadeBrick& made) const;
     void packResiduals(MadeBrick& made, const std::array<float, CellGrid::samples>& residuals, float half) const;

@@ -4,6 +4,7 @@
 
 #include "core/field/coarse_bound.h"
 #include "core/field/spread.h"
+#include "core/field/surface_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,7 @@ public:
         chooseCandidates();
         sampleCandidates();
         makeBricks();
+        checkSurface();
         boundCoarseBricks();
         if (progress_.cancelled()) return Error{ErrorCode::cancelled, subject, "", ""};
         assemble();
@@ -72,6 +74,7 @@ private:
             if (!(count < 1e7)) return false;
             l.blocks[axis] = static_cast<int>(along);
         }
+        l.setScale();
         return true;
     }
 
@@ -352,6 +355,50 @@ private:
                 if (candidates_[i].fine) maker.make(brickVoxels * candidates_[i].brick, third, false, made_[i]);
             }
         });
+    }
+
+    /// Every point of the mesh is a bound of the distances around it, which finds what lies between samples: bricks
+    /// that contradict one are made again, sample by sample.
+    void checkSurface() {
+        std::vector<std::uint8_t> wrong(candidates_.size(), 0);
+        const std::span<const Triangle> triangles = part_.triangles();
+        spreadStretches(triangles.size(), 0.85, 0.92, progress_, [&](std::size_t first, std::size_t end) {
+            SurfacePoints points;
+            for (std::size_t i = first; i < end; ++i)
+                points.of(triangles[i], 1.5 * voxel(), [&](const glm::dvec3& point) { check(point, wrong); });
+        });
+        std::vector<std::size_t> again;
+        for (std::size_t i = 0; i < wrong.size(); ++i)
+            if (wrong[i] != 0) again.push_back(i);
+        spread(again.size(), 0.92, 0.95, progress_, [&](std::size_t i) {
+            BrickMaker maker(part_, layers_->origin, voxel());
+            const std::size_t number = again[i];
+            candidates_[number].fine = true;
+            maker.make(brickVoxels * candidates_[number].brick, SampleGrid(3), true, made_[number]);
+        });
+    }
+
+    void check(const glm::dvec3& point, std::vector<std::uint8_t>& wrong) const {
+        const glm::dvec3 place = (point - layers_->origin) / voxel();
+        const glm::ivec3 home = glm::ivec3(place) >> 3;
+        const glm::ivec3 side =
+            glm::mix(glm::ivec3(-1), glm::ivec3(1), glm::greaterThan(place - 8.0 * glm::dvec3(home), glm::dvec3(4.0)));
+        for (int i = 0; i < 8; ++i) {
+            const glm::ivec3 brick = home + side * cornerOf(i);
+            const std::int32_t number = candidateAt(brick);
+            if (number == coarse) continue;
+            const glm::vec3 local(place - 8.0 * glm::dvec3(brick)), inside = glm::clamp(local, 0.0F, 8.0F);
+            const float away = glm::length(local - inside);
+            if (away <= BrickMaker::bandVoxels && contradicts(static_cast<std::size_t>(number), inside, away))
+                std::atomic_ref(wrong[static_cast<std::size_t>(number)]).store(1, std::memory_order_relaxed);
+        }
+    }
+
+    bool contradicts(std::size_t number, const glm::vec3& inside, float away) const noexcept {
+        if (!candidates_[number].fine) return true;
+        const MadeBrick& made = made_[number];
+        const float allowed = inMillimetres(away) + made.bound;
+        return std::abs(distanceIn(made, inside)) > allowed && !isExactIn(made, inside);
     }
 
     /// Where corners lie between asked ones, a value is off by the error there, and once more by its own.

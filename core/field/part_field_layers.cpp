@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/part_field_layers.h"
 
+#include "core/geometry/four_floats.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -12,23 +14,31 @@ namespace {
 constexpr int row = CellGrid::along, layer = CellGrid::along * CellGrid::along;
 constexpr double halfDiagonal = 0.8660254037844387; // of a cube of edge 1
 
-using Corners = std::array<float, 8>; // of a cell, x running fastest
+/// Of a cell: the four on its lower face, x running fastest, and the four above them. Kept in registers: what is put
+/// together in memory piece by piece is slow to load as one.
+struct Corners {
+    FourFloats low, high;
+};
+
+Corners cornersAt(const float* first) noexcept {
+    return {FourFloats{first[0], first[1], first[row], first[row + 1]},
+            FourFloats{first[layer], first[layer + 1], first[layer + row], first[layer + row + 1]}};
+}
 
 template <class Number>
 Corners cornersAt(const Number* first) noexcept {
-    const auto number = [first](int i) noexcept { return static_cast<float>(first[i]); };
-    return {number(0),     number(1),         number(row),         number(row + 1),
-            number(layer), number(layer + 1), number(layer + row), number(layer + row + 1)};
+    const FourInts low{first[0], first[1], first[row], first[row + 1]};
+    const FourInts high{first[layer], first[layer + 1], first[layer + row], first[layer + row + 1]};
+    return {__builtin_convertvector(low, FourFloats), __builtin_convertvector(high, FourFloats)};
 }
 
 /// Value and gradient, per edge of the cell, between eight corners.
-PartDistance between(const Corners& c, const glm::vec3& t) noexcept {
-    const float d00 = c[1] - c[0], d10 = c[3] - c[2], d01 = c[5] - c[4], d11 = c[7] - c[6];
-    const float x00 = c[0] + t.x * d00, x10 = c[2] + t.x * d10, x01 = c[4] + t.x * d01, x11 = c[6] + t.x * d11;
-    const float y0 = x10 - x00, y1 = x11 - x01;
-    const float z0 = x00 + t.y * y0, z1 = x01 + t.y * y1;
-    const float e0 = d00 + t.y * (d10 - d00), e1 = d01 + t.y * (d11 - d01);
-    return {z0 + t.z * (z1 - z0), {e0 + t.z * (e1 - e0), y0 + t.z * (y1 - y0), z1 - z0}};
+PartDistance between(const Corners& corners, const glm::vec3& t) noexcept {
+    const FourFloats rise = corners.high - corners.low, middle = corners.low + t.z * rise;
+    const float x0 = middle[1] - middle[0], x1 = middle[3] - middle[2];
+    const float y0 = middle[0] + t.x * x0, y1 = middle[2] + t.x * x1;
+    const float z0 = rise[0] + t.x * (rise[1] - rise[0]), z1 = rise[2] + t.x * (rise[3] - rise[2]);
+    return {y0 + t.y * (y1 - y0), {x0 + t.y * (x1 - x0), y1 - y0, z0 + t.y * (z1 - z0)}};
 }
 
 /// Bytes that a vector holds.
@@ -39,27 +49,21 @@ std::size_t bytes(const std::vector<Item>& items) noexcept {
 
 } // namespace
 
-PartFieldLayers::Place PartFieldLayers::place(const glm::dvec3& point) const noexcept {
-    Place place;
-    double outside = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const int voxels = blocks[axis] * blockVoxels;
-        const double wanted = (point[axis] - origin[axis]) / request.voxel;
-        const double kept = wanted > 0.0 ? std::min(wanted, static_cast<double>(voxels)) : 0.0; // not a number: 0
-        place.voxel[axis] = std::min(static_cast<int>(kept), voxels - 1);
-        place.share[axis] = static_cast<float>(kept - place.voxel[axis]);
-        outside += (wanted - kept) * (wanted - kept);
-    }
-    place.outside = outside > 0.0 ? std::sqrt(outside) * request.voxel : 0.0;
-    return place;
+void PartFieldLayers::setScale() noexcept {
+    voxelCount_ = glm::dvec3(blocks * blockVoxels);
+    perVoxel_ = 1.0 / request.voxel;
 }
 
-const FineBrick* PartFieldLayers::fineBrickAt(const glm::ivec3& voxel) const noexcept {
-    const std::int32_t block = blockNumber[blockAt(voxel >> 6)];
-    if (block == coarse) return nullptr;
-    const glm::ivec3 b = (voxel >> 3) & 7;
-    const std::int32_t number = divided[static_cast<std::size_t>(block)].fine[CellGrid::cellAt(b.x, b.y, b.z)];
-    return number == coarse ? nullptr : &bricks[static_cast<std::size_t>(number)];
+PartFieldLayers::Place PartFieldLayers::placeOutside(const glm::dvec3& wanted) const noexcept {
+    Place place;
+    glm::dvec3 kept;
+    for (int axis = 0; axis < 3; ++axis) { // what is not a number: the low side
+        kept[axis] = wanted[axis] > 0.0 ? std::min(wanted[axis], voxelCount_[axis]) : 0.0;
+        place.voxel[axis] = std::min(static_cast<int>(kept[axis]), blocks[axis] * blockVoxels - 1);
+    }
+    place.share = glm::vec3(kept - glm::dvec3(place.voxel));
+    place.outside = glm::length(wanted - kept) * request.voxel;
+    return place;
 }
 
 PartDistance PartFieldLayers::sampleFine(const FineBrick& brick, const Place& place) const noexcept {
@@ -70,7 +74,7 @@ PartDistance PartFieldLayers::sampleFine(const FineBrick& brick, const Place& pl
                                 : cornersAt(narrow.data() + std::size_t{brick.samples} * narrowStride + first);
     const PartDistance rest = between(corners, place.share);
     const glm::vec3 along = glm::vec3(cell) + place.share, slope{brick.slope[0], brick.slope[1], brick.slope[2]};
-    const auto perVoxel = static_cast<float>(1.0 / request.voxel);
+    const auto perVoxel = static_cast<float>(perVoxel_);
     return {brick.base + glm::dot(slope, along) + brick.quantum * rest.distance,
             (slope + brick.quantum * rest.gradient) * perVoxel};
 }
@@ -98,11 +102,12 @@ PartDistance PartFieldLayers::sampleCoarse(const Place& place) const noexcept {
         edge *= brickVoxels;
     } else {
         const glm::vec3 share = (glm::vec3(place.voxel & 63) + place.share) / static_cast<float>(blockVoxels);
-        Corners corners;
-        for (int i = 0; i < 8; ++i)
-            corners[static_cast<std::size_t>(i)] =
-                topCorners[topAt(block + glm::ivec3(i & 1, (i >> 1) & 1, (i >> 2) & 1))];
-        answer = between(corners, share);
+        const float* first = topCorners.data() + topAt(block);
+        const auto n = glm::i64vec3(blocks) + std::int64_t{1};
+        const float *next = first + n.x, *above = first + n.x * n.y, *last = above + n.x;
+        answer = between(
+            {FourFloats{first[0], first[1], next[0], next[1]}, FourFloats{above[0], above[1], last[0], last[1]}},
+            share);
         edge *= blockVoxels;
     }
     answer.gradient /= static_cast<float>(edge);
@@ -110,33 +115,25 @@ PartDistance PartFieldLayers::sampleCoarse(const Place& place) const noexcept {
 }
 
 /// As the nearest point of the layers' box; but the part lies in its own box, and what lies beyond is no nearer.
-PartDistance PartFieldLayers::sampleOutside(const glm::dvec3& point) const noexcept {
-    const Box covered = box();
-    glm::dvec3 kept; // what is not a number: the low side
-    for (int axis = 0; axis < 3; ++axis)
-        kept[axis] = point[axis] > covered.low[axis] ? std::min(point[axis], covered.high[axis]) : covered.low[axis];
-    PartDistance answer = sample(kept);
+PartDistance PartFieldLayers::sampleOutside(const glm::dvec3& point, const Place& place) const noexcept {
+    const glm::dvec3 nearest = origin + (glm::dvec3(place.voxel) + glm::dvec3(place.share)) * request.voxel;
+    PartDistance answer = sampleInside(nearest, place);
     if (meshBounds.empty()) return answer;
     const glm::dvec3 away = glm::max(glm::max(meshBounds.low - point, point - meshBounds.high), glm::dvec3(0.0));
     answer.distance = std::max(answer.distance, static_cast<float>(glm::length(away)));
     return answer;
 }
 
-PartDistance PartFieldLayers::sample(const glm::dvec3& point) const noexcept {
-    const Place where = place(point);
-    if (where.outside > 0.0) return sampleOutside(point);
-    const FineBrick* brick = fineBrickAt(where.voxel);
-    if (brick == nullptr) return sampleCoarse(where);
-    if (brick->exact != FineBrick::none) {
-        const glm::ivec3 cell = where.voxel & 7;
-        const ExactCells& exact = exactCells[brick->exact];
-        if (exact.contains(cell.x, cell.y, cell.z)) return sampleExact(exact, cell, point);
-    }
-    return sampleFine(*brick, where);
+PartDistance PartFieldLayers::sampleInside(const glm::dvec3& point, const Place& place) const noexcept {
+    const FineBrick* brick = fineBrickAt(place.voxel);
+    if (brick == nullptr) return sampleCoarse(place);
+    return isExact(*brick, place.voxel) ? sampleExact(exactCells[brick->exact], place.voxel & 7, point)
+                                        : sampleFine(*brick, place);
 }
 
-void PartFieldLayers::sample(std::span<const glm::dvec3> points, std::span<PartDistance> answers) const noexcept {
-    for (std::size_t i = 0; i < points.size(); ++i) answers[i] = sample(points[i]);
+PartDistance PartFieldLayers::sample(const glm::dvec3& point) const noexcept {
+    const Place where = place(point);
+    return where.outside > 0.0 ? sampleOutside(point, where) : sampleInside(point, where);
 }
 
 double PartFieldLayers::bound(const glm::dvec3& point) const noexcept {

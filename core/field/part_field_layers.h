@@ -74,13 +74,23 @@ public:
     static constexpr int narrowStride = 736; ///< bytes a brick of 8-bit residuals
     static constexpr std::int32_t coarse = -1;
 
-    /// A place: block, brick, cell and the share of the innermost grid.
+    /// A place in the box of the layers.
     struct Place {
         glm::ivec3 voxel{0};   ///< counted from the origin
         glm::vec3 share{0.0F}; ///< of the voxel, 0 … 1
-        double outside = 0.0;  ///< mm from the box that the layers cover
+        double outside = 0.0;  ///< mm from the box: the place is its nearest point
     };
-    Place place(const glm::dvec3& point) const noexcept;
+    Place place(const glm::dvec3& point) const noexcept {
+        const glm::dvec3 wanted = (point - origin) * perVoxel_;
+        if (wanted.x >= 0.0 && wanted.y >= 0.0 && wanted.z >= 0.0 && wanted.x < voxelCount_.x &&
+            wanted.y < voxelCount_.y && wanted.z < voxelCount_.z) {
+            const glm::ivec3 voxel(wanted);
+            return {voxel, glm::vec3(wanted - glm::dvec3(voxel)), 0.0};
+        }
+        return placeOutside(wanted);
+    }
+    /// Once the blocks are known.
+    void setScale() noexcept;
 
     PartDistance sample(const glm::dvec3& point) const noexcept;
     void sample(std::span<const glm::dvec3> points, std::span<PartDistance> answers) const noexcept;
@@ -121,10 +131,26 @@ private:
                static_cast<std::size_t>(n.x) *
                    (static_cast<std::size_t>(i.y) + static_cast<std::size_t>(n.y) * static_cast<std::size_t>(i.z));
     }
-    const FineBrick* fineBrickAt(const glm::ivec3& voxel) const noexcept;
+    glm::dvec3 voxelCount_{0.0}; ///< along each axis
+    double perVoxel_ = 0.0;      ///< 1/mm
+
+    bool isExact(const FineBrick& brick, const glm::ivec3& voxel) const noexcept {
+        return brick.exact != FineBrick::none &&
+               exactCells[brick.exact].contains(voxel.x & 7, voxel.y & 7, voxel.z & 7);
+    }
+    Place placeOutside(const glm::dvec3& wanted) const noexcept;
+    PartDistance sampleInside(const glm::dvec3& point, const Place& place) const noexcept;
+    /// The fine brick that a voxel lies in; none where the layers are coarse.
+    const FineBrick* fineBrickAt(const glm::ivec3& voxel) const noexcept {
+        const std::int32_t block = blockNumber[blockAt(voxel >> 6)];
+        if (block == coarse) return nullptr;
+        const glm::ivec3 b = (voxel >> 3) & 7;
+        const std::int32_t number = divided[static_cast<std::size_t>(block)].fine[CellGrid::cellAt(b.x, b.y, b.z)];
+        return number == coarse ? nullptr : &bricks[static_cast<std::size_t>(number)];
+    }
     PartDistance sampleFine(const FineBrick& brick, const Place& place) const noexcept;
     PartDistance sampleCoarse(const Place& place) const noexcept;
-    PartDistance sampleOutside(const glm::dvec3& point) const noexcept;
+    PartDistance sampleOutside(const glm::dvec3& point, const Place& place) const noexcept;
     PartDistance sampleExact(const ExactCells& exact, const glm::ivec3& cell, const glm::dvec3& point) const noexcept;
 };
 

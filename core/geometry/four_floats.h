@@ -9,6 +9,7 @@ namespace burin {
 
 /// Four floats that are computed with at once: SSE2, which every x86-64 has.
 using FourFloats = float __attribute__((vector_size(16)));
+using FourInts = int __attribute__((vector_size(16)));
 
 inline FourFloats fourAt(const float* first) noexcept {
     FourFloats vector;

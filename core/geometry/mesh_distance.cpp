@@ -63,6 +63,7 @@ public:
 
     const Box& bounds() const noexcept { return tree_.bounds(); }
     bool empty() const noexcept { return tree_.empty(); }
+    std::span<const Triangle> triangles() const noexcept { return tree_.triangles(); }
     std::size_t triangleOf(std::size_t slot) const noexcept { return places_[tree_.order()[slot]]; }
 
     Found nearest(const glm::dvec3& point, double within) const noexcept {
@@ -298,6 +299,10 @@ ClosestPoint MeshDistance::closestOf(std::span<const std::uint32_t> numbers, con
 
 Box MeshDistance::bounds() const noexcept {
     return tree_->bounds();
+}
+
+std::span<const Triangle> MeshDistance::triangles() const noexcept {
+    return tree_->triangles();
 }
 
 } // namespace burin

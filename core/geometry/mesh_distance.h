@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/geometry/pose.h"
 #include "core/geometry/revolved_piece.h"
+#include "core/geometry/triangle.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <cstddef>
@@ -61,6 +62,8 @@ public:
     ToolClearance clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within = 1e300) const;
 
     Box bounds() const noexcept;
+    /// What is measured to, in an order in which neighbours are near each other.
+    std::span<const Triangle> triangles() const noexcept;
 
 private:
     class Tree;

@@ -37,7 +37,7 @@ PlaneMinimum minimumOverPlane(const PlacedPiece& placed, const glm::dvec3& norma
     const double middle = 0.5 * (piece.bottom + piece.top);
     const double beside = offset - normalAxial * middle;
     const double footX = beside * normalRadial, footZ = middle + beside * normalAxial;
-    const double reach = std::hypot(std::max(piece.bottomRadius, piece.topRadius), piece.top - middle) + 1e-6;
+    const double reach = std::hypot(piece.widestRadius(), piece.top - middle) + 1e-6;
     const double alongX = -normalAxial, alongZ = normalRadial;
     const auto profile = [&](double t) noexcept -> LineValue {
         const double x = footX + t * alongX, z = footZ + t * alongZ;

@@ -5,19 +5,55 @@
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <optional>
 
 namespace burin {
 
-/// A convex solid of revolution about the tool axis: a frustum whose bottom edge may be rounded. A tool is a stack of
-/// them (flutes, shank, holder), so that geometry below needs to know nothing of tools.
-/// Ball end: bottomRadius = topRadius = cornerRadius. Flat end: cornerRadius = 0. Bull nose: between.
+/// A convex solid of revolution about the tool axis: a frustum whose bottom edge may be rounded, or whose side may
+/// bulge in an arc. A tool is a stack of them (flutes, shank, holder), so that geometry below needs to know nothing of
+/// tools. Ball end: bottomRadius = topRadius = cornerRadius. Flat end: cornerRadius = 0. Bull nose: between. Bulging
+/// side (zone of a sphere or torus): made by `bulgingPiece`.
 struct RevolvedPiece {
     double bottom = 0.0;       ///< mm above the tip along the axis
     double top = 0.0;          ///< mm above the tip, > bottom, >= bottom + cornerRadius
     double bottomRadius = 0.0; ///< mm, before rounding
     double topRadius = 0.0;    ///< mm
-    double cornerRadius = 0.0; ///< mm, 0 … bottomRadius; only where bottomRadius == topRadius
+    double cornerRadius = 0.0; ///< mm, 0 … bottomRadius; only where bottomRadius == topRadius and the side is straight
+    double bulgeRadius = 0.0;  ///< mm, of the arc that the side is; 0: straight
+    double bulgeCentreRadius = 0.0; ///< mm, of the arc's centre from the axis; 0: a sphere; negative: beyond the axis
+    double bulgeCentreHeight = 0.0; ///< mm above the tip, of the arc's centre
+
+    bool bulges() const noexcept { return bulgeRadius > 0.0; }
+    /// mm, the farthest from the axis that the piece reaches.
+    double widestRadius() const noexcept {
+        const double ends = bottomRadius > topRadius ? bottomRadius : topRadius;
+        const bool passesEquator = bulges() && bottom < bulgeCentreHeight && bulgeCentreHeight < top;
+        return passesEquator ? bulgeCentreRadius + bulgeRadius : ends;
+    }
 };
+
+/// The zone between two heights of the solid whose profile is an arc about (centreRadius, centreHeight), outside being
+/// away from the axis. `bottom` and `top` within centreHeight ± radius; no radius of the zone may be negative.
+inline RevolvedPiece bulgingPiece(double bottom, double top, double centreRadius, double centreHeight,
+                                  double radius) noexcept {
+    const auto radiusAt = [&](double height) {
+        const double up = height - centreHeight, square = (radius - up) * (radius + up);
+        const double at = centreRadius + (square > 0.0 ? std::sqrt(square) : 0.0);
+        return at > 0.0 ? at : 0.0;
+    };
+    return {bottom, top, radiusAt(bottom), radiusAt(top), 0.0, radius, centreRadius, centreHeight};
+}
+
+/// Stretch of heights above the tip, mm.
+struct HeightRange {
+    double low = 0.0, high = 0.0;
+};
+/// What the piece covers at a distance from its axis, mm; nothing beyond its widest radius. The stretch shrinks with
+/// the distance.
+std::optional<HeightRange> heightsAt(const RevolvedPiece& piece, double radius) noexcept;
+
+/// Radius of the piece at a height between its faces, mm.
+double radiusAt(const RevolvedPiece& piece, double height) noexcept;
 
 /// Signed distance with its slopes along the two cylinder coordinates: unit length together, except on the piece's
 /// inner ridges, where they are those of one of the faces that meet there (a subgradient).
@@ -68,10 +104,12 @@ inline PieceDistance cylinder(const RevolvedPiece& piece, double radius, double 
 }
 
 PieceDistance frustum(const RevolvedPiece& piece, double radius, double height) noexcept;
+PieceDistance bulge(const RevolvedPiece& piece, double radius, double height) noexcept;
 
 } // namespace profile
 
 inline PieceDistance signedDistanceAndSlope(const RevolvedPiece& piece, double radius, double height) noexcept {
+    if (piece.bulges()) return profile::bulge(piece, radius, height);
     return piece.bottomRadius == piece.topRadius ? profile::cylinder(piece, radius, height)
                                                  : profile::frustum(piece, radius, height);
 }

@@ -123,10 +123,12 @@ public:
         const auto& [tip, axis] = placed.pose();
         const RevolvedPiece& piece = placed.piece();
         const glm::dvec3 bottom = tip + floor * axis - origin_, top = tip + piece.top * axis - origin_;
+        const double lower = piece.bulges() ? piece.widestRadius() : piece.bottomRadius;
+        const double upper = piece.bulges() ? piece.widestRadius() : piece.topRadius;
         for (int i = 0; i < 3; ++i) {
             const double across = std::sqrt(std::max(0.0, 1.0 - axis[i] * axis[i]));
-            const double low = std::min(bottom[i] - piece.bottomRadius * across, top[i] - piece.topRadius * across);
-            const double high = std::max(bottom[i] + piece.bottomRadius * across, top[i] + piece.topRadius * across);
+            const double low = std::min(bottom[i] - lower * across, top[i] - upper * across);
+            const double high = std::max(bottom[i] + lower * across, top[i] + upper * across);
             const double slack = 1e-9 + 2.4e-7 * std::max(std::abs(low), std::abs(high));
             low_[i] = static_cast<float>(low - slack);
             high_[i] = static_cast<float>(high + slack);

@@ -7,37 +7,42 @@
 
 namespace burin {
 
-BrakeOnContact::BrakeOnContact(const Cutter& cutter) : tool_(pieces(cutter)), withFlutes_(tool_) {
-    withFlutes_.insert(withFlutes_.begin(), withFlutes_.front());
+BrakeOnContact::BrakeOnContact(const Cutter& cutter, const Grid& grid)
+    : tool_(pieces(cutter)), fluteCount_(flutePieces(cutter).size()), check_(grid) {
     // Tools a stride apart overlap by more than half of the thinnest piece.
-    double thinnest = tool_.front().bottomRadius;
-    for (const RevolvedPiece& piece : tool_) thinnest = std::min({thinnest, piece.bottomRadius, piece.topRadius});
+    double thinnest = tool_.front().widestRadius();
+    for (const RevolvedPiece& piece : tool_) thinnest = std::min(thinnest, piece.widestRadius());
     stride_ = std::max(thinnest, 0.05);
 }
 
-ShankContact BrakeOnContact::at(const RunVolume& workpiece, const glm::dvec3& tip) const noexcept {
-    return shankContact(workpiece, tool_, tip);
+ShankContact BrakeOnContact::standing(const RunVolume& workpiece, std::size_t mayTouch,
+                                      const glm::dvec3& tip) noexcept {
+    return check_.at(workpiece, tool_, mayTouch, {tip, {0.0, 0.0, 1.0}});
+}
+
+ShankContact BrakeOnContact::at(const RunVolume& workpiece, const glm::dvec3& tip) noexcept {
+    return standing(workpiece, fluteCount_, tip);
 }
 
 ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, const glm::dvec3& from,
-                                      const glm::dvec3& to) const noexcept {
-    return onTheWay(workpiece, tool_, from, to);
+                                      const glm::dvec3& to) noexcept {
+    return onTheWay(workpiece, fluteCount_, from, to);
 }
 
 ShankContact BrakeOnContact::onTheWayWithFlutes(const RunVolume& workpiece, const glm::dvec3& from,
-                                                const glm::dvec3& to) const noexcept {
-    return onTheWay(workpiece, withFlutes_, from, to);
+                                                const glm::dvec3& to) noexcept {
+    return onTheWay(workpiece, 0, from, to);
 }
 
-ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, std::span<const RevolvedPiece> tool,
-                                      const glm::dvec3& from, const glm::dvec3& to) const noexcept {
+ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, std::size_t mayTouch, const glm::dvec3& from,
+                                      const glm::dvec3& to) noexcept {
     const int steps = std::clamp(static_cast<int>(std::ceil(glm::length(to - from) / stride_)), 1, 16);
     for (int i = 1; i <= steps; ++i) {
         const glm::dvec3 tip = i == steps ? to : glm::mix(from, to, static_cast<double>(i) / steps);
-        const ShankContact contact = shankContact(workpiece, tool, tip);
+        const ShankContact contact = standing(workpiece, mayTouch, tip);
         if (!contact.touches) continue;
-        const ShankContact standing = shankContact(workpiece, tool, from);
-        if (!standing.touches || contact.volume >= standing.volume) return contact;
+        const ShankContact before = standing(workpiece, mayTouch, from);
+        if (!before.touches || contact.volume >= before.volume) return contact;
     }
     return {};
 }

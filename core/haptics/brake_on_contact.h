@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/cutting/removal.h"
+#include "core/cutting/contact.h"
+#include "core/tool/tool.h"
 
 #include <vector>
 
@@ -12,21 +13,25 @@ namespace burin {
 /// stands in contact already, since the workpiece changed around it, may move where the overlap shrinks.
 class BrakeOnContact {
 public:
-    explicit BrakeOnContact(const Cutter& cutter);
+    BrakeOnContact(const Cutter& cutter, const Grid& grid);
 
     /// @param from a tip, mm, where the tool stands; @param to where it is wanted. No allocation.
-    ShankContact onTheWay(const RunVolume& workpiece, const glm::dvec3& from, const glm::dvec3& to) const noexcept;
+    ShankContact onTheWay(const RunVolume& workpiece, const glm::dvec3& from, const glm::dvec3& to) noexcept;
     /// The same with the flutes, for a tool that can't cut: it must not move into stock that would stay.
-    ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const glm::dvec3& from,
-                                    const glm::dvec3& to) const noexcept;
-    ShankContact at(const RunVolume& workpiece, const glm::dvec3& tip) const noexcept;
+    ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const glm::dvec3& from, const glm::dvec3& to) noexcept;
+    ShankContact at(const RunVolume& workpiece, const glm::dvec3& tip) noexcept;
+    /// The workpiece changed otherwise than by cutting.
+    void workpieceChanged() noexcept { check_.forget(); }
 
 private:
-    ShankContact onTheWay(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, const glm::dvec3& from,
-                          const glm::dvec3& to) const noexcept;
-    std::vector<RevolvedPiece> tool_;       ///< flutes, shank, holder
-    std::vector<RevolvedPiece> withFlutes_; ///< flutes twice: the first entry is not looked at
-    double stride_ = 1.0;                   ///< mm; looked at so often on the way, nothing is stepped over
+    ShankContact standing(const RunVolume& workpiece, std::size_t mayTouch, const glm::dvec3& tip) noexcept;
+    ShankContact onTheWay(const RunVolume& workpiece, std::size_t mayTouch, const glm::dvec3& from,
+                          const glm::dvec3& to) noexcept;
+
+    std::vector<RevolvedPiece> tool_; ///< flutes, shank, holder
+    std::size_t fluteCount_ = 1;
+    ContactCheck check_;
+    double stride_ = 1.0; ///< mm; looked at so often on the way, nothing is stepped over
 };
 
 } // namespace burin

@@ -51,7 +51,7 @@ HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const 
     , spacing_(field.spacing())
     , travelPerSecond_(travelPerSecond(settings, workpiece.grid()))
     , removal_(tool.cutter, workpiece.grid())
-    , brake_(tool.cutter)
+    , brake_(tool.cutter, workpiece.grid())
     , proxy_(field)
     , allowance_(settings.allowance)
     , guard_(settings.stylus, settings.tickPeriod)
@@ -115,6 +115,7 @@ void HapticStep::beginTake() noexcept {
 
 void HapticStep::workpieceChanged() noexcept {
     removal_.reset();
+    brake_.workpieceChanged();
     travelSinceRemoval_ = std::numeric_limits<double>::infinity();
     memoryFull_ = false;
     deviceForce_ = glm::dvec3(0.0);

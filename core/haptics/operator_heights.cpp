@@ -50,7 +50,8 @@ double trembleMargin(const Cutter& cutter) noexcept {
     return std::min(0.1, cutter.radius() / 30.0);
 }
 
-WorkpieceHeights::WorkpieceHeights(const Box& stock, const Cutter& cutter) : stock_(stock), cutter_(cutter) {
+WorkpieceHeights::WorkpieceHeights(const Box& stock, const Cutter& cutter)
+    : stock_(stock), cutter_(cutter), flutes_(flutePieces(cutter)) {
     const glm::dvec3 size = stock.size();
     cell_ = std::max(std::min(largestRaster, cutter.radius() / 6.0), std::sqrt(size.x * size.y / mostCells));
     columns_ = std::max(1, static_cast<int>(std::ceil(size.x / cell_)));
@@ -87,10 +88,10 @@ void WorkpieceHeights::visitDisc(double x, double y, double radius, Visit&& visi
 }
 
 double WorkpieceHeights::riseAt(double distance) const noexcept {
-    const double corner = cutter_.cornerRadius;
-    const double into = distance - (cutter_.radius() - corner);
-    if (into <= 0.0) return 0.0;
-    return corner - std::sqrt(std::max(0.0, corner * corner - into * into));
+    double rise = cutter_.fluteLength;
+    for (const RevolvedPiece& piece : flutes_)
+        if (const std::optional<HeightRange> heights = heightsAt(piece, distance)) rise = std::min(rise, heights->low);
+    return rise;
 }
 
 void WorkpieceHeights::cut(const glm::dvec3& tip) noexcept {

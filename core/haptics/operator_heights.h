@@ -67,6 +67,7 @@ private:
 
     Box stock_;
     Cutter cutter_;
+    std::vector<RevolvedPiece> flutes_;
     std::vector<Relief> reliefs_;
     double cell_ = 0.5;
     int columns_ = 0, rows_ = 0;

@@ -15,8 +15,9 @@ namespace burin {
 /// highest square that it may touch. Beside the stock nothing holds a tool up.
 class ClearedHeights {
 public:
-    /// @param pieces of the tool, upright, flutes first
-    ClearedHeights(const Box& stock, std::span<const RevolvedPiece> pieces);
+    /// @param pieces     of the tool, upright, flutes first, from below
+    /// @param fluteCount how many of them are flutes, > 0
+    ClearedHeights(const Box& stock, std::span<const RevolvedPiece> pieces, std::size_t fluteCount);
 
     /// The flutes went straight from one tip to another.
     void cut(const glm::dvec3& from, const glm::dvec3& to);
@@ -25,7 +26,7 @@ public:
     double freeHeight(double x, double y) const { return restingHeight(x, y, pieces_, stock_.low.z - 1e3); }
     /// Whether shank and holder are in empty space.
     bool shankIsFree(const glm::dvec3& tip) const {
-        return restingHeight(tip.x, tip.y, std::span(pieces_).subspan(1), tip.z) <= tip.z;
+        return restingHeight(tip.x, tip.y, std::span(pieces_).subspan(fluteCount_), tip.z) <= tip.z;
     }
 
 private:
@@ -42,6 +43,7 @@ private:
 
     Box stock_;
     std::vector<RevolvedPiece> pieces_;
+    std::size_t fluteCount_ = 1;
     double edge_; // of a square, mm
     long countX_, countY_;
     std::vector<double> heights_;

@@ -145,6 +145,26 @@ Result<void> validate(const Edit& edit) {
     return std::visit([](const auto& parameters) { return validateParameters(parameters); }, edit.parameters);
 }
 
+std::vector<EditNumber> numbersOf(const EditParameters& parameters) {
+    return std::visit(
+        []<class T>(const T& edit) {
+            std::vector<EditNumber> numbers;
+            for (const Parameter<T>& parameter : Kind<T>::parameters)
+                numbers.push_back({parameter.key, edit.*parameter.member, parameter.low, parameter.high});
+            return numbers;
+        },
+        parameters);
+}
+
+void setNumber(EditParameters& parameters, std::string_view key, double value) {
+    std::visit(
+        [&]<class T>(T& edit) {
+            for (const Parameter<T>& parameter : Kind<T>::parameters)
+                if (key == parameter.key) edit.*parameter.member = value;
+        },
+        parameters);
+}
+
 std::string toJson(const Edit& edit) {
     nlohmann::ordered_json object;
     object["edit"] = idOf(edit.parameters);

@@ -61,6 +61,16 @@ Result<Edit> editFromJson(std::string_view text);
 std::string toJson(const Edit& edit);
 Result<void> validate(const Edit& edit);
 
+/// One number of an edit, with what it may be.
+struct EditNumber {
+    std::string_view key; ///< as in the edit's JSON, its unit at the end: "tolerance_mm"
+    double value = 0.0, low = 0.0, high = 0.0;
+};
+/// Every number of an edit, in order; none for a kind that has none.
+std::vector<EditNumber> numbersOf(const EditParameters& parameters);
+/// @param key of one of the edit's numbers; @param value not checked here: see `validate`
+void setNumber(EditParameters& parameters, std::string_view key, double value);
+
 /// The edits of the main job, in the order that keeps their guarantees.
 std::vector<Edit> standardEdits();
 

@@ -47,7 +47,7 @@ public:
         , safeHeight_(safeHeight)
         , reach_(context.tool.cutter.diameter)
         , guard_(guard)
-        , cleared_(context.stock, guard.pieces()) {}
+        , cleared_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {}
 
     void add(const PathStroke& stroke, const Access& access) {
         const glm::dvec3& start = stroke.points.front().tip;

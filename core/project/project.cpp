@@ -94,9 +94,8 @@ Result<void> Project::saveAs(const fs::path& file) {
     return {};
 }
 
-Result<void> Project::abandonChanges() {
-    if (readOnly()) return {};
-    return run(impl_->database, "UPDATE document SET saved_changes = changes");
+void Project::abandonChanges() noexcept {
+    if (!readOnly()) impl_->copy->abandon();
 }
 
 Result<void> Project::setModel(const Model& model) {

@@ -72,9 +72,9 @@ public:
     /// Errors: as `save`, projectInUse, projectNotBurin, argumentInvalid (a take is being recorded); nothing has changed
     /// then.
     Result<void> saveAs(const std::filesystem::path& file);
-    /// What was not saved is no longer wanted: the working copy goes with this object, and the next `open` finds the
-    /// file as it was saved. Errors: diskFull, fileNotWritable.
-    Result<void> abandonChanges();
+    /// What was not saved is no longer wanted: the working copy goes with this object, whatever is still changed in it,
+    /// and the next `open` finds the file as it was saved. Needs no room on the disk.
+    void abandonChanges() noexcept;
 
     // Each setter is one transaction; errors: diskFull, fileNotWritable. Each getter: fileDamaged, projectIncomplete.
     // Lists are empty where nothing was stored yet; what there is only one of is then projectIncomplete.

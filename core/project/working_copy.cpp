@@ -105,8 +105,8 @@ Result<std::shared_ptr<WorkingCopy>> WorkingCopy::lock(const fs::path& file) {
 
 WorkingCopy::~WorkingCopy() {
     if (exists()) {
-        const std::optional<DocumentState> left = state();
-        if (left && !left->unsaved()) discard();
+        const std::optional<DocumentState> left = abandoned_ ? std::nullopt : state();
+        if (abandoned_ || (left && !left->unsaved())) discard();
     }
     ::unlink(lockBeside(file_).c_str()); // while it is still ours
     ::close(lock_);

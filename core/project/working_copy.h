@@ -5,6 +5,7 @@
 #include "core/project/database.h"
 #include "core/project/document_state.h"
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -39,6 +40,8 @@ public:
     /// Moves the copy to a name that the user sees, as a project of its own where it can be read, and says which.
     Result<std::filesystem::path> setAside();
     void discard();
+    /// Nobody wants the copy any more: it goes with the last of its owners, saved or not.
+    void abandon() noexcept { abandoned_ = true; }
     /// Removes what a killed save left in the folder.
     void removeAbandonedParts() const;
 
@@ -47,6 +50,7 @@ private:
 
     std::filesystem::path file_;
     int lock_;
+    std::atomic<bool> abandoned_{false};
 };
 
 } // namespace burin

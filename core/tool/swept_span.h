@@ -4,68 +4,44 @@
 
 #include "core/geometry/box.h"
 #include "core/geometry/revolved_piece.h"
+#include "core/tool/span.h"
+#include "core/tool/tilted_sweep.h"
+#include "core/tool/upright_sweep.h"
 
 #include <glm/glm.hpp>
 
 #include <optional>
+#include <variant>
 
 namespace burin {
 
-/// Stretch of a line parallel to the tool axis, mm along +Z; low < high.
-struct Span {
-    double low = 0.0, high = 0.0;
-};
-
-/// What a piece of a tool with axis +Z sweeps on its straight way between two tips, met by lines along Z. Exact: the
-/// piece is convex, so the swept solid is the convex hull of its two ends, and each line meets it in one span.
+/// What a piece of a tool sweeps on its straight way between two tips, its axis standing, met by lines along Z of the
+/// frame that tips and axis are given in. Exact: the piece is convex, so the swept solid is the convex hull of its two
+/// ends, and each line meets it in one span; closed forms where there are, iterations to 1e-9 mm elsewhere.
 /// Equals the paper's interpolation of poses (eqs. 6–10) in the limit of infinitely many.
 /// The span at either end of the way depends on that end alone, to the last bit: two ways that meet in a tip agree on
 /// what the piece covers there, so a tool that stands still after a move finds nothing left to take.
 class SweptPiece {
 public:
-    SweptPiece(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
+    /// Axis +Z.
+    SweptPiece(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept
+        : SweptPiece(piece, fromTip, toTip, {0.0, 0.0, 1.0}) {}
+    /// @param axis unit length
+    SweptPiece(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
+               const glm::dvec3& axis) noexcept;
 
     /// Nothing where the line at (x, y), mm, misses the solid or only touches it. No allocation.
-    std::optional<Span> along(double x, double y) const noexcept;
+    std::optional<Span> along(double x, double y) const noexcept {
+        if (const UprightSweep* const upright = std::get_if<UprightSweep>(&sweep_)) return upright->along(x, y);
+        return std::get_if<TiltedSweep>(&sweep_)->along(x, y);
+    }
     /// Stretch of x that the solid covers at this y, mm: its shadow along Z. Nothing where it has none.
     std::optional<Span> shadow(double y) const noexcept;
     /// Box of the swept solid, mm.
     Box bounds() const noexcept;
 
 private:
-    /// One end face of the piece as height over the distance from the axis; the upper one is held upside down, so that
-    /// both are convex and their least value is wanted.
-    struct Face {
-        double height = 0.0;         ///< mm, of its flat middle
-        double flatRadius = 0.0;     ///< mm, of its flat middle
-        double cornerRadius = 0.0;   ///< mm, of the rounding outside of it, 0 for none
-        double slope = 0.0;          ///< mm/mm, of the cone outside of it, 0 for none
-        double rise = 0.0;           ///< mm over the way, of the piece as this face sees it
-        double from = 0.0, to = 0.0; ///< mm, height of the tip at both ends of the way, as this face sees it
-    };
-    /// A line seen from the piece.
-    struct Line {
-        double squareAtFrom = 0.0, squareAtTo = 0.0;   ///< mm², of its distance from the axis at both ends
-        bool insideAtFrom = false, insideAtTo = false; ///< the outline, at both ends
-        bool passes = false;                           ///< the axis comes closest between the ends, line inside
-        double ahead = 0.0;                            ///< mm, along the way in the plane, from the first axis
-        double aside = 0.0;                            ///< mm, across it, >= 0
-    };
-    double heightAt(const Face& face, double square) const noexcept;
-    double least(const Face& face, const Line& line) const noexcept;
-    double leastBetween(const Face& face, const Line& line) const noexcept;
-    double chordOf(const Line& line) const noexcept;
-    double bestOffset(const Face& face, const Line& line, double low, double high) const noexcept;
-    double bestOffsetOnCorner(const Face& face, const Line& line, double low, double high) const noexcept;
-
-    RevolvedPiece piece_;
-    glm::dvec3 from_{0.0}, to_{0.0};
-    glm::dvec2 direction_{1.0, 0.0}; ///< unit, of the way in the plane
-    double reach_ = 0.0;             ///< mm, length of the way in the plane
-    double outline_ = 0.0;           ///< mm, largest radius
-    double outlineSquare_ = 0.0;     ///< mm²
-    double sineSquare_ = 0.0;        ///< of the way's slope
-    Face lower_, upper_;
+    std::variant<UprightSweep, TiltedSweep> sweep_;
 };
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #include "core/tool/tool.h"
 
 #include "core/base/numbers.h"
+#include "core/tool/flute_form.h"
 
 #include <cmath>
 
@@ -16,22 +17,6 @@ Error invalid(std::string key, double value, std::string allowed) {
 
 bool isPositive(double value) {
     return std::isfinite(value) && value > 0.0;
-}
-
-Result<void> validateEnd(const Cutter& cutter) {
-    const double corner = cutter.cornerRadius;
-    switch (cutter.type) {
-    case CutterType::ball:
-        if (corner == cutter.radius()) return {};
-        return invalid("cutter.corner_radius_mm", corner, "half the diameter for a ball end");
-    case CutterType::flat:
-        if (corner == 0.0) return {};
-        return invalid("cutter.corner_radius_mm", corner, "0 for a flat end");
-    case CutterType::bullNose:
-        if (corner > 0.0 && corner < cutter.radius()) return {};
-        return invalid("cutter.corner_radius_mm", corner, "above 0 and below half the diameter for a bull nose");
-    }
-    return Error{ErrorCode::internalFault, "validateEnd", {}, {}};
 }
 
 Result<void> validateHolder(const std::vector<HolderSegment>& holder) {
@@ -49,9 +34,9 @@ Result<void> validateHolder(const std::vector<HolderSegment>& holder) {
 Result<void> validateCutter(const Cutter& cutter) {
     if (!isPositive(cutter.diameter)) return invalid("cutter.diameter_mm", cutter.diameter, "> 0");
     if (!isPositive(cutter.shankDiameter)) return invalid("cutter.shank_diameter_mm", cutter.shankDiameter, "> 0");
-    if (Result<void> end = validateEnd(cutter); !end) return end;
     if (!isPositive(cutter.fluteLength) || cutter.fluteLength < cutter.cornerRadius)
         return invalid("cutter.flute_length_mm", cutter.fluteLength, "> 0 and at least the corner radius");
+    if (Result<void> form = validateFlutes(cutter); !form) return form;
     if (!std::isfinite(cutter.stickOut) || cutter.stickOut < cutter.fluteLength)
         return invalid("cutter.stick_out_mm", cutter.stickOut, "at least the length of the flutes");
     return validateHolder(cutter.holder);
@@ -77,12 +62,8 @@ Result<void> validate(const Tool& tool) {
     return {};
 }
 
-RevolvedPiece flutes(const Cutter& cutter) {
-    return {0.0, cutter.fluteLength, cutter.radius(), cutter.radius(), cutter.cornerRadius};
-}
-
 std::vector<RevolvedPiece> pieces(const Cutter& cutter) {
-    std::vector<RevolvedPiece> stack{flutes(cutter)};
+    std::vector<RevolvedPiece> stack = flutePieces(cutter);
     const double shank = 0.5 * cutter.shankDiameter;
     if (cutter.stickOut > cutter.fluteLength) stack.push_back({cutter.fluteLength, cutter.stickOut, shank, shank, 0.0});
     double bottom = cutter.stickOut;
@@ -92,6 +73,12 @@ std::vector<RevolvedPiece> pieces(const Cutter& cutter) {
         bottom = top;
     }
     return stack;
+}
+
+ToolSection sectionOf(const Cutter& cutter, std::size_t piece) {
+    const std::size_t flutes = flutePieces(cutter).size();
+    if (piece < flutes) return ToolSection::flutes;
+    return piece == flutes && cutter.stickOut > cutter.fluteLength ? ToolSection::shank : ToolSection::holder;
 }
 
 } // namespace burin

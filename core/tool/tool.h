@@ -12,7 +12,29 @@
 
 namespace burin {
 
-enum class CutterType : std::uint8_t { ball, flat, bullNose };
+/// The form of the flutes. All are solids of revolution about the tool axis, the tip at height 0.
+enum class CutterType : std::uint8_t {
+    ball,      ///< hemisphere, then a cylinder
+    flat,      ///< cylinder
+    bullNose,  ///< cylinder with a rounded edge
+    taper,     ///< cone that widens from a flat, perhaps rounded, tip to the diameter, then a cylinder
+    taperBall, ///< ball that goes over smoothly into a cone, then a cylinder
+    drill,     ///< cone from a point to the diameter, then a cylinder
+    chamfer,   ///< cone from a point or a flat tip to the diameter, then a cylinder
+    lollipop,  ///< sphere, cut off where the shank begins
+    profile,   ///< any lines and arcs
+};
+/// "ball", "flat", "bull_nose" … as files and reports have it.
+std::string_view cutterTypeName(CutterType type) noexcept;
+
+/// One line or arc of a profile, from where the one before it ended (the first: from the tip, radius 0, height 0). The
+/// tool lies between the profile and its axis, so heights never fall; a level line is a face or a shoulder.
+struct ProfileElement {
+    double radius = 0.0;    ///< mm from the axis, of its end
+    double height = 0.0;    ///< mm above the tip, of its end
+    double arcRadius = 0.0; ///< mm; 0: a straight line. The shorter of the two arcs; it has to rise all the way.
+    bool hollow = false;    ///< the arc curves towards the axis (concave) instead of away from it
+};
 
 /// Frustum of a holder, stacked upwards.
 struct HolderSegment {
@@ -25,12 +47,15 @@ struct HolderSegment {
 /// part; touching anything with shank or holder is a fault.
 struct Cutter {
     CutterType type = CutterType::ball;
-    double diameter = 0.0;      ///< of the flutes, mm
-    double cornerRadius = 0.0;  ///< mm: diameter / 2 for a ball, 0 for a flat end
+    double diameter = 0.0;      ///< of the flutes where they are widest, mm
+    double cornerRadius = 0.0;  ///< mm: of a ball, or of the rounding of an edge; 0: sharp
     double fluteLength = 0.0;   ///< mm from the tip
     double shankDiameter = 0.0; ///< mm
     double stickOut = 0.0;      ///< mm from the tip to the face of the holder
     std::vector<HolderSegment> holder;
+    double tipDiameter = 0.0; ///< mm: taper and chamfer, of the flat tip, measured at its edge before that is rounded
+    double taperAngle = 0.0;  ///< rad, between axis and cone: taper, taper ball, drill, chamfer (half of a point angle)
+    std::vector<ProfileElement> profile{}; ///< of CutterType::profile
 
     double radius() const noexcept { return 0.5 * diameter; }
     double length() const noexcept; ///< tip to the top of the holder, mm
@@ -42,21 +67,32 @@ struct Tool {
     std::string name; ///< English
     int number = 1;   ///< T word
     int fluteCount = 2;
-    bool centreCutting = true;         ///< may plunge
-    double maximumDepthOfCut = 0.0;    ///< axial, mm; never beyond the flutes
-    double maximumSpindleSpeed = 0.0;  ///< 1/min, the tool maker's; 0: not stated
-    std::string source;                ///< where the dimensions come from
+    bool centreCutting = true;        ///< may plunge
+    double maximumDepthOfCut = 0.0;   ///< axial, mm; never beyond the flutes
+    double maximumSpindleSpeed = 0.0; ///< 1/min, the tool maker's; 0: not stated
+    std::string source;               ///< where the dimensions come from
     Cutter cutter;
 };
 
 /// Errors: argumentInvalid with the key and what is allowed (diameters > 0, 0 <= corner radius <= radius, flutes at
-/// least as long as the corner is high, stick-out >= flutes, no empty holder segment).
+/// least as long as the corner is high, stick-out >= flutes, no empty holder segment; what a type does not use is 0).
 Result<void> validate(const Tool& tool);
 
-/// Flutes first, then the shank (none where the flutes reach the holder), then the holder from below, for geometry
+/// The flutes as convex pieces from the tip up: one for ball, flat, bull nose and lollipop, more for the rest. Exact,
+/// except that hollow arcs are chords: they stand away from the axis by at most `profileChord`, so that the tool is
+/// never smaller than it is in truth; what is found clear of the part is clear.
+/// @param cutter of a valid tool
+std::vector<RevolvedPiece> flutePieces(const Cutter& cutter);
+inline constexpr double profileChord = 0.0005; ///< mm
+/// The flutes of a cutter that has one piece of them (asserted).
+RevolvedPiece flutes(const Cutter& cutter);
+/// `flutePieces`, then the shank (none where the flutes reach the holder), then the holder from below, for geometry
 /// that knows no tools.
 std::vector<RevolvedPiece> pieces(const Cutter& cutter);
-RevolvedPiece flutes(const Cutter& cutter);
+
+enum class ToolSection : std::uint8_t { flutes, shank, holder };
+/// Where a place in `pieces` belongs.
+ToolSection sectionOf(const Cutter& cutter, std::size_t piece);
 
 /// Tools that Burin is shipped with or the user added: tools/<id>.json. Errors: nameUnknown, resourceInvalid.
 Result<Tool> loadTool(std::string_view id);

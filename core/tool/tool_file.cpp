@@ -4,6 +4,9 @@
 
 #include "core/base/json_object.h"
 #include "core/base/resource_folder.h"
+#include "core/base/units.h"
+
+#include <cmath>
 
 namespace burin {
 
@@ -11,18 +14,39 @@ namespace {
 
 // Far beyond any tool: catches a slip of the unit or of a digit.
 constexpr NumberRange length{0.0, 1000.0};
+constexpr NumberRange taper{0.0, 90.0};
 constexpr NumberRange spindleSpeed{0.0, 1e6};
 constexpr int highestNumber = 99999; // LinuxCNC's highest tool number
 
 const std::vector<std::string_view>& typeNames() { // in the order of CutterType
-    static const std::vector<std::string_view> names{"ball", "flat", "bull_nose"};
+    static const std::vector<std::string_view> names{"ball",  "flat",    "bull_nose", "taper",  "taper_ball",
+                                                     "drill", "chamfer", "lollipop",  "profile"};
     return names;
+}
+
+// Angles are whole or short numbers in files; turned to radians and back they are so again.
+double roundedDegrees(double radians) {
+    return std::round(radians * 180.0 / pi * 1e9) / 1e9;
+}
+
+void readProfile(JsonObject& from, std::vector<ProfileElement>& profile) {
+    from.objects("profile", [&](JsonObject& element) {
+        ProfileElement read{element.number("radius_mm", length), element.number("height_mm", length), 0.0, false};
+        if (element.has("arc_radius_mm")) {
+            read.arcRadius = element.number("arc_radius_mm", length);
+            read.hollow = element.booleanOr("hollow", false);
+        }
+        profile.push_back(read);
+    });
 }
 
 void readCutter(JsonObject& from, Cutter& cutter) {
     cutter.type = static_cast<CutterType>(from.choice("type", typeNames()));
     cutter.diameter = from.number("diameter_mm", length);
     cutter.cornerRadius = from.number("corner_radius_mm", length);
+    cutter.tipDiameter = from.numberOr("tip_diameter_mm", 0.0, length);
+    cutter.taperAngle = from.numberOr("taper_angle_deg", 0.0, taper) * pi / 180.0;
+    if (from.has("profile")) readProfile(from, cutter.profile);
     cutter.fluteLength = from.number("flute_length_mm", length);
     cutter.shankDiameter = from.number("shank_diameter_mm", length);
     cutter.stickOut = from.number("stick_out_mm", length);
@@ -32,7 +56,43 @@ void readCutter(JsonObject& from, Cutter& cutter) {
     });
 }
 
+nlohmann::ordered_json profileJson(const std::vector<ProfileElement>& profile) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const ProfileElement& element : profile) {
+        nlohmann::ordered_json entry{{"radius_mm", element.radius}, {"height_mm", element.height}};
+        if (element.arcRadius > 0.0) {
+            entry["arc_radius_mm"] = element.arcRadius;
+            entry["hollow"] = element.hollow;
+        }
+        list.push_back(entry);
+    }
+    return list;
+}
+
+nlohmann::ordered_json cutterJson(const Cutter& cutter) {
+    nlohmann::ordered_json holder = nlohmann::ordered_json::array();
+    for (const HolderSegment& segment : cutter.holder)
+        holder.push_back({{"lower_diameter_mm", segment.lowerDiameter},
+                          {"upper_diameter_mm", segment.upperDiameter},
+                          {"length_mm", segment.length}});
+    nlohmann::ordered_json json{{"type", cutterTypeName(cutter.type)},
+                                {"diameter_mm", cutter.diameter},
+                                {"corner_radius_mm", cutter.cornerRadius}};
+    if (cutter.tipDiameter > 0.0) json["tip_diameter_mm"] = cutter.tipDiameter;
+    if (cutter.taperAngle > 0.0) json["taper_angle_deg"] = roundedDegrees(cutter.taperAngle);
+    if (!cutter.profile.empty()) json["profile"] = profileJson(cutter.profile);
+    json["flute_length_mm"] = cutter.fluteLength;
+    json["shank_diameter_mm"] = cutter.shankDiameter;
+    json["stick_out_mm"] = cutter.stickOut;
+    json["holder"] = holder;
+    return json;
+}
+
 } // namespace
+
+std::string_view cutterTypeName(CutterType type) noexcept {
+    return typeNames()[static_cast<std::size_t>(type)];
+}
 
 Result<Tool> toolFromJson(std::string_view text, const std::string& origin) {
     Result<JsonObject> file = JsonObject::parse(text, origin);
@@ -57,18 +117,6 @@ Result<Tool> toolFromJson(std::string_view text, const std::string& origin) {
 
 std::string toJson(const Tool& tool) {
     using nlohmann::ordered_json;
-    ordered_json holder = ordered_json::array();
-    for (const HolderSegment& segment : tool.cutter.holder)
-        holder.push_back({{"lower_diameter_mm", segment.lowerDiameter},
-                          {"upper_diameter_mm", segment.upperDiameter},
-                          {"length_mm", segment.length}});
-    const ordered_json cutter{{"type", typeNames()[static_cast<std::size_t>(tool.cutter.type)]},
-                              {"diameter_mm", tool.cutter.diameter},
-                              {"corner_radius_mm", tool.cutter.cornerRadius},
-                              {"flute_length_mm", tool.cutter.fluteLength},
-                              {"shank_diameter_mm", tool.cutter.shankDiameter},
-                              {"stick_out_mm", tool.cutter.stickOut},
-                              {"holder", holder}};
     const ordered_json file{{"id", tool.id},
                             {"name", tool.name},
                             {"number", tool.number},
@@ -77,7 +125,7 @@ std::string toJson(const Tool& tool) {
                             {"maximum_depth_of_cut_mm", tool.maximumDepthOfCut},
                             {"maximum_spindle_speed_rpm", tool.maximumSpindleSpeed},
                             {"source", tool.source},
-                            {"cutter", cutter}};
+                            {"cutter", cutterJson(tool.cutter)}};
     // Text that is not UTF-8 is replaced: an exception must not leave this library.
     return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

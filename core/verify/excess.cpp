@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/excess.h"
 #include "core/base/parallel.h"
+#include "core/tool/piece_profile.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 
@@ -69,21 +71,28 @@ double excessAt(const RunVolume& workpiece, const SurfacePoint& point) {
     return thickness;
 }
 
-/// Tip of the cutter when it touches the part at a place with this normal.
-glm::dvec3 touchingTip(const Cutter& cutter, const SurfacePoint& point) {
+/// Tip of the cutter when it touches the part at a place with this normal: with the point of the flutes that lies
+/// farthest against the normal. A hollow cutter may touch with others; what it reaches with those is not counted.
+glm::dvec3 touchingTip(std::span<const PieceProfile> flutes, const SurfacePoint& point) {
     const glm::dvec2 flat(point.normal);
-    const double sine = glm::length(flat);
-    const glm::dvec2 outward = sine > 1e-9 ? flat / sine : glm::dvec2(0.0);
-    const double corner = cutter.cornerRadius;
-    // Centre of the corner's arc is (radius − corner) out from the axis and `corner` above the tip.
-    const glm::dvec2 axis = glm::dvec2(point.place) + corner * flat + (cutter.radius() - corner) * outward;
-    return {axis, point.place.z + corner * point.normal.z - corner};
+    const double cosine = glm::length(flat);
+    const glm::dvec2 outward = cosine > 1e-9 ? flat / cosine : glm::dvec2(0.0);
+    ProfileDisc touching;
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const PieceProfile& profile : flutes) {
+        const ProfileDisc disc = profile.farthest(-point.normal.z, cosine);
+        const double reach = disc.radius * cosine - disc.height * point.normal.z;
+        if (reach <= farthest) continue;
+        farthest = reach;
+        touching = disc;
+    }
+    return {glm::dvec2(point.place) + touching.radius * outward, point.place.z - touching.height};
 }
 
-bool isReachable(const VerifyRequest& request, std::span<const RevolvedPiece> stack, const SurfacePoint& point,
-                 double lowest) {
+bool isReachable(const VerifyRequest& request, std::span<const RevolvedPiece> stack,
+                 std::span<const PieceProfile> flutes, const SurfacePoint& point, double lowest) {
     if (point.normal.z < -1e-6) return false;
-    const glm::dvec3 tip = touchingTip(request.tool.cutter, point);
+    const glm::dvec3 tip = touchingTip(flutes, point);
     if (tip.z < lowest - 1e-6) return false;
     return request.part->clearance(stack, ToolPose{tip, {0.0, 0.0, 1.0}}, 0.1).clearance >= reachableClearance;
 }
@@ -98,13 +107,15 @@ Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, c
         points.insert(points.end(), more.begin(), more.end());
     }
     const std::vector<RevolvedPiece> stack = pieces(request.tool.cutter);
+    const std::vector<RevolvedPiece> cutting = flutePieces(request.tool.cutter);
+    const std::vector<PieceProfile> flutes(cutting.begin(), cutting.end());
     const double lowest = request.model->box().low.z;
     std::vector<DeviationSample> samples(points.size());
     parallelStretches(std::size_t{0}, points.size(), 256, [&](std::size_t from, std::size_t to) {
         if (progress.cancelled()) return;
         for (std::size_t i = from; i != to; ++i)
             samples[i] = {points[i].place, excessAt(workpiece, points[i]),
-                          isReachable(request, stack, points[i], lowest)};
+                          isReachable(request, stack, flutes, points[i], lowest)};
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
     return samples;

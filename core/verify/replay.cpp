@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/replay.h"
 
+#include "core/cutting/contact.h"
 #include "core/cutting/removal.h"
 
 #include <cmath>
@@ -20,9 +21,10 @@ void judgeRemoval(const ToolMove& move, const CutResult& cut, Findings& findings
     if (!move.spindleOn) findings.add(FindingKind::spindleOff, move.line, cut.centroid, cut.volume);
 }
 
-void judgeContact(const ToolMove& move, const ShankContact& contact, Findings& findings) {
+void judgeContact(const ToolMove& move, const Cutter& cutter, const ShankContact& contact, Findings& findings) {
     if (!contact.touches) return;
-    const FindingKind kind = contact.piece == 1 ? FindingKind::shankCollision : FindingKind::holderCollision;
+    const bool shank = sectionOf(cutter, contact.piece) == ToolSection::shank;
+    const FindingKind kind = shank ? FindingKind::shankCollision : FindingKind::holderCollision;
     findings.add(kind, move.line, contact.place, contact.volume);
 }
 
@@ -32,6 +34,8 @@ Result<double> replay(const std::vector<ToolMove>& moves, const Tool& tool, RunV
                       Progress& progress) {
     const double step = workpiece.grid().edge();
     const std::vector<RevolvedPiece> stack = pieces(tool.cutter);
+    const std::size_t fluteCount = flutePieces(tool.cutter).size();
+    ContactCheck contact(workpiece.grid());
     MaterialRemoval removal(tool.cutter, workpiece.grid());
     double removed = 0.0;
     for (std::size_t index = 0; index < moves.size(); ++index) {
@@ -50,7 +54,7 @@ Result<double> replay(const std::vector<ToolMove>& moves, const Tool& tool, RunV
                 return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
             removed += cut.volume;
             judgeRemoval(move, cut, findings);
-            judgeContact(move, shankContact(workpiece, stack, next), findings);
+            judgeContact(move, tool.cutter, contact.at(workpiece, stack, fluteCount, {next, {0.0, 0.0, 1.0}}), findings);
             tip = next;
         }
     }

@@ -29,7 +29,7 @@ bool hasOneTool(const ParsedProgram& program) {
 /// How much of what is cut over the part's outline, shrunk by the radius, lies on the part.
 void judgeFinish(const std::vector<ToolMove>& moves, const VerifyRequest& request, const ShrunkOutline& outline,
                  VerifyReport& report) {
-    const RevolvedPiece cutter = flutes(request.tool.cutter);
+    const std::vector<RevolvedPiece> cutter = flutePieces(request.tool.cutter);
     double cuttingFeed = 0.0; // plunges are slower than the cutting feed
     for (const ToolMove& move : moves)
         if (!move.rapid) cuttingFeed = std::max(cuttingFeed, move.feed);
@@ -42,7 +42,7 @@ void judgeFinish(const std::vector<ToolMove>& moves, const VerifyRequest& reques
             if (!outline.contains(tip.x, tip.y)) continue;
             ++report.onPartSamples;
             const double clearance =
-                request.part->clearance({&cutter, 1}, ToolPose{tip, {0.0, 0.0, 1.0}}, 2.0 * onPartDistance).clearance;
+                request.part->clearance(cutter, ToolPose{tip, {0.0, 0.0, 1.0}}, 2.0 * onPartDistance).clearance;
             if (clearance <= onPartDistance) ++onPart;
         }
     }

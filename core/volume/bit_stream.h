@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -21,7 +23,8 @@ public:
     void put(std::uint32_t value, unsigned width) {
         waiting_ |= std::uint64_t{value} << count_;
         count_ += width;
-        for (; count_ >= 8; count_ -= 8, waiting_ >>= 8) bytes_.push_back(static_cast<char>(waiting_ & 0xff));
+        if (count_ < 32) return;
+        append(4);
     }
     /// Any number below 2^32 - 1, small ones in few bits (Elias's gamma code of value + 1).
     void putNumber(std::uint32_t value) {
@@ -33,13 +36,23 @@ public:
     static unsigned bitsOfNumber(std::uint32_t value) noexcept {
         return 2 * static_cast<unsigned>(std::bit_width(value + 1)) - 1;
     }
-    /// Fills the last byte up with zeros.
-    void finish() { put(0, (8 - count_) % 8); }
+    /// Fills the last byte up with zeros and hands over what waits.
+    void finish() {
+        append((count_ + 7) / 8);
+        count_ = 0;
+    }
 
 private:
+    void append(unsigned bytes) {
+        char ready[8];
+        for (unsigned i = 0; i < bytes; ++i, waiting_ >>= 8) ready[i] = static_cast<char>(waiting_ & 0xff);
+        bytes_.append(ready, bytes);
+        count_ -= 8 * bytes;
+    }
+
     std::string& bytes_;
     std::uint64_t waiting_ = 0;
-    unsigned count_ = 0; ///< bits that wait, below 8 between calls
+    unsigned count_ = 0; ///< bits that wait, below 32 between calls
 };
 
 /// Reads what a BitWriter wrote. Beyond the end it reads zeros and remembers that it did.
@@ -75,11 +88,11 @@ private:
     std::uint64_t ahead() const noexcept {
         const auto byte = static_cast<std::size_t>(at_ / 8);
         std::uint64_t word = 0;
-        if (byte + sizeof word <= bytes_.size()) {
-            for (unsigned i = 0; i < sizeof word; ++i) word |= octet(byte + i) << (8 * i); // one load
-        } else {
-            for (std::size_t i = byte; i < bytes_.size(); ++i) word |= octet(i) << (8 * (i - byte));
-        }
+        if (std::endian::native == std::endian::little && byte + sizeof word <= bytes_.size())
+            std::memcpy(&word, bytes_.data() + byte, sizeof word);
+        else
+            for (std::size_t i = byte; i < std::min(byte + sizeof word, bytes_.size()); ++i)
+                word |= octet(i) << (8 * (i - byte));
         return word >> (at_ % 8);
     }
     std::uint64_t octet(std::size_t place) const noexcept { return static_cast<unsigned char>(bytes_[place]); }

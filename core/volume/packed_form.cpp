@@ -71,7 +71,7 @@ void readCoefficients(Prediction& prediction, BitReader& reader) noexcept {
     }
 }
 
-void writePalette(const std::vector<PropertyIndex>& palette, std::uint32_t properties, BitWriter& writer) {
+void writePalette(std::span<const PropertyIndex> palette, std::uint32_t properties, BitWriter& writer) {
     if (properties <= shortPalette) {
         std::uint32_t mask = 0;
         for (const PropertyIndex property : palette) mask |= std::uint32_t{1} << property;
@@ -82,7 +82,7 @@ void writePalette(const std::vector<PropertyIndex>& palette, std::uint32_t prope
     for (const PropertyIndex property : palette) writer.put(property, bitsFor(properties));
 }
 
-void readPalette(std::vector<PropertyIndex>& palette, std::uint32_t properties, BitReader& reader) {
+void readPalette(std::pmr::vector<PropertyIndex>& palette, std::uint32_t properties, BitReader& reader) {
     palette.clear();
     if (properties <= shortPalette) {
         const std::uint32_t mask = reader.get(properties);

@@ -8,6 +8,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
+#include <span>
 #include <vector>
 
 /// Parts of a packed tile that its writer and its reader have in common (README.md, "Packed tiles").
@@ -50,8 +52,8 @@ std::uint64_t coefficientBits(const Prediction& prediction) noexcept;
 void writeCoefficients(const Prediction& prediction, BitWriter& writer);
 void readCoefficients(Prediction& prediction, BitReader& reader) noexcept;
 
-void writePalette(const std::vector<PropertyIndex>& palette, std::uint32_t properties, BitWriter& writer);
+void writePalette(std::span<const PropertyIndex> palette, std::uint32_t properties, BitWriter& writer);
 /// Empty when the bytes are damaged.
-void readPalette(std::vector<PropertyIndex>& palette, std::uint32_t properties, BitReader& reader);
+void readPalette(std::pmr::vector<PropertyIndex>& palette, std::uint32_t properties, BitReader& reader);
 
 } // namespace burin::packed_form

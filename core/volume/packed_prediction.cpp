@@ -3,110 +3,160 @@
 #include "core/volume/packed_prediction.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace burin {
 
 namespace {
 
+using LineNumbers = std::array<std::int32_t, linesPerTile>;
+constexpr std::size_t terms = Prediction::coefficientCount;
+
 // Orthogonal over a whole tile.
 constexpr std::array<std::int32_t, tileSide> linear{-7, -5, -3, -1, 1, 3, 5, 7};
 constexpr std::array<std::int32_t, tileSide> square{7, 1, -3, -5, -5, -3, 1, 7};
 /// Steps of each coefficient in 1/256 unit.
-constexpr std::array<std::int32_t, Prediction::coefficientCount> steps{1, 4, 4, 4, 1, 4};
+constexpr std::array<std::int32_t, terms> steps{1, 4, 4, 4, 1, 4};
+/// So that all terms together stay far within 32 bits.
+constexpr double coefficientLimit = 1 << 22;
+constexpr std::uint32_t spreadLimit = 1 << 21;
 
-constexpr std::array<std::int32_t, Prediction::coefficientCount> termsAt(int line) {
-    const auto u = static_cast<std::size_t>(line % tileSide), v = static_cast<std::size_t>(line / tileSide);
-    return {1, linear[u], linear[v], square[u], linear[u] * linear[v], square[v]};
-}
-
-constexpr auto allTerms = [] {
-    std::array<std::array<std::int32_t, linesPerTile>, Prediction::coefficientCount> terms{};
-    for (int line = 0; line < linesPerTile; ++line)
-        for (std::size_t k = 0; k < terms.size(); ++k) terms[k][static_cast<std::size_t>(line)] = termsAt(line)[k];
-    return terms;
+constexpr auto termValues = [] {
+    std::array<std::array<double, linesPerTile>, terms> values{};
+    for (std::size_t v = 0, line = 0; v < tileSide; ++v)
+        for (std::size_t u = 0; u < tileSide; ++u, ++line) {
+            const std::array<std::int32_t, terms> here{1,        linear[u], linear[v], square[u], linear[u] * linear[v],
+                                                       square[v]};
+            for (std::size_t k = 0; k < terms; ++k) values[k][line] = here[k];
+        }
+    return values;
 }();
 
-constexpr std::int32_t coefficientLimit = 1 << 22;
-
-} // namespace
-
-void Prediction::evaluate(std::array<std::uint32_t, linesPerTile>& expected) const noexcept {
-    std::array<std::uint32_t, coefficientCount> scaled{};
-    for (std::size_t k = 0; k < coefficientCount; ++k)
+/// All terms on each scanline, in 1/256 unit, modulo 2^32.
+void evaluateTerms(const std::array<std::int32_t, terms>& coefficients, TileValues& sums) noexcept {
+    TileValues::value_type scaled[terms];
+    for (std::size_t k = 0; k < terms; ++k)
         scaled[k] = static_cast<std::uint32_t>(coefficients[k]) * static_cast<std::uint32_t>(steps[k]);
-    for (std::size_t v = 0, line = 0; v < tileSide; ++v) {
+    std::array<std::uint32_t, tileSide> bend{};
+    for (std::size_t u = 0; u < tileSide; ++u) bend[u] = scaled[3] * static_cast<std::uint32_t>(square[u]);
+    for (std::size_t v = 0; v < tileSide; ++v) {
         const auto atV = static_cast<std::uint32_t>(linear[v]);
         const std::uint32_t base = scaled[0] + scaled[2] * atV + scaled[5] * static_cast<std::uint32_t>(square[v]);
         const std::uint32_t slope = scaled[1] + scaled[4] * atV;
-        for (std::size_t u = 0; u < tileSide; ++u, ++line)
-            expected[line] = (base + slope * static_cast<std::uint32_t>(linear[u]) +
-                              scaled[3] * static_cast<std::uint32_t>(square[u])) >>
-                             8;
+        std::uint32_t along = base - 7 * slope;
+        for (std::size_t u = 0; u < tileSide; ++u, along += 2 * slope) sums[v * tileSide + u] = along + bend[u];
     }
 }
 
-PredictionFit::PredictionFit(std::span<const std::uint8_t> lines) noexcept : lines_(lines) {
-    for (std::size_t i = 0; i < size; ++i)
-        for (std::size_t k = 0; k <= i; ++k) {
-            std::int32_t sum = 0;
-            for (const std::uint8_t line : lines) sum += allTerms[i][line] * allTerms[k][line];
-            factor_[i][k] = sum;
-        }
-    for (determined_ = 0; determined_ < size; ++determined_) {
-        auto& row = factor_[determined_];
+} // namespace
+
+void Prediction::evaluate(TileValues& expected) const noexcept {
+    if (shape == PredictionShape::constant) {
+        expected.fill(static_cast<std::uint32_t>(coefficients[0]) >> 8);
+        return;
+    }
+    evaluateTerms(coefficients, expected);
+    for (std::uint32_t& value : expected) value >>= 8;
+}
+
+PredictionFit::PredictionFit(std::span<const std::uint8_t> lines) noexcept {
+    for (const std::uint8_t line : lines) present_[line] = ~std::uint32_t{0};
+    if (lines.size() == linesPerTile) {
+        static const std::array<Coefficients, size> whole = [] {
+            std::array<Coefficients, size> factor{};
+            for (std::size_t k = 0; k < size; ++k) {
+                for (const double value : termValues[k]) factor[k][k] += value * value;
+                factor[k][k] = std::sqrt(factor[k][k]);
+            }
+            return factor;
+        }();
+        factor_ = whole;
+        determined_ = size;
+    } else {
+        for (std::size_t i = 0; i < size; ++i)
+            for (std::size_t k = 0; k <= i; ++k)
+                for (const std::uint8_t line : lines) factor_[i][k] += termValues[i][line] * termValues[k][line];
+        factorise();
+    }
+    for (std::size_t k = 0; k < determined_; ++k) inverse_[k] = 1.0 / factor_[k][k];
+}
+
+void PredictionFit::factorise() noexcept {
+    for (; determined_ < size; ++determined_) {
+        Coefficients& row = factor_[determined_];
         const double before = row[determined_];
         for (std::size_t k = 0; k < determined_; ++k) {
             for (std::size_t m = 0; m < k; ++m) row[k] -= row[m] * factor_[k][m];
             row[k] /= factor_[k][k];
             row[determined_] -= row[k] * row[k];
         }
-        if (row[determined_] <= 1e-9 * before) break; // these scanlines can't tell it from the terms before it
+        if (row[determined_] <= 1e-9 * before) return; // these scanlines can't tell it from the terms before it
         row[determined_] = std::sqrt(row[determined_]);
     }
 }
 
-void PredictionFit::solve(std::size_t count, std::array<double, size>& values) const noexcept {
+void PredictionFit::solve(std::size_t count, Coefficients& values) const noexcept {
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t k = 0; k < i; ++k) values[i] -= factor_[i][k] * values[k];
-        values[i] /= factor_[i][i];
+        values[i] *= inverse_[i];
     }
     for (std::size_t i = count; i-- > 0;) {
         for (std::size_t k = i + 1; k < count; ++k) values[i] -= factor_[k][i] * values[k];
-        values[i] /= factor_[i][i];
+        values[i] *= inverse_[i];
     }
 }
 
-bool PredictionFit::fit(PredictionShape shape, std::span<const std::uint32_t> values,
-                        Prediction& prediction) const noexcept {
-    const std::size_t count = Prediction::countOf(shape);
-    if (count > determined_) return false;
+void PredictionFit::set(const TileValues& values) noexcept {
+    std::uint32_t lowest = std::numeric_limits<std::uint32_t>::max(), highest = 0;
+    for (std::size_t line = 0; line < linesPerTile; ++line) {
+        lowest = std::min(lowest, values[line] | ~present_[line]);
+        highest = std::max(highest, values[line] & present_[line]);
+    }
+    lowest_ = lowest;
+    spread_ = highest - lowest;
+    for (std::size_t line = 0; line < linesPerTile; ++line)
+        from_[line] = static_cast<std::int32_t>((values[line] - lowest) & present_[line]);
+}
+
+bool PredictionFit::fit(PredictionShape shape, Prediction& prediction, unsigned& width) const noexcept {
     prediction = {shape, {}};
-    if (count > 1) {
-        std::array<double, size> sums{};
-        for (std::size_t k = 0; k < count; ++k) {
-            std::int64_t sum = 0;
-            for (std::size_t i = 0; i < values.size(); ++i) sum += std::int64_t{allTerms[k][lines_[i]]} * values[i];
-            sums[k] = static_cast<double>(sum);
-        }
-        solve(count, sums);
-        for (std::size_t k = 1; k < count; ++k) {
-            const double coefficient = std::floor(sums[k] * 256.0 / steps[k] + 0.5);
-            if (!(std::abs(coefficient) < coefficientLimit)) return false;
-            prediction.coefficients[k] = static_cast<std::int32_t>(coefficient);
-        }
+    if (shape == PredictionShape::constant) {
+        prediction.coefficients[0] = static_cast<std::int32_t>(lowest_ << 8);
+        width = static_cast<unsigned>(std::bit_width(spread_));
+        return true;
     }
-    std::int64_t highest = std::numeric_limits<std::int64_t>::max();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        std::int64_t slope = 0;
-        for (std::size_t k = 1; k < count; ++k)
-            slope += std::int64_t{prediction.coefficients[k]} * steps[k] * allTerms[k][lines_[i]];
-        highest = std::min(highest, std::int64_t{values[i]} * 256 + (count > 1 ? 255 : 0) - slope);
+    const std::size_t count = Prediction::countOf(shape);
+    if (count > determined_ || spread_ >= spreadLimit) return false;
+    Coefficients sums{};
+    for (std::size_t k = 0; k < count; ++k) {
+        // Four sums side by side, so that the additions of one need not wait for each other.
+        std::array<double, 4> parts{};
+        for (std::size_t line = 0; line < linesPerTile; line += parts.size())
+            for (std::size_t part = 0; part < parts.size(); ++part)
+                parts[part] += termValues[k][line + part] * from_[line + part];
+        sums[k] = (parts[0] + parts[1]) + (parts[2] + parts[3]);
     }
-    if (std::abs(highest) > std::numeric_limits<std::int32_t>::max()) return false;
-    prediction.coefficients[0] = static_cast<std::int32_t>(highest);
+    solve(count, sums);
+    for (std::size_t k = 1; k < count; ++k) {
+        const double coefficient = std::floor(sums[k] * (256.0 / steps[k]) + 0.5);
+        if (!(std::abs(coefficient) < coefficientLimit)) return false;
+        prediction.coefficients[k] = static_cast<std::int32_t>(coefficient);
+    }
+    TileValues slopes;
+    evaluateTerms(prediction.coefficients, slopes);
+    std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = std::numeric_limits<std::int32_t>::min();
+    for (std::size_t line = 0; line < linesPerTile; ++line) {
+        const std::int32_t above = from_[line] * 256 + 255 - static_cast<std::int32_t>(slopes[line]);
+        const auto counts = static_cast<std::int32_t>(present_[line]);
+        lowest = std::min(lowest, (above & counts) | (std::numeric_limits<std::int32_t>::max() & ~counts));
+        highest = std::max(highest, (above & counts) | (std::numeric_limits<std::int32_t>::min() & ~counts));
+    }
+    const std::int64_t place = std::int64_t{lowest_} * 256 + lowest;
+    if (std::abs(place) > std::numeric_limits<std::int32_t>::max()) return false;
+    prediction.coefficients[0] = static_cast<std::int32_t>(place);
+    width = static_cast<unsigned>(std::bit_width(static_cast<std::uint32_t>(highest - lowest) >> 8));
     return true;
 }
 

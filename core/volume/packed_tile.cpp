@@ -17,29 +17,13 @@ bool sameSequence(std::span<const Segment> a, std::span<const Segment> b) noexce
     return std::ranges::equal(a, b, {}, &Segment::property, &Segment::property);
 }
 
-using Values = std::array<std::uint32_t, linesPerTile>;
-
-/// The run ends of one column, or the lengths up to them.
-std::span<const std::uint32_t> valuesOf(const TileView& lines, std::span<const std::uint8_t> places, std::size_t column,
-                                        bool relative, Values& values) noexcept {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const std::span<const Segment> line = lines[places[i]];
-        values[i] = line[column].end() - (relative ? line[column - 1].end() : 0);
+/// The run ends of one column, or the lengths up to them, by place in the tile.
+void valuesOf(const TileView& lines, std::span<const std::uint8_t> places, std::size_t column, bool relative,
+              TileValues& values) noexcept {
+    for (const std::uint8_t place : places) {
+        const Segment* const segment = lines[place].data() + column;
+        values[place] = segment->end() - (relative ? segment[-1].end() : 0);
     }
-    return std::span(values).first(places.size());
-}
-
-std::uint32_t left(std::uint32_t value, std::uint32_t expected) noexcept {
-    return (value - expected) & predictionMask;
-}
-
-unsigned bitsLeft(const Prediction& prediction, std::span<const std::uint8_t> places,
-                  std::span<const std::uint32_t> values) noexcept {
-    Values expected;
-    prediction.evaluate(expected);
-    std::uint32_t any = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) any |= left(values[i], expected[places[i]]);
-    return static_cast<unsigned>(std::bit_width(any));
 }
 
 /// Bits of the longest length between two ends less one, over all scanlines of a group; at least 1.
@@ -97,19 +81,20 @@ void TilePacker::writeSequence(std::span<const Segment> line, BitWriter& writer)
     }
 }
 
-TilePacker::Column TilePacker::bestColumn(const TileView& lines, const Group& group, const PredictionFit& fit,
-                                          std::size_t column) const {
-    Values storage;
-    Column best{{}, false, 0, ~std::uint64_t{0}};
+TilePacker::Column TilePacker::bestColumn(const TileView& lines, const Group& group, PredictionFit& fit,
+                                          std::size_t column) {
+    TileValues values{};
+    Column best;
+    best.cost = ~std::uint64_t{0};
     for (const bool relative : {false, true}) {
         if (relative && column == 0) break;
-        const std::span<const std::uint32_t> values = valuesOf(lines, group.lines(), column, relative, storage);
+        valuesOf(lines, group.lines(), column, relative, values);
+        fit.set(values);
         for (const PredictionShape shape :
              {PredictionShape::constant, PredictionShape::plane, PredictionShape::quadratic}) {
             Column next;
             next.relative = relative;
-            if (!fit.fit(shape, values, next.prediction)) break;
-            next.width = bitsLeft(next.prediction, group.lines(), values);
+            if (!fit.fit(shape, next.prediction, next.width)) break;
             next.cost =
                 columnHeadBits(column) + coefficientBits(next.prediction) + std::uint64_t{next.width} * group.count;
             if (next.cost < best.cost) best = next;
@@ -126,10 +111,11 @@ void TilePacker::writeColumn(const TileView& lines, const Group& group, std::siz
     writer.put(column.width, widthWidth);
     writeCoefficients(column.prediction, writer);
     if (column.width == 0) return;
-    Values storage, expected;
-    const std::span<const std::uint32_t> values = valuesOf(lines, group.lines(), place, column.relative, storage);
+    TileValues values, expected;
+    valuesOf(lines, group.lines(), place, column.relative, values);
     column.prediction.evaluate(expected);
-    for (std::size_t i = 0; i < group.count; ++i) writer.put(left(values[i], expected[group.places[i]]), column.width);
+    for (const std::uint8_t line : group.lines())
+        writer.put((values[line] - expected[line]) & predictionMask, column.width);
 }
 
 void TilePacker::writeEnds(const TileView& lines, const Group& group, BitWriter& writer) {
@@ -137,7 +123,7 @@ void TilePacker::writeEnds(const TileView& lines, const Group& group, BitWriter&
     if (columns == 0) return;
     const unsigned width = plainWidth(lines, group.lines());
     const std::uint64_t plainCost = widthWidth + std::uint64_t{width} * columns * group.count;
-    const PredictionFit fit(group.lines());
+    PredictionFit fit(group.lines());
     columns_.clear();
     std::uint64_t cost = 0;
     while (columns_.size() < columns && cost < plainCost) {

@@ -64,7 +64,7 @@ private:
     void findPalette(const TileView& lines);
     void writeSequence(std::span<const Segment> line, BitWriter& writer) const;
     void writeEnds(const TileView& lines, const Group& group, BitWriter& writer);
-    Column bestColumn(const TileView& lines, const Group& group, const PredictionFit& fit, std::size_t column) const;
+    static Column bestColumn(const TileView& lines, const Group& group, PredictionFit& fit, std::size_t column);
     void writeColumn(const TileView& lines, const Group& group, std::size_t place, BitWriter& writer) const;
 
     PackedTileFrame frame_;

@@ -4,6 +4,8 @@
 #include "core/volume/packed_tile.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <memory_resource>
 
 namespace burin {
 
@@ -50,11 +52,12 @@ private:
     BitReader reader_;
     const PackedTileFrame frame_;
     TileLines& tile_;
-    std::vector<PropertyIndex> palette_;
+    std::array<std::byte, 2048> scratch_; ///< an ordinary tile needs no other memory
+    std::pmr::monotonic_buffer_resource memory_{scratch_.data(), scratch_.size()};
+    std::pmr::vector<PropertyIndex> palette_{&memory_}, sequences_{&memory_};
     std::size_t groupCount_ = 0;
     std::array<std::uint8_t, linesPerTile> groupOf_{}, places_{};            ///< places by group
     std::array<std::size_t, linesPerTile + 1> placeEnds_{}, sequenceEnds_{}; ///< where each group's begin
-    std::vector<PropertyIndex> sequences_;
 };
 
 bool TileReader::readGroups() {
@@ -150,16 +153,18 @@ bool TileReader::readColumn(std::size_t group, std::size_t column) {
     readCoefficients(prediction, reader_);
     const std::span<const std::uint8_t> places = lines(group);
     if (!reader_.holds(std::uint64_t{width} * places.size())) return false;
-    std::array<std::uint32_t, linesPerTile> expected;
-    prediction.evaluate(expected);
+    TileValues values;
+    prediction.evaluate(values);
+    if (width > 0)
+        for (const std::uint8_t place : places) values[place] += reader_.get(width);
     const PropertyIndex property = sequence(group)[column];
+    const RunPosition lineEnd = frame_.lineEnd;
     bool sound = true;
     for (const std::uint8_t place : places) {
         Segment* const segment = tile_.segments.data() + tile_.offsets[place] + column;
         const RunPosition before = column > 0 ? segment[-1].end() : 0;
-        const RunPosition value = (expected[place] + reader_.get(width)) & predictionMask;
-        const RunPosition end = relative ? before + value : value;
-        sound = sound && end > before && end < frame_.lineEnd;
+        const RunPosition end = (values[place] & predictionMask) + (relative ? before : 0);
+        sound &= (end > before) & (end < lineEnd);
         *segment = Segment(end, property);
     }
     return sound;

@@ -23,11 +23,15 @@ public:
     bool fillSpan(LineIndex index, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool setLine(LineIndex index, std::span<const Segment> segments) noexcept;
+    bool rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe);
     /// Gives the 8 × 8 scanlines from `corner` on new content; those beyond the grid become air. Each line has to be
     /// gapless up to the line's end, neighbours of different property. False: out of reserved memory, tile unchanged.
     bool setTile(LineIndex corner, const TileView& lines) noexcept;
     /// Lets the tile at `corner` share the block of the one at `other`, which has the same scanlines in the grid.
     bool shareTile(LineIndex corner, LineIndex other) noexcept;
+
+    /// Makes large blocks of what is free in small ones. Outside the haptic loop. @throws std::bad_alloc
+    void joinFreeMemory();
 
     /// A block for a brick with two more segments a line than it has. noBlock: out of memory.
     BlockIndex setAside(LineIndex index) noexcept;
@@ -35,9 +39,6 @@ public:
     /// @param room used up, then noBlock
     bool clear(LineIndex index, const BrickSpans& spans, BlockIndex& room) noexcept;
     bool hasPagesToSpare() const noexcept { return lackingPages_ == 0; }
-    /// Makes large blocks of what is free in small ones. Outside the haptic loop. @throws std::bad_alloc
-    void joinFreeMemory();
-    bool rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe);
 
     VolumeState* snapshot();
     void restore(const VolumeState& state);

@@ -4,6 +4,7 @@
 
 #include "core/volume/surface_net.h"
 #include "core/volume/surface_simplification.h"
+#include "core/volume/volume_access.h"
 
 #include <algorithm>
 #include <array>
@@ -12,29 +13,51 @@ namespace burin {
 
 namespace {
 
-PropertyIndex propertyAt(const VolumeSnapshot& workpiece, const glm::dvec3& place) {
-    const Grid& grid = workpiece.grid();
-    const glm::ivec3 index =
-        glm::clamp(glm::ivec3(glm::floor((place - grid.low()) / grid.edge())), glm::ivec3(0), grid.count() - 1);
-    const RunPosition position = grid.toRunPosition(place[grid.axisOfRuns()]);
-    for (const Segment segment : workpiece.line({index[grid.axisOfU()], index[grid.axisOfV()]}))
-        if (position < segment.end()) return segment.property();
-    return airProperty;
-}
+/// Material under points of the surface.
+class MaterialUnder {
+public:
+    explicit MaterialUnder(const VolumeSnapshot& workpiece)
+        : grid_(workpiece.grid())
+        , properties_(workpiece.properties())
+        , state_(VolumeAccess::state(workpiece))
+        , axes_{grid_.axisOfU(), grid_.axisOfV(), grid_.axisOfRuns()}
+        , voxelsPerMillimetre_(1.0 / grid_.edge()) {}
 
-/// Material under a point of the surface: the part where it lies within a voxel (a finishing pass leaves a film of
-/// some hundredths of a millimetre, which nobody would call stock), else the first that is not air on the way in.
-/// A coarse surface may lie that much farther out.
-PropertyIndex propertyUnder(const VolumeSnapshot& workpiece, const glm::dvec3& place, const glm::dvec3& normal,
-                            int cell) {
-    PropertyIndex found = airProperty;
-    for (const double depth : {0.3, 0.6, 0.9, 1.3, 1.8, 1.8 * cell}) { // voxels
-        const PropertyIndex property = propertyAt(workpiece, place - normal * (depth * workpiece.grid().edge()));
-        if (depth < 1.0 && workpiece.properties().isProtected(property)) return property;
-        if (found == airProperty) found = property;
+    /// The part where it lies within a voxel (a finishing pass leaves a film of some hundredths of a millimetre, which
+    /// nobody would call stock), else the first that is not air on the way in. A coarse surface may lie that much
+    /// farther out.
+    PropertyIndex operator()(const glm::vec3& point, const glm::vec3& normal, int cell, bool lookForPart) const {
+        const glm::dvec3 place = inVoxels(glm::dvec3(point) - grid_.low()) * voxelsPerMillimetre_;
+        const glm::dvec3 out = inVoxels(glm::dvec3(normal));
+        PropertyIndex found = airProperty;
+        for (const double depth : {0.3, 0.6, 0.9, 1.3, 1.8, 1.8 * cell}) {
+            const PropertyIndex property = at(place - depth * out);
+            if (depth < 1.0 && properties_.isProtected(property)) return property;
+            if (found == airProperty) found = property;
+            if (found != airProperty && (depth >= 0.9 || !lookForPart)) break;
+        }
+        return found;
     }
-    return found;
-}
+
+private:
+    glm::dvec3 inVoxels(const glm::dvec3& way) const { return {way[axes_[0]], way[axes_[1]], way[axes_[2]]}; }
+    PropertyIndex at(const glm::dvec3& place) const {
+        const auto within = [](double count, std::int32_t limit) {
+            return std::clamp(static_cast<std::int32_t>(count), 0, limit - 1);
+        };
+        const LineIndex line{within(place[0], grid_.lineCountU()), within(place[1], grid_.lineCountV())};
+        const auto position = static_cast<std::int64_t>(place[2] * unitsPerVoxel + 0.5);
+        for (const Segment segment : state_.store->line(state_.pages, line))
+            if (position < std::int64_t{segment.end()}) return segment.property();
+        return airProperty;
+    }
+
+    const Grid& grid_;
+    const PropertyList& properties_;
+    const VolumeState& state_;
+    std::array<int, 3> axes_;
+    double voxelsPerMillimetre_;
+};
 
 } // namespace
 
@@ -47,6 +70,19 @@ void SurfaceMesh::clear() {
 
 class SurfaceExtractor::Storage {
 public:
+    /// Adds the surface of one stretch along the runs.
+    void add(const VolumeSnapshot& workpiece, SurfaceField::Interval interval, SurfaceMesh& mesh) {
+        field.fill(workpiece, interval);
+        const std::size_t before = mesh.points.size();
+        net.add(field, workpiece.grid(), mesh);
+        mesh.properties.resize(mesh.points.size(), field.onlyProperty());
+        if (field.onlyProperty() != airProperty) return;
+        const MaterialUnder material(workpiece);
+        const bool lookForPart = field.holdsProtected(workpiece.properties());
+        for (std::size_t i = before; i < mesh.points.size(); ++i)
+            mesh.properties[i] = material(mesh.points[i], mesh.normals[i], field.cell(), lookForPart);
+    }
+
     SurfaceField field;
     SurfaceNet net;
     SurfaceSimplifier simplifier;
@@ -62,17 +98,16 @@ void SurfaceExtractor::extract(const VolumeSnapshot& workpiece, SurfaceTile tile
     mesh.clear();
     SurfaceField& field = storage_->field;
     field.aim(workpiece, tile, detail.level);
-    for (const SurfaceField::Interval interval : field.intervals()) {
-        field.fill(workpiece, interval);
-        storage_->net.add(field, workpiece.grid(), mesh);
-    }
-    if (field.onlyProperty() != airProperty)
-        mesh.properties.assign(mesh.points.size(), field.onlyProperty());
-    else
-        for (std::size_t point = 0; point < mesh.points.size(); ++point)
-            mesh.properties.push_back(propertyUnder(workpiece, mesh.points[point], mesh.normals[point], field.cell()));
+    for (const SurfaceField::Interval interval : field.findIntervals(workpiece))
+        storage_->add(workpiece, interval, mesh);
     if (detail.tolerance > 0.0)
         storage_->simplifier.simplify(mesh, detail.tolerance, field.cell() * workpiece.grid().edge());
+}
+
+void SurfaceExtractor::extractBrick(const VolumeSnapshot& workpiece, SurfaceBrick brick, SurfaceMesh& mesh) {
+    mesh.clear();
+    storage_->field.aim(workpiece, {brick.u, brick.v}, 0);
+    storage_->add(workpiece, SurfaceField::brickInterval(workpiece.grid(), brick.n), mesh);
 }
 
 glm::ivec2 surfaceTiles(const Grid& grid) {

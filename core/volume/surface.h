@@ -21,6 +21,12 @@ struct SurfaceTile {
     friend constexpr bool operator==(SurfaceTile, SurfaceTile) = default;
 };
 
+/// A part of a tile: brick n covers the voxels 32 n … 32 n + 31 along the runs.
+struct SurfaceBrick {
+    std::int32_t u = 0, v = 0, n = 0;
+    friend constexpr bool operator==(SurfaceBrick, SurfaceBrick) = default;
+};
+
 /// Triangles of a piece, mm, setup frame; counter-clockwise from outside. Without simplification some points beside the
 /// tile's border are used by the next tile's triangles alone.
 struct SurfaceMesh {
@@ -51,6 +57,12 @@ public:
 
     /// @param mesh replaced
     void extract(const VolumeSnapshot& workpiece, SurfaceTile tile, const SurfaceDetail& detail, SurfaceMesh& mesh);
+
+    /// The part of a tile's surface that starts in one brick, at full detail and with all triangles. Bricks meet
+    /// without a gap, and together they are the tile. Cost: the scanlines under the brick and its own surface; nothing
+    /// is allocated once the storage has grown to what a brick takes.
+    /// @param mesh replaced
+    void extractBrick(const VolumeSnapshot& workpiece, SurfaceBrick brick, SurfaceMesh& mesh);
 
 private:
     class Storage;

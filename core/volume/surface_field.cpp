@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface_field.h"
 
+#include "core/volume/volume_access.h"
+
 #include <algorithm>
 
 namespace burin {
@@ -9,6 +11,7 @@ namespace burin {
 namespace {
 
 constexpr std::int64_t blockNodes = 16; ///< nodes along the runs that are told solid, air or mixed as one
+constexpr int shortInterval = 120;      ///< nodes of 256 units, two of which more fit 16 bits
 
 std::int64_t floorQuotient(std::int64_t value, std::int64_t divisor) {
     return value >= 0 ? value / divisor : -((divisor - 1 - value) / divisor);
@@ -30,12 +33,15 @@ void SurfaceField::aim(const VolumeSnapshot& workpiece, SurfaceTile tile, int le
     firstV_ = tileNodes * tile.v - margin;
     columnsU_ = ownedU_ + 2 * margin;
     columnsV_ = ownedV_ + 2 * margin;
+}
 
-    const int nodesAlong = nodes(grid.voxelsPerLine()) + 2; // one beyond each end: the surface closes there
+std::span<const SurfaceField::Interval> SurfaceField::findIntervals(const VolumeSnapshot& workpiece) {
+    const Grid& grid = workpiece.grid();
+    // One node beyond each end: the surface closes there.
+    const int nodesAlong = (grid.voxelsPerLine() + cell() - 1) / cell() + 2;
     const auto blocks = static_cast<std::size_t>(ceilingQuotient(nodesAlong, blockNodes));
     solidBlocks_.assign(blocks, 0);
     airBlocks_.assign(blocks, 0);
-    seen_.fill(false);
     const std::int32_t lowU = firstU_ * cell(), highU = (firstU_ + columnsU_) * cell();
     const std::int32_t lowV = firstV_ * cell(), highV = (firstV_ + columnsV_) * cell();
     const LineIndex low{std::max(lowU, 0), std::max(lowV, 0)};
@@ -52,13 +58,19 @@ void SurfaceField::aim(const VolumeSnapshot& workpiece, SurfaceTile tile, int le
         if (block > begin) {
             const int first = static_cast<int>(begin) * static_cast<int>(blockNodes) - 1;
             const int end = std::min(static_cast<int>(block) * static_cast<int>(blockNodes), nodesAlong) - 1;
-            intervals_.push_back({first - overhang, end - first + 2 * overhang});
+            // Beyond the blocks nothing crosses, so all nodes but the last may own what they find.
+            const int from = first - overhang, count = end - first + 2 * overhang;
+            intervals_.push_back({from, count, from, from + count - 1});
         } else
             ++block;
     }
-    const auto materials = std::count(seen_.begin() + 1, seen_.end(), true);
-    const auto material = std::find(seen_.begin() + 1, seen_.end(), true) - seen_.begin();
-    onlyProperty_ = materials == 1 ? static_cast<PropertyIndex>(material) : airProperty;
+    return intervals_;
+}
+
+SurfaceField::Interval SurfaceField::brickInterval(const Grid& grid, std::int32_t brick) {
+    const int begin = brick == 0 ? -1 : brick * linesPerSurfaceTile; // the surface closes before the first voxel
+    const int end = std::min((brick + 1) * linesPerSurfaceTile, grid.voxelsPerLine());
+    return {begin - overhang, end - begin + 2 * overhang, begin, end};
 }
 
 void SurfaceField::mark(std::span<const Segment> line, RunPosition lineEnd) {
@@ -67,7 +79,6 @@ void SurfaceField::mark(std::span<const Segment> line, RunPosition lineEnd) {
     bool solid = false;
     RunPosition begin = 0;
     for (const Segment segment : line) {
-        seen_[segment.property()] = true;
         const bool segmentSolid = segment.property() != airProperty;
         if (segmentSolid != solid && begin > 0) markStretch(solid ? solidBlocks_ : airBlocks_, from, begin);
         if (segmentSolid != solid) {
@@ -95,64 +106,93 @@ void SurfaceField::markStretch(std::vector<std::uint8_t>& blocks, std::int64_t f
 }
 
 void SurfaceField::fill(const VolumeSnapshot& workpiece, Interval interval) {
-    const Grid& grid = workpiece.grid();
     filled_ = interval;
+    seen_.fill(false);
     const auto values = static_cast<std::size_t>(columnsU_ * columnsV_) * static_cast<std::size_t>(interval.count);
     raw_.resize(values);
     smoothAlongV_.resize(values);
     smooth_.resize(values);
+    // Places within a brick fit 16 bits, of which twice as many are worked on at once.
+    if (level_ == 0 && interval.count <= shortInterval)
+        fillColumns<std::int16_t>(workpiece);
+    else
+        fillColumns<std::int32_t>(workpiece);
+    smooth();
+}
+
+/// A node's solid is scaled to 0 … 512 (level 0) or 0 … 2048: sixteen times that, which smoothing makes of it, fits 16
+/// bits.
+template <class Sum>
+void SurfaceField::fillColumns(const VolumeSnapshot& workpiece) {
+    const VolumeState& state = VolumeAccess::state(workpiece);
+    const Grid& grid = workpiece.grid();
+    const auto count = static_cast<std::size_t>(filled_.count);
+    const int shift = level_ == 0 ? 0 : 3 * level_ - 2;
+    std::vector<Sum> sums(count);
     for (int u = 0; u < columnsU_; ++u)
         for (int v = 0; v < columnsV_; ++v) {
-            sum_.assign(static_cast<std::size_t>(interval.count), 0);
+            std::fill(sums.begin(), sums.end(), Sum{0});
             const LineIndex low{(firstU_ + u) * cell(), (firstV_ + v) * cell()};
             for (std::int32_t lineU = std::max(low.u, 0); lineU < std::min(low.u + cell(), grid.lineCountU()); ++lineU)
                 for (std::int32_t lineV = std::max(low.v, 0); lineV < std::min(low.v + cell(), grid.lineCountV());
                      ++lineV)
-                    addLine(workpiece.line({lineU, lineV}));
-            storeColumn(raw_.data() + offset(u, v));
+                    addLine(state.store->line(state.pages, {lineU, lineV}), sums.data());
+            std::uint16_t* const column = raw_.data() + offset(u, v);
+            for (std::size_t n = 0; n < count; ++n) column[n] = static_cast<std::uint16_t>(sums[n] >> shift);
         }
-    smooth();
 }
 
-void SurfaceField::addLine(std::span<const Segment> line) {
-    RunPosition begin = 0, from = 0;
+template <class Sum>
+void SurfaceField::addLine(std::span<const Segment> line, Sum* sums) {
+    // Materials count as far as a point's own may be looked for.
+    constexpr std::int64_t reach = 2;
+    const std::int64_t node = std::int64_t{unitsPerVoxel} << level_;
+    const std::int64_t low = (filled_.first - reach) * node, high = (filled_.first + filled_.count + reach) * node;
+    std::int64_t begin = 0, from = 0;
     bool solid = false;
     for (const Segment segment : line) {
-        const bool segmentSolid = segment.property() != airProperty;
-        if (segmentSolid && !solid) from = begin;
-        if (!segmentSolid && solid) addStretch(from, begin);
-        solid = segmentSolid;
-        begin = segment.end();
-    }
-    if (solid) addStretch(from, begin);
-}
-
-void SurfaceField::addStretch(std::int64_t from, std::int64_t to) {
-    const std::int64_t node = std::int64_t{unitsPerVoxel} << level_, end = filled_.count;
-    // Node n sees from (n - 1/2) to (n + 3/2) nodes; here n counts from the interval's first.
-    const std::int64_t low = from - filled_.first * node, high = to - filled_.first * node;
-    const auto partly = [&](std::int64_t begin, std::int64_t behind) {
-        for (std::int64_t n = begin; n < behind; ++n) {
-            const std::int64_t sees = n * node - node / 2;
-            const std::int64_t solid = std::min(high, sees + 2 * node) - std::max(low, sees);
-            sum_[static_cast<std::size_t>(n)] += static_cast<std::uint32_t>(std::max<std::int64_t>(solid, 0));
+        const std::int64_t end = segment.end();
+        if (end > low) {
+            const bool segmentSolid = segment.property() != airProperty;
+            seen_[segment.property()] = true;
+            if (segmentSolid && !solid) from = begin;
+            if (!segmentSolid && solid) addStretch(from, begin, sums);
+            solid = segmentSolid;
+            if (end >= high) {
+                begin = end;
+                break;
+            }
         }
-    };
-    const std::int64_t first = std::clamp<std::int64_t>(floorQuotient(low - 3 * node / 2, node), 0, end);
-    const std::int64_t behind = std::clamp<std::int64_t>(ceilingQuotient(high + node / 2, node), first, end);
-    const std::int64_t fullFirst = std::clamp<std::int64_t>(ceilingQuotient(low + node / 2, node), first, behind);
-    const std::int64_t fullBehind =
-        std::clamp<std::int64_t>(floorQuotient(high - 3 * node / 2, node) + 1, fullFirst, behind);
-    partly(first, fullFirst);
-    const auto whole = static_cast<std::uint32_t>(2 * node);
-    for (std::int64_t n = fullFirst; n < fullBehind; ++n) sum_[static_cast<std::size_t>(n)] += whole;
-    partly(fullBehind, behind);
+        begin = end;
+    }
+    if (solid) addStretch(from, begin, sums);
 }
 
-/// Scales to 0 … 512 (level 0) or 0 … 2048: sixteen times that, which smoothing makes of it, fits 16 bits.
-void SurfaceField::storeColumn(std::uint16_t* column) const {
-    const int shift = level_ == 0 ? 0 : 3 * level_ - 2;
-    for (std::size_t n = 0; n < sum_.size(); ++n) column[n] = static_cast<std::uint16_t>(sum_[n] >> shift);
+/// Node n sees from (n - 1/2) to (n + 3/2) nodes.
+template <class Sum>
+void SurfaceField::addStretch(std::int64_t from, std::int64_t to, Sum* sums) const {
+    const int node = static_cast<int>(unitsPerVoxel) << level_, count = filled_.count;
+    const std::int64_t origin = std::int64_t{filled_.first} * node, end = std::int64_t{count + 1} * node;
+    const auto low = static_cast<Sum>(std::clamp<std::int64_t>(from - origin, -node, end));
+    const auto high = static_cast<Sum>(std::clamp<std::int64_t>(to - origin, -node, end));
+    const auto whole = static_cast<Sum>(2 * node);
+    for (int n = 0; n < count; ++n) {
+        const auto sees = static_cast<Sum>(n * node - node / 2);
+        const auto solid = static_cast<Sum>(std::min<Sum>(high, static_cast<Sum>(sees + whole)) - std::max(low, sees));
+        sums[n] = static_cast<Sum>(sums[n] + std::max<Sum>(solid, 0));
+    }
+}
+
+PropertyIndex SurfaceField::onlyProperty() const {
+    const auto first = std::find(seen_.begin() + 1, seen_.end(), true);
+    const bool one = first != seen_.end() && std::find(first + 1, seen_.end(), true) == seen_.end();
+    return one ? static_cast<PropertyIndex>(first - seen_.begin()) : airProperty;
+}
+
+bool SurfaceField::holdsProtected(const PropertyList& properties) const {
+    for (std::size_t i = 1; i < seen_.size(); ++i)
+        if (seen_[i] && properties.isProtected(static_cast<PropertyIndex>(i))) return true;
+    return false;
 }
 
 void SurfaceField::smooth() {

@@ -23,14 +23,18 @@ public:
     static constexpr int margin = 3;   ///< columns before and behind the owned ones
     static constexpr int overhang = 2; ///< nodes of an interval before and behind the blocks where the surface may be
 
-    /// Stretch along the runs outside which every column of the window is equal: no surface there.
+    /// Stretch along the runs, of nodes.
     struct Interval {
-        int first = 0, count = 0; ///< nodes
+        int first = 0, count = 0;
+        int owned = 0, ownedEnd = 0; ///< whose edges are drawn with it; a node more on either side is enough beyond
     };
 
-    /// Looks for where a tile's surface may be. Call before the others.
+    /// Call before the others.
     void aim(const VolumeSnapshot& workpiece, SurfaceTile tile, int level);
-    std::span<const Interval> intervals() const { return intervals_; }
+    /// Stretches outside which every column of the window is equal: no surface there. Looks at all runs of the tile.
+    std::span<const Interval> findIntervals(const VolumeSnapshot& workpiece);
+    /// Brick by brick of 32 voxels along the runs, wherever the surface is; level 0.
+    static Interval brickInterval(const Grid& grid, std::int32_t brick);
     /// Works the nodes of one interval out.
     void fill(const VolumeSnapshot& workpiece, Interval interval);
 
@@ -44,8 +48,10 @@ public:
     const std::uint16_t* column(int u, int v) const { return smooth_.data() + offset(u, v); }
     /// A node with at least this value counts as inside.
     std::uint16_t half() const { return level_ == 0 ? 4096 : 16384; }
-    /// The one material of the window, airProperty when there are several.
-    PropertyIndex onlyProperty() const { return onlyProperty_; }
+    /// The one material near the nodes that were filled in, airProperty when there are several.
+    PropertyIndex onlyProperty() const;
+    /// Whether one of them is protected.
+    bool holdsProtected(const PropertyList& properties) const;
 
 private:
     std::size_t offset(int u, int v) const {
@@ -53,18 +59,19 @@ private:
     }
     void mark(std::span<const Segment> line, RunPosition lineEnd);
     void markStretch(std::vector<std::uint8_t>& blocks, std::int64_t from, std::int64_t to) const;
-    void addLine(std::span<const Segment> line);
-    void addStretch(std::int64_t from, std::int64_t to);
-    void storeColumn(std::uint16_t* column) const;
+    template <class Sum>
+    void fillColumns(const VolumeSnapshot& workpiece);
+    template <class Sum>
+    void addLine(std::span<const Segment> line, Sum* sums);
+    template <class Sum>
+    void addStretch(std::int64_t from, std::int64_t to, Sum* sums) const;
     void smooth();
 
     int level_ = 0, ownedU_ = 0, ownedV_ = 0, firstU_ = 0, firstV_ = 0, columnsU_ = 0, columnsV_ = 0;
-    PropertyIndex onlyProperty_ = airProperty;
-    std::array<bool, 256> seen_{};
+    std::array<bool, 256> seen_{}; ///< near the nodes that were filled in
     std::vector<std::uint8_t> solidBlocks_, airBlocks_;
     std::vector<Interval> intervals_;
     Interval filled_;
-    std::vector<std::uint32_t> sum_; ///< solid of one column's nodes, run units
     std::vector<std::uint16_t> raw_, smoothAlongV_, smooth_;
 };
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface_net.h"
 
+#include "core/volume/surface_cube.h"
+
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -11,6 +14,16 @@ namespace {
 
 constexpr int firstCube = SurfaceField::margin - 1; ///< column of the lowest cube beside the owned nodes
 constexpr std::size_t wordBits = 64;
+
+/// The bits begin … end - 1 of a row of words that lie in one of them.
+std::uint64_t bitsBetween(int begin, int end, std::size_t word) {
+    const auto below = [word](int bit) {
+        const std::int64_t within = bit - static_cast<std::int64_t>(word * wordBits);
+        if (within <= 0) return std::uint64_t{0};
+        return within >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << within) - 1;
+    };
+    return below(end) & ~below(begin);
+}
 
 /// Visits the set bits of a row of words.
 template <class Visit>
@@ -26,24 +39,32 @@ void SurfaceNet::add(const SurfaceField& field, const Grid& grid, SurfaceMesh& m
     columnsV_ = field.ownedV() + 2 * SurfaceField::margin;
     count_ = field.filled().count;
     words_ = (static_cast<std::size_t>(count_) + wordBits - 1) / wordBits;
+    owned_ = field.filled().owned - field.filled().first;
+    ownedEnd_ = field.filled().ownedEnd - field.filled().first;
+    axes_ = {grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
+    low_ = {grid.low()[axes_[0]], grid.low()[axes_[1]], grid.low()[axes_[2]]};
+    size_ = grid.edge() * field.cell();
     findInside();
-    addPoints(grid, mesh);
+    addPoints(mesh);
     addFaces(mesh);
 }
 
 void SurfaceNet::findInside() {
     inside_.assign(static_cast<std::size_t>(columnsU_ * columnsV_) * words_, 0);
     const std::uint16_t half = field_->half();
+    const auto count = static_cast<std::size_t>(count_);
     for (int u = firstCube; u < columnsU_ - firstCube; ++u)
         for (int v = firstCube; v < columnsV_ - firstCube; ++v) {
             const std::uint16_t* values = field_->column(u, v);
             std::uint64_t* words = inside_.data() + static_cast<std::size_t>(u * columnsV_ + v) * words_;
-            for (std::size_t n = 0; n < static_cast<std::size_t>(count_); ++n)
-                words[n / wordBits] |= std::uint64_t{values[n] >= half} << (n % wordBits);
+            std::size_t n = 0;
+            for (; n + 8 <= count; n += 8)
+                words[n / wordBits] |= std::uint64_t{insideBits(values + n, half)} << (n % wordBits);
+            for (; n < count; ++n) words[n / wordBits] |= std::uint64_t{values[n] >= half} << (n % wordBits);
         }
 }
 
-void SurfaceNet::addPoints(const Grid& grid, SurfaceMesh& mesh) {
+void SurfaceNet::addPoints(SurfaceMesh& mesh) {
     pointOfCube_.resize(static_cast<std::size_t>(columnsU_ * columnsV_) * static_cast<std::size_t>(count_));
     for (int u = firstCube; u < columnsU_ - SurfaceField::margin; ++u)
         for (int v = firstCube; v < columnsV_ - SurfaceField::margin; ++v) {
@@ -57,78 +78,30 @@ void SurfaceNet::addPoints(const Grid& grid, SurfaceMesh& mesh) {
                     all &= column[word] & upper;
                     any |= column[word] | upper;
                 }
-                eachBit(any & ~all, word, [&](int n) {
-                    if (n + 1 < count_) addPoint(u, v, n, grid, mesh);
-                });
+                eachBit(any & ~all & bitsBetween(std::max(owned_ - 1, 1), ownedEnd_, word), word,
+                        [&](int n) { addPoint(u, v, n, mesh); });
             }
         }
 }
 
-void SurfaceNet::addPoint(int u, int v, int n, const Grid& grid, SurfaceMesh& mesh) {
+void SurfaceNet::addPoint(int u, int v, int n, SurfaceMesh& mesh) {
     pointOfCube_[static_cast<std::size_t>(u * columnsV_ + v) * static_cast<std::size_t>(count_) +
                  static_cast<std::size_t>(n)] = static_cast<std::uint32_t>(mesh.points.size());
-    const glm::vec3 within = middleOfCrossings(u, v, n);
-    const glm::vec3 normal = outwards(u, v, n, within);
-    const glm::dvec3 node = glm::dvec3(within) +
-                            glm::dvec3(field_->firstNodeU() + u, field_->firstNodeV() + v, field_->filled().first + n) +
-                            0.5;
-    const double size = grid.edge() * field_->cell();
+    const CubeColumns columns(field_->column(u - 1, v - 1) + n - 1, static_cast<std::size_t>(columnsV_ * count_),
+                              static_cast<std::size_t>(count_));
+    const glm::vec3 within = columns.middleOfCrossings(field_->half());
+    const glm::vec3 normal = columns.outwards(within, field_->half(), field_->cell() == 1 ? 1 : 3);
+    // From the grid's own counts, so that it comes out alike in every tile and brick.
+    const glm::dvec3 node =
+        glm::dvec3(within) + glm::dvec3(field_->firstNodeU() + u, field_->firstNodeV() + v, field_->filled().first + n);
+    const glm::dvec3 place = low_ + size_ * (node + 0.5);
     glm::vec3 point, direction;
-    const std::array axes{grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
     for (int i = 0; i < 3; ++i) {
-        const int axis = axes[static_cast<std::size_t>(i)];
-        point[axis] = static_cast<float>(grid.low()[axis] + size * node[i]);
-        direction[axis] = normal[i];
+        point[axes_[static_cast<std::size_t>(i)]] = static_cast<float>(place[i]);
+        direction[axes_[static_cast<std::size_t>(i)]] = normal[i];
     }
     mesh.points.push_back(point);
     mesh.normals.push_back(direction);
-}
-
-/// In the cube, 0 … 1 along u, v and the runs.
-glm::vec3 SurfaceNet::middleOfCrossings(int u, int v, int n) const {
-    std::array<std::array<const std::uint16_t*, 2>, 2> columns{};
-    for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j)
-            columns[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = field_->column(u + i, v + j) + n;
-    const int half = field_->half();
-    glm::vec3 sum(0.0F);
-    int crossed = 0;
-    const auto along = [&](int axis, glm::vec3 corner, int low, int high) {
-        if ((low >= half) == (high >= half)) return;
-        corner[axis] = static_cast<float>(half - low) / static_cast<float>(high - low);
-        sum += corner;
-        ++crossed;
-    };
-    for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t j = 0; j < 2; ++j) {
-            const auto a = static_cast<float>(i), b = static_cast<float>(j);
-            along(0, {0.0F, a, b}, columns[0][i][j], columns[1][i][j]);
-            along(1, {a, 0.0F, b}, columns[i][0][j], columns[i][1][j]);
-            along(2, {a, b, 0.0F}, columns[i][j][0], columns[i][j][1]);
-        }
-    return sum / static_cast<float>(crossed);
-}
-
-/// Downhill in the field, averaged 1-2-1 along all axes and interpolated in the cube: wider than what places the point,
-/// because the eye takes a ripple of the normals for a ripple of the surface.
-glm::vec3 SurfaceNet::outwards(int u, int v, int n, const glm::vec3& place) const {
-    std::array<glm::vec4, 3> value{};
-    for (int axis = 0; axis < 3; ++axis) {
-        const float t = place[axis];
-        value[static_cast<std::size_t>(axis)] = {1.0F - t, 2.0F - t, 1.0F + t, t};
-    }
-    const glm::vec4 slope(-1.0F, -1.0F, 1.0F, 1.0F);
-    glm::vec3 gradient(0.0F);
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) {
-            const std::uint16_t* at = field_->column(u + i - 1, v + j - 1) + n - 1;
-            const glm::vec4 run(at[0], at[1], at[2], at[3]);
-            const float mean = glm::dot(run, value[2]);
-            gradient += glm::vec3(slope[i] * value[1][j] * mean, value[0][i] * slope[j] * mean,
-                                  value[0][i] * value[1][j] * glm::dot(run, slope));
-        }
-    const float length = glm::length(gradient);
-    return length > 0.0F ? -gradient / length : glm::vec3(0.0F, 0.0F, 1.0F);
 }
 
 /// Edges between a column and another beside it whose ends lie on different sides.
@@ -136,7 +109,7 @@ template <class Visit>
 void SurfaceNet::crossings(int u, int v, int otherU, int otherV, Visit visit) const {
     const std::uint64_t *column = insideOf(u, v), *other = insideOf(otherU, otherV);
     for (std::size_t word = 0; word < words_; ++word)
-        eachBit(column[word] ^ other[word], word,
+        eachBit((column[word] ^ other[word]) & bitsBetween(owned_, ownedEnd_, word), word,
                 [&](int n) { visit(n, ((column[word] >> (static_cast<std::size_t>(n) % wordBits)) & 1) != 0); });
 }
 
@@ -154,9 +127,10 @@ void SurfaceNet::addFaces(SurfaceMesh& mesh) const {
             const std::uint64_t* column = insideOf(u, v);
             for (std::size_t word = 0; word < words_ && u > firstCube && v > firstCube; ++word) {
                 const std::uint64_t next = word + 1 < words_ ? column[word + 1] << (wordBits - 1) : 0;
-                eachBit(column[word] ^ ((column[word] >> 1) | next), word, [&](int n) {
+                const std::uint64_t crossed = column[word] ^ ((column[word] >> 1) | next);
+                eachBit(crossed & bitsBetween(owned_, ownedEnd_, word), word, [&](int n) {
                     const bool inside = ((column[word] >> (static_cast<std::size_t>(n) % wordBits)) & 1) != 0;
-                    if (n + 1 < count_) addFace({2, u, v, n, inside}, mesh);
+                    addFace({2, u, v, n, inside}, mesh);
                 });
             }
         }

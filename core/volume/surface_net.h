@@ -4,6 +4,7 @@
 
 #include "core/volume/surface_field.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -26,10 +27,8 @@ private:
     };
 
     void findInside();
-    void addPoints(const Grid& grid, SurfaceMesh& mesh);
-    void addPoint(int u, int v, int n, const Grid& grid, SurfaceMesh& mesh);
-    glm::vec3 middleOfCrossings(int u, int v, int n) const;
-    glm::vec3 outwards(int u, int v, int n, const glm::vec3& place) const;
+    void addPoints(SurfaceMesh& mesh);
+    void addPoint(int u, int v, int n, SurfaceMesh& mesh);
     void addFaces(SurfaceMesh& mesh) const;
     void addFace(const Edge& edge, SurfaceMesh& mesh) const;
     std::uint32_t pointOf(int u, int v, int n) const {
@@ -44,6 +43,10 @@ private:
 
     const SurfaceField* field_ = nullptr;
     int columnsU_ = 0, columnsV_ = 0, count_ = 0;
+    int owned_ = 0, ownedEnd_ = 0; ///< nodes, counted from the interval's first
+    std::array<int, 3> axes_{};    ///< x, y or z of u, v and the runs
+    glm::dvec3 low_{0.0};          ///< mm, of the grid along those
+    double size_ = 1.0;            ///< mm, of a cell
     std::size_t words_ = 0;
     std::vector<std::uint64_t> inside_;      ///< a bit a node, by column
     std::vector<std::uint32_t> pointOfCube_; ///< by the cube's lowest node; set where the surface crosses

@@ -6,8 +6,8 @@
 #include "core/volume/brick_lines.h"
 #include "core/volume/run_volume.h"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
 
@@ -65,17 +65,6 @@ public:
         for (int line = 0; line <= linesPerTile; ++line) setOffset(line, other.offset(line));
         std::memcpy(segments(), other.segments(), other.segmentCount() * sizeof(Segment));
     }
-    /// All lines at once. They must not be this tile's own; the caller has made sure of the capacity.
-    void assign(const TileView& lines) const noexcept {
-        std::uint32_t at = 0;
-        for (int i = 0; i < linesPerTile; ++i) {
-            const std::span<const Segment> source = lines[static_cast<std::size_t>(i)];
-            setOffset(i, at);
-            std::memcpy(segments() + at, source.data(), source.size_bytes());
-            at += static_cast<std::uint32_t>(source.size());
-        }
-        setOffset(linesPerTile, at);
-    }
     void copyFrom(const BrickLines& lines) const noexcept {
         if (header_->wide)
             for (int line = 0; line <= linesPerTile; ++line) wideOffsets()[line] = lines.offset(line);
@@ -87,6 +76,17 @@ public:
     bool operator==(const BrickLines& lines) const noexcept {
         return segmentCount() == lines.segmentCount() &&
                std::memcmp(segments(), lines.segments().data(), segmentCount() * sizeof(Segment)) == 0;
+    }
+    /// All lines at once. They must not be this tile's own; the caller has made sure of the capacity.
+    void assign(const TileView& lines) const noexcept {
+        std::uint32_t at = 0;
+        for (int i = 0; i < linesPerTile; ++i) {
+            const std::span<const Segment> source = lines[static_cast<std::size_t>(i)];
+            setOffset(i, at);
+            std::memcpy(segments() + at, source.data(), source.size_bytes());
+            at += static_cast<std::uint32_t>(source.size());
+        }
+        setOffset(linesPerTile, at);
     }
     /// Makes room for `added` segments in place of `removed` ones of a line, from its `first` on. The caller has made
     /// sure of the capacity and writes them to the place that is returned.

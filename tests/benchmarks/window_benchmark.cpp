@@ -4,6 +4,7 @@
 // on standard output, in plain words on standard error. A benchmark is no test: the exit status is 0.
 #include "tests/benchmarks/stall_watch.h"
 #include "tests/ui/window_driver.h"
+#include "ui/scene/surface_format.h"
 
 #include <nlohmann/json.hpp>
 
@@ -329,12 +330,7 @@ int run(StallWatch& watch) {
 } // namespace
 
 int main(int argc, char** argv) {
-    QSurfaceFormat format;
-    format.setVersion(3, 2);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    QSurfaceFormat::setDefaultFormat(format);
+    useSceneSurfaceFormat();
     StallWatch watch(argc, argv);
     return run(watch);
 }

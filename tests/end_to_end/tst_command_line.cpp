@@ -11,6 +11,23 @@
 #include <csignal>
 #include <sys/resource.h>
 
+namespace {
+
+/// Exit status of Burin where no file grows beyond 64 kB, which is what a full disk would give; -1 after a crash.
+int statusOnFullDisk(const QStringList& arguments) {
+    QProcess process;
+    process.setChildProcessModifier([] {
+        const rlimit limit{65536, 65536};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        ::signal(SIGXFSZ, SIG_IGN);
+    });
+    process.start(burinProgram(), arguments);
+    const bool ended = process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit;
+    return ended ? process.exitCode() : -1;
+}
+
+} // namespace
+
 /// What a user gets who does something wrong: one sentence, the right status, nothing lost.
 class CommandLineTest : public QObject {
     Q_OBJECT
@@ -22,6 +39,7 @@ private slots:
     void statusTellsWhatWentWrong();
     void jsonStaysJsonWhenItFails();
     void fullDiskKeepsTheOldProject();
+    void fullDiskLeavesNothingOfANewProject();
     void stopsWhenAsked();
 
 private:
@@ -117,20 +135,18 @@ void CommandLineTest::jsonStaysJsonWhenItFails() {
 void CommandLineTest::fullDiskKeepsTheOldProject() {
     const QString project = folder_.filePath("cube.burin");
     const ProgramRun before = runBurin({"info", project, "--json"});
-    // A process that may not write files beyond 64 kB meets what a full disk would give.
-    QProcess process;
-    process.setChildProcessModifier([] {
-        const rlimit limit{65536, 65536};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-        ::signal(SIGXFSZ, SIG_IGN);
-    });
-    process.start(burinProgram(), {"mill", project, "--tool", "ball-6"});
-    QVERIFY(process.waitForFinished(120'000));
-    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-    QCOMPARE(process.exitCode(), 4);
+    QCOMPARE(statusOnFullDisk({"mill", project, "--tool", "ball-6"}), 4);
     const ProgramRun after = runBurin({"info", project, "--json"});
     QCOMPARE(after.status, 0);
     QCOMPARE(after.json()["model"], before.json()["model"]);
+}
+
+void CommandLineTest::fullDiskLeavesNothingOfANewProject() {
+    const QTemporaryDir folder;
+    const QString project = folder.filePath("new.burin");
+    QCOMPARE(statusOnFullDisk({"embed", folder_.filePath("cube.brep"), "-o", project, "--voxel", "1"}), 4);
+    const QStringList left = QDir(folder.path()).entryList(QDir::Files | QDir::Hidden);
+    QVERIFY2(left.isEmpty(), qPrintable(left.join(' ')));
 }
 
 void CommandLineTest::stopsWhenAsked() {

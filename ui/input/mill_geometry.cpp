@@ -40,8 +40,7 @@ double clearTipHeight(const VolumeSnapshot& workpiece, const Cutter& cutter, con
     if (grid.axis() != RunAxis::z) return grid.box().high.z + hoverClearance;
     double height = grid.low().z;
     for (const RevolvedPiece& piece : pieces(cutter)) {
-        const double radius = std::max(piece.bottomRadius, piece.topRadius);
-        height = std::max(height, highestAlong(workpiece, from, to, radius) - piece.bottom);
+        height = std::max(height, highestAlong(workpiece, from, to, piece.widestRadius()) - piece.bottom);
     }
     return height + hoverClearance;
 }

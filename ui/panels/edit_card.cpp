@@ -3,6 +3,7 @@
 #include "ui/panels/edit_card.h"
 
 #include "ui/messages/messages.h"
+#include "ui/panels/edit_parameters.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/quantity_field.h"
@@ -14,8 +15,7 @@
 
 namespace burin {
 
-EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent)
-    : QFrame(parent), edit_(edit), parameters_(parametersOf(edit.parameters)) {
+EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent) : QFrame(parent), edit_(edit) {
     setProperty("look", "card");
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 6, 8, 8);
@@ -31,14 +31,15 @@ EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent)
         showEdit(edit_);
         emit edited(edit_);
     });
-    for (const EditParameter& parameter : parameters_) {
+    for (const EditParameter& parameter : parametersOf(edit.parameters)) {
         auto* field = new QuantityField(parameter.quantity, this);
-        field->setObjectName(name + QLatin1Char('_') + parameter.key);
-        field->limit(parameter.low, parameter.high);
+        field->setObjectName(name + QLatin1Char('_') +
+                             QLatin1String(parameter.number.key.data(), qsizetype(parameter.number.key.size())));
+        field->limit(parameter.number.low, parameter.number.high);
         column->addWidget(new FieldRow(parameter.label, field, parameter.toolTip, this));
         field->setAccessibleName(title + QStringLiteral(", ") + parameter.label);
-        connect(field, &QuantityField::valueEdited, this, [this, set = parameter.setValue](double value) {
-            set(edit_.parameters, value);
+        connect(field, &QuantityField::valueEdited, this, [this, key = parameter.number.key](double value) {
+            setNumber(edit_.parameters, key, value);
             emit edited(edit_);
         });
         fields_.push_back(field);
@@ -55,8 +56,9 @@ EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent)
 void EditCard::showEdit(const Edit& edit) {
     edit_ = edit;
     enabled_->setChecked(edit.enabled); // `clicked` is the user's alone
+    const std::vector<EditNumber> numbers = numbersOf(edit.parameters);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
-        fields_[i]->showValue(parameters_[i].value(edit.parameters));
+        fields_[i]->showValue(numbers[i].value);
         fields_[i]->parentWidget()->setEnabled(edit.enabled);
     }
 }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "core/path/edit.h"
-#include "ui/panels/edit_parameters.h"
+#include "ui/theme/length_unit.h"
 
 #include <QFrame>
+
+#include <vector>
 
 class QCheckBox;
 
@@ -32,7 +34,6 @@ signals:
 
 private:
     Edit edit_;
-    std::vector<EditParameter> parameters_;
     QCheckBox* enabled_ = nullptr;
     std::vector<QuantityField*> fields_;
     ElidedLabel* report_ = nullptr;

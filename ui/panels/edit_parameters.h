@@ -5,22 +5,18 @@
 #include "core/path/edit.h"
 #include "ui/panels/quantity.h"
 
-#include <functional>
 #include <vector>
 
 namespace burin {
 
 /// One number of an edit, as a panel shows it.
 struct EditParameter {
-    QString key; ///< as in the edit's JSON: "tolerance_mm"
+    EditNumber number; ///< core's: key, value and range, in the inner unit
     QString label, toolTip;
     Quantity quantity = Quantity::length;
-    double low = 0.0, high = 0.0; ///< what core allows, in the inner unit
-    std::function<double(const EditParameters&)> value;
-    std::function<void(EditParameters&, double)> setValue;
 };
 
-/// Every number of a kind of edit, in order; none for one that has none.
+/// Every number of an edit, in order; none for one that has none.
 std::vector<EditParameter> parametersOf(const EditParameters& edit);
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #include "ui/panels/quantity.h"
 
 #include "core/base/numbers.h"
+#include "core/base/units.h"
 
 #include <QRegularExpression>
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/texts.h"
 
+#include "core/base/units.h"
 #include "ui/panels/quantity.h"
 
 #include <QCoreApplication>
@@ -30,9 +31,13 @@ class PanelTexts {
     QT_TRANSLATE_NOOP("Resource", "Bull-nose end mill 10 mm, corner radius 2 mm"),
     QT_TRANSLATE_NOOP("Resource", "Bull-nose end mill 16 mm, corner radius 3 mm"),
     QT_TRANSLATE_NOOP("Resource", "Bull-nose end mill 6 mm, corner radius 1 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Chamfer mill 6 mm, 90°"),
+    QT_TRANSLATE_NOOP("Resource", "Drill 5 mm"),
     QT_TRANSLATE_NOOP("Resource", "End mill 10 mm"),
     QT_TRANSLATE_NOOP("Resource", "End mill 3 mm"),
     QT_TRANSLATE_NOOP("Resource", "End mill 6 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Lollipop mill 6 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Taper ball mill 1 mm, 5° a side"),
 };
 
 QString shippedName(const std::string& name) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace burin {
@@ -51,15 +52,22 @@ QPainterPath edges(const Cutter& cutter) {
 } // namespace
 
 QPainterPath fluteOutline(const Cutter& cutter) {
-    const double radius = cutter.radius(), corner = std::min(cutter.cornerRadius, radius);
-    QPainterPath path;
-    path.moveTo(-radius, cutter.fluteLength);
-    path.lineTo(-radius, corner);
-    // Qt counts angles as on a screen, y down; here y points up, so that 90 degrees is the tip.
-    path.arcTo(QRectF(-radius, 0.0, 2.0 * corner, 2.0 * corner), 180.0, -90.0);
-    path.lineTo(radius - corner, 0.0);
-    path.arcTo(QRectF(radius - 2.0 * corner, 0.0, 2.0 * corner, 2.0 * corner), 90.0, -90.0);
-    path.lineTo(radius, cutter.fluteLength);
+    constexpr int steps = 24; // of a rounding
+    std::vector<QPointF> side{{0.0, 0.0}};
+    for (const RevolvedPiece& piece : flutePieces(cutter)) {
+        const double rounded = piece.bulges() ? piece.top : piece.bottom + piece.cornerRadius;
+        for (int i = 0; i <= steps && rounded > piece.bottom; ++i) {
+            // Even in the angle of a quarter: close together where the rounding is level.
+            const double part = 1.0 - std::cos(std::numbers::pi / 2.0 * i / steps);
+            const double height = piece.bottom + part * (rounded - piece.bottom);
+            side.emplace_back(radiusAt(piece, height), height);
+        }
+        if (rounded == piece.bottom) side.emplace_back(piece.bottomRadius, piece.bottom);
+        side.emplace_back(piece.topRadius, piece.top);
+    }
+    QPainterPath path(side.front());
+    for (const QPointF& point : side) path.lineTo(point);
+    for (auto point = side.rbegin(); point != side.rend(); ++point) path.lineTo(-point->x(), point->y());
     path.closeSubpath();
     return path;
 }

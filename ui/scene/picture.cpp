@@ -57,7 +57,10 @@ vtkSmartPointer<vtkActor> workpieceActor(const VolumeSnapshot& workpiece) {
 void addTool(vtkRenderer& renderer, const Tool& tool, const glm::dvec3& tip) {
     const std::vector<RevolvedPiece> stack = pieces(tool.cutter);
     for (std::size_t i = 0; i < stack.size(); ++i) {
-        const Colour colour = i == 0 ? fluteColour : i == 1 ? shankColour : holderColour;
+        const ToolSection section = sectionOf(tool.cutter, i);
+        const Colour colour = section == ToolSection::flutes  ? fluteColour
+                              : section == ToolSection::shank ? shankColour
+                                                              : holderColour;
         vtkSmartPointer<vtkActor> actor = actorFor(pieceSurface(stack[i]), colour);
         actor->SetPosition(tip.x, tip.y, tip.z);
         renderer.AddActor(actor);

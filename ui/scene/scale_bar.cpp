@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/scale_bar.h"
 
+#include "core/base/units.h"
 #include "ui/scene/round_spacing.h"
 #include "ui/theme/length_unit.h"
 

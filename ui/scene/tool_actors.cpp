@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace burin {
 namespace {
@@ -18,11 +19,10 @@ namespace {
 constexpr double helixAngle = 30.0 * pi / 180.0; // usual for end mills; drawn, not reckoned with
 
 /// Radius of the flutes at a height over the tip, mm.
-double fluteRadius(const Cutter& cutter, double height) {
-    const double below = cutter.cornerRadius - height;
-    if (below <= 0.0) return cutter.radius();
-    const double corner = cutter.cornerRadius;
-    return cutter.radius() - corner + std::sqrt(std::max(0.0, corner * corner - below * below));
+double fluteRadius(std::span<const RevolvedPiece> flutes, double height) {
+    for (const RevolvedPiece& piece : flutes)
+        if (height <= piece.top) return radiusAt(piece, std::max(height, piece.bottom));
+    return flutes.back().topRadius;
 }
 
 /// The cutting edges as helices on the flutes, a hair outside of them.
@@ -31,12 +31,13 @@ std::vector<LineEnds> cuttingEdges(const Tool& tool) {
     const Cutter& cutter = tool.cutter;
     const double turnPerHeight = std::tan(helixAngle) / std::max(cutter.radius(), 1e-6);
     constexpr int steps = 40;
+    const std::vector<RevolvedPiece> pieces = flutePieces(cutter);
     const int flutes = std::clamp(tool.fluteCount, 1, 8);
     for (int flute = 0; flute < flutes; ++flute) {
         const auto at = [&](int step) {
             const double height = cutter.fluteLength * step / steps;
             const double angle = 2.0 * pi * flute / flutes + height * turnPerHeight;
-            const double radius = fluteRadius(cutter, height) * 1.002;
+            const double radius = fluteRadius(pieces, height) * 1.002;
             return glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), height);
         };
         for (int step = 0; step < steps; ++step) lines.emplace_back(at(step), at(step + 1));
@@ -84,11 +85,13 @@ void ToolActors::setTool(const std::optional<Tool>& tool) {
     sections_.clear();
     if (!tool) return;
     const std::vector<RevolvedPiece> stack = pieces(tool->cutter);
-    const bool hasShank = stack.size() > 1 + tool->cutter.holder.size();
     double widest = 0.0;
-    for (const RevolvedPiece& piece : stack) widest = std::max({widest, piece.bottomRadius, piece.topRadius});
+    for (const RevolvedPiece& piece : stack) widest = std::max(widest, piece.widestRadius());
     for (std::size_t i = 0; i < stack.size(); ++i) {
-        const Section section = i == 0 ? Section::flutes : i == 1 && hasShank ? Section::shank : Section::holder;
+        const ToolSection part = sectionOf(tool->cutter, i);
+        const Section section = part == ToolSection::flutes  ? Section::flutes
+                                : part == ToolSection::shank ? Section::shank
+                                                             : Section::holder;
         add(section, surfaceActor(pieceSurface(stack[i])));
         if (section == Section::flutes) continue;
         vtkSmartPointer<vtkActor> outline = surfaceActor(pieceSurface(grown(stack[i], 0.06 * widest)));

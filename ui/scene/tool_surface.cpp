@@ -4,12 +4,14 @@
 
 #include "core/base/units.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkRotationalExtrusionFilter.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace burin {
@@ -25,6 +27,17 @@ vtkSmartPointer<vtkPolyData> pieceSurface(const RevolvedPiece& piece) {
                                 piece.bottom + corner - corner * std::cos(angle));
     }
     if (corner <= 0.0) points->InsertNextPoint(piece.bottomRadius, 0.0, piece.bottom);
+    if (piece.bulges()) {
+        const auto angleAt = [&](double height) {
+            return std::asin(std::clamp((height - piece.bulgeCentreHeight) / piece.bulgeRadius, -1.0, 1.0));
+        };
+        const double low = angleAt(piece.bottom), high = angleAt(piece.top);
+        for (int i = 1; i < 2 * arcSteps; ++i) {
+            const double angle = low + (high - low) * i / (2 * arcSteps);
+            points->InsertNextPoint(piece.bulgeCentreRadius + piece.bulgeRadius * std::cos(angle), 0.0,
+                                    piece.bulgeCentreHeight + piece.bulgeRadius * std::sin(angle));
+        }
+    }
     points->InsertNextPoint(piece.topRadius, 0.0, piece.top);
     points->InsertNextPoint(0.0, 0.0, piece.top);
 
@@ -44,6 +57,13 @@ vtkSmartPointer<vtkPolyData> pieceSurface(const RevolvedPiece& piece) {
     normals->SetFeatureAngle(40.0);
     normals->Update();
     return normals->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> piecesSurface(std::span<const RevolvedPiece> pieces) {
+    vtkNew<vtkAppendPolyData> all;
+    for (const RevolvedPiece& piece : pieces) all->AddInputData(pieceSurface(piece));
+    all->Update();
+    return all->GetOutput();
 }
 
 } // namespace burin

@@ -7,9 +7,14 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <span>
+
 namespace burin {
 
 /// Surface of one piece of a tool, mm, tip at the origin, axis +Z, with normals.
 vtkSmartPointer<vtkPolyData> pieceSurface(const RevolvedPiece& piece);
+
+/// The same of several, as one.
+vtkSmartPointer<vtkPolyData> piecesSurface(std::span<const RevolvedPiece> pieces);
 
 } // namespace burin

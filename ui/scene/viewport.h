@@ -8,6 +8,7 @@
 #include "core/tool/tool.h"
 #include "core/volume/run_volume.h"
 #include "ui/scene/interactive_tool.h"
+#include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
 #include <QWidget>
@@ -20,8 +21,6 @@
 class QOpenGLContext;
 
 namespace burin {
-
-enum class LengthUnit; // ui/theme/length_unit.h
 
 enum class StandardView { isometric, top, bottom, front, back, left, right };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/theme/length_unit.h"
 
+#include "core/base/units.h"
+
 #include <cmath>
 
 namespace burin {

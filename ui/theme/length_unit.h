@@ -10,7 +10,6 @@ namespace burin {
 /// What lengths are shown in. Inside and in files everything stays mm.
 enum class LengthUnit { millimetre, inch };
 
-inline constexpr double millimetresPerInch = 25.4;
 /// Digits behind the decimal sign: a micrometre, and the tenth of a thou that is nearest to it.
 inline constexpr int millimetreDecimals = 3, inchDecimals = 4;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/job_presenter.h"
 
+#include "core/base/units.h"
 #include "ui/panels/texts.h"
 
 #include <QFileInfo>

@@ -22,8 +22,7 @@ struct MillTexts {
 QString shankSentence(const SessionState& state, const Bench& bench) {
     if ((state.sample.flags & sampleShankContact) == 0) return {};
     const PropertyList& properties = bench.embedded.workpiece.properties();
-    const std::vector<RevolvedPiece> all = pieces(bench.tool.cutter);
-    const bool shank = state.shankPiece == 1 && all.size() > bench.tool.cutter.holder.size() + 1;
+    const bool shank = sectionOf(bench.tool.cutter, state.shankPiece) != ToolSection::holder;
     const QString what = state.shankTouches == airProperty || state.shankTouches >= properties.size()
                              ? MillTexts::tr("the workpiece")
                              : materialName(properties[state.shankTouches]);

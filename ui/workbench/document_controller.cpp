@@ -93,7 +93,7 @@ std::vector<LeftWork> DocumentController::leftWork() const {
 
 void DocumentController::forget(const LeftWork& work) {
     Result<Project> project = Project::open(work.file);
-    if (project) static_cast<void>(project->abandonChanges());
+    if (project) project->abandonChanges();
 }
 
 Result<DocumentController::Opened> DocumentController::exchange(std::optional<Project>& place, Result<Project> project,
@@ -101,7 +101,7 @@ Result<DocumentController::Opened> DocumentController::exchange(std::optional<Pr
     if (!project) return std::move(project).error();
     Result<ProjectContents> contents = contentsOf(*project);
     if (!contents) return std::move(contents).error();
-    if (place && abandon) static_cast<void>(place->abandonChanges());
+    if (place && abandon) place->abandonChanges();
     place.reset();
     place.emplace(std::move(*project));
     return Opened{std::move(*contents), place->file(), place->keptAside(), place->recovered(), place->readOnly()};
@@ -180,10 +180,9 @@ void DocumentController::saved(const Result<void>& outcome, const Then& then) {
 void DocumentController::close(bool abandon, Then then) {
     desk_.project.postToPlace(
         [abandon](std::optional<Project>& place) -> Result<void> {
-            Result<void> outcome;
-            if (place && abandon) outcome = place->abandonChanges();
+            if (place && abandon) place->abandonChanges();
             place.reset();
-            return outcome;
+            return {};
         },
         [this, then = std::move(then)](const Result<void>& outcome) {
             file_.clear();

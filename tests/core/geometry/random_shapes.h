@@ -7,6 +7,7 @@
 
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <cstdint>
 
 /// Random numbers, points and tools for properties. A thousand steps a unit, so that shrinking ends soon.
@@ -26,10 +27,17 @@ inline glm::dvec3 direction() {
     return glm::length(v) > 1e-3 ? glm::normalize(v) : glm::dvec3(0.0, 0.0, 1.0);
 }
 
-/// Ball, flat, bull nose, or a frustum that widens or narrows.
+/// Ball, flat, bull nose, a frustum that widens or narrows, or the zone of a sphere or torus.
 inline RevolvedPiece piece() {
     const double bottom = number(0.0, 3.0), radius = number(0.2, 4.0), length = number(1.0, 12.0);
-    switch (*rc::gen::inRange(0, 4)) {
+    switch (*rc::gen::inRange(0, 6)) {
+    case 4:
+    case 5: {
+        const double ring = *rc::gen::element(0.0, 1.0, -1.0) * number(0.05, 0.9) * radius;
+        const double limit = ring < 0.0 ? std::acos(-ring / radius) : std::asin(1.0);
+        const double from = number(-1.0, 0.9) * limit, to = from + number(0.05, 1.0) * (limit - from);
+        return bulgingPiece(bottom + radius * std::sin(from), bottom + radius * std::sin(to), ring, bottom, radius);
+    }
     case 0:
         return {bottom, bottom + radius + length, radius, radius, radius};
     case 1:

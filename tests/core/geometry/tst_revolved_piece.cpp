@@ -23,6 +23,16 @@ std::vector<glm::dvec2> outline(const RevolvedPiece& piece) {
         points.push_back({piece.bottomRadius - c + c * std::cos(angle), piece.bottom + c + c * std::sin(angle)});
     }
     if (c == 0.0) points.push_back({piece.bottomRadius, piece.bottom});
+    if (piece.bulges()) {
+        const double low =
+            std::asin(std::clamp((piece.bottom - piece.bulgeCentreHeight) / piece.bulgeRadius, -1.0, 1.0));
+        const double high = std::asin(std::clamp((piece.top - piece.bulgeCentreHeight) / piece.bulgeRadius, -1.0, 1.0));
+        for (int i = 1; i < 800; ++i) {
+            const double angle = low + (high - low) * i / 800.0;
+            points.push_back({piece.bulgeCentreRadius + piece.bulgeRadius * std::cos(angle),
+                              piece.bulgeCentreHeight + piece.bulgeRadius * std::sin(angle)});
+        }
+    }
     points.push_back({piece.topRadius, piece.top});
     points.push_back({0.0, piece.top});
     return points;
@@ -41,6 +51,9 @@ double distanceToOutline(const std::vector<glm::dvec2>& points, const glm::dvec2
 
 bool within(const RevolvedPiece& piece, double radius, double height) {
     if (height < piece.bottom || height > piece.top) return false;
+    if (piece.bulges())
+        return std::hypot(std::max(radius - piece.bulgeCentreRadius, 0.0), height - piece.bulgeCentreHeight) <=
+               piece.bulgeRadius;
     const double part = (height - piece.bottom) / (piece.top - piece.bottom);
     if (radius > piece.bottomRadius + part * (piece.topRadius - piece.bottomRadius)) return false;
     const double beside = radius - (piece.bottomRadius - piece.cornerRadius);
@@ -58,6 +71,7 @@ private slots:
     void agreesWithTheOutline();
     void isConvexAndSteepByOne();
     void slopeIsASubgradient();
+    void heightsAndRadiiAgreeWithTheDistance();
 };
 
 void RevolvedPieceTest::knownValues() {
@@ -85,7 +99,8 @@ void RevolvedPieceTest::agreesWithTheOutline() {
         const double far = distanceToOutline(outline(piece), {radius, height});
         const double wanted = within(piece, radius, height) ? -far : far;
         // The outline's arcs are made of 400 chords.
-        RC_ASSERT(std::abs(signedDistance(piece, radius, height) - wanted) < 1e-9 + 2e-6 * piece.cornerRadius);
+        RC_ASSERT(std::abs(signedDistance(piece, radius, height) - wanted) <
+                  1e-9 + 2e-6 * std::max(piece.cornerRadius, piece.bulgeRadius));
     }));
 }
 
@@ -109,6 +124,23 @@ void RevolvedPieceTest::slopeIsASubgradient() {
         RC_ASSERT(std::abs(std::hypot(d.alongRadius, d.alongHeight) - 1.0) < 1e-12);
         RC_ASSERT(d.distance + d.alongRadius * (otherRadius - radius) + d.alongHeight * (otherHeight - height) <=
                   signedDistance(piece, otherRadius, otherHeight) + 1e-9);
+    }));
+}
+
+/// What a piece covers at a distance from its axis, and its radius at a height, end where its distance is 0.
+void RevolvedPieceTest::heightsAndRadiiAgreeWithTheDistance() {
+    QVERIFY(rc::check("heights and radii", [] {
+        const RevolvedPiece piece = random::piece();
+        const double radius = random::number(0.0, 7.0);
+        const std::optional<HeightRange> heights = heightsAt(piece, radius);
+        RC_ASSERT(heights.has_value() == (radius <= piece.widestRadius()));
+        if (heights) {
+            RC_ASSERT(std::abs(signedDistance(piece, radius, heights->low)) < 1e-7);
+            RC_ASSERT(std::abs(signedDistance(piece, radius, heights->high)) < 1e-7);
+            RC_ASSERT(signedDistance(piece, radius, 0.5 * (heights->low + heights->high)) < 1e-7);
+        }
+        const double height = piece.bottom + random::number(0.0, 1.0) * (piece.top - piece.bottom);
+        RC_ASSERT(std::abs(signedDistance(piece, std::max(radiusAt(piece, height), 0.0), height)) < 1e-7);
     }));
 }
 

@@ -11,28 +11,35 @@
 using namespace burin;
 using namespace burin::test;
 
+/// A loop over a block, a hand that mills it on its button, and a take to record into.
+struct LoopUnderTest {
+    QTemporaryDir folder;
+    Project project = *Project::create(folder.filePath("p.burin").toStdString());
+    Bench bench = blockBench();
+    Progress progress;
+    std::unique_ptr<const ClearanceField> field = *clearanceField(bench, 0.5, progress);
+    StrokeHand hand;
+    HapticStep step{bench.embedded.workpiece, *field, bench.tool, settingsFor(hand)};
+    std::atomic<bool> stop{false};
+    std::unique_ptr<SessionLoop> loop = std::make_unique<SessionLoop>(step, bench.embedded.workpiece, true, stop);
+    Ring<Sample> unused{16};
+    const Recorder recorder{unused, *project.beginTake(fixture::takeInfo("take"))};
+
+    static HapticSettings settingsFor(const StrokeHand& hand) {
+        HapticSettings settings;
+        settings.stylus = hand.description();
+        settings.cutsOnButton = true;
+        return settings;
+    }
+};
+
 /// The loop's side of a session, driven tick by tick.
 class TestSessionLoop : public QObject {
     Q_OBJECT
 private slots:
     /// Takes, strokes, views, figures: none of it allocates in the loop, whatever the owner keeps of it.
     void noTickAllocates() {
-        const QTemporaryDir folder;
-        Result<Project> project = Project::create(folder.filePath("p.burin").toStdString());
-        QVERIFY(project);
-        Bench bench = blockBench();
-        Progress progress;
-        const auto field = *clearanceField(bench, 0.5, progress);
-        StrokeHand hand;
-        HapticSettings settings;
-        settings.stylus = hand.description();
-        settings.cutsOnButton = true;
-        HapticStep step(bench.embedded.workpiece, *field, bench.tool, settings);
-        std::atomic<bool> stop{false};
-        const auto loop = std::make_unique<SessionLoop>(step, bench.embedded.workpiece, true, stop);
-        Ring<Sample> unused(16);
-        const Recorder recorder(unused, *project->beginTake(fixture::takeInfo("take")));
-
+        LoopUnderTest test;
         StrokeHistory strokes;
         WorkpieceView view;
         Stroke stroke;
@@ -41,34 +48,34 @@ private slots:
         TickNews news;
         LiveFigures figures;
         constexpr int ticks = (StrokeHand::strokeTicks + StrokeHand::backTicks) * (int{StrokeHistory::maximum} + 10);
-        hand.mill(1000);
-        loop->wishTake({recorder.take(), &recorder});
+        test.hand.mill(1000);
+        test.loop->wishTake({test.recorder.take(), &test.recorder});
         std::size_t allocations = 0, strokesSeen = 0, views = 0, recorded = 0;
         TickTiming timing;
         timing.period = 0.001;
         for (int tick = 0; tick < ticks; ++tick) {
-            const StylusState state = hand.read(0.001 * tick);
+            const StylusState state = test.hand.read(0.001 * tick);
             const std::size_t before = allocationCount;
-            if (loop->edge() != AtEdge::tick) QFAIL("no tick");
-            const Sample sample = step(state, timing.period);
+            if (test.loop->edge() != AtEdge::tick) QFAIL("no tick");
+            const Sample sample = test.step(state, timing.period);
             timing.over += 1'000'000;
             timing.work = timing.cpu = 10'000;
-            loop->tick(sample, timing);
+            test.loop->tick(sample, timing);
             allocations += allocationCount - before;
 
             // The owner keeps as many strokes as it may, and one view, which it renews.
-            while (loop->takeStroke(stroke)) {
+            while (test.loop->takeStroke(stroke)) {
                 strokes.add(std::move(stroke));
                 ++strokesSeen;
             }
             if (tick % 16 == 0) {
-                views += loop->takeView(view) ? 1u : 0u;
-                loop->wishView();
+                views += test.loop->takeView(view) ? 1u : 0u;
+                test.loop->wishView();
             }
-            recorded += loop->samples().pop(samples);
-            loop->takeTrace(trace);
-            loop->takeNews(news);
-            loop->takeFigures(figures);
+            recorded += test.loop->samples().pop(samples);
+            test.loop->takeTrace(trace);
+            test.loop->takeNews(news);
+            test.loop->takeFigures(figures);
         }
         QCOMPARE(allocations, std::size_t{0});
         QVERIFY(strokesSeen > StrokeHistory::maximum);
@@ -81,44 +88,31 @@ private slots:
 
     /// An owner who does not look for long gets fewer strokes, and none with a hole in it.
     void strokesThatNobodyTakesGrowTogether() {
-        const QTemporaryDir folder;
-        Result<Project> project = Project::create(folder.filePath("p.burin").toStdString());
-        Bench bench = blockBench();
-        Progress progress;
-        const auto field = *clearanceField(bench, 0.5, progress);
-        StrokeHand hand;
-        HapticSettings settings;
-        settings.stylus = hand.description();
-        settings.cutsOnButton = true;
-        HapticStep step(bench.embedded.workpiece, *field, bench.tool, settings);
-        std::atomic<bool> stop{false};
-        const auto loop = std::make_unique<SessionLoop>(step, bench.embedded.workpiece, true, stop);
-        Ring<Sample> unused(16);
-        const Recorder recorder(unused, *project->beginTake(fixture::takeInfo("take")));
-        hand.mill(20);
-        loop->wishTake({recorder.take(), &recorder});
+        LoopUnderTest test;
+        test.hand.mill(20);
+        test.loop->wishTake({test.recorder.take(), &test.recorder});
         TickTiming timing;
         timing.period = 0.001;
         std::vector<Lines> found; // the workpiece as each stroke found it
         std::vector<std::uint64_t> firsts;
         bool cutting = false;
-        for (std::uint64_t tick = 0; hand.done() < 20; ++tick) {
-            const StylusState state = hand.read(0.0);
+        for (std::uint64_t tick = 0; test.hand.done() < 20; ++tick) {
+            const StylusState state = test.hand.read(0.0);
             const bool begins = state.buttons != 0 && !cutting;
             cutting = state.buttons != 0;
             if (begins) {
-                found.push_back(linesOf(bench.embedded.workpiece));
+                found.push_back(linesOf(test.bench.embedded.workpiece));
                 firsts.push_back(tick);
             }
-            QCOMPARE(loop->edge(), AtEdge::tick);
-            loop->tick(step(state, timing.period), timing);
+            QCOMPARE(test.loop->edge(), AtEdge::tick);
+            test.loop->tick(test.step(state, timing.period), timing);
         }
-        loop->wish(SessionLoop::Wish::finish);
-        loop->edge();
-        QVERIFY(!loop->fulfilled()); // waits for the owner
+        test.loop->wish(SessionLoop::Wish::finish);
+        test.loop->edge();
+        QVERIFY(!test.loop->fulfilled()); // waits for the owner
         std::vector<Stroke> strokes;
-        for (Stroke stroke; loop->takeStroke(stroke); loop->edge()) strokes.push_back(std::move(stroke));
-        QVERIFY(loop->fulfilled());
+        for (Stroke stroke; test.loop->takeStroke(stroke); test.loop->edge()) strokes.push_back(std::move(stroke));
+        QVERIFY(test.loop->fulfilled());
         QCOMPARE(strokes.size(), std::size_t{9});
         for (std::size_t i = 0; i < strokes.size(); ++i) {
             QCOMPARE(strokes[i].first, firsts[i]);

@@ -1,57 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/swept_span.h"
+#include "tests/core/tool/random_sweeps.h"
 #include "tests/oracles/moved_piece.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 using namespace burin;
+using random::real;
 
 namespace {
-
-double real(double low, double high) {
-    return low + (high - low) * *rc::gen::inRange(0, 1000001) / 1e6;
-}
-
-RevolvedPiece randomPiece() {
-    const double bottom = real(-2.0, 2.0), radius = real(0.2, 4.0), other = real(0.2, 4.0);
-    const double top = bottom + real(4.0, 9.0);
-    switch (*rc::gen::inRange(0, 5)) {
-    case 0:
-        return {bottom, top, radius, radius, radius}; // ball
-    case 1:
-        return {bottom, top, radius, radius, 0.0}; // flat end, shank
-    case 2:
-        return {bottom, top, radius, radius, radius * real(0.02, 0.98)}; // bull nose
-    case 3:
-        return {bottom, top, std::min(radius, other), std::max(radius, other), 0.0};
-    default:
-        return {bottom, top, std::max(radius, other), std::min(radius, other), 0.0};
-    }
-}
-
-glm::dvec3 randomMove() {
-    const glm::dvec3 any(real(-6.0, 6.0), real(-6.0, 6.0), real(-6.0, 6.0));
-    switch (*rc::gen::inRange(0, 8)) {
-    case 0:
-        return glm::dvec3(0.0);
-    case 1:
-        return {0.0, 0.0, any.z};
-    case 2:
-        return {any.x, 0.0, 0.0};
-    case 3:
-        return {any.x, any.y, 0.0};
-    case 4:
-        return any * 1e-3;
-    case 5:
-        return any * 1e-8;
-    case 6:
-        return {any.x * 1e-4, any.y * 1e-4, any.z}; // steep
-    default:
-        return any;
-    }
-}
 
 bool near(double a, double b, double tolerance) {
     return std::abs(a - b) <= tolerance;
@@ -66,9 +25,9 @@ private slots:
     /// The heart of the matter: whatever moves whichever way, a line meets what sampled poses meet.
     void agreesWithSampledPoses() {
         const bool held = rc::check("span of a moved piece", [] {
-            const RevolvedPiece piece = randomPiece();
+            const RevolvedPiece piece = random::straightPiece();
             const glm::dvec3 from(real(-5.0, 5.0), real(-5.0, 5.0), real(-5.0, 5.0));
-            const glm::dvec3 to = from + randomMove();
+            const glm::dvec3 to = from + random::move();
             const SweptPiece swept(piece, from, to);
             const Box box = swept.bounds();
             for (int line = 0; line < 40; ++line) {
@@ -146,10 +105,10 @@ private slots:
     /// Two ways that meet in a tip agree there to the last bit: the second covers all that the first left at its end.
     void waysThatMeetAgreeToTheLastBit() {
         const bool held = rc::check("ends of ways", [] {
-            const RevolvedPiece piece = randomPiece();
+            const RevolvedPiece piece = random::straightPiece();
             const glm::dvec3 tip(real(-5.0, 5.0), real(-5.0, 5.0), real(-5.0, 5.0));
-            const SweptPiece standing(piece, tip, tip), arriving(piece, tip - randomMove(), tip);
-            const SweptPiece leaving(piece, tip, tip + randomMove());
+            const SweptPiece standing(piece, tip, tip), arriving(piece, tip - random::move(), tip);
+            const SweptPiece leaving(piece, tip, tip + random::move());
             const double reach = oracles::outlineOf(piece);
             const double x = tip.x + real(-reach, reach), y = tip.y + real(-reach, reach);
             const std::optional<Span> still = standing.along(x, y);
@@ -167,9 +126,9 @@ private slots:
     /// The shadow holds exactly the lines that are met: none is missed by going through shadows row by row.
     void shadowHoldsEveryLineThatIsMet() {
         const bool held = rc::check("shadow", [] {
-            const RevolvedPiece piece = randomPiece();
+            const RevolvedPiece piece = random::straightPiece();
             const glm::dvec3 from(real(-5.0, 5.0), real(-5.0, 5.0), real(-5.0, 5.0));
-            const SweptPiece swept(piece, from, from + randomMove());
+            const SweptPiece swept(piece, from, from + random::move());
             const Box box = swept.bounds();
             const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
             const std::optional<Span> shadow = swept.shadow(y);

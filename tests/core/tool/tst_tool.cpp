@@ -108,7 +108,7 @@ private slots:
                                 << R"("diameter_mm": 8000)"
                                 << "cutter.diameter_mm";
         QTest::newRow("unknown type") << R"("bull_nose")"
-                                      << R"("drill")"
+                                      << R"("laser")"
                                       << "cutter.type";
         QTest::newRow("corner too large") << R"("corner_radius_mm": 1.25)"
                                           << R"("corner_radius_mm": 4)"
@@ -173,7 +173,12 @@ private slots:
         for (const std::string& id : toolIds()) {
             const Cutter cutter = loadTool(id)->cutter;
             const std::vector<RevolvedPiece> stack = pieces(cutter);
-            QCOMPARE(stack.size(), cutter.holder.size() + 2);
+            const std::size_t flutes = flutePieces(cutter).size();
+            QCOMPARE(stack.size(), flutes + 1 + cutter.holder.size());
+            for (std::size_t i = 0; i < stack.size(); ++i)
+                QVERIFY(sectionOf(cutter, i) == (i < flutes    ? ToolSection::flutes
+                                                 : i == flutes ? ToolSection::shank
+                                                               : ToolSection::holder));
             QCOMPARE(stack.front().bottom, 0.0);
             for (std::size_t i = 1; i < stack.size(); ++i) QCOMPARE(stack[i].bottom, stack[i - 1].top);
             QCOMPARE(stack.back().top, cutter.length());

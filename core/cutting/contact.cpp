@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cutting/contact.h"
+
+#include "core/cutting/footprint.h"
+#include "core/cutting/line_frame.h"
+#include "core/tool/piece_chord.h"
+#include "core/tool/swept_span.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace burin {
+
+namespace {
+
+constexpr RunPosition tolerance = unitsPerVoxel / 4;
+
+struct Overlap {
+    std::array<std::uint64_t, 256> byProperty{}; ///< run units
+    std::uint64_t units = 0;
+    glm::dvec3 moment{0.0}; ///< mm times units, line frame
+};
+
+void addLine(const RunVolume& workpiece, LineIndex line, const Span& span, Overlap& overlap) noexcept {
+    const Grid& grid = workpiece.grid();
+    const RunPosition from = grid.toRunPosition(span.low), to = grid.toRunPosition(span.high);
+    if (from >= to) return;
+    std::uint64_t units = 0;
+    forEachPiece(workpiece.line(line), from, to,
+                 [&](PropertyIndex, RunPosition start, RunPosition end) { units += end - start; });
+    if (units <= tolerance) return;
+    const glm::dvec2 centre = grid.lineCentre(line);
+    forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
+        const double middle = 0.5 * (grid.toMillimetres(start) + grid.toMillimetres(end));
+        overlap.byProperty[property] += end - start;
+        overlap.moment += static_cast<double>(end - start) * glm::dvec3(centre, middle);
+    });
+    overlap.units += units;
+}
+
+/// A piece that holds every point within `margin` of another one.
+RevolvedPiece grown(const RevolvedPiece& piece, double margin) noexcept {
+    if (piece.bulges()) // the cylinder around it
+        return {piece.bottom - margin, piece.top + margin, piece.widestRadius() + margin, piece.widestRadius() + margin,
+                0.0};
+    const double widening = (piece.topRadius - piece.bottomRadius) / (piece.top - piece.bottom);
+    const double beside = margin * (std::sqrt(1.0 + widening * widening) + std::abs(widening));
+    return {piece.bottom - margin, piece.top + margin, piece.bottomRadius + beside, piece.topRadius + beside, 0.0};
+}
+
+/// One piece of a tool that must not touch, at a pose in the line frame.
+class GuardedPiece {
+public:
+    GuardedPiece(const RunVolume& workpiece, const RevolvedPiece& piece, const ToolPose& pose) noexcept
+        : workpiece_(workpiece)
+        , grid_(workpiece.grid())
+        , piece_(piece)
+        , pose_(pose)
+        , nearBrick_(grown(piece, halfDiagonal(OccupiedBricks::brickSide)), pose.axis)
+        , nearBlock_(grown(piece, halfDiagonal(OccupiedBricks::blockSide)), pose.axis) {
+        const double widest = piece.widestRadius();
+        for (int i = 0; i < 3; ++i) {
+            const double across = widest * std::sqrt(std::max(0.0, 1.0 - pose.axis[i] * pose.axis[i]));
+            const double bottom = pose.tip[i] + piece.bottom * pose.axis[i];
+            const double top = pose.tip[i] + piece.top * pose.axis[i];
+            reach_.low[i] = std::min(bottom, top) - across;
+            reach_.high[i] = std::max(bottom, top) + across;
+        }
+        const glm::dvec3 low = inLineFrame(grid_, grid_.low());
+        alongLow_ = low.z;
+        columns_ = linesWithin({reach_.low.x, reach_.high.x}, low.x, grid_.edge(), grid_.lineCountU());
+        rows_ = linesWithin({reach_.low.y, reach_.high.y}, low.y, grid_.edge(), grid_.lineCountV());
+    }
+
+    /// Visits the bricks that may hold anything the piece overlaps, and adds what it does.
+    /// @param bricks  null: every brick may
+    void addTo(Overlap& overlap, OccupiedBricks* bricks) noexcept {
+        if (columns_.last < columns_.first || rows_.last < rows_.first) return;
+        const auto& [lowCorner, highCorner] = grid_.box();
+        if (reach_.high.z <= alongLow_ || reach_.low.z >= inLineFrame(grid_, highCorner).z) return;
+        forEachSquare(OccupiedBricks::blockSide, columns_, rows_, [&](LineIndex block, LineRange us, LineRange vs) {
+            if (bricks != nullptr && !mayTouch(nearBlock_, bricks->block(block), block, OccupiedBricks::blockSide))
+                return;
+            forEachSquare(OccupiedBricks::brickSide, us, vs, [&](LineIndex brick, LineRange inner, LineRange outer) {
+                if (bricks != nullptr) {
+                    constexpr std::int32_t side = OccupiedBricks::brickSide;
+                    if (!mayTouch(nearBrick_, bricks->brick(brick), brick, side)) return;
+                    if (!mayTouch(nearBrick_, bricks->lookAt(workpiece_, brick), brick, side)) return;
+                }
+                addBrick(inner, outer, overlap);
+            });
+        });
+    }
+
+private:
+    double halfDiagonal(std::int32_t side) const noexcept { return 0.5 * std::numbers::sqrt2 * side * grid_.edge(); }
+    /// Calls `visit(low corner, u range, v range)` for each square of a raster that two ranges of lines touch.
+    template <class Visit>
+    static void forEachSquare(std::int32_t side, LineRange us, LineRange vs, Visit&& visit) noexcept {
+        for (std::int32_t v = vs.first - vs.first % side; v <= vs.last; v += side)
+            for (std::int32_t u = us.first - us.first % side; u <= us.last; u += side)
+                visit(LineIndex{u, v}, LineRange{std::max(u, us.first), std::min(u + side - 1, us.last)},
+                      LineRange{std::max(v, vs.first), std::min(v + side - 1, vs.last)});
+    }
+    /// Whether the grown piece, over the middle of a square of scanlines, reaches into an extent of them.
+    bool mayTouch(const PieceChord& grownPiece, OccupiedBricks::Extent extent, LineIndex corner,
+                  std::int32_t side) const noexcept {
+        if (extent.empty()) return false;
+        const double low = alongLow_ + extent.low * grid_.edge(), high = alongLow_ + extent.high * grid_.edge();
+        if (high <= reach_.low.z || low >= reach_.high.z) return false;
+        const glm::dvec2 middle = grid_.lineCentre(corner) + 0.5 * (side - 1) * grid_.edge() - glm::dvec2(pose_.tip);
+        const std::optional<Span> span = grownPiece.along(middle.x, middle.y);
+        return span && pose_.tip.z + span->low < high && pose_.tip.z + span->high > low;
+    }
+    void addBrick(LineRange us, LineRange vs, Overlap& overlap) noexcept {
+        if (!swept_) swept_.emplace(piece_, pose_.tip, pose_.tip, pose_.axis);
+        for (LineIndex line{us.first, vs.first}; line.v <= vs.last; ++line.v)
+            for (line.u = us.first; line.u <= us.last; ++line.u) {
+                const glm::dvec2 centre = grid_.lineCentre(line);
+                if (const std::optional<Span> span = swept_->along(centre.x, centre.y))
+                    addLine(workpiece_, line, *span, overlap);
+            }
+    }
+
+    const RunVolume& workpiece_;
+    const Grid& grid_;
+    const RevolvedPiece& piece_;
+    const ToolPose& pose_;
+    PieceChord nearBrick_, nearBlock_;
+    Box reach_;
+    double alongLow_ = 0.0;
+    LineRange columns_, rows_;
+    std::optional<SweptPiece> swept_; ///< only made when a brick is in its way
+};
+
+void rankProperties(const RunVolume& workpiece, const Overlap& overlap, ShankContact& contact) noexcept {
+    const double unitVolume = workpiece.grid().unitVolume();
+    for (std::size_t i = 1; i < overlap.byProperty.size(); ++i) {
+        if (overlap.byProperty[i] == 0) continue;
+        const auto property = static_cast<PropertyIndex>(i);
+        TouchedProperty touched{property, workpiece.properties().isProtected(property),
+                                static_cast<double>(overlap.byProperty[i]) * unitVolume};
+        (touched.isProtected ? contact.touchesProtected : contact.touchesStock) = true;
+        for (TouchedProperty& place : contact.touched)
+            if (touched.volume > place.volume) std::swap(touched, place);
+    }
+    contact.property = contact.touched.front().property;
+}
+
+ShankContact contactAt(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
+                       const ToolPose& setupPose, OccupiedBricks* bricks) noexcept {
+    ShankContact contact;
+    if (!isFinite(setupPose.tip) || !isFinite(setupPose.axis)) return contact;
+    const Grid& grid = workpiece.grid();
+    const ToolPose pose = inLineFrame(grid, setupPose);
+    Overlap overlap;
+    std::uint64_t most = 0;
+    for (std::size_t i = fluteCount; i < tool.size(); ++i) {
+        const std::uint64_t before = overlap.units;
+        GuardedPiece(workpiece, tool[i], pose).addTo(overlap, bricks);
+        if (overlap.units - before <= most) continue;
+        most = overlap.units - before;
+        contact.piece = static_cast<std::uint8_t>(i);
+    }
+    if (overlap.units == 0) return contact;
+    contact.touches = true;
+    contact.place = inSetupFrame(grid, overlap.moment / static_cast<double>(overlap.units));
+    contact.volume = static_cast<double>(overlap.units) * grid.unitVolume();
+    rankProperties(workpiece, overlap, contact);
+    return contact;
+}
+
+} // namespace
+
+ShankContact ContactCheck::at(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
+                              const ToolPose& pose) noexcept {
+    return contactAt(workpiece, tool, fluteCount, pose, &bricks_);
+}
+
+ShankContact shankContact(const RunVolume& workpiece, std::span<const RevolvedPiece> tool,
+                          const glm::dvec3& tip) noexcept {
+    return contactAt(workpiece, tool, 1, {tip, {0.0, 0.0, 1.0}}, nullptr);
+}
+
+ShankContact shankContact(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
+                          const ToolPose& pose) noexcept {
+    return contactAt(workpiece, tool, fluteCount, pose, nullptr);
+}
+
+} // namespace burin

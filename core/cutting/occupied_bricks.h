@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/run_volume.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// Between which voxels of its runs a brick of scanlines holds anything, for all bricks of a volume, and for blocks of
+/// them: what lies beside a tool is told from the tool at one look for a thousand scanlines. The bounds are those of
+/// the moment when a brick was last looked at; cutting only makes bricks emptier, so they stay bounds while it goes on.
+/// What was not looked at yet may be full.
+class OccupiedBricks {
+public:
+    static constexpr std::int32_t brickSide = 8;  ///< scanlines
+    static constexpr std::int32_t blockSide = 32; ///< scanlines
+
+    struct Extent {
+        std::uint16_t low = 0, high = 0; ///< voxels along the runs, high exclusive; empty when low >= high
+        bool empty() const noexcept { return low >= high; }
+    };
+
+    /// Allocates 4 bytes a brick.
+    explicit OccupiedBricks(const Grid& grid);
+
+    /// Of the brick or block that a scanline lies in.
+    Extent brick(LineIndex line) const noexcept { return bricks_[brickAt(line)]; }
+    Extent block(LineIndex line) const noexcept { return blocks_[blockAt(line)]; }
+    /// Looks at the brick that a scanline lies in. Cost: its 64 scanlines. No allocation.
+    Extent lookAt(const RunVolume& volume, LineIndex line) noexcept;
+    /// Anything may be full again. Cost: 4 bytes a brick. No allocation.
+    void forget() noexcept;
+
+private:
+    std::size_t brickAt(LineIndex line) const noexcept {
+        return static_cast<std::size_t>(line.v / brickSide) * bricksU_ + static_cast<std::size_t>(line.u / brickSide);
+    }
+    std::size_t blockAt(LineIndex line) const noexcept {
+        return static_cast<std::size_t>(line.v / blockSide) * blocksU_ + static_cast<std::size_t>(line.u / blockSide);
+    }
+
+    std::size_t bricksU_ = 0, blocksU_ = 0;
+    Extent full_;
+    std::vector<Extent> bricks_, blocks_;
+};
+
+} // namespace burin

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+#include "core/geometry/pose.h"
+#include "core/geometry/revolved_piece.h"
+#include "core/volume/run_volume.h"
+
+#include <cstdint>
+#include <span>
+
+namespace burin {
+
+/// What one cut of a voxel tool took away.
+struct VoxelCut {
+    RunAmounts removed; ///< by the flutes, by property; whole voxels
+    RunAmounts touched; ///< what the shank met, by property, summed over the poses: not removed
+    std::int32_t poses = 0;
+    bool outOfMemory = false; ///< reserved memory of the workpiece is used up; what was left is uncut
+};
+
+/// A tool of any shape, held as S-RLE: flutes and shank are two properties of one volume (paper, 2 and eq. 3). It is
+/// moved by the paper's own way: poses interpolated between two cycles (eqs. 6, 7), so many that no voxel of the tool
+/// moves a whole voxel between two of them (eq. 8), their union taken as the swept volume (eqs. 9, 10), and that less
+/// the workpiece (4.3): VR = Vs ∩ Vw. A voxel of the workpiece belongs to the tool at a pose when its centre, taken
+/// back into the tool's frame, lies in a voxel of the tool; forward, a turned tool would leave holes. Cuts whole
+/// voxels. The surface that it leaves lies within 0.87 voxel of the tool's (half its diagonal), plus half of the way
+/// that a point moves between two poses. Cost: the voxels in the tool's box, once a pose: for tools that are no solids
+/// of revolution, and as the measure of the analytic sweep; not for the haptic tick.
+class VoxelTool {
+public:
+    static constexpr PropertyIndex flutes = 1, shank = 2;
+
+    /// @param shape tool frame: tip at the origin, axis +Z towards the holder; `flutes` and `shank` as properties.
+    /// Errors: argumentInvalid (a shape without any voxel, or with other properties).
+    static Result<VoxelTool> make(RunVolume shape);
+    /// Voxels whose centres lie in the pieces of a tool. @param edge of a voxel, mm
+    /// Errors: argumentInvalid, volumeTooLarge, outOfMemory.
+    static Result<VoxelTool> ofPieces(std::span<const RevolvedPiece> pieces, std::size_t fluteCount, double edge);
+
+    const RunVolume& shape() const noexcept { return shape_; }
+    /// Poses for a motion, both ends included (eq. 8).
+    std::int32_t posesFor(const Pose& from, const Pose& to) const noexcept;
+    /// Takes the flutes at all poses out of the machinable runs of a workpiece. Poses that are not finite take nothing.
+    VoxelCut cut(RunVolume& workpiece, const Pose& from, const Pose& to) const noexcept;
+
+private:
+    explicit VoxelTool(RunVolume shape) noexcept;
+    PropertyIndex at(const glm::dvec3& place) const noexcept;
+    bool cutAt(RunVolume& workpiece, const Pose& pose, VoxelCut& cut) const noexcept;
+
+    RunVolume shape_;
+    Box filled_;         ///< mm, tool frame, of the voxels that are not air
+    double reach_ = 0.0; ///< mm, of the farthest of them from the tip
+};
+
+} // namespace burin

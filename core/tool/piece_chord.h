@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/revolved_piece.h"
+#include "core/tool/span.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+
+namespace burin {
+
+/// What lines along Z meet of a standing piece with any axis. Closed forms for ball, cylinder and cone; the torus of a
+/// bull nose or a barrel by Newton's steps on its distance, which is convex along the line, so that steps from outside
+/// never pass the surface; exact to 1e-9 mm but for rounding.
+class PieceChord {
+public:
+    /// @param axis unit length
+    PieceChord(const RevolvedPiece& piece, const glm::dvec3& axis) noexcept;
+
+    /// @param x, y of the line, mm from the tip. @return mm from the tip; nothing where the line misses the piece or
+    /// only touches it. Depends on the arguments alone. No allocation.
+    std::optional<Span> along(double x, double y) const noexcept;
+
+private:
+    /// A line in the frame of the plane that axis and lines span.
+    struct Line {
+        double aside = 0.0;  ///< mm, between the line and the axis
+        double before = 0.0; ///< mm, along the lean of the axis
+    };
+    double heightAt(const Line& line, double z) const noexcept { return line.before * lean_ + z * rise_; }
+    bool clipToFaces(const Line& line, Span& span) const noexcept;
+    bool clipToCylinder(const Line& line, Span& span) const noexcept;
+    bool clipToCone(const Line& line, Span& span) const noexcept;
+    bool clipToBall(const Line& line, double radius, Span& span) const noexcept;
+    bool clipToCorner(const Line& line, Span& span) const noexcept;
+    bool clipToBulge(const Line& line, Span& span) const noexcept;
+    bool advance(const Line& line, double direction, double& z) const noexcept;
+
+    RevolvedPiece piece_;
+    glm::dvec2 direction_{1.0, 0.0};             ///< unit, in which the axis leans
+    double lean_ = 0.0;                          ///< sine of the angle between axis and lines
+    double rise_ = 1.0;                          ///< its cosine
+    double widening_ = 0.0;                      ///< mm/mm of a cone
+    double roundRadius_ = 0.0;                   ///< mm, of corner or bulge
+    double ringRadius_ = 0.0, ringHeight_ = 0.0; ///< mm, centre of that rounding
+};
+
+} // namespace burin

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/tool/piece_chord.h"
+#include "core/tool/shadow_edge.h"
+#include "core/tool/span.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <optional>
+
+namespace burin {
+
+/// What a piece with a standing axis of any direction sweeps on its straight way between two tips, met by lines along
+/// Z. The swept solid is convex: a line's lower end lies on the piece at the first tip, on the piece at the last one,
+/// or on the wall that its outline (seen along the way) leaves in between, and is the lowest of these.
+class TiltedSweep {
+public:
+    TiltedSweep(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
+                const glm::dvec3& axis) noexcept;
+
+    std::optional<Span> along(double x, double y) const noexcept;
+    std::optional<Span> shadow(double y) const noexcept;
+    const Box& bounds() const noexcept { return bounds_; }
+
+private:
+    /// Right-handed view along the way.
+    struct View {
+        glm::dvec3 across{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, depth{0.0, 0.0, 1.0};
+    };
+    static View viewAlong(const glm::dvec3& way) noexcept;
+    double wallAt(const ShadowEdge& edge, double side, double x, double y) const noexcept;
+
+    glm::dvec3 from_{0.0}, to_{0.0};
+    PieceChord chord_;
+    View view_;
+    double length_ = 0.0;                  ///< mm, of the way
+    double sine_ = 0.0;                    ///< of the angle between way and lines
+    bool leavesWall_ = false;              ///< the way is not along the lines
+    ShadowEdge lower_, upper_;             ///< outline along the way; the upper one is held upside down
+    ShadowEdge left_, right_;              ///< outline along the lines, lowest towards -x and +x
+    std::array<glm::dvec2, 2> tangents_{}; ///< mm from the tip, where the way touches that outline
+    Box bounds_;
+};
+
+} // namespace burin

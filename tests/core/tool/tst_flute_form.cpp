@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tool/tool.h"
+#include "tests/core/tool/cutters.h"
+
+#include <QtTest>
+
+using namespace burin;
+
+namespace {
+
+Tool toolWith(Cutter cutter) {
+    Tool tool;
+    tool.id = tool.name = tool.source = "example";
+    tool.maximumDepthOfCut = 0.5 * cutter.fluteLength;
+    tool.cutter = std::move(cutter);
+    return tool;
+}
+
+/// Largest radius of the pieces at a height; nothing where no piece is.
+double piecesRadius(const std::vector<RevolvedPiece>& pieces, double height) {
+    double radius = -1.0;
+    for (const RevolvedPiece& piece : pieces)
+        if (height >= piece.bottom && height <= piece.top) radius = std::max(radius, radiusAt(piece, height));
+    return radius;
+}
+
+void rowForEveryType() {
+    QTest::addColumn<int>("index");
+    const std::vector<cutters::Named> all = cutters::all();
+    for (int i = 0; i < static_cast<int>(all.size()); ++i) QTest::newRow(all[static_cast<std::size_t>(i)].name) << i;
+}
+
+Cutter cutterOf(int index) {
+    return cutters::all()[static_cast<std::size_t>(index)].cutter;
+}
+
+} // namespace
+
+/// The forms of flutes: what a file says is the solid that mills.
+class FluteFormTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyTypeIsItsDrawing_data() { rowForEveryType(); }
+    void everyTypeIsItsDrawing() {
+        QFETCH(int, index);
+        const Cutter cutter = cutterOf(index);
+        const std::vector<RevolvedPiece> pieces = flutePieces(cutter);
+        QCOMPARE(pieces.front().bottom, 0.0);
+        QCOMPARE(pieces.back().top, cutter.fluteLength);
+        for (std::size_t i = 1; i < pieces.size(); ++i) QCOMPARE(pieces[i].bottom, pieces[i - 1].top);
+        for (int step = 0; step <= 5000; ++step) {
+            const double height = cutter.fluteLength * step / 5000.0;
+            const double found = piecesRadius(pieces, height), drawn = cutters::drawnRadius(cutter, height);
+            // Hollow arcs may stand out by their chord, never in: the tool is not smaller than it is in truth. Where
+            // the arc is nearly level the radius says little: half a micrometre across the arc is more along it.
+            const bool hollow = cutter.type == CutterType::profile && height > 1.0 && height < 3.0;
+            const double slope = hollow ? std::hypot(1.0, (height - 1.0) / std::max(4.0 - drawn, 0.05)) : 1.0;
+            QVERIFY2(found >= drawn - 1e-6 && found <= drawn + (hollow ? profileChord * slope : 0.0) + 1e-6,
+                     qPrintable(
+                         QStringLiteral("%1: %2, drawn %3").arg(height).arg(found, 0, 'g', 12).arg(drawn, 0, 'g', 12)));
+        }
+    }
+
+    void everyTypeIsValidAndReadsBack_data() { rowForEveryType(); }
+    void everyTypeIsValidAndReadsBack() {
+        QFETCH(int, index);
+        const Tool tool = toolWith(cutterOf(index));
+        const Result<void> valid = validate(tool);
+        QVERIFY2(valid.hasValue(), valid ? "" : (valid.error().subject + " " + valid.error().detail).c_str());
+        const std::string text = toJson(tool);
+        const Result<Tool> back = toolFromJson(text, "memory");
+        QVERIFY2(back.hasValue(), back ? "" : (back.error().place + " " + back.error().detail).c_str());
+        QCOMPARE(toJson(*back), text);
+        QVERIFY(back->cutter.type == tool.cutter.type);
+        const std::vector<RevolvedPiece> before = flutePieces(tool.cutter), after = flutePieces(back->cutter);
+        QCOMPARE(after.size(), before.size());
+        for (double height = 0.0; height < tool.cutter.fluteLength; height += 0.01)
+            QVERIFY(std::abs(piecesRadius(after, height) - piecesRadius(before, height)) < 1e-9);
+    }
+
+    void anglesStandInFilesAsTheyWereWritten() {
+        QVERIFY(toJson(toolWith(cutters::drill())).find("\"taper_angle_deg\": 59.0,") != std::string::npos);
+    }
+
+    /// Every piece is convex: between two radii it never falls short of the straight line.
+    void piecesAreConvex() {
+        for (const cutters::Named& named : cutters::all())
+            for (const RevolvedPiece& piece : flutePieces(named.cutter))
+                for (int i = 1; i < 50; ++i) {
+                    const double step = (piece.top - piece.bottom) / 50.0, height = piece.bottom + i * step;
+                    const double chord =
+                        0.5 * (radiusAt(piece, height - step) + radiusAt(piece, std::min(height + step, piece.top)));
+                    QVERIFY(radiusAt(piece, height) >= chord - 1e-9);
+                }
+    }
+
+    void whatDoesNotFitIsNamed_data() {
+        QTest::addColumn<int>("index");
+        QTest::addColumn<QString>("key");
+        const char* keys[] = {
+            "cutter.corner_radius_mm",     "cutter.corner_radius_mm",         "cutter.corner_radius_mm",
+            "cutter.diameter_mm",          "cutter.taper_angle_deg",          "cutter.tip_diameter_mm",
+            "cutter.tip_diameter_mm",      "cutter.flute_length_mm",          "cutter.profile",
+            "cutter.profile[1].height_mm", "cutter.profile[1].arc_radius_mm", "cutter.profile[2].arc_radius_mm",
+            "cutter.diameter_mm",          "cutter.flute_length_mm",          "cutter.profile",
+            "cutter.taper_angle_deg"};
+        for (int i = 0; i < static_cast<int>(std::size(keys)); ++i) QTest::addRow("%d", i) << i << keys[i];
+    }
+    void whatDoesNotFitIsNamed() {
+        QFETCH(int, index);
+        QFETCH(QString, key);
+        std::vector<Cutter> wrong{cutters::ball(),    cutters::taper(),   cutters::taperBall(), cutters::taperBall(),
+                                  cutters::drill(),   cutters::drill(),   cutters::chamfer(),   cutters::lollipop(),
+                                  cutters::profile(), cutters::profile(), cutters::profile(),   cutters::profile(),
+                                  cutters::profile(), cutters::profile(), cutters::flat(),      cutters::ball()};
+        wrong[0].cornerRadius = 2.9;
+        wrong[1].cornerRadius = 2.0; // a rounding that the tip has no room for
+        wrong[2].cornerRadius = 2.5; // larger than the cutter
+        wrong[3].fluteLength = 5.0;  // the cone does not get that wide
+        wrong[4].taperAngle = 0.0;
+        wrong[5].tipDiameter = 0.1; // a drill has a point
+        wrong[6].tipDiameter = 6.0;
+        wrong[7].fluteLength = 2.5; // below the ball's equator
+        wrong[8].profile.clear();
+        wrong[9].profile[1].height = -1.0;
+        wrong[10].profile[1].arcRadius = 0.6;  // too small to reach
+        wrong[11].profile[2].arcRadius = 1.45; // has to turn back on its way
+        wrong[12].diameter = 9.0;
+        wrong[13].fluteLength = 8.0;
+        wrong[14].profile = cutters::profile().profile;
+        wrong[15].taperAngle = 0.1;
+        const Result<void> valid = validate(toolWith(wrong[static_cast<std::size_t>(index)]));
+        QVERIFY(!valid.hasValue());
+        QVERIFY(valid.error().code == ErrorCode::argumentInvalid);
+        QCOMPARE(QString::fromStdString(valid.error().subject), key);
+        QVERIFY(!valid.error().detail.empty());
+    }
+
+    /// A sphere drawn as two arcs about a point on the axis is a sphere, to the last bit of its centre.
+    void arcsAboutTheAxisAreSpheres() {
+        Cutter cutter = cutters::make(CutterType::profile, 6.0, 0.0, 6.0);
+        cutter.profile = {{3.0, 3.0, 3.0}, {0.0, 6.0, 3.0}};
+        QVERIFY(validate(toolWith(cutter)).hasValue());
+        for (const RevolvedPiece& piece : flutePieces(cutter)) {
+            QCOMPARE(piece.bulgeCentreRadius, 0.0);
+            QVERIFY(std::abs(piece.bulgeCentreHeight - 3.0) < 1e-12);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(FluteFormTest)
+#include "tst_flute_form.moc"

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tool/swept_span.h"
+#include "tests/core/tool/random_sweeps.h"
+#include "tests/oracles/tilted_piece.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+using namespace burin;
+using random::real;
+
+namespace {
+
+bool near(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
+
+glm::dvec3 randomTip() {
+    return {real(-5.0, 5.0), real(-5.0, 5.0), real(-5.0, 5.0)};
+}
+
+} // namespace
+
+/// Pieces with any axis: the 5-axis spans.
+class TiltedSpanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Whatever moves whichever way, whichever way it leans: a line meets what a search over poses and heights finds.
+    void agreesWithASearchOverPoses() {
+        int met = 0, missed = 0;
+        const bool held = rc::check("span of a moved piece with any axis", [&] {
+            const RevolvedPiece piece = random::anyPiece();
+            const glm::dvec3 axis = random::axis(), from = randomTip(), to = from + random::moveFor(axis);
+            const SweptPiece swept(piece, from, to, axis);
+            const Box box = swept.bounds();
+            for (int line = 0; line < 12; ++line) {
+                const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
+                const oracles::SearchedLine expected(piece, from, to, axis, x, y);
+                if (std::abs(expected.depth()) < 1e-7) continue; // touching: either answer
+                const std::optional<Span> found = swept.along(x, y);
+                RC_ASSERT(found.has_value() == (expected.depth() < 0.0));
+                (found ? met : missed) += 1;
+                if (!found) continue;
+                const Span span = expected.span();
+                RC_ASSERT(near(found->low, span.low, 1e-6));
+                RC_ASSERT(near(found->high, span.high, 1e-6));
+                RC_ASSERT(found->low >= box.low.z - 1e-9 && found->high <= box.high.z + 1e-9);
+            }
+        });
+        QVERIFY(held);
+        QVERIFY(met > 300 && missed > 50);
+    }
+
+    /// An axis along the lines is the upright case, in which everything is found another way.
+    void agreesWithTheUprightFormsNextToThem() {
+        const bool held = rc::check("tilted by next to nothing", [] {
+            const RevolvedPiece piece = random::straightPiece();
+            const glm::dvec3 from = randomTip(), to = from + random::move();
+            const SweptPiece upright(piece, from, to);
+            const TiltedSweep tilted(piece, from, to, {0.0, 0.0, 1.0});
+            const Box box = upright.bounds();
+            for (int line = 0; line < 20; ++line) {
+                const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
+                const std::optional<Span> expected = upright.along(x, y), found = tilted.along(x, y);
+                if (expected.has_value() != found.has_value()) {
+                    const double clear = 1e-9; // touching, to rounding
+                    const std::optional<Span> shadow = upright.shadow(y);
+                    RC_ASSERT(!shadow || x < shadow->low + clear || x > shadow->high - clear);
+                    continue;
+                }
+                if (!expected) continue;
+                RC_ASSERT(near(found->low, expected->low, 1e-6));
+                RC_ASSERT(near(found->high, expected->high, 1e-6));
+            }
+        });
+        QVERIFY(held);
+    }
+
+    /// Closed formula: a ball on its way is a capsule, whatever its axis.
+    void sweptSphereIsACapsule() {
+        const bool held = rc::check("capsule", [] {
+            const double radius = real(0.5, 4.0);
+            const RevolvedPiece sphere = bulgingPiece(0.0, 2.0 * radius, 0.0, radius, radius);
+            const glm::dvec3 axis = random::axis(), from = randomTip(),
+                             way(real(1.0, 6.0), real(-6.0, 6.0), real(-6.0, 6.0));
+            const SweptPiece swept(sphere, from, from + way, axis);
+            // A line at a part of the way, and beside it, over the middle of the capsule.
+            const double length = glm::length(way), level = std::hypot(way.x, way.y);
+            const double beside = real(-0.99, 0.99) * radius, ahead = real(0.0, 1.0);
+            const glm::dvec3 centre = from + radius * axis + ahead * way;
+            const glm::dvec2 place = glm::dvec2(centre) + beside * glm::dvec2(-way.y, way.x) / level;
+            const double half = std::sqrt(radius * radius - beside * beside) * length / level;
+            // Both ends lie on the capsule's wall, not on the spheres at its ends.
+            const double forward = std::abs(half * way.z) / (length * length);
+            if (ahead + forward > 1.0 || ahead - forward < 0.0) return;
+            const std::optional<Span> span = swept.along(place.x, place.y);
+            RC_ASSERT(span.has_value());
+            RC_ASSERT(near(span->low, centre.z - half, 1e-9));
+            RC_ASSERT(near(span->high, centre.z + half, 1e-9));
+        });
+        QVERIFY(held);
+    }
+
+    /// Two ways that meet in a tip agree there to the last bit.
+    void waysThatMeetAgreeToTheLastBit() {
+        const bool held = rc::check("ends of ways", [] {
+            const RevolvedPiece piece = random::anyPiece();
+            const glm::dvec3 tip = randomTip(), axis = random::axis();
+            const SweptPiece standing(piece, tip, tip, axis), arriving(piece, tip - random::move(), tip, axis);
+            const SweptPiece leaving(piece, tip, tip + random::move(), axis);
+            const Box box = standing.bounds();
+            for (int line = 0; line < 20; ++line) {
+                const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
+                const std::optional<Span> still = standing.along(x, y);
+                if (!still) continue;
+                for (const SweptPiece& way : {arriving, leaving}) {
+                    const std::optional<Span> moved = way.along(x, y);
+                    RC_ASSERT(moved.has_value());
+                    RC_ASSERT(moved->low <= still->low && moved->high >= still->high);
+                }
+            }
+        });
+        QVERIFY(held);
+    }
+
+    void shadowHoldsEveryLineThatIsMet() {
+        const bool held = rc::check("shadow", [] {
+            const RevolvedPiece piece = random::anyPiece();
+            const glm::dvec3 axis = random::axis(), from = randomTip();
+            const SweptPiece swept(piece, from, from + random::moveFor(axis), axis);
+            const Box box = swept.bounds();
+            for (int line = 0; line < 20; ++line) {
+                const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
+                const std::optional<Span> shadow = swept.shadow(y);
+                const bool inside = shadow && x > shadow->low + 1e-7 && x < shadow->high - 1e-7;
+                const bool outside = !shadow || x < shadow->low - 1e-7 || x > shadow->high + 1e-7;
+                if (inside) RC_ASSERT(swept.along(x, y).has_value());
+                if (outside) RC_ASSERT(!swept.along(x, y).has_value());
+            }
+        });
+        QVERIFY(held);
+    }
+};
+
+QTEST_APPLESS_MAIN(TiltedSpanTest)
+#include "tst_tilted_span.moc"
