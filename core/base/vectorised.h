@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 // BURIN_VECTORISED before a function compiles it twice, for AVX2 and for any x86-64, and picks when the program is
 // loaded. Neither has fused multiply-add, so that both give the same bits. What such a function calls must be inlined
@@ -97,11 +100,16 @@ BURIN_INLINE Floats floatsOf(Integers numbers) noexcept {
 }
 /// One bit a lane of a comparison's result.
 BURIN_INLINE std::uint32_t bitsOf(Integers condition) noexcept {
-    using Pairs = std::uint64_t __attribute__((vector_size(32)));
-    const Integers bits = condition & Integers{1, 2, 4, 8, 16, 32, 64, 128};
-    const Pairs pairs = reinterpret_cast<Pairs>(bits);
-    const std::uint64_t all = pairs[0] | pairs[1] | pairs[2] | pairs[3];
-    return static_cast<std::uint32_t>(all | (all >> 32));
+#ifdef __SSE2__ // as every x86-64 has; the compiler does not find it by itself
+    const auto low = __builtin_shufflevector(condition, condition, 0, 1, 2, 3);
+    const auto high = __builtin_shufflevector(condition, condition, 4, 5, 6, 7);
+    return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(low)) |
+                                      _mm_movemask_ps(reinterpret_cast<__m128>(high)) << 4);
+#else
+    std::uint32_t bits = 0;
+    for (int i = 0; i < lanes; ++i) bits |= static_cast<std::uint32_t>(condition[i] & 1 << i);
+    return bits;
+#endif
 }
 
 } // namespace burin

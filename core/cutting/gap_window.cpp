@@ -42,6 +42,9 @@ GapWindow::GapWindow(const Grid& grid, double reach) : lineCountU_(grid.lineCoun
     gaps_.resize((side_ + 1) * side_ * 8);
     bricks_.resize(side_ * side_);
     queue_.resize(2 * bricks_.size());
+    mostRows_ = std::max(1, static_cast<int>((std::int64_t{1} << 31) - 1) /
+                                static_cast<int>(std::min<std::int64_t>(
+                                    static_cast<std::int64_t>(side_) * grid.lineEnd(), (std::int64_t{1} << 31) - 1)));
     hits_.resize(side_ + 1);
     open_.resize(side_ + 1);
     openLanes_.resize(side_ + 1);
@@ -87,14 +90,10 @@ bool GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t 
     return true;
 }
 
-/// Before the lines of a group are cut: memory to write them, and a place in the queue.
-bool GapWindow::expectCuts(RunVolume& workpiece, std::int32_t v, std::int32_t group) noexcept {
-    const std::size_t place = brickAt(group, v >> 3);
-    Brick& brick = bricks_[place];
-    if (brick.queued) return true;
-    const LineIndex line{group * 8, v & ~7};
-    if (brick.room.empty() && !workpiece.setAside(line, brick.room)) return false;
-    return enqueue(workpiece, static_cast<std::uint32_t>(place));
+/// Before lines of a brick are cut: memory to write them, and a place in the queue.
+bool GapWindow::expectCuts(RunVolume& workpiece, Brick& brick) noexcept {
+    if (brick.room.empty() && !workpiece.setAside({brick.u * lanes, brick.v * lanes}, brick.room)) return false;
+    return enqueue(workpiece, static_cast<std::uint32_t>(&brick - bricks_.data()));
 }
 
 bool GapWindow::enqueue(RunVolume& workpiece, std::uint32_t place) noexcept {
@@ -176,34 +175,47 @@ void GapWindow::forget() noexcept {
 
 int GapWindow::take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
                     const EightIntegers* low, const EightIntegers* high, RemovedUnits& removed) noexcept {
-    const Row row{&gaps_[gapAt(v, 0)], static_cast<std::uint32_t>(mask_), firstGroup, groups, low, high};
+    const auto mask = static_cast<std::uint32_t>(mask_);
+    const Row row{&gaps_[gapAt(v, 0)], mask, v, firstGroup, groups, low, high};
     std::int32_t count = kernels::findHits(row, hits_.data());
     if (count == 0) return 0;
+    Brick* const bricks = &bricks_[brickAt(0, v >> 3)];
+    const auto brickOf = [&](std::int32_t hit) -> Brick& {
+        return bricks[static_cast<std::uint32_t>(firstGroup + hits_[static_cast<std::size_t>(hit)]) & mask];
+    };
     for (std::int32_t i = 0; i < count; ++i)
-        if (!expectCuts(workpiece, v, firstGroup + hits_[static_cast<std::size_t>(i)])) {
+        if (!brickOf(i).queued && !expectCuts(workpiece, brickOf(i))) {
             removed.outOfMemory = true;
             count = i;
         }
-    sums_.alongOrigin = low[hits_[0]][0] < far ? 2 * low[hits_[0]][0] : 0;
+    if (sums_.rows++ == 0) {
+        sums_.originU = firstGroup * lanes;
+        sums_.originV = v;
+        sums_.alongOrigin = low[hits_[0]][0] < far ? 2 * low[hits_[0]][0] : 0;
+    }
     kernels::Growth growth{cutLanes_.data(), open_.data(), openLanes_.data(), 0};
     kernels::growGaps(row, hits_.data(), count, sums_, growth);
     const int shift = (v & 7) * 8;
     for (std::int32_t i = 0; i < count; ++i) {
-        const auto hit = static_cast<std::size_t>(i);
-        if (cutLanes_[hit] == 0) continue;
-        Brick& brick = bricks_[brickAt(firstGroup + hits_[hit], v >> 3)];
-        if (brick.owing == 0) ++owingBricks_;
-        brick.owing |= std::uint64_t{cutLanes_[hit]} << shift;
+        const std::uint64_t cut = cutLanes_[static_cast<std::size_t>(i)];
+        Brick& brick = brickOf(i);
+        owingBricks_ += brick.owing == 0 && cut != 0 ? 1 : 0;
+        brick.owing |= cut << shift;
     }
-    collect(v, firstGroup, removed);
+    if (sums_.rows == mostRows_) collect(removed);
+    return growth.openCount == 0 ? 0 : takeOpen(workpiece, row, growth.openCount, removed);
+}
+
+/// The lines of a row that arithmetic could not serve.
+int GapWindow::takeOpen(RunVolume& workpiece, const Row& row, std::int32_t count, RemovedUnits& removed) noexcept {
     int read = 0;
-    for (std::int32_t i = 0; i < growth.openCount; ++i) {
+    for (std::int32_t i = 0; i < count; ++i) {
         const auto entry = static_cast<std::size_t>(i);
         const std::int32_t group = hits_[static_cast<std::size_t>(open_[entry])];
         for (std::uint32_t lanesLeft = openLanes_[entry]; lanesLeft != 0; lanesLeft &= lanesLeft - 1) {
             const int lane = std::countr_zero(lanesLeft);
-            const LineIndex line{(firstGroup + group) * 8 + lane, v};
-            if (!widen(workpiece, line, low[group][lane], high[group][lane], removed)) {
+            const LineIndex line{(row.firstGroup + group) * lanes + lane, row.v};
+            if (!widen(workpiece, line, row.low[group][lane], row.high[group][lane], removed)) {
                 removed.outOfMemory = true;
                 return read;
             }
@@ -213,8 +225,8 @@ int GapWindow::take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGrou
     return read;
 }
 
-/// Adds up the lanes of a row.
-void GapWindow::collect(std::int32_t v, std::int32_t firstGroup, RemovedUnits& removed) noexcept {
+void GapWindow::collect(RemovedUnits& removed) noexcept {
+    if (sums_.rows == 0) return;
     for (std::size_t word = 0; word < sums_.used.size(); ++word)
         for (; sums_.used[word] != 0; sums_.used[word] &= sums_.used[word] - 1) {
             const std::size_t property = word * 64 + static_cast<std::size_t>(std::countr_zero(sums_.used[word]));
@@ -225,10 +237,11 @@ void GapWindow::collect(std::int32_t v, std::int32_t firstGroup, RemovedUnits& r
             removed.total += units;
         }
     const double units = sumOf(sums_.units);
-    removed.momentU += sumOf(sums_.momentU) + units * firstGroup * 8.0;
-    removed.momentV += units * v;
+    removed.momentU += sumOf(sums_.momentU) + units * sums_.originU;
+    removed.momentV += sumOf(sums_.momentV) + units * sums_.originV;
     removed.momentAlong += 0.5 * (sumOf(sums_.momentAlong) + units * sums_.alongOrigin);
-    sums_.units = sums_.momentU = sums_.momentAlong = {};
+    sums_.units = sums_.momentU = sums_.momentV = sums_.momentAlong = {};
+    sums_.rows = 0;
 }
 
 /// Looks from a stretch in which nothing is left, `around`, as far as `low` and `high` and on to the next machinable

@@ -32,6 +32,8 @@ public:
     /// Allocates. @param reach lines from the tool's tip that a cut may lie away, the way counted in
     GapWindow(const Grid& grid, double reach);
 
+    /// Groups, or rows divided by eight, of which the window holds so many at once.
+    std::int32_t side() const noexcept { return static_cast<std::int32_t>(side_); }
     /// Makes sure that the lines of some rows and groups of eight are the window's; what was owed for the lines whose
     /// places they take is written. False: out of reserved memory; nothing is lost.
     bool cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
@@ -41,6 +43,8 @@ public:
     /// @return lines for which the volume was read
     int take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups, const EightIntegers* low,
              const EightIntegers* high, RemovedUnits& removed) noexcept;
+    /// Adds what `take` has summed up so far; to be called after its last row.
+    void collect(RemovedUnits& removed) noexcept;
     /// Gets lines ready of which a cut may ask soon. Parameters and result as `take`.
     int look(const RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
              const EightIntegers* low, const EightIntegers* high) noexcept;
@@ -71,18 +75,20 @@ public:
         EightWords left;         ///< start << 8 | property, of the segment that ends at `low`; 0: none
         EightWords right;        ///< end << 8 | property, of the segment that begins at `high`; 0: none
     };
-    /// Sums of one row, lane by lane.
-    struct alignas(64) RowSums {
+    /// Sums over some rows, lane by lane.
+    struct alignas(64) Sums {
         std::array<EightIntegers, 256> byProperty{};
         std::array<std::uint64_t, 4> used{}; ///< a bit for each property
-        EightFloats units{}, momentU{}, momentAlong{};
-        std::int32_t alongOrigin = 0; ///< run units, doubled
+        EightFloats units{}, momentU{}, momentV{}, momentAlong{}; ///< from the origins
+        std::int32_t originU = 0, originV = 0; ///< lines
+        std::int32_t alongOrigin = 0;          ///< run units, doubled
+        int rows = 0;                          ///< that are in the sums
     };
     /// A row of the window.
     struct Row {
         Gap* gaps = nullptr;
         std::uint32_t mask = 0; ///< of a group's place in the row
-        std::int32_t firstGroup = 0, groups = 0;
+        std::int32_t v = 0, firstGroup = 0, groups = 0;
         const EightIntegers* low = nullptr;
         const EightIntegers* high = nullptr;
     };
@@ -117,7 +123,8 @@ private:
         return static_cast<std::size_t>(row & rowMask_) * (side_ + 1) + static_cast<std::size_t>(group & mask_);
     }
     void claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept;
-    bool expectCuts(RunVolume& workpiece, std::int32_t v, std::int32_t group) noexcept;
+    bool expectCuts(RunVolume& workpiece, Brick& brick) noexcept;
+    int takeOpen(RunVolume& workpiece, const Row& row, std::int32_t count, RemovedUnits& removed) noexcept;
     bool enqueue(RunVolume& workpiece, std::uint32_t brick) noexcept;
     void unqueue(Brick& brick) noexcept;
     bool write(RunVolume& workpiece, Brick& brick) noexcept;
@@ -127,7 +134,6 @@ private:
     static Found lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, std::int32_t low,
                             std::int32_t high, RemovedUnits& removed) noexcept;
     void keep(LineIndex line, const Found& found) noexcept;
-    void collect(std::int32_t v, std::int32_t firstGroup, RemovedUnits& removed) noexcept;
 
     std::int32_t lineCountU_, lineCountV_;
     std::size_t side_ = 0;                ///< bricks
@@ -146,7 +152,8 @@ private:
     std::vector<std::int32_t> open_; ///< groups with lines that need the volume …
     std::vector<std::uint32_t> openLanes_; ///< … and which those are
     std::vector<std::uint32_t> cutLanes_;  ///< by hit: the lines of it that were cut
-    RowSums sums_;
+    Sums sums_;
+    int mostRows_ = 1; ///< before the sums could overflow
 };
 
 } // namespace burin

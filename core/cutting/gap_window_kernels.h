@@ -18,7 +18,7 @@ struct Growth {
     std::int32_t openCount = 0;
 };
 /// Grows the gaps of the hits where their neighbours hold enough; sums up what that takes.
-void growGaps(const GapWindow::Row& row, const std::int32_t* hits, std::int32_t hitCount, GapWindow::RowSums& sums,
+void growGaps(const GapWindow::Row& row, const std::int32_t* hits, std::int32_t hitCount, GapWindow::Sums& sums,
               Growth& growth) noexcept;
 
 } // namespace burin::kernels

@@ -3,6 +3,8 @@
 #include "core/cutting/removal.h"
 
 #include "core/cutting/footprint.h"
+#include "core/cutting/line_frame.h"
+#include "core/cutting/pose_steps.h"
 #include "core/geometry/pose.h"
 
 #include <algorithm>
@@ -14,31 +16,39 @@ namespace {
 
 // Above this step the flux through the surface, a first-order figure, is worse than the volume itself.
 constexpr double longestFluxStep = 0.3; // voxels
+// A larger ball takes so many scanlines a tick that the volume itself is smooth enough (README).
+constexpr double largestFluxBall = 30.0; // voxels
 // Share of the pending difference that a tick reports: slow beside the rows of scanlines, fast beside the hand.
 constexpr double pendingShare = 1.0 / 64.0;
+constexpr double turnTolerance = 0.1; // voxels, of a pose that stands for the time around it
 
 } // namespace
 
 MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing)
-    : flutes_(burin::flutes(cutter)), writing_(writing), surface_(flutes_, grid.edge()) {
-    if (WindowCutter::serves(flutes_)) cutter_ = std::make_unique<WindowCutter>(flutes_, grid);
+    : flutes_(flutePieces(cutter)), surface_(flutes_.front(), grid.edge()) {
+    const RevolvedPiece& first = flutes_.front();
+    const bool known = flutes_.size() == 1 && WindowCutter::serves(first);
+    const bool isBall = known && first.cornerRadius == first.bottomRadius;
+    reportsFlux_ = known && (!isBall || first.bottomRadius <= largestFluxBall * grid.edge());
+    if (known && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
 }
 
-/// Line by line, written at once: the axis lies along the runs.
-void MaterialRemoval::takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
+/// Line by line, written at once.
+void MaterialRemoval::takeAway(RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
                                RemovedUnits& removed) noexcept {
     const PropertyList& properties = workpiece.properties();
+    const Grid& grid = workpiece.grid();
     RunAmounts taken;
-    const auto take = [&](LineIndex line, RunPosition from, RunPosition to) {
+    const auto take = [&](LineIndex line, RunPosition low, RunPosition high) {
         std::uint64_t units = 0;
         double along = 0.0;
-        forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
+        forEachPiece(workpiece.line(line), low, high, [&](PropertyIndex property, RunPosition start, RunPosition end) {
             if (properties.isProtected(property)) return;
             units += end - start;
             along += 0.5 * (static_cast<double>(start) + static_cast<double>(end)) * (end - start);
         });
         if (units == 0) return true;
-        removed.outOfMemory = workpiece.removeSpan(line, from, to, taken) == Removal::outOfMemory;
+        removed.outOfMemory = workpiece.removeSpan(line, low, high, taken) == Removal::outOfMemory;
         if (removed.outOfMemory) return false;
         removed.total += units;
         removed.momentU += static_cast<double>(units) * line.u;
@@ -46,7 +56,15 @@ void MaterialRemoval::takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, 
         removed.momentAlong += along;
         return true;
     };
-    forEachSpan(SweptPiece(flutes_, fromTip, toTip), workpiece.grid(), take);
+    const PoseSteps steps(inLineFrame(grid, from), inLineFrame(grid, to), reachOf(flutes_),
+                          turnTolerance * grid.edge());
+    for (std::int32_t k = 0; k < steps.count(); ++k) {
+        const PoseStep step = steps.step(k);
+        for (const RevolvedPiece& piece : flutes_) {
+            if (removed.outOfMemory) break;
+            forEachSpan(SweptPiece(piece, step.fromTip, step.toTip, step.axis), grid, take);
+        }
+    }
     removed.byProperty = taken.units;
 }
 
@@ -85,20 +103,19 @@ CutResult MaterialRemoval::cut(RunVolume& workpiece, const ToolPose& from, const
     if (!isFinite(from.tip) || !isFinite(to.tip) || !isFinite(from.axis) || !isFinite(to.axis)) return {};
     RemovedUnits removed;
     bool putOff = false;
-    if (cutter_ && writing_ == Writing::deferred) {
+    if (cutter_) {
         putOff = cutter_->cut(workpiece, from, to, removed);
     } else {
-        assert(workpiece.grid().axis() == RunAxis::z);
-        takeAway(workpiece, from.tip, to.tip, removed);
+        takeAway(workpiece, from, to, removed);
     }
     CutResult result = account(workpiece, removed);
     result.putOff = putOff;
-    report(workpiece, to.tip, to.tip - from.tip, result);
+    report(workpiece, from, to, result);
     return result;
 }
 
 void MaterialRemoval::approach(RunVolume& workpiece, const ToolPose& pose) noexcept {
-    if (cutter_ && writing_ == Writing::deferred && isFinite(pose.tip)) cutter_->approach(workpiece, pose);
+    if (cutter_ && isFinite(pose.tip) && isFinite(pose.axis)) cutter_->approach(workpiece, pose);
 }
 
 CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
@@ -120,12 +137,17 @@ void MaterialRemoval::reset() noexcept {
     lastPlace_ = glm::dvec3(0.0);
 }
 
-void MaterialRemoval::report(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
+void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
                              CutResult& result) noexcept {
+    const glm::dvec3 tip = to.tip, motion = to.tip - from.tip;
     const double step = glm::length(motion);
-    const bool moves = step > 0.0, small = step < longestFluxStep * workpiece.grid().edge();
+    // The flux knows upright tools over runs along z.
+    const glm::dvec3 upright(0.0, 0.0, 1.0);
+    const bool hasFlux = reportsFlux_ && from.axis == upright && to.axis == upright &&
+                         workpiece.grid().axis() == RunAxis::z;
+    const bool moves = step > 0.0 || from.axis != to.axis, small = hasFlux && step < longestFluxStep * workpiece.grid().edge();
     SurfaceFlux::Flux flux;
-    if (moves && small) surface_.measure(workpiece, window(), tip, motion, flux);
+    if (step > 0.0 && small) surface_.measure(workpiece, window(), tip, motion, flux);
     for (MaterialVolume& material : result.removed) {
         if (material.property == airProperty) break;
         double& pending = pending_[material.property];

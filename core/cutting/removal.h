@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace burin {
 
@@ -80,15 +81,13 @@ public:
 
 private:
     CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;
-    void takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
-                  RemovedUnits& removed) noexcept;
-    void report(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
-                CutResult& result) noexcept;
+    void takeAway(RunVolume& workpiece, const ToolPose& from, const ToolPose& to, RemovedUnits& removed) noexcept;
+    void report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to, CutResult& result) noexcept;
 
-    RevolvedPiece flutes_;
-    Writing writing_;
-    std::unique_ptr<WindowCutter> cutter_; ///< none: the piece is not one that it serves
+    std::vector<RevolvedPiece> flutes_;
+    std::unique_ptr<WindowCutter> cutter_; ///< none: written with every cut, or of a form that it does not serve
     SurfaceFlux surface_;
+    bool reportsFlux_ = true;
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
     glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last
 };

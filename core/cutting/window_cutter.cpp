@@ -13,10 +13,30 @@ namespace {
 /// What a tick may cost, in groups of eight lines: half a millisecond on the machine of the README's figures.
 constexpr double tickBudget = 50000.0;
 constexpr double costOfReading = 5.0; // of a line of the volume, in groups
+constexpr double turnTolerance = 0.1; // voxels, that a point of the piece moves in a turn that one step stands for
 
 RevolvedPiece inVoxels(const RevolvedPiece& piece, double edge) noexcept {
-    return {piece.bottom / edge, piece.top / edge, piece.bottomRadius / edge, piece.topRadius / edge,
-            piece.cornerRadius / edge};
+    RevolvedPiece scaled;
+    scaled.bottom = piece.bottom / edge;
+    scaled.top = piece.top / edge;
+    scaled.bottomRadius = piece.bottomRadius / edge;
+    scaled.topRadius = piece.topRadius / edge;
+    scaled.cornerRadius = piece.cornerRadius / edge;
+    return scaled;
+}
+
+/// Lines about its middle that a piece takes up: upright, or leaning at any angle, as far as that is affordable.
+double windowReach(const SpanRows& spans, double radius) noexcept {
+    constexpr double affordable = 250.0;
+    const double upright = radius + 0.5 * spans.longestWay({0.0, 0.0, 1.0}) + 1.0;
+    return std::max(upright, std::min(0.5 * (spans.reach() + radius) + upright - radius, affordable));
+}
+
+/// A unit vector on the arc between two others, so far from the first.
+glm::dvec3 turned(const glm::dvec3& from, const glm::dvec3& to, double by, double angle) noexcept {
+    const double whole = std::sin(angle);
+    if (!(whole > 1e-9)) return to; // next to none, or opposite: then any way is as good
+    return glm::normalize((from * std::sin(angle - by) + to * std::sin(by)) / whole);
 }
 
 } // namespace
@@ -25,7 +45,7 @@ WindowCutter::WindowCutter(const RevolvedPiece& piece, const Grid& grid)
     : grid_(grid)
     , radius_(piece.bottomRadius / grid.edge())
     , spans_(inVoxels(piece, grid.edge()), static_cast<std::int32_t>(grid.lineEnd()))
-    , window_(grid, radius_ + 0.5 * spans_.longestWay() + 1.0)
+    , window_(grid, windowReach(spans_, radius_))
     , low_(static_cast<std::size_t>(grid.lineCountU()) / 8 + 2)
     , high_(low_.size()) {}
 
@@ -35,38 +55,54 @@ LinePose WindowCutter::inLines(const ToolPose& pose) const noexcept {
     return {{place[u] - 0.5, place[v] - 0.5, place[along]}, {pose.axis[u], pose.axis[v], pose.axis[along]}};
 }
 
+LineStretch WindowCutter::rowsOf(const LineStretch& rows) const noexcept {
+    return {std::max(rows.first, 0), std::min(rows.last, grid_.lineCountV() - 1)};
+}
+
 LineStretch WindowCutter::groupsOf(const LineStretch& lines) const noexcept {
     const std::int32_t first = std::max(lines.first, 0), last = std::min(lines.last, grid_.lineCountU() - 1);
     return last < first ? LineStretch{} : LineStretch{first >> 3, last >> 3};
 }
 
-bool WindowCutter::cover(RunVolume& workpiece, const LineStretch& rows) noexcept {
-    const LineStretch groups = groupsOf(spans_.columns());
-    if (groups.last < groups.first) return true;
-    return window_.cover(workpiece, rows.first, rows.last, groups.first, groups.last);
+/// False: the piece, leaning far, is larger than the window, which is then to be moved about row by row.
+bool WindowCutter::fits(const LineStretch& rows, const LineStretch& groups) const noexcept {
+    return (rows.last >> 3) - (rows.first >> 3) < window_.side() && groups.last - groups.first < window_.side();
+}
+
+/// One row of the present way. @return its cost, in groups
+double WindowCutter::takeRow(RunVolume& workpiece, std::int32_t v, bool covered, RemovedUnits& removed) noexcept {
+    const LineStretch groups = groupsOf(spans_.row(v));
+    double cost = 0.0;
+    for (std::int32_t first = groups.first; first <= groups.last && !removed.outOfMemory; first += window_.side()) {
+        const std::int32_t last = std::min(groups.last, first + window_.side() - 1), count = last - first + 1;
+        if (!covered && !window_.cover(workpiece, v, v, first, last)) {
+            removed.outOfMemory = true;
+            break;
+        }
+        spans_.spans(v, first, count, low_.data(), high_.data());
+        cost += count + costOfReading * window_.take(workpiece, v, first, count, low_.data(), high_.data(), removed);
+    }
+    return cost;
 }
 
 /// Goes on with the oldest step. @return what is left of the budget; the step is done where any is
 double WindowCutter::advance(RunVolume& workpiece, double budget, RemovedUnits& removed) noexcept {
     Step& step = steps_[firstStep_];
     spans_.begin(step.from, step.to, step.withStart);
-    LineStretch rows = spans_.rows();
-    rows = {std::max(rows.first, 0), std::min(rows.last, grid_.lineCountV() - 1)};
-    if (rows.first <= rows.last && !cover(workpiece, rows)) {
-        removed.outOfMemory = true;
-        return budget;
-    }
-    for (std::int32_t v = std::max(rows.first, step.nextRow); v <= rows.last; ++v) {
-        const LineStretch groups = groupsOf(spans_.row(v));
-        if (groups.last < groups.first) continue;
-        const std::int32_t count = groups.last - groups.first + 1;
-        spans_.spans(v, groups.first, count, low_.data(), high_.data());
-        const int read = window_.take(workpiece, v, groups.first, count, low_.data(), high_.data(), removed);
-        step.nextRow = v; // again, should memory have run out within
-        if (removed.outOfMemory) return budget;
-        step.nextRow = v + 1;
-        budget -= count + costOfReading * read;
-        if (budget < 0.0 && v < rows.last) return budget;
+    const LineStretch rows = rowsOf(spans_.rows()), groups = groupsOf(spans_.columns());
+    if (rows.first <= rows.last && groups.first <= groups.last) {
+        const bool covered = fits(rows, groups);
+        if (covered && !window_.cover(workpiece, rows.first, rows.last, groups.first, groups.last)) {
+            removed.outOfMemory = true;
+            return budget;
+        }
+        for (std::int32_t v = std::max(rows.first, step.nextRow); v <= rows.last; ++v) {
+            budget -= takeRow(workpiece, v, covered, removed);
+            step.nextRow = v; // again, should memory have run out within
+            if (removed.outOfMemory) return budget;
+            step.nextRow = v + 1;
+            if (budget < 0.0 && v < rows.last) return budget;
+        }
     }
     firstStep_ = (firstStep_ + 1) % mostSteps;
     --stepCount_;
@@ -83,22 +119,50 @@ bool WindowCutter::add(RunVolume& workpiece, const Step& step, RemovedUnits& rem
     return true;
 }
 
+/// Adds the straight way between two tips, axis standing, in parts that are short enough.
+std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
+                                 RemovedUnits& removed) noexcept {
+    const int parts =
+        std::max(1, static_cast<int>(std::ceil(glm::length(to - from.tip) / spans_.longestWay(from.axis))));
+    std::size_t added = 0;
+    glm::dvec3 tip = from.tip;
+    for (int i = 1; i <= parts; ++i) {
+        const glm::dvec3 next = i == parts ? to : glm::mix(from.tip, to, static_cast<double>(i) / parts);
+        if (withStart || next != tip) {
+            if (!add(workpiece, {{tip, from.axis}, next, withStart, 0}, removed)) return added;
+            ++added;
+        }
+        withStart = false;
+        tip = next;
+    }
+    return added;
+}
+
 bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
                        RemovedUnits& removed) noexcept {
     const LinePose start = inLines(from), end = inLines(to);
-    std::size_t added = 0;
     const bool connected = hasArrived_ && arrived_.tip == start.tip && arrived_.axis == start.axis;
     hasArrived_ = false;
-    const int parts = std::max(1, static_cast<int>(std::ceil(glm::length(end.tip - start.tip) / spans_.longestWay())));
-    glm::dvec3 tip = start.tip;
-    for (int i = 1; i <= parts && !removed.outOfMemory; ++i) {
-        const glm::dvec3 next = i == parts ? end.tip : glm::mix(start.tip, end.tip, static_cast<double>(i) / parts);
-        if (!(connected && next == tip) && add(workpiece, {{tip, start.axis}, next, i == 1 && !connected, 0}, removed))
-            ++added;
-        tip = next;
+    std::size_t added = 0;
+    const double angle = std::atan2(glm::length(glm::cross(start.axis, end.axis)), glm::dot(start.axis, end.axis));
+    if (start.axis == end.axis) {
+        added = addWay(workpiece, start, end.tip, !connected, removed);
+    } else {
+        if (!connected) added = addWay(workpiece, start, start.tip, true, removed);
+        const int turns = std::max(1, static_cast<int>(std::ceil(angle * spans_.reach() / turnTolerance)));
+        glm::dvec3 tip = start.tip;
+        for (int i = 1; i <= turns && !removed.outOfMemory; ++i) {
+            const double part = static_cast<double>(i) / turns;
+            const glm::dvec3 next = i == turns ? end.tip : glm::mix(start.tip, end.tip, part);
+            const glm::dvec3 axis = i == turns ? end.axis : turned(start.axis, end.axis, part * angle, angle);
+            // The pose that the step ends at, and what it passes; where it begins, the axis was another one.
+            added += addWay(workpiece, {tip, axis}, next, next == tip, removed);
+            tip = next;
+        }
     }
     double budget = tickBudget;
     while (stepCount_ > 0 && budget > 0.0 && !removed.outOfMemory) budget = advance(workpiece, budget, removed);
+    window_.collect(removed);
     if (!window_.writeDue(workpiece)) removed.outOfMemory = true;
     if (removed.outOfMemory) {
         stepCount_ -= std::min(stepCount_, added); // older ones are still to be taken
@@ -112,9 +176,9 @@ bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPos
 void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept {
     const LinePose place = inLines(pose);
     spans_.begin(place, place.tip, true);
-    LineStretch rows = spans_.rows();
-    rows = {std::max(rows.first, 0), std::min(rows.last, grid_.lineCountV() - 1)};
-    if (rows.first > rows.last || !cover(workpiece, rows)) return;
+    const LineStretch rows = rowsOf(spans_.rows()), all = groupsOf(spans_.columns());
+    if (rows.first > rows.last || all.first > all.last || !fits(rows, all)) return;
+    if (!window_.cover(workpiece, rows.first, rows.last, all.first, all.last)) return;
     double budget = tickBudget;
     for (std::int32_t v = rows.first; v <= rows.last && budget > 0.0; ++v) {
         const LineStretch groups = groupsOf(spans_.row(v));
@@ -128,6 +192,7 @@ void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept
 void WindowCutter::settle(RunVolume& workpiece, RemovedUnits& removed) noexcept {
     while (stepCount_ > 0 && !removed.outOfMemory)
         static_cast<void>(advance(workpiece, std::numeric_limits<double>::infinity(), removed));
+    window_.collect(removed);
     if (!window_.writeAll(workpiece)) removed.outOfMemory = true;
 }
 

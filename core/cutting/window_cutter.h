@@ -41,10 +41,14 @@ private:
     static constexpr std::size_t mostSteps = 64; ///< that are put off at once
 
     LinePose inLines(const ToolPose& pose) const noexcept;
+    std::size_t addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
+                       RemovedUnits& removed) noexcept;
     bool add(RunVolume& workpiece, const Step& step, RemovedUnits& removed) noexcept;
     double advance(RunVolume& workpiece, double budget, RemovedUnits& removed) noexcept;
     LineStretch groupsOf(const LineStretch& lines) const noexcept;
-    bool cover(RunVolume& workpiece, const LineStretch& rows) noexcept;
+    LineStretch rowsOf(const LineStretch& rows) const noexcept;
+    bool fits(const LineStretch& rows, const LineStretch& groups) const noexcept;
+    double takeRow(RunVolume& workpiece, std::int32_t v, bool covered, RemovedUnits& removed) noexcept;
 
     Grid grid_;
     double radius_;

@@ -50,7 +50,7 @@ HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const 
     , topOfWorkpiece_(workpiece.grid().box().high.z)
     , spacing_(field.spacing())
     , travelPerSecond_(travelPerSecond(settings, workpiece.grid()))
-    , removal_(tool.cutter, workpiece.grid())
+    , removal_(tool.cutter, workpiece.grid(), Writing::deferred)
     , brake_(tool.cutter, workpiece.grid())
     , proxy_(field)
     , allowance_(settings.allowance)
@@ -113,6 +113,11 @@ void HapticStep::beginTake() noexcept {
     takesUp_ = true;
 }
 
+void HapticStep::settle() noexcept {
+    // Nothing is put off between two ticks (see `take`), so that there is nothing to count.
+    if (removal_.settle(*workpiece_).outOfMemory) memoryFull_ = true;
+}
+
 void HapticStep::workpieceChanged() noexcept {
     removal_.reset();
     brake_.workpieceChanged();
@@ -153,7 +158,12 @@ HapticStep::Motion HapticStep::moveTool(const glm::dvec3& hand, double period) n
     const glm::dvec3 standing = allowance_.advance(proxy_, tip_, period);
     const auto barred = [&](const glm::dvec3& to) noexcept {
         if (!cuts()) return false;
-        const ShankContact contact = brake_.onTheWay(*workpiece_, tip_, to);
+        ShankContact contact = brake_.onTheWay(*workpiece_, tip_, to);
+        // What is touched may be gone, though not yet written.
+        if (contact.touches && !removal_.settled()) {
+            settle();
+            contact = brake_.onTheWay(*workpiece_, tip_, to);
+        }
         if (contact.touches) shank_ = contact;
         motion.shankContact = motion.shankContact || contact.touches;
         return contact.touches || (memoryFull_ && brake_.onTheWayWithFlutes(*workpiece_, tip_, to).touches);
@@ -173,8 +183,11 @@ HapticStep::Motion HapticStep::moveTool(const glm::dvec3& hand, double period) n
 
 CuttingForce HapticStep::cut(Motion& motion, double period, Sample& sample) noexcept {
     if (!cuts()) travelSinceRemoval_ = std::numeric_limits<double>::infinity();
-    if (!cuts() || takesUp_ || motion.shankContact || memoryFull_) return {};
-    const CutResult cut = removal_.cut(*workpiece_, motion.from, motion.to);
+    if (!cuts() || takesUp_ || motion.shankContact || memoryFull_) {
+        removal_.approach(*workpiece_, {motion.to, {0.0, 0.0, 1.0}});
+        return {};
+    }
+    const CutResult cut = take(motion.from, motion.to);
     recordRemoval(cut, workpiece_->properties(), sample);
     sample.reportedRemoval = cut.reported;
     const glm::dvec3 way = motion.to - motion.from;
@@ -191,6 +204,28 @@ CuttingForce HapticStep::cut(Motion& motion, double period, Sample& sample) noex
         motion.barred = true;
     }
     return force;
+}
+
+/// A sample holds all that was cut between it and the one before, so that replaying takes gives the same workpiece:
+/// what a cut would put off is taken at once. `approach` has made that rare.
+CutResult HapticStep::take(const glm::dvec3& from, const glm::dvec3& to) noexcept {
+    CutResult cut = removal_.cut(*workpiece_, from, to);
+    if (!cut.putOff || cut.outOfMemory) return cut;
+    const CutResult rest = removal_.settle(*workpiece_);
+    const double volume = cut.volume + rest.volume;
+    if (volume > 0.0) cut.centroid = (cut.centroid * cut.volume + rest.centroid * rest.volume) / volume;
+    cut.volume = volume;
+    cut.outOfMemory = rest.outOfMemory;
+    for (const MaterialVolume& more : rest.removed) {
+        if (more.property == airProperty) continue;
+        const auto same = std::find_if(cut.removed.begin(), cut.removed.end(), [&](const MaterialVolume& one) {
+            return one.property == more.property || one.property == airProperty;
+        });
+        same->property = more.property;
+        same->units += more.units;
+        same->volume += more.volume;
+    }
+    return cut;
 }
 
 glm::dvec3 HapticStep::wantedForce(const Motion& motion, const CuttingForce& cutting, const glm::dvec3& hand,

@@ -54,6 +54,9 @@ public:
     bool started() const noexcept { return started_; }
     /// Takes effect over some ticks (5 mm/s), without a kick. @param allowance mm, >= 0
     void setAllowance(double allowance) noexcept { allowance_.want(allowance); }
+    /// Writes what was cut to the workpiece, which lags by up to 16 ticks. For whoever reads it for good: before a
+    /// snapshot that is to be restored, undo, saving, amounts; pictures need not. Loop's thread, between two ticks.
+    void settle() noexcept;
     /// Cuts again after the reserved memory had run out and the owner has made room.
     void resumeCutting() noexcept { memoryFull_ = false; }
     /// Ticks and time of the samples start again from 0 with the next tick.
@@ -82,6 +85,7 @@ private:
                            double period) noexcept;
     void send(const glm::dvec3& wanted, const Pose& device, double period, Sample& sample) noexcept;
     void noForce(bool fadesIn, Sample& sample) noexcept;
+    CutResult take(const glm::dvec3& from, const glm::dvec3& to) noexcept;
     void fadeIn() noexcept;
 
     RunVolume* workpiece_;

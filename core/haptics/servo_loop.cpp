@@ -166,6 +166,7 @@ Result<LoopStatistics> ServoLoop::run() {
     const ZeroForceAtExit zeroForce(stylus_);
     const std::int64_t start = now(CLOCK_MONOTONIC);
     const End end = settings_.pace == Pace::fast ? runFast() : runRealtime();
+    step_.settle();
     const double wallSeconds =
         static_cast<double>(now(CLOCK_MONOTONIC) - start) / static_cast<double>(nanosecondsPerSecond);
     if (end == End::overflow)

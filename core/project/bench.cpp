@@ -127,7 +127,8 @@ Result<std::vector<TakeWithTool>> takesOf(const Project& project) {
 
 Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const Progress& progress) {
     RunVolume& workpiece = bench.embedded.workpiece;
-    MaterialRemoval removal(tool.cutter, workpiece.grid());
+    // As the hand's ticks cut, so that the result is theirs to the last unit.
+    MaterialRemoval removal(tool.cutter, workpiece.grid(), Writing::deferred);
     UndoneSamples undone(take);
     for (std::size_t i = 1; i < take.samples.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "replaying takes", {}, {}};
@@ -140,6 +141,8 @@ Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const 
         if (result.outOfMemory)
             return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
     }
+    if (removal.settle(workpiece).outOfMemory)
+        return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
     return {};
 }
 

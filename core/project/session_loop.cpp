@@ -56,7 +56,10 @@ AtEdge SessionLoop::edge() noexcept {
     if (!recording()) return AtEdge::tick;
     // Nobody mills on into a recording that can't be kept.
     if (recording_.recorder->failing()) stop_.store(true, std::memory_order_relaxed);
-    if (undoable_ && !strokeUnderWay() && before_.empty()) before_ = workpiece_.snapshot();
+    if (undoable_ && !strokeUnderWay() && before_.empty()) {
+        step_.settle();
+        before_ = workpiece_.snapshot();
+    }
     return samples_.size() < samples_.capacity() ? AtEdge::tick : AtEdge::full;
 }
 
@@ -93,6 +96,7 @@ void SessionLoop::follow(const Sample& sample, bool cutting) noexcept {
 
 bool SessionLoop::endStroke() noexcept {
     if (!strokeUnderWay()) return true;
+    step_.settle(); // the next stroke's snapshot, and undo's, show all of this one
     if (undoable_) {
         if (strokes_.full()) return false;
         strokes_.put({recording_.take, strokeFirst_, recorded_ - strokeFirst_, std::move(before_)});

@@ -15,6 +15,7 @@ namespace {
 constexpr double unitsAVoxel = 256.0;
 // A way that is shorter across the runs counts as one along them.
 constexpr double leastReach = 1e-9; // voxels
+constexpr double shortWay = 8.0;    // voxels
 
 /// Nearest run unit, held within what an int can say.
 std::int32_t unitOf(double voxels) noexcept {
@@ -44,19 +45,34 @@ void includeCircle(Extent& extent, double x, double y, double radius) noexcept {
 } // namespace
 
 bool SpanRows::serves(const RevolvedPiece& piece) noexcept {
-    return piece.bottomRadius == piece.topRadius && piece.bottomRadius > 0.0 && piece.top > piece.bottom;
+    return !piece.bulges() && piece.bottomRadius == piece.topRadius && piece.bottomRadius > 0.0 && piece.top > piece.bottom;
 }
 
 SpanRows::SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept
-    : piece_(piece), radius_(piece.bottomRadius), longestWay_(std::max(8.0, 0.25 * radius_)) {
+    : piece_(piece)
+    , radius_(piece.bottomRadius)
+    , longestWay_(std::max(shortWay, 0.25 * radius_))
+    , depth_(std::ceil((piece.cornerRadius + longestWay_) * unitsAVoxel) + 2.0) {
     if (piece.cornerRadius == 0.0)
         shape_ = Shape::flat;
     else
         shape_ = piece.cornerRadius == piece.bottomRadius ? Shape::ball : Shape::bullNose;
+    // The search for a rounding's lowest place between the ends comes near enough within so many voxels.
+    if (shape_ == Shape::bullNose) longestWay_ = shortWay;
     upright_.radius = static_cast<float>(radius_);
     upright_.flatRadius = static_cast<float>(piece.bottomRadius - piece.cornerRadius);
     upright_.cornerRadius = static_cast<float>(piece.cornerRadius);
-    upright_.lineEnd = lineEnd;
+    upright_.lineEnd = tilted_.lineEnd = lineEnd;
+    reach_ = std::max(std::hypot(piece.top, radius_), std::hypot(piece.bottom, radius_));
+}
+
+double SpanRows::longestWay(const glm::dvec3& axis) const noexcept {
+    if (shape_ != Shape::bullNose || isUpright(axis)) return longestWay_;
+    return std::min(longestWay_, std::sqrt(8.0 * piece_.cornerRadius * leaningRoundingError));
+}
+
+bool SpanRows::isUpright(const glm::dvec3& axis) const noexcept {
+    return axis.z > 0.0 && std::hypot(axis.x, axis.y) * reach_ <= uprightError;
 }
 
 void SpanRows::beginEnd(End& end, const glm::dvec3& tip) const noexcept {
@@ -64,13 +80,13 @@ void SpanRows::beginEnd(End& end, const glm::dvec3& tip) const noexcept {
     end.y = tip.y;
     end.wholeX = wholeOf(tip.x);
     end.partX = static_cast<float>(tip.x - end.wholeX);
-    end.flatLow = unitOf(tip.z + piece_.bottom);
     end.top = unitOf(tip.z + piece_.top);
-    const double middle = (tip.z + piece_.bottom + piece_.cornerRadius) * unitsAVoxel;
-    const double depth = std::ceil(piece_.cornerRadius * unitsAVoxel) + 2.0;
-    const double whole = std::floor(std::clamp(middle, -1e9, 1e9));
-    end.base = static_cast<std::int32_t>(whole - depth);
-    end.middle = static_cast<float>(middle - whole + depth + 0.5);
+    const double middle = std::clamp((tip.z + piece_.bottom + piece_.cornerRadius) * unitsAVoxel, -1e9, 1e9);
+    const double whole = std::floor(middle);
+    end.base = static_cast<std::int32_t>(whole - depth_);
+    end.middle = static_cast<float>(middle - whole + depth_ + 0.5);
+    // Exactly where Grid's rule puts the flat, whatever the rounding's middle is.
+    end.flatHeight = static_cast<float>(unitOf(tip.z + piece_.bottom) - end.base) + 0.5F - end.middle;
 }
 
 void SpanRows::beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept {
@@ -85,30 +101,61 @@ void SpanRows::beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept {
     piece.reach = static_cast<float>(reach);
     piece.perReach = static_cast<float>(1.0 / reach);
     piece.rise = static_cast<float>(rise * unitsAVoxel);
+    piece.riseSign = rise > 0.0 ? 1.0F : rise < 0.0 ? -1.0F : 0.0F;
     piece.sine = static_cast<float>(rise / length);
     piece.cosine = static_cast<float>(reach / length);
-    const double deepest = std::ceil((std::abs(rise) + piece_.cornerRadius) * unitsAVoxel) + 2.0;
-    const auto middle = [&](double height, std::int32_t& base) {
-        const double units = (from.z + height) * unitsAVoxel;
-        const double whole = std::floor(std::clamp(units, -1e9, 1e9));
-        base = static_cast<std::int32_t>(whole - deepest);
-        return static_cast<float>(units - whole + deepest + 0.5);
-    };
-    piece.roundMiddle = middle(piece_.bottom + piece_.cornerRadius, piece.base);
-    piece.flatMiddle = middle(piece_.bottom, piece.flatBase);
-    piece.topMiddle = middle(piece_.top, piece.topBase);
+    const double top = std::clamp((to.z + piece_.top) * unitsAVoxel, -1e9, 1e9), whole = std::floor(top);
+    piece.topBase = static_cast<std::int32_t>(whole - depth_);
+    piece.topMiddle = static_cast<float>(top - whole + depth_ + 0.5);
 }
 
 void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withStart) noexcept {
     withStart_ = withStart;
+    axis_ = from.axis;
+    tilts_ = !isUpright(axis_);
+    if (tilts_) return beginTilted(from, toTip);
     beginEnd(upright_.from, from.tip);
     beginEnd(upright_.to, toTip);
     beginWay(from.tip, toTip);
+    upright_.levelTop = std::min(upright_.to.top, upright_.lineEnd);
+    upright_.highestTop = std::max(upright_.from.top, upright_.to.top);
+    upright_.joins = std::abs(toTip.z - from.tip.z) < piece_.top - piece_.bottom - piece_.cornerRadius;
+    upright_.topRises = std::min(upright_.from.top, upright_.lineEnd) != upright_.levelTop;
     rows_ = {wholeOf(std::min(from.tip.y, toTip.y) - radius_), wholeOf(std::max(from.tip.y, toTip.y) + radius_) + 1};
     columns_ = {wholeOf(std::min(from.tip.x, toTip.x) - radius_), wholeOf(std::max(from.tip.x, toTip.x) + radius_) + 1};
 }
 
+void SpanRows::beginTilted(const LinePose& from, const glm::dvec3& toTip) noexcept {
+    setAxis(tilted_, piece_, axis_);
+    const double depth = std::ceil((reach_ + longestWay_) * unitsAVoxel) + 2.0;
+    setWay(tilted_, piece_, axis_, from.tip, toTip, depth);
+    moves_ = from.tip != toTip;
+    foot_ = glm::dvec2(toTip + axis_ * (piece_.bottom + piece_.cornerRadius));
+    head_ = glm::dvec2(toTip + axis_ * piece_.top);
+    width_ = radius_ + (withStart_ || moves_ ? glm::length(glm::dvec2(toTip - from.tip)) : 0.0);
+    const glm::dvec2 low = glm::min(foot_, head_) - width_, high = glm::max(foot_, head_) + width_;
+    columns_ = {wholeOf(low.x), wholeOf(high.x) + 1};
+    rows_ = {wholeOf(low.y), wholeOf(high.y) + 1};
+}
+
+/// Of a leaning piece: the shadow of a capsule about its axis.
+LineStretch SpanRows::tiltedRow(std::int32_t v) const noexcept {
+    Extent extent;
+    includeCircle(extent, foot_.x, v - foot_.y, width_);
+    includeCircle(extent, head_.x, v - head_.y, width_);
+    const glm::dvec2 axis = head_ - foot_;
+    const double length = glm::length(axis);
+    if (std::abs(axis.y) > 1e-12)
+        for (const double side : {-width_, width_}) {
+            const double part = (v - (foot_.y + side * axis.x / length)) / axis.y;
+            if (part >= 0.0 && part <= 1.0) extent.include(foot_.x - side * axis.y / length + part * axis.x);
+        }
+    if (!(extent.low <= extent.high)) return {};
+    return {wholeOf(extent.low), wholeOf(extent.high) + 1};
+}
+
 LineStretch SpanRows::row(std::int32_t v) const noexcept {
+    if (tilts_) return tiltedRow(v);
     const End &from = upright_.from, &to = upright_.to;
     Extent extent;
     includeCircle(extent, to.x, v - to.y, radius_);
@@ -131,11 +178,11 @@ void SpanRows::spans(std::int32_t v, std::int32_t firstGroup, std::int32_t group
     const kernels::Stretch stretch{v, firstGroup, groups, low, high, withStart_, moves_};
     switch (shape_) {
     case Shape::ball:
-        return kernels::uprightBall(upright_, stretch);
+        return tilts_ ? kernels::tiltedBall(tilted_, stretch) : kernels::uprightBall(upright_, stretch);
     case Shape::flat:
-        return kernels::uprightFlat(upright_, stretch);
+        return tilts_ ? kernels::tiltedFlat(tilted_, stretch) : kernels::uprightFlat(upright_, stretch);
     case Shape::bullNose:
-        return kernels::uprightBullNose(upright_, stretch);
+        return tilts_ ? kernels::tiltedBullNose(tilted_, stretch) : kernels::uprightBullNose(upright_, stretch);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/vectorised.h"
 #include "core/geometry/revolved_piece.h"
+#include "core/tool/span_rows_tilted.h"
 
 #include <glm/glm.hpp>
 
@@ -35,6 +36,10 @@ class SpanRows {
 public:
     static constexpr double outlineError = 1.0 / (1 << 20);
     static constexpr double endError = 1.0; ///< run units, rounding included
+    /// Voxels that a bull nose's rounding may be short of what it sweeps between two ends of a way, when it leans.
+    static constexpr double leaningRoundingError = 0.01;
+    /// Voxels that a piece may lean over its length and still count as upright.
+    static constexpr double uprightError = 1.0 / 512.0;
     static constexpr std::int32_t none = 1 << 30;
 
     /// @param piece in voxels. True: this class knows its shape.
@@ -45,7 +50,9 @@ public:
     SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept;
 
     /// Longest way that may be swept at once, voxels; longer ones are to be cut up, which loses nothing.
-    double longestWay() const noexcept { return longestWay_; }
+    double longestWay(const glm::dvec3& axis) const noexcept;
+    /// Farthest that any of the piece lies from its tip, voxels.
+    double reach() const noexcept { return reach_; }
 
     /// Sets the way of the next rows.
     /// @param withStart false: what the piece covers at the start, or left behind it, is not asked for, and lines that
@@ -65,38 +72,52 @@ public:
     enum class Shape : std::uint8_t { ball, flat, bullNose };
     /// One end of an upright piece's way.
     struct End {
-        double x = 0.0, y = 0.0;             ///< voxels
-        std::int32_t wholeX = 0;             ///< of x
-        float partX = 0.0F;                  ///< the rest
-        std::int32_t flatLow = 0, top = 0;   ///< units, of the flat middle and of the upper face
-        std::int32_t base = 0;               ///< units, that heights over the rounding count from
-        float middle = 0.0F;                 ///< units from base, of the rounding's middle, + 1/2
+        double x = 0.0, y = 0.0;  ///< voxels
+        std::int32_t wholeX = 0;  ///< of x
+        float partX = 0.0F;       ///< the rest
+        std::int32_t top = 0;     ///< units, of the upper face
+        std::int32_t base = 0;    ///< units, that heights count from
+        float middle = 0.0F;      ///< units from base, of the rounding's middle, + 1/2
+        float flatHeight = 0.0F;  ///< units over that, of the flat middle
     };
     /// An upright piece on its way.
     struct Upright {
         float radius = 0.0F, flatRadius = 0.0F, cornerRadius = 0.0F; ///< voxels
         End from, to;
         std::int32_t lineEnd = 0;
+        bool topRises = false;     ///< the upper face lies in the grid and at two heights
+        std::int32_t levelTop = 0; ///< units, of the upper face where it does not
+        std::int32_t highestTop = 0; ///< units
+        bool joins = true;         ///< what is covered at both ends overlaps, or touches, on every line
         // The way between: direction and length across the runs, rise along them.
-        double wayX = 1.0, wayY = 0.0;          ///< unit
-        float reach = 0.0F, perReach = 0.0F;    ///< voxels, its inverse
-        float rise = 0.0F;                      ///< units
-        float sine = 0.0F, cosine = 1.0F;       ///< of the way's slope
-        std::int32_t base = 0, flatBase = 0, topBase = 0; ///< units, that heights between count from
-        float roundMiddle = 0.0F;               ///< units from base, at the start, + 1/2
-        float flatMiddle = 0.0F, topMiddle = 0.0F; ///< the same of the lower and the upper face
+        double wayX = 1.0, wayY = 0.0;        ///< unit
+        float reach = 0.0F, perReach = 0.0F;  ///< voxels, its inverse
+        float rise = 0.0F, riseSign = 0.0F;   ///< units
+        float sine = 0.0F, cosine = 1.0F;     ///< of the way's slope
+        std::int32_t topBase = 0;             ///< units, that the upper face counts from between the ends
+        float topMiddle = 0.0F;               ///< units from there, of the upper face at the end, + 1/2
     };
 
 private:
+    bool isUpright(const glm::dvec3& axis) const noexcept;
+    LineStretch tiltedRow(std::int32_t v) const noexcept;
+    void beginTilted(const LinePose& from, const glm::dvec3& toTip) noexcept;
     void beginEnd(End& end, const glm::dvec3& tip) const noexcept;
     void beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept;
 
     RevolvedPiece piece_;
     Shape shape_ = Shape::ball;
     double radius_ = 0.0, longestWay_ = 0.0;
+    double depth_ = 0.0; ///< units, below a rounding's middle that heights count from
     bool withStart_ = true, moves_ = false;
     LineStretch rows_, columns_;
+    bool tilts_ = false;
+    double reach_ = 0.0;
+    glm::dvec3 axis_{0.0, 0.0, 1.0};
+    glm::dvec2 foot_{0.0}, head_{0.0}; ///< voxels, ends of a leaning piece's axis at the end of its way
+    double width_ = 0.0;               ///< voxels about them that the piece reaches, its way counted in
     Upright upright_;
+    TiltedPiece tilted_;
 };
 
 } // namespace burin

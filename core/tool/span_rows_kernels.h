@@ -19,4 +19,8 @@ void uprightBall(const SpanRows::Upright& piece, const Stretch& stretch) noexcep
 void uprightFlat(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
 void uprightBullNose(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
 
+void tiltedBall(const TiltedPiece& piece, const Stretch& stretch) noexcept;
+void tiltedFlat(const TiltedPiece& piece, const Stretch& stretch) noexcept;
+void tiltedBullNose(const TiltedPiece& piece, const Stretch& stretch) noexcept;
+
 } // namespace burin::kernels

@@ -11,11 +11,10 @@ using Upright = SpanRows::Upright;
 using End = SpanRows::End;
 
 constexpr float unitsAVoxel = 256.0F;
-constexpr int cornerSteps = 6;
+constexpr int cornerSteps = 10;
 
-struct Spans {
-    Integers low = integers(SpanRows::none), high = integers(-SpanRows::none);
-};
+/// Above every height: no part of the piece.
+constexpr float nowhere = 1e9F;
 
 /// Height of the rounding below its middle, voxels, over lines `inside` away from the outline (square: R² - r²).
 template <Shape shape>
@@ -28,36 +27,23 @@ BURIN_INLINE Floats drop(const Upright& piece, Floats inside) noexcept {
     return rootsOf(left * (piece.cornerRadius + over));
 }
 
-/// What the piece covers at one end of its way.
+/// Lower face at one end of the way, units over the rounding's middle there. `inside`: R² - r².
 template <Shape shape>
-BURIN_INLINE void coverEnd(const Upright& piece, const End& end, float rowSquare, Integers u, Spans& spans) noexcept {
-    const Floats x = floatsOf(u - end.wholeX) - end.partX;
-    const Floats inside = rowSquare - x * x;
+BURIN_INLINE Floats lowAtEnd(const Upright& piece, const End& end, Floats inside) noexcept {
     const Integers covered = inside > Floats{};
-    Integers low = integers(end.flatLow);
-    if constexpr (shape == Shape::ball) {
-        low = wholeOf(end.middle - unitsAVoxel * rootsOf(inside)) + end.base;
-    } else if constexpr (shape == Shape::bullNose) {
-        const Integers rounded = wholeOf(end.middle - unitsAVoxel * drop<shape>(piece, inside)) + end.base;
+    if constexpr (shape == Shape::flat) return covered ? floats(end.flatHeight) : floats(nowhere);
+    Floats height = -unitsAVoxel * drop<shape>(piece, inside);
+    if constexpr (shape == Shape::bullNose) {
         const Floats flatInside = floats(piece.radius * piece.radius - piece.flatRadius * piece.flatRadius);
-        low = inside >= flatInside ? low : rounded;
+        height = inside >= flatInside ? floats(end.flatHeight) : height;
     }
-    spans.low = covered ? least(spans.low, low) : spans.low;
-    spans.high = covered ? most(spans.high, integers(end.top)) : spans.high;
-}
-
-/// A place that the piece covers at one end of its way, so that what is covered beyond joins on to that.
-BURIN_INLINE void touchEnd(const End& end, float rowSquare, Integers u, Spans& spans) noexcept {
-    const Floats x = floatsOf(u - end.wholeX) - end.partX;
-    const Integers covered = rowSquare - x * x > Floats{};
-    spans.low = covered ? least(spans.low, integers(end.top)) : spans.low;
-    spans.high = covered ? most(spans.high, integers(end.top)) : spans.high;
+    return covered ? height : floats(nowhere);
 }
 
 /// A line seen from the way: `ahead` along it from the start, `chord` half of the way on which the piece covers it.
 struct FromWay {
     Floats ahead, chord, asideSquare;
-    Integers meets;
+    Integers meets; ///< all bits or none
 };
 
 /// Offset from axis to line at which a bull nose that rises is lowest over it, between two bounds: the zero of a
@@ -92,82 +78,134 @@ BURIN_INLINE Floats cornerOffset(const Upright& piece, Floats asideSquare, Float
     return highBest ? last : lowBest ? first : middle;
 }
 
-/// Lower face between the ends.
+/// Lower face between the ends, units over the rounding's middle at the end.
 template <Shape shape>
-BURIN_INLINE void coverLow(const Upright& piece, const FromWay& line, Spans& spans) noexcept {
+BURIN_INLINE Floats lowBetween(const Upright& piece, const FromWay& line) noexcept {
     const Floats zero{}, one = floats(1.0F);
     if constexpr (shape == Shape::ball) {
         const Floats part = (line.ahead - piece.sine * line.chord) * piece.perReach;
         const Integers valid = line.meets & (part > zero) & (part < one);
-        const Floats height = piece.rise * part - (unitsAVoxel * piece.cosine) * line.chord;
-        const Integers low = wholeOf(piece.roundMiddle + (valid ? height : zero)) + piece.base;
-        spans.low = valid ? least(spans.low, low) : spans.low;
-        return;
+        return valid ? piece.rise * (part - one) - (unitsAVoxel * piece.cosine) * line.chord : floats(nowhere);
     }
     const Integers passes = (line.ahead > zero) & (line.ahead < floats(piece.reach));
     if constexpr (shape == Shape::flat) {
-        const Floats offset = piece.rise > 0.0F ? line.chord : piece.rise < 0.0F ? -line.chord : zero;
-        const Floats part = (line.ahead - offset) * piece.perReach;
+        const Floats part = (line.ahead - piece.riseSign * line.chord) * piece.perReach;
         const Integers valid = line.meets & (passes | ((part > zero) & (part < one)));
-        const Floats height = piece.rise * least(most(part, zero), one);
-        const Integers low = wholeOf(piece.flatMiddle + height) + piece.flatBase;
-        spans.low = valid ? least(spans.low, low) : spans.low;
-    } else {
-        Floats offset = zero;
-        const Floats first = most(line.ahead - piece.reach, -line.chord), last = least(line.ahead, line.chord);
-        if (piece.rise > 0.0F)
-            offset = cornerOffset(piece, line.asideSquare, most(first, zero), last);
-        else if (piece.rise < 0.0F)
-            offset = -cornerOffset(piece, line.asideSquare, most(-last, zero), -first);
-        offset = least(most(offset, first), last);
-        const Floats part = (line.ahead - offset) * piece.perReach;
-        const Integers valid = line.meets & (first <= last) & (passes | ((part > zero) & (part < one)));
-        const Floats inside = piece.radius * piece.radius - line.asideSquare - offset * offset;
-        const Floats height = piece.rise * least(most(part, zero), one) - unitsAVoxel * drop<shape>(piece, inside);
-        const Integers low = wholeOf(piece.roundMiddle + (valid ? height : zero)) + piece.base;
-        spans.low = valid ? least(spans.low, low) : spans.low;
+        return valid ? piece.to.flatHeight + piece.rise * (least(most(part, zero), one) - one) : floats(nowhere);
     }
+    Floats offset = zero;
+    const Floats first = most(line.ahead - piece.reach, -line.chord), last = least(line.ahead, line.chord);
+    if (piece.rise > 0.0F)
+        offset = cornerOffset(piece, line.asideSquare, most(first, zero), last);
+    else if (piece.rise < 0.0F)
+        offset = -cornerOffset(piece, line.asideSquare, most(-last, zero), -first);
+    offset = least(most(offset, first), last);
+    const Floats part = (line.ahead - offset) * piece.perReach;
+    const Integers valid = line.meets & (first <= last) & (passes | ((part > zero) & (part < one)));
+    const Floats inside = piece.radius * piece.radius - line.asideSquare - offset * offset;
+    const Floats height =
+        piece.rise * (least(most(part, zero), one) - one) - unitsAVoxel * drop<shape>(piece, inside);
+    return valid ? height : floats(nowhere);
 }
 
-/// Upper face between the ends; it is flat.
-BURIN_INLINE void coverHigh(const Upright& piece, const FromWay& line, Spans& spans) noexcept {
+/// Upper face between the ends, units; it is flat.
+BURIN_INLINE Integers highBetween(const Upright& piece, const FromWay& line) noexcept {
     const Floats zero{}, one = floats(1.0F);
-    const Floats offset = piece.rise > 0.0F ? -line.chord : piece.rise < 0.0F ? line.chord : zero;
-    const Floats part = (line.ahead - offset) * piece.perReach;
+    const Floats part = (line.ahead + piece.riseSign * line.chord) * piece.perReach;
     const Integers passes = (line.ahead > zero) & (line.ahead < floats(piece.reach));
     const Integers valid = line.meets & (passes | ((part > zero) & (part < one)));
-    const Floats height = piece.rise * least(most(part, zero), one);
-    const Integers high = wholeOf(piece.topMiddle + height) + piece.topBase;
-    spans.high = valid ? most(spans.high, high) : spans.high;
+    const Floats height = piece.rise * (least(most(part, zero), one) - one);
+    return valid ? wholeOf(piece.topMiddle + height) + piece.topBase : integers(-SpanRows::none);
 }
 
 /// What depends on the row alone.
 struct Row {
-    float fromSquare, toSquare;      ///< R² - y² at both ends, voxels²
-    float ahead, aside, wayX, wayY;  ///< of the line at x = 0, seen from the start
+    float fromSquare, toSquare;     ///< R² - y² at both ends, voxels²
+    float ahead, aside, wayX, wayY; ///< of the line at x = 0, seen from the start
 };
 
-template <Shape shape, bool withStart, bool moves>
-BURIN_INLINE void cover(const Upright& piece, const Row& row, const Stretch& stretch) noexcept {
-    Integers u = Integers{0, 1, 2, 3, 4, 5, 6, 7} + stretch.firstGroup * lanes;
-    for (std::int32_t group = 0; group < stretch.groups; ++group, u += lanes) {
-        Spans spans;
-        coverEnd<shape>(piece, piece.to, row.toSquare, u, spans);
-        if constexpr (withStart)
-            coverEnd<shape>(piece, piece.from, row.fromSquare, u, spans);
-        else
-            touchEnd(piece.from, row.fromSquare, u, spans);
+/// The upper face is at one height wherever the lower one is, or both its heights count.
+enum class Top : bool { level, rises };
+
+/// @param firstGroup, end of the groups, counted from the stretch's first
+template <Shape shape, bool withStart, bool moves, Top top>
+BURIN_INLINE void cover(const Upright& piece, const Row& row, const Stretch& stretch, std::int32_t firstGroup,
+                        std::int32_t end) noexcept {
+    const Integers first = Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup + firstGroup) * lanes;
+    Floats toU = floatsOf(first - piece.to.wholeX), fromU = floatsOf(first - piece.from.wholeX);
+    for (std::int32_t group = firstGroup; group < end; ++group, toU += lanes, fromU += lanes) {
+        const Floats toX = toU - piece.to.partX, fromX = fromU - piece.from.partX;
+        const Floats toInside = row.toSquare - toX * toX, fromInside = row.fromSquare - fromX * fromX;
+        FromWay line{};
+        Floats height = lowAtEnd<shape>(piece, piece.to, toInside);
         if constexpr (moves) {
-            const Floats x = floatsOf(u - piece.from.wholeX) - piece.from.partX;
-            const Floats aside = row.aside - x * row.wayY;
+            const Floats aside = row.aside - fromX * row.wayY;
             const Floats inside = (piece.radius - aside) * (piece.radius + aside);
-            const FromWay line{x * row.wayX + row.ahead, rootsOf(inside), aside * aside, inside > Floats{}};
-            coverLow<shape>(piece, line, spans);
-            coverHigh(piece, line, spans);
+            line = {fromX * row.wayX + row.ahead, rootsOf(inside), aside * aside, inside > Floats{}};
+            height = least(height, lowBetween<shape>(piece, line));
         }
-        store(most(spans.low, Integers{}), stretch.low[group]);
-        store(least(spans.high, integers(piece.lineEnd)), stretch.high[group]);
+        Integers low = wholeOf(height + piece.to.middle) + piece.to.base;
+        Integers high = integers(piece.levelTop);
+        if constexpr (withStart) {
+            const Floats start = lowAtEnd<shape>(piece, piece.from, fromInside);
+            low = least(low, wholeOf(start + piece.from.middle) + piece.from.base);
+        }
+        if (top == Top::rises && bitsOf((toInside > Floats{}) & (fromInside > Floats{})) == 255U && piece.joins) {
+            high = integers(piece.highestTop);
+        } else if constexpr (top == Top::rises) {
+            high = toInside > Floats{} ? integers(piece.to.top) : integers(-SpanRows::none);
+            if constexpr (moves) high = most(high, highBetween(piece, line));
+            // What was left behind at the start joins on to what is beyond it.
+            const Integers started = fromInside > Floats{};
+            low = started ? least(low, integers(piece.from.top)) : low;
+            high = started ? most(high, integers(piece.from.top)) : high;
+        }
+        store(most(low, Integers{}), stretch.low[group]);
+        store(least(high, integers(piece.lineEnd)), stretch.high[group]);
     }
+}
+
+/// Groups between which a ball can be lowest on the way, not at an end: between its axis at the start and at the end, as
+/// far as a sloping way shifts that.
+BURIN_INLINE void findBetween(const Upright& piece, const Row& row, const Stretch& stretch, std::int32_t& first,
+                              std::int32_t& end) noexcept {
+    constexpr float slack = 1.0F; // voxels
+    const float shift = piece.sine * piece.radius;
+    const float low = (shift < 0.0F ? shift : 0.0F) - slack, high = piece.reach + (shift > 0.0F ? shift : 0.0F) + slack;
+    first = 0;
+    end = stretch.groups;
+    if (row.wayX < 1e-3F && row.wayX > -1e-3F) {
+        constexpr float across = 1e-3F * 4096.0F; // lines of a row differ by no more
+        if (row.ahead + across < low || row.ahead - across > high) end = 0;
+        return;
+    }
+    const float one = (low - row.ahead) / row.wayX, other = (high - row.ahead) / row.wayX;
+    const auto origin = static_cast<float>(piece.from.wholeX - stretch.firstGroup * lanes);
+    const float start = (one < other ? one : other) + origin, stop = (one < other ? other : one) + origin;
+    if (start > 0.0F) first = start < 8.0F * static_cast<float>(end) ? static_cast<std::int32_t>(start) / lanes : end;
+    if (stop < 8.0F * static_cast<float>(end)) end = stop < 0.0F ? first : static_cast<std::int32_t>(stop) / lanes + 1;
+    if (end < first) end = first;
+}
+
+template <Shape shape, bool withStart, Top top>
+BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, const Stretch& stretch) noexcept {
+    std::int32_t first = 0, end = stretch.groups;
+    if constexpr (shape == Shape::ball && top == Top::level) {
+        findBetween(piece, row, stretch, first, end);
+        cover<shape, withStart, false, top>(piece, row, stretch, 0, first);
+        cover<shape, withStart, false, top>(piece, row, stretch, end, stretch.groups);
+    }
+    cover<shape, withStart, true, top>(piece, row, stretch, first, end);
+}
+
+template <Shape shape, Top top>
+BURIN_INLINE void choose(const Upright& piece, const Row& row, const Stretch& stretch) noexcept {
+    if (stretch.withStart)
+        stretch.moves ? coverMoving<shape, true, top>(piece, row, stretch)
+                      : cover<shape, true, false, top>(piece, row, stretch, 0, stretch.groups);
+    else
+        stretch.moves ? coverMoving<shape, false, top>(piece, row, stretch)
+                      : cover<shape, false, false, top>(piece, row, stretch, 0, stretch.groups);
 }
 
 template <Shape shape>
@@ -180,11 +218,7 @@ BURIN_INLINE void coverRow(const Upright& piece, const Stretch& stretch) noexcep
                   static_cast<float>(fromY * piece.wayX),
                   static_cast<float>(piece.wayX),
                   static_cast<float>(piece.wayY)};
-    if (stretch.withStart)
-        stretch.moves ? cover<shape, true, true>(piece, row, stretch) : cover<shape, true, false>(piece, row, stretch);
-    else
-        stretch.moves ? cover<shape, false, true>(piece, row, stretch)
-                      : cover<shape, false, false>(piece, row, stretch);
+    piece.topRises ? choose<shape, Top::rises>(piece, row, stretch) : choose<shape, Top::level>(piece, row, stretch);
 }
 
 } // namespace

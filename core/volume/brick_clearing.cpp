@@ -41,13 +41,19 @@ Segment* RunVolume::Impl::clearLine(std::span<const Segment> line, RunPosition f
         *place++ = Segment(end, property);
     };
     RunPosition start = 0;
-    for (const Segment segment : line) {
-        const RunPosition end = segment.end();
-        const PropertyIndex property = segment.property();
-        const RunPosition low = std::max(start, from), high = std::min(end, to);
-        if (low >= high || property == airProperty || store_->properties.isProtected(property)) {
+    const Segment* next = line.data();
+    const Segment* const last = next + line.size();
+    for (; next != last && next->end() <= from; ++next) {
+        *place++ = *next;
+        start = next->end();
+    }
+    for (; next != last && start < to; ++next) {
+        const RunPosition end = next->end();
+        const PropertyIndex property = next->property();
+        if (!machinable_[property]) {
             append(end, property);
         } else {
+            const RunPosition low = std::max(start, from), high = std::min(end, to);
             if (start < low) append(low, property);
             append(high, airProperty);
             if (high < end) append(end, property);
@@ -56,7 +62,8 @@ Segment* RunVolume::Impl::clearLine(std::span<const Segment> line, RunPosition f
         }
         start = end;
     }
-    return place;
+    if (next != last) append(next->end(), next->property()), ++next;
+    return std::copy(next, last, place);
 }
 
 /// Writes a brick anew, without what is to be removed.

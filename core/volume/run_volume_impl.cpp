@@ -11,6 +11,8 @@ RunVolume::Impl::Impl(std::shared_ptr<VolumeStore> store) : store_(std::move(sto
     pages_.resize(store_->table.pageCount(), noBlock);
     sparePages_.resize(pages_.size(), noBlock);
     lacks_.resize(pages_.size());
+    for (int i = 1; i < store_->properties.size(); ++i)
+        machinable_[static_cast<std::size_t>(i)] = !store_->properties.isProtected(static_cast<PropertyIndex>(i));
 }
 
 bool RunVolume::Impl::fillWithAir() noexcept {

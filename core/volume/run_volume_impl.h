@@ -70,6 +70,7 @@ private:
     Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition to, Segment* place) noexcept;
 
     std::shared_ptr<VolumeStore> store_;
+    std::array<bool, 256> machinable_{}; ///< by property
     std::vector<BlockIndex> pages_;
     std::vector<BlockIndex> sparePages_; ///< by page: to copy it to, where bricks of it have room set aside
     std::size_t lackingPages_ = 0;       ///< pages that used their spare and found no other

@@ -41,7 +41,7 @@ public:
     RunAmounts cut(RunVolume& volume, const glm::dvec3& from, const glm::dvec3& to) {
         RunAmounts removed;
         const glm::dvec3 start = inLines(from), end = inLines(to);
-        const int parts = std::max(1, int(std::ceil(glm::length(end - start) / spans_.longestWay())));
+        const int parts = std::max(1, int(std::ceil(glm::length(end - start) / spans_.longestWay({0, 0, 1}))));
         glm::dvec3 tip = start;
         for (int i = 1; i <= parts; ++i) {
             const glm::dvec3 next = i == parts ? end : glm::mix(start, end, double(i) / parts);
@@ -63,8 +63,11 @@ public:
 private:
     RevolvedPiece inVoxels(const RevolvedPiece& piece) const {
         const double edge = grid_.edge();
-        return {piece.bottom / edge, piece.top / edge, piece.bottomRadius / edge, piece.topRadius / edge,
-                piece.cornerRadius / edge};
+        return piece.cornerRadius == 0.0
+                   ? RevolvedPiece{piece.bottom / edge, piece.top / edge, piece.bottomRadius / edge,
+                                   piece.topRadius / edge}
+                   : RevolvedPiece{piece.bottom / edge, piece.top / edge, piece.bottomRadius / edge,
+                                   piece.topRadius / edge, piece.cornerRadius / edge};
     }
     glm::dvec3 inLines(const glm::dvec3& tip) const {
         const glm::dvec3 place = (tip - grid_.low()) / grid_.edge();

@@ -43,7 +43,7 @@ private slots:
             if (*rc::gen::inRange(0, 4) == 0) way.z = 0.0;
             if (*rc::gen::inRange(0, 6) == 0) way.x = way.y = 0.0;
             SpanRows rows(piece, 2048 * 256);
-            way *= *rc::gen::element(0.0, 0.01, 0.3, 1.0, 5.0, 0.57 * rows.longestWay());
+            way *= *rc::gen::element(0.0, 0.01, 0.3, 1.0, 5.0, 0.57 * rows.longestWay({0, 0, 1}));
             const glm::dvec3 to = from + way;
             rows.begin({from, {0, 0, 1}}, to, true);
             const double by = SpanRows::outlineError * (radius + glm::length(way));
@@ -68,6 +68,56 @@ private slots:
                 RC_ASSERT(outer.has_value());
                 RC_ASSERT(foundLow >= outer->low * 256.0 - 0.5 - SpanRows::endError);
                 RC_ASSERT(foundHigh <= outer->high * 256.0 + 0.5 + SpanRows::endError);
+            }
+        });
+        QVERIFY(held);
+    }
+
+    /// A leaning piece: places that some pose on the way covers by a margin lie in the span; places of the span lie, to
+    /// the bounds, in what the poses cover. Against signed distances at finely sampled poses.
+    void leaningSpansHoldWhatThePosesCover() {
+        const bool held = rc::check("leaning spans", [] {
+            RevolvedPiece piece = randomPiece();
+            if (piece.bottomRadius > 60.0) piece = {0.0, 90.0, 60.0, 60.0, std::min(piece.cornerRadius, 60.0)};
+            const double polar = *rc::gen::element(0.001, 0.1, 0.5, 1.2, 1.5707963, 2.5), azimuth = real(0.0, 6.28);
+            const glm::dvec3 axis(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+                                  std::cos(polar));
+            const glm::dvec3 from(real(300, 900), real(300, 900), real(300, 900));
+            SpanRows rows(piece, 2048 * 256);
+            const double length = *rc::gen::element(0.0, 0.05, 1.0, 0.5) * rows.longestWay(axis);
+            const glm::dvec3 way = glm::normalize(glm::dvec3(real(-1, 1), real(-1, 1.01), real(-1, 1))) * length;
+            const glm::dvec3 to = from + way;
+            rows.begin({from, axis}, to, true);
+            const auto nearest = [&](const glm::dvec3& place) {
+                double least = 1e9;
+                for (int i = 0; i <= 50; ++i) {
+                    const glm::dvec3 local = place - (from + way * (i / 50.0));
+                    const double height = glm::dot(local, axis);
+                    const double radius = std::sqrt(std::max(0.0, glm::dot(local, local) - height * height));
+                    least = std::min(least, signedDistance(piece, radius, height));
+                }
+                return least;
+            };
+            const double bound = SpanRows::outlineError * (rows.reach() + length) * 4.0 +
+                                 (SpanRows::endError + 0.5) / 256.0 + length / 50.0;
+            const double rounding =
+                piece.cornerRadius > 0.0 && piece.cornerRadius < piece.bottomRadius ? SpanRows::leaningRoundingError : 0.0;
+            for (int sample = 0; sample < 20; ++sample) {
+                const glm::dvec3 middle = from + axis * real(piece.bottom, piece.top);
+                const int v = int(std::floor(middle.y + real(-1.1, 1.1) * piece.bottomRadius));
+                const int u = int(std::floor(middle.x + real(-1.1, 1.1) * piece.bottomRadius));
+                EightIntegers low, high;
+                rows.spans(v, u >> 3, 1, &low, &high);
+                const double foundLow = low[u & 7] / 256.0, foundHigh = high[u & 7] / 256.0;
+                if (foundLow < foundHigh) {
+                    RC_ASSERT(rows.row(v).first <= u && u <= rows.row(v).last);
+                    RC_ASSERT(v >= rows.rows().first && v <= rows.rows().last);
+                    for (const double part : {0.0, 0.1, 0.5, 0.9, 1.0})
+                        RC_ASSERT(nearest({u, v, foundLow + part * (foundHigh - foundLow)}) <= bound);
+                }
+                const double z = middle.z + real(-1.5, 1.5) * piece.bottomRadius;
+                const bool inSpan = foundLow <= z && z <= foundHigh;
+                if (nearest({u, v, z}) < -bound - rounding) RC_ASSERT(inSpan);
             }
         });
         QVERIFY(held);

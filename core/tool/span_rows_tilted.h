@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/vectorised.h"
+#include "core/geometry/revolved_piece.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace burin {
+
+/// A leaning piece on its way, as rows of lines meet it: convex solids that together make up the swept one. With C the
+/// piece's cylinder, any place that it sweeps lies in C at an end of the way, or C enters and leaves it between: through
+/// a flat face (a disc moved along the way: an oblique cylinder) or through its side (a box between the two planes that
+/// touch all cylinders). A ball end adds its capsule, a bull nose its rounding at the end of the way alone.
+/// Lengths: voxels across the runs, run units along them, from the tip.
+struct TiltedPiece {
+    /// A number that grows evenly over the lines: value at the tip's line, and a line's share of x and y.
+    struct Linear {
+        double origin = 0.0, x = 0.0, y = 0.0;
+    };
+    /// Heights within `half` of the middle.
+    struct Slab {
+        Linear middle;
+        float half = 0.0F;
+    };
+    /// What a line passes within `radius` of an axis, and within a slab.
+    struct Cylinder {
+        Linear aside, middle; ///< of the line from the axis, and the height of its nearest place
+        float radius = 0.0F;
+        float stretch = 0.0F; ///< height for a voxel of half chord
+        Slab slab;
+        bool present = false;
+    };
+    struct End {
+        double x = 0.0, y = 0.0; ///< voxels, of the tip
+        std::int32_t wholeX = 0; ///< of x
+        float partX = 0.0F;      ///< the rest
+        std::int32_t base = 0;   ///< run units, that heights count from
+        float middle = 0.0F;     ///< run units from base, of the tip, + 1/2
+    };
+    enum class Rounding : std::uint8_t { none, ball, bullNose };
+
+    Rounding rounding = Rounding::none;
+    End from, to;
+    std::int32_t lineEnd = 0;
+    Cylinder standing;                 ///< the piece's straight part at an end; a bull nose's whole outline
+    std::array<Cylinder, 2> faces;     ///< lower and upper flat face on the way
+    std::array<Slab, 3> box;           ///< its side on the way
+    bool hasBox = false;
+    Slab hemisphere;                   ///< what of a ball is not within the straight part
+    float hemisphereTop = 0.0F, axialWay = 0.0F; ///< voxels along the axis, of its flat side from the tip, of the way
+    // Ball: its middle from the tip. Bull nose: the middle of its rounding's circle.
+    float middleX = 0.0F, middleY = 0.0F, middleZ = 0.0F; ///< voxels; middleZ run units
+    double middleYExact = 0.0;
+    float radius = 0.0F, flatRadius = 0.0F, cornerRadius = 0.0F; ///< voxels
+    float axisX = 0.0F, axisY = 0.0F, axisZ = 1.0F;
+    // The ball's way.
+    bool hasCapsule = false;
+    double wayX = 1.0, wayY = 0.0;                             ///< unit, across the runs
+    float perReach = 0.0F, rise = 0.0F, sine = 0.0F, cosine = 1.0F; ///< rise: run units
+};
+
+/// @param piece in voxels; @param axis unit, leaning; @param depth run units that heights may lie below a tip
+void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& axis) noexcept;
+void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& axis, const glm::dvec3& from,
+            const glm::dvec3& to, double depth) noexcept;
+
+} // namespace burin

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tool/span_rows_tilted.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr double unitsAVoxel = 256.0;
+using Linear = TiltedPiece::Linear;
+
+/// A function of x and y that is linear, from its values.
+template <class Function>
+Linear linear(const Function& function) noexcept {
+    const double origin = function(0.0, 0.0);
+    return {origin, function(1.0, 0.0) - origin, function(0.0, 1.0) - origin};
+}
+
+/// Away from 0: a plane along the runs is met nowhere; one that leans by a millionth says the same.
+double awayFromZero(double value, double scale) noexcept {
+    const double least = 1e-6 * scale;
+    return std::abs(value) >= least ? value : std::copysign(least, value);
+}
+
+/// Where normal · (x, y, z) lies between two values.
+TiltedPiece::Slab slabOf(const glm::dvec3& normal, double low, double high) noexcept {
+    const double along = awayFromZero(normal.z, glm::length(normal)) / unitsAVoxel;
+    return {linear([&](double x, double y) { return (0.5 * (low + high) - normal.x * x - normal.y * y) / along; }),
+            static_cast<float>(std::abs(0.5 * (high - low) / along))};
+}
+
+/// A disc about the axis, `height` above the tip, moved along the way.
+TiltedPiece::Cylinder faceOnWay(const glm::dvec3& axis, const glm::dvec3& way, double height, double radius) noexcept {
+    TiltedPiece::Cylinder face;
+    const double along = glm::dot(way, axis);
+    if (std::abs(along) < 1e-7 || !(radius > 0.0)) return face; // moved within its own plane
+    const auto onFace = [&](double x, double y, double z) {
+        const glm::dvec3 place = glm::dvec3(x, y, z) - height * axis;
+        return place - way * (glm::dot(place, axis) / along);
+    };
+    const glm::dvec3 run = onFace(0.0, 0.0, 1.0) - onFace(0.0, 0.0, 0.0);
+    const double length = std::max(glm::length(run), 1e-6);
+    const glm::dvec3 direction = run / length, across = glm::cross(axis, direction);
+    face.present = true;
+    face.radius = static_cast<float>(radius);
+    face.stretch = static_cast<float>(unitsAVoxel / length);
+    face.aside = linear([&](double x, double y) { return glm::dot(onFace(x, y, 0.0), across); });
+    face.middle =
+        linear([&](double x, double y) { return -glm::dot(onFace(x, y, 0.0), direction) / length * unitsAVoxel; });
+    face.slab = slabOf(axis, height + std::min(along, 0.0), height + std::max(along, 0.0));
+    return face;
+}
+
+void setEnd(TiltedPiece::End& end, const glm::dvec3& tip, double depth) noexcept {
+    end.x = tip.x;
+    end.y = tip.y;
+    const double wholeX = std::floor(std::clamp(tip.x, -1e9, 1e9));
+    end.wholeX = static_cast<std::int32_t>(wholeX);
+    end.partX = static_cast<float>(tip.x - wholeX);
+    const double height = std::clamp(tip.z * unitsAVoxel, -1e9, 1e9), whole = std::floor(height);
+    end.base = static_cast<std::int32_t>(whole - depth);
+    end.middle = static_cast<float>(height - whole + depth + 0.5);
+}
+
+} // namespace
+
+void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& axis) noexcept {
+    const double corner = piece.cornerRadius, radius = piece.bottomRadius;
+    tilted.rounding = corner == 0.0      ? TiltedPiece::Rounding::none
+                      : corner == radius ? TiltedPiece::Rounding::ball
+                                         : TiltedPiece::Rounding::bullNose;
+    const bool ball = tilted.rounding == TiltedPiece::Rounding::ball;
+    tilted.radius = static_cast<float>(radius);
+    tilted.flatRadius = static_cast<float>(radius - corner);
+    tilted.cornerRadius = static_cast<float>(corner);
+    const glm::dvec3 middle = axis * (piece.bottom + corner);
+    tilted.middleX = static_cast<float>(middle.x);
+    tilted.middleYExact = middle.y;
+    tilted.middleZ = static_cast<float>(middle.z * unitsAVoxel);
+    tilted.axisX = static_cast<float>(axis.x);
+    tilted.axisY = static_cast<float>(axis.y);
+    tilted.axisZ = static_cast<float>(axis.z);
+    const double lean = std::hypot(axis.x, axis.y);
+    const glm::dvec2 heading = lean > 1e-12 ? glm::dvec2(axis.x, axis.y) / lean : glm::dvec2(1.0, 0.0);
+    const double sine = std::max(lean, 1e-6);
+    TiltedPiece::Cylinder& standing = tilted.standing;
+    standing.present = piece.top > piece.bottom + (ball ? corner : 0.0);
+    standing.radius = tilted.radius;
+    standing.stretch = static_cast<float>(unitsAVoxel / sine);
+    standing.aside = {0.0, -heading.y, heading.x};
+    standing.middle = {0.0, heading.x * axis.z / sine * unitsAVoxel, heading.y * axis.z / sine * unitsAVoxel};
+    standing.slab = slabOf(axis, piece.bottom + (ball ? corner : 0.0), piece.top);
+    tilted.hemisphere = slabOf(axis, piece.bottom - corner, piece.bottom + corner);
+    tilted.hemisphereTop = static_cast<float>(piece.bottom + corner);
+}
+
+void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& axis, const glm::dvec3& from,
+            const glm::dvec3& to, double depth) noexcept {
+    setEnd(tilted.from, from, depth);
+    setEnd(tilted.to, to, depth);
+    const glm::dvec3 way = to - from;
+    tilted.faces[0] = {};
+    if (tilted.rounding != TiltedPiece::Rounding::ball)
+        tilted.faces[0] = faceOnWay(axis, way, piece.bottom, piece.bottomRadius - piece.cornerRadius);
+    tilted.faces[1] = faceOnWay(axis, way, piece.top, piece.topRadius);
+    const glm::dvec3 side = glm::cross(axis, way);
+    const double length = glm::length(side), straight = piece.bottom + piece.cornerRadius;
+    tilted.hasBox = length > 1e-7 && piece.top > straight;
+    if (tilted.hasBox) {
+        const glm::dvec3 normal = side / length, acrossWay = glm::cross(way, normal), acrossAxis = glm::cross(normal, axis);
+        tilted.box[0] = slabOf(normal, -piece.bottomRadius, piece.bottomRadius);
+        tilted.box[1] = slabOf(acrossWay / glm::dot(acrossWay, axis), straight, piece.top);
+        tilted.box[2] = slabOf(acrossAxis / glm::dot(acrossAxis, way), 0.0, 1.0);
+    }
+    const double reach = std::hypot(way.x, way.y), total = glm::length(way);
+    tilted.axialWay = static_cast<float>(glm::dot(way, axis));
+    tilted.hasCapsule = tilted.rounding == TiltedPiece::Rounding::ball && reach > 1e-9;
+    if (!tilted.hasCapsule) return;
+    tilted.wayX = way.x / reach;
+    tilted.wayY = way.y / reach;
+    tilted.perReach = static_cast<float>(1.0 / reach);
+    tilted.rise = static_cast<float>(way.z * unitsAVoxel);
+    tilted.sine = static_cast<float>(way.z / total);
+    tilted.cosine = static_cast<float>(reach / total);
+}
+
+} // namespace burin
