@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/cutting/removal.h"
+#include "core/cutting/contact.h"
 #include "tests/benchmarks/figure_groups.h"
 #include "tests/benchmarks/measure/replay.h"
 #include "tests/benchmarks/scenes/cutting_scene.h"
@@ -16,13 +16,17 @@ struct FreeTool {
     std::string suffix;
 };
 
-/// Median over tips of the least time of a look; nothing may touch.
+/// Median over tips of the least time of a look, as the haptic loop takes one each tick; nothing may touch.
 double lookAround(Session& session, const RunVolume& workpiece, const std::vector<RevolvedPiece>& tool,
                   const std::vector<glm::dvec3>& tips) {
+    ContactCheck check(workpiece.grid());
+    constexpr std::size_t flutes = 1;
     bool touches = false;
     const std::vector<double> least = leastOfReplays(
-        tips.size(), [] {},
-        [&](std::size_t i) { touches = shankContact(workpiece, tool, tips[i]).touches || touches; });
+        tips.size(), [&] { check.forget(); },
+        [&](std::size_t i) {
+            touches = check.at(workpiece, tool, flutes, {tips[i], {0.0, 0.0, 1.0}}).touches || touches;
+        });
     session.check(!touches, "a tool in free space touches nothing");
     return percentile(least, 0.5);
 }

@@ -194,24 +194,33 @@ void tiltedTools(Session& session) {
                                 {}});
 }
 
+/// Along a block's top, row beside row a radius apart, each row down the block's length, then a radius deeper.
+std::vector<glm::dvec3> rowsOverBlock(const glm::dvec3& size, double radius, std::size_t ticks) {
+    const double step = 0.2 * radius;
+    const auto perRow = static_cast<std::size_t>(size.x / step);
+    const auto rows = static_cast<std::size_t>(size.y / radius);
+    std::vector<glm::dvec3> tips;
+    for (std::size_t i = 0; tips.size() <= ticks; ++i) {
+        const std::size_t row = i / perRow, along = i % perRow;
+        const double x = static_cast<double>(row % 2 == 0 ? along : perRow - along) * step;
+        const double y = 0.5 + static_cast<double>(row % rows) * radius;
+        const double depth = 0.5 + radius * static_cast<double>(1 + row / rows);
+        tips.emplace_back(x, y, size.z - depth);
+    }
+    return tips;
+}
+
 /// Figure 13 b of the paper: a block of 40 × 32 × 40 voxels.
 void paperCase(Session& session) {
-    const auto scene = [] { return plainBlock({40, 32, 40}); };
+    constexpr glm::ivec3 size(40, 32, 40);
     const auto measureRadius = [&](const std::string& name, double radius) {
-        std::vector<glm::dvec3> tips;
-        // Along the block's top, half the radius deep, a tenth of the radius a tick, row beside row.
-        const double step = 0.1 * radius, length = 40.0;
-        const auto perRow = static_cast<std::size_t>(length / step);
-        for (std::size_t i = 0; tips.size() < 2001; ++i) {
-            const std::size_t row = i / perRow, along = i % perRow;
-            const double forth = static_cast<double>(row % 2 == 0 ? along : perRow - along) * step;
-            const double aside = std::fmod(static_cast<double>(row) * radius, 32.0);
-            const double depth = 0.5 * radius * (1.0 + std::floor(static_cast<double>(row) * radius / 32.0));
-            tips.emplace_back(forth, aside, 40.0 - depth);
-        }
-        (void)measure(
-            session,
-            {name, scene, cutterOf(CutterType::ball, radius), upright(tips), nullopt, nullopt, {paper(nullopt)}});
+        (void)measure(session, {name,
+                                [&] { return plainBlock(size); },
+                                cutterOf(CutterType::ball, radius),
+                                upright(rowsOverBlock(size, radius, 2000)),
+                                nullopt,
+                                nullopt,
+                                {paper(nullopt)}});
     };
     measureRadius("cut.paper_case.r0_5", 0.5);
     measureRadius("cut.paper_case.r5", 5.0);

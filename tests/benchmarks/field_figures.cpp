@@ -9,6 +9,7 @@
 #include "tests/benchmarks/scenes/part_meshes.h"
 #include "tests/benchmarks/scenes/tool_paths.h"
 
+#include <algorithm>
 #include <random>
 
 namespace burin::benchmarks {
@@ -90,21 +91,31 @@ void fieldErrors(Session& session) {
     session.check(bumpy.beyondBound + edged.beyondBound == 0, "the field is never off by more than it states");
 }
 
-/// Points of a tool that rests on the part, in the order in which a tool's surface is walked.
-void fieldQueries(Session& session) {
-    if (!session.wants("field.query_ns")) return;
-    session.stage("field.query_ns");
-    const TriangleMesh mesh = bumpyPart(512.0, triangles);
-    const PartField field = build(mesh, band);
+/// Points of the end of a ball of R 25 that rests on the body at one of its vertices, within 10 mm of it, in the order
+/// in which a tool's surface is walked.
+std::vector<glm::dvec3> touchingTool(const TriangleMesh& mesh, double side) {
+    const glm::dvec3 middle(0.5 * side), out = glm::normalize(glm::dvec3(1.0, 1.0, 0.4));
+    const glm::dvec3 contact = *std::ranges::max_element(
+        mesh.vertices, {}, [&](const glm::dvec3& vertex) { return glm::dot(glm::normalize(vertex - middle), out); });
+    const glm::dvec3 along = glm::normalize(glm::cross(out, glm::dvec3(0.0, 0.0, 1.0))),
+                     across = glm::cross(out, along);
     std::vector<glm::dvec3> places;
-    const glm::dvec3 top = mesh.vertices.back();
     for (int ring = 0; ring < 100; ++ring)
         for (int i = 0; i < 100; ++i) {
             const double radius = 0.1 * ring, turn = 0.0628 * i;
-            // A ball of R 25 standing on the body's highest point.
-            places.push_back(top + glm::dvec3(radius * std::cos(turn), radius * std::sin(turn),
-                                              25.0 - std::sqrt(625.0 - radius * radius)));
+            places.push_back(contact + radius * (std::cos(turn) * along + std::sin(turn) * across) +
+                             (25.0 - std::sqrt(625.0 - radius * radius)) * out);
         }
+    return places;
+}
+
+void fieldQueries(Session& session) {
+    if (!session.wants("field.query_ns")) return;
+    session.stage("field.query_ns");
+    constexpr double side = 512.0;
+    const TriangleMesh mesh = bumpyPart(side, triangles);
+    const PartField field = build(mesh, band);
+    const std::vector<glm::dvec3> places = touchingTool(mesh, side);
     std::vector<PartDistance> answers(places.size());
     const double nanoseconds = 1e9 / static_cast<double>(places.size());
     const double together = nanoseconds * leastSeconds(50, [&] { field.at(places, answers); });
@@ -114,7 +125,7 @@ void fieldQueries(Session& session) {
                           });
     session.check(std::isfinite(sum), "distances are numbers");
     Figure entry = figure("field.query_ns", together, "ns", 4.0);
-    const std::optional<double> theirs = levelSetQueryNanoseconds(bumpyPart(512.0, 1e5), places);
+    const std::optional<double> theirs = levelSetQueryNanoseconds(bumpyPart(side, 1e5), places);
     session.add(theirs ? against(std::move(entry), "OpenVDB BoxSampler, value alone", *theirs) : std::move(entry));
     session.add(figure("field.query_ns.one_by_one", single, "ns"));
 }

@@ -9,6 +9,7 @@ namespace burin::benchmarks {
 // One file a group. Each measures those of its figures that the run wants; README.md says how.
 
 void peersAgree(Session& session);          ///< peers.*: that all ways to cut cut the same
+void axesAreRight(Session& session);        ///< no figure: that tools take the right voxels at any axis
 void cuttingFigures(Session& session);      ///< cut.*
 void contactFigures(Session& session);      ///< contact.*
 void smoothnessFigures(Session& session);   ///< ripple.*, floor.*

@@ -202,8 +202,10 @@ void loopFigures(Session& session) {
     session.add(against(figure(name + ".misses", static_cast<double>(loop.missed), "ticks"), "empty loop, in turn",
                         static_cast<double>(loop.missedEmpty)));
     session.add(figure(name + ".misses_beyond_empty", std::max(0.0, beyond), "ticks", 0.0));
-    session.add(figure(name + ".pictures_per_s",
-                       1e3 * static_cast<double>(view.pictures()) / static_cast<double>(ticks), "1/s"));
+    Figure pictures = figure(name + ".pictures_per_s",
+                             1e3 * static_cast<double>(view.pictures()) / static_cast<double>(ticks), "1/s", 60.0);
+    pictures.atLeast = true;
+    session.add(std::move(pictures));
     session.add(figure(name + ".real_time", loop.realTime ? 1.0 : 0.0, "1"));
 }
 

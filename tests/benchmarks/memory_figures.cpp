@@ -70,11 +70,11 @@ void packedFigures(Session& session, const std::string& name, const VolumeSnapsh
     const Grid& grid = snapshot.grid();
     std::size_t different = 0;
     BrickLines brick(grid.lineEnd());
-    for (std::int32_t v = 0; v < grid.lineCountV(); v += tileSide)
-        for (std::int32_t u = 0; u < grid.lineCountU(); u += tileSide) {
+    for (std::int32_t v = 0; v < grid.lineCountV(); v += brickSide)
+        for (std::int32_t u = 0; u < grid.lineCountU(); u += brickSide) {
             packed.brick({u, v}, brick);
-            for (std::int32_t i = 0; i < linesPerTile; ++i) {
-                const auto line = snapshot.line({u + i % tileSide, v + i / tileSide});
+            for (std::int32_t i = 0; i < linesPerBrick; ++i) {
+                const auto line = snapshot.line({u + i % brickSide, v + i / brickSide});
                 different += std::ranges::equal(line, brick.line(i)) ? 0U : 1U;
             }
         }

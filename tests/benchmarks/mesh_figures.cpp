@@ -33,7 +33,8 @@ std::vector<Brick> mixedBricks(const VolumeSnapshot& volume, SurfaceTile tile) {
     std::vector<Brick> bricks;
     for (std::size_t i = 0; i < air.size(); ++i)
         if (air[i] != 0 && material[i] != 0)
-            bricks.push_back({tile.u * flyingBrickSide, tile.v * flyingBrickSide, static_cast<std::int32_t>(i) * flyingBrickSide});
+            bricks.push_back(
+                {tile.u * flyingBrickSide, tile.v * flyingBrickSide, static_cast<std::int32_t>(i) * flyingBrickSide});
     return bricks;
 }
 

@@ -19,8 +19,8 @@ int measure(const std::string& only, bool json) {
     Session session(only);
     if (!hasOpenVdb()) session.note("Built without OpenVDB: its figures are left out.");
     for (const auto group :
-         {peersAgree, cuttingFigures, loopFigures, contactFigures, smoothnessFigures, snapshotFigures, memoryFigures,
-          boundaryFigures, meshFigures, booleanFigures, voxelisationFigures})
+         {peersAgree, axesAreRight, cuttingFigures, loopFigures, contactFigures, smoothnessFigures, snapshotFigures,
+          memoryFigures, boundaryFigures, meshFigures, booleanFigures, voxelisationFigures, fieldFigures})
         group(session);
     session.finish();
     std::cout << (json ? jsonOf(session.figures()).dump(2) : tableOf(session.figures())) << std::endl;

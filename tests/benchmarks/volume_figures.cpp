@@ -59,40 +59,69 @@ void boundaryFigures(Session& session) {
     session.stage("boundary.1024");
     RunVolume volume = layeredBlock(1024);
     const VolumeSnapshot snapshot = volume.snapshot();
-    std::size_t voxels = 0;
-    const double spent = leastSeconds(repetitions, [&] { voxels = boundaryVoxels(snapshot).size(); });
+    std::uint64_t voxels = 0;
+    const double spent = leastSeconds(repetitions, [&] { voxels = BoundaryList(snapshot).voxelCount(); });
     session.add(figure("boundary.1024", 1e3 * spent, "ms", 40.0));
+    std::size_t listed = 0;
+    const double listing = leastSeconds(repetitions, [&] { listed = boundaryVoxels(snapshot).size(); });
+    session.check(listed == voxels, "boundary voxels one by one are those of the list");
+    session.add(figure("boundary.1024.one_by_one", 1e3 * listing, "ms"));
     session.add(figure("boundary.1024.voxels", static_cast<double>(voxels), "voxels"));
 }
+
+namespace {
+
+std::uint64_t solidUnits(const RunAmounts& amounts) {
+    std::uint64_t units = 0;
+    for (std::size_t i = 1; i < amounts.units.size(); ++i) units += amounts.units[i];
+    return units;
+}
+
+/// One of the three operations, into a volume whose memory stands, and into a new one.
+struct Operation {
+    const char* name;
+    Result<void> (*into)(RunVolume&, const VolumeSnapshot&, const VolumeSnapshot&);
+    Result<RunVolume> (*of)(const VolumeSnapshot&, const VolumeSnapshot&);
+};
+constexpr std::array operations{Operation{"boolean.union.1024", uniteInto, unionOf},
+                                Operation{"boolean.intersection.1024", intersectInto, intersectionOf},
+                                Operation{"boolean.difference.1024", subtractInto, differenceOf}};
+
+} // namespace
 
 void booleanFigures(Session& session) {
     if (!session.wants("boolean.")) return;
     session.stage("boolean");
     RunVolume first = layeredBlock(1024), second = shiftedBlock(1024);
     const VolumeSnapshot a = first.snapshot(), b = second.snapshot();
-    using Operation = Result<RunVolume> (*)(const VolumeSnapshot&, const VolumeSnapshot&);
-    constexpr std::array<Operation, 3> operations{unionOf, intersectionOf, differenceOf};
-    constexpr std::array names{"boolean.union.1024", "boolean.intersection.1024", "boolean.difference.1024"};
-    std::array<double, 3> ours{};
+    std::array<double, 3> into{}, of{};
     std::array<std::uint64_t, 3> solid{};
-    for (std::size_t i = 0; i < operations.size(); ++i)
-        ours[i] = 1e3 * leastSeconds(repetitions, [&] {
-                      const RunVolume result = require(operations[i](a, b), names[i]);
-                      solid[i] = 0;
-                      for (std::size_t p = 1; p < 256; ++p) solid[i] += result.amounts().units[p];
-                  });
-    std::uint64_t both = 0;
-    for (std::size_t p = 1; p < 256; ++p) both += a.amounts().units[p] + b.amounts().units[p];
-    std::uint64_t alone = 0;
-    for (std::size_t p = 1; p < 256; ++p) alone += a.amounts().units[p];
+    RunVolume result = require(RunVolume::make(a.grid(), a.properties()), "a benchmark's volume");
+    const VolumeSnapshot empty = result.snapshot();
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+        const Operation& operation = operations[i];
+        into[i] = 1e3 * leastSeconds(
+                            repetitions, [&] { result.restore(empty); },
+                            [&] {
+                                if (const Result<void> done = operation.into(result, a, b); !done)
+                                    throw std::runtime_error(operation.name);
+                            });
+        solid[i] = solidUnits(result.snapshot().amounts());
+        of[i] = 1e3 * leastSeconds(repetitions, [&] { (void)require(operation.of(a, b), operation.name); });
+    }
+    const std::uint64_t alone = solidUnits(a.amounts()), both = alone + solidUnits(b.amounts());
     session.check(solid[0] + solid[1] == both && solid[2] + solid[1] == alone,
                   "|A| + |B| = |A or B| + |A and B|, |A| = |A without B| + |A and B|");
     session.stage("boolean, OpenVDB");
-    const auto theirs = levelSetBooleanTimes(layeredBlockBox(1024.0), shiftedBlockBox(1024.0), 5);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        Figure entry = figure(names[i], ours[i], "ms", 15.0);
-        session.add(theirs ? against(std::move(entry), "OpenVDB level set, csg...Copy", (*theirs)[i], 3.0)
-                           : std::move(entry));
+    const auto theirs = levelSetBooleanTimes(layeredBlockBox(1024.0), shiftedBlockBox(1024.0), repetitions);
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+        const std::string name = operations[i].name;
+        const auto add = [&](Figure entry, std::optional<double> ratio) {
+            session.add(theirs ? against(std::move(entry), "OpenVDB level set, csg...Copy", (*theirs)[i], ratio)
+                               : std::move(entry));
+        };
+        add(figure(name, into[i], "ms", 15.0), 3.0);
+        add(figure(name + ".new_volume", of[i], "ms"), std::nullopt);
     }
 }
 

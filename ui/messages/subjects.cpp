@@ -20,6 +20,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "a recording"),
     BURIN_TEXT("Subject", "a tool"),
     // kinds of named things
+    BURIN_TEXT("Subject", "benchmark"),
     BURIN_TEXT("Subject", "body"),
     BURIN_TEXT("Subject", "command"),
     BURIN_TEXT("Subject", "dialect"),

@@ -64,8 +64,8 @@ void halveLine(const Level& fine, std::int32_t u, std::int32_t v, Level& coarse)
             to = std::min(to, stretch->end);
             equal = equal && stretch->value == at[0]->value;
         }
-        // Cubes that begin or end within the stretch are mixed, unless the next stretch goes on alike: then the four
-        // lines would not end here. A cube that this stretch only begins is settled by the rule below.
+        // The cube that a stretch begins in is mixed where it does not begin with it, and so is the one that it ends
+        // in: the next stretch, or the line's end, says so.
         const std::int32_t whole = to / 2;
         if (equal) {
             coarse.append((from + 1) / 2, mixed);

@@ -6,13 +6,13 @@
 
 namespace burin::benchmarks {
 
-/// A closed bumpy body in the middle of a scene of `side` voxels of 1 mm, no smaller radius of curvature than a
-/// fortieth of that or so. @param triangles about so many
+/// A closed bumpy body in the middle of a scene of `side` voxels of 1 mm, smooth at its poles too: no radius of
+/// curvature is below a twentieth of that. @param triangles about so many
 inline TriangleMesh bumpyPart(double side, double triangles) {
     const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(0.25 * triangles))) + 1;
     TriangleMesh mesh = shapes::starShaped(2 * rows, rows, [=](double longitude, double latitude) {
-        const double bumps = std::sin(9.0 * longitude) * std::sin(7.0 * latitude) * std::cos(latitude);
-        return 0.42 * side * (1.0 + 0.03 * bumps);
+        const double fade = std::cos(latitude) * std::cos(latitude) * std::cos(latitude); // bumps end at the poles
+        return 0.42 * side * (1.0 + 0.03 * std::sin(9.0 * longitude) * std::sin(7.0 * latitude) * fade);
     });
     for (glm::dvec3& vertex : mesh.vertices) vertex += glm::dvec3(0.5 * side);
     return mesh;

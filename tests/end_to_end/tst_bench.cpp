@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program_run.h"
+
+#include <QJsonArray>
+#include <QTest>
+
+#include <csignal>
+
+/// The shape of what `burin bench` prints; its numbers are no test's business.
+class BenchTest : public QObject {
+    Q_OBJECT
+private slots:
+    void listsWhatThereIs();
+    void printsFiguresWithTheirPeers();
+    void printsATableForPeople();
+    void refusesWhatItDoesNotKnow();
+    void stopsWhenAsked();
+
+private:
+    static QJsonArray listOf(const ProgramRun& run) { return QJsonDocument::fromJson(run.output).array(); }
+    static QJsonObject named(const QJsonArray& figures, const QString& name) {
+        for (const QJsonValue& figure : figures)
+            if (figure["name"].toString() == name) return figure.toObject();
+        return {};
+    }
+};
+
+void BenchTest::listsWhatThereIs() {
+    const ProgramRun run = runBurin({"bench", "--json"});
+    QCOMPARE(run.status, 0);
+    QVERIFY2(named(listOf(run), "volume")["built"].toBool(), run.output.constData());
+    const ProgramRun text = runBurin({"bench"});
+    QCOMPARE(text.status, 0);
+    QVERIFY(text.output.startsWith("volume  "));
+}
+
+void BenchTest::printsFiguresWithTheirPeers() {
+    const ProgramRun run = runBurin({"bench", "volume", "--json", "--only", "cut.paper_case"});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    const QJsonArray figures = listOf(run);
+    for (const char* radius : {"r0_5", "r5"}) {
+        const QString stem = QStringLiteral("cut.paper_case.%1.").arg(QLatin1String(radius));
+        const QJsonObject median = named(figures, stem + "p50");
+        QVERIFY(median["value"].toDouble() > 0.0);
+        QCOMPARE(median["unit"].toString(), QString("us"));
+        QCOMPARE(median["peer"].toString(), QString("paper's way"));
+        QVERIFY(median["peer_value"].toDouble() > 0.0);
+        QCOMPARE(median["ratio"].toDouble(), median["peer_value"].toDouble() / median["value"].toDouble());
+        QVERIFY(named(figures, stem + "p999")["value"].toDouble() >= median["value"].toDouble());
+    }
+    // What was cut was counted right, whatever was asked for.
+    for (const char* name : {"recount.mismatches", "tick.allocations", "tick.page_faults"}) {
+        const QJsonObject figure = named(figures, name);
+        QVERIFY2(figure["limit"].isDouble() && figure["value"].isDouble(), name);
+        QCOMPARE(figure["limit"].toDouble(), 0.0);
+    }
+    QCOMPARE(named(figures, "recount.mismatches")["value"].toDouble(), 0.0);
+    QSet<QString> names;
+    for (const QJsonValue& figure : figures) names.insert(figure["name"].toString());
+    QCOMPARE(names.size(), figures.size());
+}
+
+void BenchTest::printsATableForPeople() {
+    const ProgramRun run = runBurin({"bench", "volume", "--only", "cut.paper_case.r5"});
+    QCOMPARE(run.status, 0);
+    const QList<QByteArray> lines = run.output.trimmed().split('\n');
+    QVERIFY(lines.first().startsWith("figure "));
+    QVERIFY2(lines.last().contains(" figures, "), lines.last().constData());
+    for (const QByteArray& line : lines) QVERIFY(!line.contains("r0_5"));
+}
+
+void BenchTest::refusesWhatItDoesNotKnow() {
+    const ProgramRun run = runBurin({"bench", "lathe"});
+    QCOMPARE(run.status, 2);
+    QVERIFY2(run.messages.contains("lathe") && run.messages.contains("volume"), run.messages.constData());
+}
+
+void BenchTest::stopsWhenAsked() {
+    QProcess process;
+    process.start(burinProgram(), {"bench", "volume", "--only", "cut.raster"});
+    QVERIFY(process.waitForStarted());
+    QTest::qWait(1500);
+    QCOMPARE(process.state(), QProcess::Running);
+    ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+    QVERIFY(process.waitForFinished(60'000));
+    QCOMPARE(process.exitCode(), 5);
+}
+
+QTEST_GUILESS_MAIN(BenchTest)
+#include "tst_bench.moc"
