@@ -18,33 +18,74 @@ std::size_t cubeAt(const glm::ivec3& i, int along) noexcept {
 } // namespace
 
 ClearanceSample clearanceAt(const MeshDistance& part, const ToolFieldRequest& request, const glm::dvec3& tip,
-                            double within) {
-    const ToolClearance found = part.clearance(request.tool, {tip, {0.0, 0.0, 1.0}}, within);
+                            double within, double tolerance) {
+    const ToolClearance found = part.clearance(request.tool, {tip, {0.0, 0.0, 1.0}}, within, tolerance);
     if (found.clearance < within) return {std::min(found.clearance, farthestClearance), found.away};
     return {std::min(within, farthestClearance), glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
 }
 
 BrickSampler::BrickSampler(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
-                           BrickField& field, const std::vector<std::uint32_t>& fine)
+                           BrickField& field, const std::vector<std::uint32_t>& fine,
+                           const std::vector<PartSample>& corners)
     : part_(part)
     , request_(request)
     , resolution_(resolution)
     , field_(field)
     , fine_(fine)
+    , corners_(corners)
+    , smooth_(fine.size(), 0)
     , even_(fine.size() * evens * evens * evens) {}
 
 ClearanceSample BrickSampler::ask(const glm::dvec3& tip, double within) const {
     // Deep in the part, below what the band's cells look at, a bound will do.
     if (within < resolution_.low - 2.0 * field_.spacing)
         return {within, glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
-    return clearanceAt(part_, request_, tip, within);
+    return clearanceAt(part_, request_, tip, within, 0.2 * resolution_.interpolationBound);
 }
 
 glm::dvec3 BrickSampler::place(std::size_t order, const glm::ivec3& sample) const noexcept {
     return field_.brickLow(field_.brickOf(fine_[order])) + glm::dvec3(sample) * field_.spacing;
 }
 
+/// The samples between the corners, when lines between these are smooth all over the brick.
+bool BrickSampler::cornersAgree(std::size_t order, SampleGrid& nine) const {
+    const glm::ivec3 brick = field_.brickOf(fine_[order]);
+    SampleGrid two(2), three(3), five(5);
+    for (int i = 0; i < 8; ++i) {
+        const glm::ivec3 at{i & 1, (i >> 1) & 1, (i >> 2) & 1};
+        const PartSample& corner = corners_[field_.cornerAt(brick + at)];
+        if (!std::isfinite(corner.gradient.x)) return false;
+        two.set(static_cast<std::size_t>(i), corner);
+    }
+    const auto spacing = static_cast<float>(field_.spacing);
+    LineCheck check;
+    refine(two, three, 8.0F * spacing, check);
+    refine(three, five, 4.0F * spacing, check);
+    refine(five, nine, 2.0F * spacing, check);
+    const auto voxel = static_cast<float>(request_.voxel);
+    return check.bend <= 0.06F * voxel && check.residual <= 0.03F * voxel;
+}
+
+void BrickSampler::look(std::size_t order) {
+    // What a tool's clearance has of features is as wide as the tool: corners farther apart could miss one.
+    if (2.0 * request_.tool.front().bottomRadius < field_.brickEdge()) return;
+    SampleGrid nine(BrickField::samplesAlong);
+    if (!cornersAgree(order, nine)) return;
+    const auto middle = static_cast<double>(nine.values[0][BrickField::sampleAt(glm::ivec3(4))]);
+    const double asked = clearanceAt(part_, request_, place(order, glm::ivec3(4)), middle + request_.voxel).value;
+    if (std::abs(asked - middle) <= 0.01 * request_.voxel) smooth_[order] = 1;
+}
+
+void BrickSampler::fillSmooth(std::size_t order) {
+    SampleGrid nine(BrickField::samplesAlong);
+    cornersAgree(order, nine);
+    std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
+    for (std::size_t i = 0; i < BrickField::samplesPerBrick; ++i)
+        first[i] = packed(static_cast<double>(nine.values[0][i]));
+}
+
 void BrickSampler::sampleEven(std::size_t order) {
+    if (smooth_[order] != 0) return;
     Even* const first = even_.data() + order * evens * evens * evens;
     double bound = farthestClearance; // no tip has more than another one has, and the way between
     glm::ivec3 last{0};
@@ -76,7 +117,7 @@ BrickSampler::Evens BrickSampler::gather(std::size_t order) const {
                 const bool outside =
                     owner.x >= field_.bricks.x || owner.y >= field_.bricks.y || owner.z >= field_.bricks.z;
                 const std::int32_t number = outside ? BrickField::coarse : field_.place[field_.brickAt(owner)];
-                if (number != BrickField::coarse) {
+                if (number != BrickField::coarse && smooth_[static_cast<std::size_t>(number)] == 0) {
                     const Even& known = even_[static_cast<std::size_t>(number) * evens * evens * evens +
                                               cubeAt(at - step * evens, evens)];
                     sample = {static_cast<double>(known.value), glm::dvec3(known.gradient)};
@@ -97,8 +138,8 @@ std::optional<double> BrickSampler::between(const Evens& all, const glm::ivec3& 
     const double mostSpread = 0.03 * request_.voxel;
     const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
     // More than a voxel inside nothing but the way out is asked for: straight lines will do.
-    const bool deep =
-        all[cubeAt(low, evensAlong)].value < -request_.voxel - 2.0 * field_.spacing * glm::length(glm::dvec3(odd));
+    const double mean = 0.5 * (all[cubeAt(low, evensAlong)].value + all[cubeAt(low + odd, evensAlong)].value);
+    const bool deep = mean < -1.25 * request_.voxel - field_.spacing;
     double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0.0;
     int lines = 0;
     for (int signs = 0; signs < 8; ++signs) {
@@ -125,6 +166,7 @@ std::optional<double> BrickSampler::between(const Evens& all, const glm::ivec3& 
 }
 
 void BrickSampler::fill(std::size_t order) {
+    if (smooth_[order] != 0) return fillSmooth(order);
     const Evens all = gather(order);
     std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
     for (int k = 0; k <= BrickField::cells; ++k)

@@ -67,9 +67,27 @@ bool isSmooth(const LineCheck& check) noexcept {
     return check.bend <= mostBend && check.residual <= mostResidual;
 }
 
-void BrickMaker::make(const glm::ivec3& corner, const SampleGrid& third, bool everything, MadeBrick& made) {
+float interpolationError(const LineCheck& check) noexcept {
+    return std::max(0.5F * check.residual, 0.25F * check.bend);
+}
+
+void BrickMaker::make(const glm::ivec3& corner, const SampleGrid& third, float thirdError, MadeBrick& made) {
     corner_ = glm::dvec3(corner);
-    sampleAll(third, everything);
+    sample(third);
+    sampleError_ += thirdError;
+    finish(made);
+}
+
+void BrickMaker::make(const glm::ivec3& corner, MadeBrick& made) {
+    corner_ = glm::dvec3(corner);
+    sampleError_ = 0.0F;
+    for (int z = 0; z < 9; ++z)
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 9; ++x) nine_.set(nine_.at(x, y, z), asker_.ask(corner_ + glm::dvec3(x, y, z)));
+    finish(made);
+}
+
+void BrickMaker::finish(MadeBrick& made) {
     float cells = boundCells();
     pack(made);
     cells = std::max(cells, listTriangles(made));
@@ -77,19 +95,12 @@ void BrickMaker::make(const glm::ivec3& corner, const SampleGrid& third, bool ev
     made.bound = static_cast<float>(static_cast<double>(cells + sampleError_ + rounding) * voxel_) + quantisation;
 }
 
-void BrickMaker::sampleAll(const SampleGrid& third, bool everything) {
-    sampleError_ = 0.0F;
+void BrickMaker::sample(const SampleGrid& third) {
     LineCheck four, two;
     refine(third, five_, 4.0F, four);
     refine(five_, nine_, 2.0F, two);
-    if (everything) {
-        for (int z = 0; z < 9; ++z)
-            for (int y = 0; y < 9; ++y)
-                for (int x = 0; x < 9; ++x) nine_.set(nine_.at(x, y, z), asker_.ask(corner_ + glm::dvec3(x, y, z)));
-        return;
-    }
     if (isSmooth(four) && isSmooth(two)) {
-        sampleError_ = estimate + std::max(0.5F * std::max(four.residual, two.residual), 0.25F * four.bend);
+        sampleError_ = estimate + std::max(interpolationError(four), interpolationError(two));
         return;
     }
     for (int z = 0; z < 5; ++z)

@@ -29,6 +29,9 @@ bool isExactIn(const MadeBrick& made, const glm::vec3& place) noexcept;
 /// Whether lines are so smooth that cubics between their ends do.
 bool isSmooth(const LineCheck& check) noexcept;
 
+/// What samples between such lines are off by, voxels.
+float interpolationError(const LineCheck& check) noexcept;
+
 /// Makes fine bricks: samples, their packed form, the bound of their error and the cells that need more than samples.
 /// One thread each.
 class BrickMaker {
@@ -39,11 +42,14 @@ public:
         : part_(part), asker_(part, origin, voxel), origin_(origin), voxel_(voxel) {}
 
     /// @param corner  lowest, voxels from the origin  @param third  its samples 4 voxels apart
-    /// @param everything  ask the mesh for every sample
-    void make(const glm::ivec3& corner, const SampleGrid& third, bool everything, MadeBrick& made);
+    /// @param thirdError  of those, voxels
+    void make(const glm::ivec3& corner, const SampleGrid& third, float thirdError, MadeBrick& made);
+    /// Asks the mesh for every sample.
+    void make(const glm::ivec3& corner, MadeBrick& made);
 
 private:
-    void sampleAll(const SampleGrid& third, bool everything);
+    void sample(const SampleGrid& third);
+    void finish(MadeBrick& made);
     void sampleFailing();
     std::optional<PartSample> onLines(const glm::ivec3& sample) const noexcept;
     float boundCells();

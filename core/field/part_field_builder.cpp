@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/part_field_builder.h"
 
+#include "core/field/block_corners.h"
 #include "core/field/coarse_bound.h"
 #include "core/field/spread.h"
 #include "core/field/surface_points.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace burin {
@@ -15,13 +17,6 @@ namespace {
 
 constexpr int brickVoxels = PartFieldLayers::brickVoxels, blockVoxels = PartFieldLayers::blockVoxels;
 constexpr std::int32_t coarse = PartFieldLayers::coarse;
-constexpr std::size_t perBlock = CellGrid::cellCount; // bricks, and corners that a block owns
-constexpr std::size_t evensPerBlock = 125;
-constexpr int cubes = 64; // of 2 x 2 x 2 bricks, a block
-
-glm::ivec3 cornerOf(int i) noexcept {
-    return {i & 1, (i >> 1) & 1, (i >> 2) & 1};
-}
 
 class Builder {
 public:
@@ -36,7 +31,8 @@ public:
         if (!lay()) return Error{ErrorCode::outOfMemory, subject, "", "more blocks than a field can count"};
         sampleTop();
         divide();
-        sampleCorners();
+        corners_.emplace(part_, *layers_, places_);
+        corners_->sample(progress_, 0.02, 0.35);
         chooseCandidates();
         sampleCandidates();
         makeBricks();
@@ -113,139 +109,10 @@ private:
                     if (wanted) places_.push_back({x, y, z});
                 }
         l.divided.resize(places_.size());
-        owned_.resize(places_.size() * perBlock);
-        evens_.resize(places_.size() * evensPerBlock);
-        near_.resize(places_.size());
     }
 
     float inMillimetres(float voxels) const noexcept {
         return static_cast<float>(static_cast<double>(voxels) * voxel());
-    }
-
-    /// Every second corner is asked for; those between where the surface is within reach.
-    void sampleCorners() {
-        const auto reach = static_cast<float>(layers_->request.reach / voxel());
-        spread(places_.size(), 0.02, 0.06, progress_, [&](std::size_t block) { sampleEven(block); });
-        spread(places_.size(), 0.06, 0.1, progress_, [&](std::size_t block) {
-            PartAsker ask = asker();
-            gatherEven(block, ask);
-            near_[block] = 0;
-            for (int cube = 0; cube < cubes; ++cube)
-                if (mayBeWithin(cubeCorners(block, cubeAt(cube)), 2.0F * brickVoxels, reach))
-                    near_[block] |= std::uint64_t{1} << cube;
-        });
-        spread(places_.size(), 0.1, 0.3, progress_, [&](std::size_t block) { sampleOwned(block); });
-        corners_.resize(places_.size() * CellGrid::samples);
-        spread(places_.size(), 0.3, 0.35, progress_, [&](std::size_t block) { gatherCorners(block); });
-        owned_ = {};
-    }
-
-    /// Each block those that are not on its upper faces.
-    void sampleEven(std::size_t block) {
-        PartAsker ask = asker();
-        for (int z = 0; z < 8; z += 2)
-            for (int row = 0; row < 8; row += 2)
-                for (int column = 0; column < 8; column += 2) { // to and fro: each near the last one
-                    const int y = z % 4 == 0 ? row : 6 - row, x = row % 4 == 0 ? column : 6 - column;
-                    owned_[block * perBlock + CellGrid::cellAt(x, y, z)] =
-                        ask.ask(brickVoxels * (8 * places_[block] + glm::ivec3(x, y, z)));
-                }
-    }
-
-    void gatherEven(std::size_t block, PartAsker& ask) {
-        for (int z = 0; z < 5; ++z)
-            for (int y = 0; y < 5; ++y)
-                for (int x = 0; x < 5; ++x) {
-                    const glm::ivec3 local = 2 * glm::ivec3(x, y, z), step = local / 8, in = local - 8 * step;
-                    const std::int32_t number = blockNumberAt(places_[block] + step);
-                    evens_[block * evensPerBlock + evenAt({x, y, z})] =
-                        number == coarse
-                            ? ask.ask(brickVoxels * (8 * places_[block] + local))
-                            : owned_[static_cast<std::size_t>(number) * perBlock + CellGrid::cellAt(in.x, in.y, in.z)];
-                }
-    }
-
-    void sampleOwned(std::size_t block) {
-        PartAsker ask = asker();
-        for (int z = 0; z < 8; ++z)
-            for (int row = 0; row < 8; ++row)
-                for (int column = 0; column < 8; ++column) {
-                    const int y = z % 2 == 0 ? row : 7 - row, x = row % 2 == 0 ? column : 7 - column;
-                    if (x % 2 != 0 || y % 2 != 0 || z % 2 != 0)
-                        owned_[block * perBlock + CellGrid::cellAt(x, y, z)] = cornerOfBlock(block, {x, y, z}, ask);
-                }
-    }
-
-    void gatherCorners(std::size_t block) {
-        PartAsker ask = asker();
-        for (int z = 0; z < 9; ++z)
-            for (int y = 0; y < 9; ++y)
-                for (int x = 0; x < 9; ++x) {
-                    const glm::ivec3 local{x, y, z}, step = local / 8, in = local - 8 * step;
-                    const std::int32_t number = blockNumberAt(places_[block] + step);
-                    const std::size_t at = CellGrid::sampleAt(x, y, z);
-                    PartSample& sample = corners_[block * CellGrid::samples + at];
-                    sample =
-                        number == coarse
-                            ? cornerOfBlock(block, local, ask)
-                            : owned_[static_cast<std::size_t>(number) * perBlock + CellGrid::cellAt(in.x, in.y, in.z)];
-                    layers_->divided[block].corners[at] = inMillimetres(sample.distance);
-                }
-    }
-
-    /// Asked for where a cube that it belongs to is within reach, between the even ones otherwise.
-    PartSample cornerOfBlock(std::size_t block, const glm::ivec3& corner, PartAsker& ask) const {
-        for (int i = 0; i < 8; ++i) {
-            const glm::ivec3 cube = (8 * places_[block] + corner - cornerOf(i)) >> 1; // counted from the origin
-            const std::int32_t number = blockNumberAt(cube >> 2);
-            if (number == coarse) continue;
-            const glm::ivec3 in = cube & 3;
-            if (((near_[static_cast<std::size_t>(number)] >> (in.x + 4 * in.y + 16 * in.z)) & 1U) != 0)
-                return ask.ask(brickVoxels * (8 * places_[block] + corner));
-        }
-        const glm::ivec3 cube = glm::min(corner / 2, 3);
-        const glm::vec3 share = 0.5F * glm::vec3(corner - 2 * cube);
-        const std::array<PartSample, 8> corners = cubeCorners(block, cube);
-        PartSample sum;
-        for (int i = 0; i < 8; ++i) {
-            const glm::vec3 weight = glm::mix(1.0F - share, share, glm::vec3(cornerOf(i)));
-            const float part = weight.x * weight.y * weight.z;
-            sum.distance += part * corners[static_cast<std::size_t>(i)].distance;
-            sum.gradient += part * corners[static_cast<std::size_t>(i)].gradient;
-        }
-        return sum;
-    }
-
-    static glm::ivec3 cubeAt(int cube) noexcept { return {cube & 3, (cube >> 2) & 3, cube >> 4}; }
-    static std::size_t evenAt(const glm::ivec3& e) noexcept {
-        return static_cast<std::size_t>(e.x + 5 * (e.y + 5 * e.z));
-    }
-    std::array<PartSample, 8> cubeCorners(std::size_t block, const glm::ivec3& cube) const noexcept {
-        std::array<PartSample, 8> corners;
-        for (int i = 0; i < 8; ++i)
-            corners[static_cast<std::size_t>(i)] = evens_[block * evensPerBlock + evenAt(cube + cornerOf(i))];
-        return corners;
-    }
-
-    std::int32_t blockNumberAt(const glm::ivec3& block) const noexcept {
-        const glm::ivec3& n = layers_->blocks;
-        if (glm::any(glm::lessThan(block, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(block, n))) return coarse;
-        return layers_->blockNumber[layers_->blockAt(block)];
-    }
-
-    bool isNear(std::size_t block, const glm::ivec3& brick) const noexcept {
-        const glm::ivec3 cube = brick / 2;
-        return ((near_[block] >> (cube.x + 4 * cube.y + 16 * cube.z)) & 1U) != 0;
-    }
-
-    std::array<PartSample, 8> brickCorners(std::size_t block, const glm::ivec3& brick) const noexcept {
-        std::array<PartSample, 8> corners;
-        for (int i = 0; i < 8; ++i) {
-            const glm::ivec3 at = brick + cornerOf(i);
-            corners[static_cast<std::size_t>(i)] =
-                corners_[block * CellGrid::samples + CellGrid::sampleAt(at.x, at.y, at.z)];
-        }
-        return corners;
     }
 
     /// Those near the surface.
@@ -256,8 +123,8 @@ private:
             for (int z = 0; z < 8; ++z)
                 for (int y = 0; y < 8; ++y)
                     for (int x = 0; x < 8; ++x)
-                        if (isNear(block, {x, y, z}) &&
-                            mayBeWithin(brickCorners(block, {x, y, z}), brickVoxels, BrickMaker::bandVoxels))
+                        if (corners_->isNear(block, {x, y, z}) &&
+                            mayBeWithin(corners_->brickCorners(block, {x, y, z}), brickVoxels, BrickMaker::bandVoxels))
                             in.fine[CellGrid::cellAt(x, y, z)] = 0;
         });
         for (std::size_t block = 0; block < places_.size(); ++block)
@@ -280,7 +147,7 @@ private:
             SampleGrid corners(2), third(3);
             for (std::size_t i = first; i < end; ++i) {
                 Candidate& candidate = candidates_[i];
-                candidate.smooth = refineCorners(candidate, corners, third);
+                candidate.smooth = isSmooth(refineCorners(candidate, corners, third));
                 if (candidate.smooth) continue;
                 fours_[i * 8] = corners.get(0);
                 for (const int corner : {1, 3, 2, 6, 7, 5, 4}) // a step each
@@ -290,29 +157,29 @@ private:
         });
     }
 
-    bool refineCorners(const Candidate& candidate, SampleGrid& corners, SampleGrid& third) const {
-        const std::array<PartSample, 8> samples = brickCorners(candidate.block, candidate.brick & 7);
+    LineCheck refineCorners(const Candidate& candidate, SampleGrid& corners, SampleGrid& third) const {
+        const std::array<PartSample, 8> samples = corners_->brickCorners(candidate.block, candidate.brick & 7);
         for (std::size_t corner = 0; corner < 8; ++corner) corners.set(corner, samples[corner]);
         LineCheck eight;
         refine(corners, third, static_cast<float>(brickVoxels), eight);
-        return isSmooth(eight);
+        return eight;
     }
 
     std::int32_t candidateAt(const glm::ivec3& brick) const noexcept {
-        const std::int32_t block = blockNumberAt(brick >> 3);
+        const std::int32_t block = layers_->blockNumberAt(brick >> 3);
         if (block == coarse) return coarse;
         const glm::ivec3 in = brick & 7;
         return layers_->divided[static_cast<std::size_t>(block)].fine[CellGrid::cellAt(in.x, in.y, in.z)];
     }
 
     /// The 27 samples of a candidate: its own, the next ones', and where these are none, asked for.
-    void gather(std::size_t number, SampleGrid& third) const {
+    /// @return their largest error, voxels
+    float gather(std::size_t number, SampleGrid& third) const {
         PartAsker ask = asker();
         const Candidate& candidate = candidates_[number];
         SampleGrid corners(2);
         if (candidate.smooth) {
-            refineCorners(candidate, corners, third);
-            return;
+            return interpolationError(refineCorners(candidate, corners, third));
         }
         for (int z = 0; z < 3; ++z)
             for (int y = 0; y < 3; ++y)
@@ -324,12 +191,13 @@ private:
                                                             static_cast<std::size_t>(in.x + 2 * in.y + 4 * in.z)]);
                     else if (in == glm::ivec3(0))
                         third.set(third.at(x, y, z),
-                                  brickCorners(candidate.block,
-                                               candidate.brick &
-                                                   7)[static_cast<std::size_t>(step.x + 2 * step.y + 4 * step.z)]);
+                                  corners_->brickCorners(
+                                      candidate.block,
+                                      candidate.brick & 7)[static_cast<std::size_t>(step.x + 2 * step.y + 4 * step.z)]);
                     else
                         third.set(third.at(x, y, z), ask.ask(brickVoxels * candidate.brick + 4 * (local)));
                 }
+        return 0.0F;
     }
 
     static bool inBand(const SampleGrid& third) noexcept {
@@ -350,9 +218,9 @@ private:
             BrickMaker maker(part_, layers_->origin, voxel());
             SampleGrid third(3);
             for (std::size_t i = first; i < end && !progress_.cancelled(); ++i) {
-                gather(i, third);
+                const float error = gather(i, third);
                 candidates_[i].fine = inBand(third);
-                if (candidates_[i].fine) maker.make(brickVoxels * candidates_[i].brick, third, false, made_[i]);
+                if (candidates_[i].fine) maker.make(brickVoxels * candidates_[i].brick, third, error, made_[i]);
             }
         });
     }
@@ -374,7 +242,7 @@ private:
             BrickMaker maker(part_, layers_->origin, voxel());
             const std::size_t number = again[i];
             candidates_[number].fine = true;
-            maker.make(brickVoxels * candidates_[number].brick, SampleGrid(3), true, made_[number]);
+            maker.make(brickVoxels * candidates_[number].brick, made_[number]);
         });
     }
 
@@ -405,17 +273,18 @@ private:
     void boundCoarseBricks() {
         spread(places_.size(), 0.95, 0.98, progress_, [&](std::size_t block) {
             FieldBlock& in = layers_->divided[block];
-            for (int cube = 0; cube < cubes; ++cube) {
-                const glm::ivec3 low = 2 * cubeAt(cube);
-                const bool near = isNear(block, low);
+            for (int cube = 0; cube < BlockCorners::cubes; ++cube) {
+                const glm::ivec3 low = 2 * BlockCorners::cubeAt(cube);
+                const bool near = corners_->isNear(block, low);
                 const CoarseBound whole =
-                    near ? CoarseBound{} : coarseBound(cubeCorners(block, cubeAt(cube)), 2.0F * brickVoxels);
+                    near ? CoarseBound{}
+                         : coarseBound(corners_->cubeCorners(block, BlockCorners::cubeAt(cube)), 2.0F * brickVoxels);
                 for (int i = 0; i < 8; ++i) {
                     const glm::ivec3 brick = low + cornerOf(i);
                     const std::size_t at = CellGrid::cellAt(brick.x, brick.y, brick.z);
                     const std::int32_t candidate = in.fine[at];
                     if (candidate != coarse && candidates_[static_cast<std::size_t>(candidate)].fine) continue;
-                    const CoarseBound bound = near ? coarseBound(brickCorners(block, brick), brickVoxels)
+                    const CoarseBound bound = near ? coarseBound(corners_->brickCorners(block, brick), brickVoxels)
                                                    : CoarseBound{2.0F * whole.error, whole.least};
                     in.bound[at] = inMillimetres(bound.error);
                     in.least[at] = inMillimetres(bound.least);
@@ -489,11 +358,8 @@ private:
     Progress& progress_;
     std::unique_ptr<PartFieldLayers> layers_;
     std::vector<PartSample> top_;
-    std::vector<glm::ivec3> places_;  ///< of the divided blocks
-    std::vector<PartSample> owned_;   ///< per divided block
-    std::vector<PartSample> evens_;   ///< per divided block, every second of its corners
-    std::vector<std::uint64_t> near_; ///< per divided block, a bit a cube of 2 x 2 x 2 bricks: within reach
-    std::vector<PartSample> corners_; ///< per divided block, those on its upper faces too
+    std::vector<glm::ivec3> places_; ///< of the divided blocks
+    std::optional<BlockCorners> corners_;
     std::vector<Candidate> candidates_;
     std::vector<PartSample> fours_;
     std::vector<MadeBrick> made_;

@@ -103,6 +103,11 @@ public:
     /// What the blocks cover.
     Box box() const noexcept { return {origin, origin + glm::dvec3(blocks) * (blockVoxels * request.voxel)}; }
     std::size_t blockAt(const glm::ivec3& b) const noexcept { return at(b, blocks); }
+    /// Place of a block in `divided`; `coarse` where it is not divided or there is none.
+    std::int32_t blockNumberAt(const glm::ivec3& b) const noexcept {
+        if (glm::any(glm::lessThan(b, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(b, blocks))) return coarse;
+        return blockNumber[blockAt(b)];
+    }
     std::size_t topAt(const glm::ivec3& c) const noexcept { return at(c, blocks + 1); }
 
     std::shared_ptr<const MeshDistance> part;

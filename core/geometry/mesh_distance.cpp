@@ -119,12 +119,14 @@ public:
         return signedAnswer(found, point);
     }
 
-    ToolClearance clearance(std::span<const RevolvedPiece> tool, ToolPose pose, double within) const noexcept {
+    /// @param tie  a mesh has many points that are equally near to a flat: one of them will do, mm
+    ToolClearance clearance(std::span<const RevolvedPiece> tool, ToolPose pose, double within,
+                            double tie) const noexcept {
         const ToolClearance free{within, pose.tip, pose.axis, 0};
         if (empty() || tool.empty()) return free;
         pose.axis = unitOr(pose.axis, {0.0, 0.0, 1.0});
 
-        const Found found = deepest(tool, pose, std::max(within, 0.0));
+        const Found found = deepest(tool, pose, std::max(within, 0.0), tie);
         ToolClearance answer = free;
         if (!found.any) {
             if (!reachesOutside(tool, pose)) answer = whollyInside(tool, pose, free);
@@ -176,8 +178,7 @@ private:
     }
 
     /// The point of the mesh where the signed distance to a piece is least, below `within`.
-    Found deepest(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within) const noexcept {
-        constexpr double tie = 1e-8; // a mesh has many points that are equally near to a flat: one of them will do
+    Found deepest(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within, double tie) const noexcept {
         Found found;
         found.distance = within;
         for (std::size_t i = 0; i < tool.size(); ++i) {
@@ -285,8 +286,9 @@ ClosestPoint MeshDistance::closest(const glm::dvec3& point, double within) const
     return tree_->closest(point, within);
 }
 
-ToolClearance MeshDistance::clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within) const {
-    return tree_->clearance(tool, pose, within);
+ToolClearance MeshDistance::clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within,
+                                      double tolerance) const {
+    return tree_->clearance(tool, pose, within, tolerance);
 }
 
 void MeshDistance::trianglesNear(const glm::dvec3& point, double within, std::vector<std::uint32_t>& numbers) const {

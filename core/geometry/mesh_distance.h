@@ -59,7 +59,10 @@ public:
     /// deepest point in a piece, and of the tip in the solid. Wholly inside: minus the depth of the deepest of its
     /// axis' points (tip, ends of the pieces, centre of the rounding). Exact to 1e-6 mm for every piece.
     /// Clearances above `within` are answered as `within`; meshPoint is the tip and away the axis then.
-    ToolClearance clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within = 1e300) const;
+    /// @param tolerance  mm: by so much the answer may be too great, which is quicker where much of the mesh is equally
+    /// near or deep
+    ToolClearance clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within = 1e300,
+                            double tolerance = 1e-8) const;
 
     Box bounds() const noexcept;
     /// What is measured to, in an order in which neighbours are near each other.

@@ -23,9 +23,9 @@ struct PackedTileFrame {
     friend bool operator==(const PackedTileFrame&, const PackedTileFrame&) = default;
 };
 
-/// Packs tiles without loss; README.md gives the form. Scanlines with one sequence of properties form a group; each
-/// column of a group (the same run end on all its scanlines) is predicted by a constant, a plane or a quadratic over
-/// the tile, and what is left is stored at its exact width. One object a thread: it keeps its working memory.
+/// Packs tiles without loss; volume_file.md gives the form. Scanlines with one sequence of properties form a group;
+/// each column of a group (the same run end on all its scanlines) is predicted by a constant, a plane or a quadratic
+/// over the tile, and what is left is stored at its exact width. One object a thread: it keeps its working memory.
 /// @throws std::bad_alloc
 class TilePacker {
 public:

@@ -118,6 +118,12 @@ private slots:
                         const glm::dvec2 centre = along.lineCentre(line); // y, z
                         const double height = offset + slope.x * x + slope.y * centre.x;
                         if (height < 0.6 * steep || height > 60.0 - 0.6 * steep) continue; // the grid cuts the old ends
+                        const auto oldEnd = [&](double at) {
+                            return grid.toRunPosition(offset + slope.x * at + slope.y * centre.x);
+                        };
+                        const double face = std::round(x);
+                        if (oldEnd(face - 0.5) % unitsPerVoxel == 0 && oldEnd(face + 0.5) % unitsPerVoxel == 0)
+                            continue; // whole voxels stay whole
                         RC_ASSERT(std::abs(height - centre.y) / norm < 1.0 / 128.0);
                     }
                 }
