@@ -91,7 +91,6 @@ private slots:
     void enclosesWhatTheRunsHold_data();
     void enclosesWhatTheRunsHold();
     void hasNoGaps();
-    void bricksAreTheTile();
     void solidInsideCostsNothing();
     void changedTilesAreAllThatChanged();
     void everythingChangesWithAnotherVolume();
@@ -239,50 +238,6 @@ void SurfaceTest::hasNoGaps() {
         const TriangleMesh mesh = triangleMesh(wholeSurface(volume.snapshot(), detail));
         RC_ASSERT(countGaps(mesh) == std::size_t{0});
     });
-}
-
-void SurfaceTest::bricksAreTheTile() {
-    const bool held = rc::check("bricks together: the points, normals, materials and triangles of their tile, bit for bit", [] {
-        const auto axis = static_cast<RunAxis>(*rc::gen::inRange(0, 3));
-        const Grid grid = gridOf({70, 66, 97}, axis);
-        RunVolume volume = filled(grid, wax);
-        for (int i = *rc::gen::inRange(1, 6); i > 0; --i) {
-            const glm::dvec3 share(*rc::gen::inRange(0, 100), *rc::gen::inRange(0, 100), *rc::gen::inRange(0, 100));
-            fillSphere(volume, *rc::gen::inRange<PropertyIndex>(0, 4),
-                       grid.box().low + share / 100.0 * grid.box().size(), voxel * *rc::gen::inRange(1, 30));
-        }
-        const VolumeSnapshot workpiece = volume.snapshot();
-        using Corner = std::array<float, 6>;
-        using Face = std::array<std::pair<Corner, PropertyIndex>, 3>;
-        const auto faces = [](const SurfaceMesh& mesh, std::vector<Face>& all) {
-            for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-                Face face;
-                for (std::size_t corner = 0; corner < 3; ++corner) {
-                    const std::uint32_t at = mesh.triangles[i + corner];
-                    const glm::vec3 &p = mesh.points[at], &n = mesh.normals[at];
-                    face[corner] = {Corner{p.x, p.y, p.z, n.x, n.y, n.z}, mesh.properties[at]};
-                }
-                all.push_back(face);
-            }
-        };
-        SurfaceExtractor extractor;
-        SurfaceMesh piece;
-        const glm::ivec2 tiles = surfaceTiles(grid);
-        for (int v = 0; v < tiles.y; ++v)
-            for (int u = 0; u < tiles.x; ++u) {
-                std::vector<Face> whole, together;
-                extractor.extract(workpiece, {u, v}, {}, piece);
-                faces(piece, whole);
-                for (int n = 0; n * linesPerSurfaceTile < grid.voxelsPerLine(); ++n) {
-                    extractor.extractBrick(workpiece, {u, v, n}, piece);
-                    faces(piece, together);
-                }
-                std::ranges::sort(whole);
-                std::ranges::sort(together);
-                RC_ASSERT(whole == together);
-            }
-    });
-    QVERIFY(held);
 }
 
 void SurfaceTest::solidInsideCostsNothing() {
