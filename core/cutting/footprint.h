@@ -3,11 +3,11 @@
 #pragma once
 
 #include "core/cutting/gap_window.h"
+#include "core/cutting/line_frame.h"
 #include "core/tool/swept_span.h"
 #include "core/volume/run_volume.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -31,20 +31,20 @@ inline LineRange linesWithin(const Span& stretch, double low, double edge, std::
 }
 
 /// Calls `visit(line, from, to)` for every scanline whose centre line meets the swept piece in the grid, run positions
-/// from < to rounded by Grid's one rule; stops when it returns false. Runs must lie along z, as the tool's axis does.
+/// from < to rounded by Grid's one rule; stops when it returns false.
+/// @param swept in the frame of the grid's lines (inLineFrame)
 template <class Visit>
 void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexcept {
-    assert(grid.axis() == RunAxis::z);
-    const Box reach = swept.bounds(), box = grid.box();
+    const Box reach = swept.bounds(), box = inLineFrame(grid, grid.box());
     if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
     double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at one height
     RunPosition to = 0;
-    const LineRange rows = linesWithin({reach.low.y, reach.high.y}, grid.low().y, grid.edge(), grid.lineCountV());
+    const LineRange rows = linesWithin({reach.low.y, reach.high.y}, box.low.y, grid.edge(), grid.lineCountV());
     for (std::int32_t v = rows.first; v <= rows.last; ++v) {
         const double y = grid.lineCentre({0, v}).y;
         const std::optional<Span> shadow = swept.shadow(y);
         if (!shadow) continue;
-        const LineRange row = linesWithin(*shadow, grid.low().x, grid.edge(), grid.lineCountU());
+        const LineRange row = linesWithin(*shadow, box.low.x, grid.edge(), grid.lineCountU());
         for (std::int32_t u = row.first; u <= row.last; ++u) {
             const LineIndex line{u, v};
             const std::optional<Span> span = swept.along(grid.lineCentre(line).x, y);

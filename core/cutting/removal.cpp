@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/removal.h"
 
-#include "core/cutting/footprint.h"
 #include "core/geometry/pose.h"
 
 #include <algorithm>
@@ -20,34 +19,14 @@ constexpr double pendingShare = 1.0 / 64.0;
 } // namespace
 
 MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing)
-    : flutes_(burin::flutes(cutter)), writing_(writing), surface_(flutes_, grid.edge()) {
-    if (WindowCutter::serves(flutes_)) cutter_ = std::make_unique<WindowCutter>(flutes_, grid);
-}
-
-/// Line by line, written at once: the axis lies along the runs.
-void MaterialRemoval::takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
-                               RemovedUnits& removed) noexcept {
-    const PropertyList& properties = workpiece.properties();
-    RunAmounts taken;
-    const auto take = [&](LineIndex line, RunPosition from, RunPosition to) {
-        std::uint64_t units = 0;
-        double along = 0.0;
-        forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
-            if (properties.isProtected(property)) return;
-            units += end - start;
-            along += 0.5 * (static_cast<double>(start) + static_cast<double>(end)) * (end - start);
-        });
-        if (units == 0) return true;
-        removed.outOfMemory = workpiece.removeSpan(line, from, to, taken) == Removal::outOfMemory;
-        if (removed.outOfMemory) return false;
-        removed.total += units;
-        removed.momentU += static_cast<double>(units) * line.u;
-        removed.momentV += static_cast<double>(units) * line.v;
-        removed.momentAlong += along;
-        return true;
-    };
-    forEachSpan(SweptPiece(flutes_, fromTip, toTip), workpiece.grid(), take);
-    removed.byProperty = taken.units;
+    : flutes_(flutePieces(cutter).front())
+    , sweep_(flutePieces(cutter), grid.edge())
+    , writing_(writing)
+    , surface_(flutes_, grid.edge()) {
+    // The window and the flux know one piece of flutes, with a straight side.
+    const bool simple = flutePieces(cutter).size() == 1 && !flutes_.bulges();
+    reportsFlux_ = simple;
+    if (simple && WindowCutter::serves(flutes_)) cutter_ = std::make_unique<WindowCutter>(flutes_, grid);
 }
 
 CutResult MaterialRemoval::account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept {
@@ -88,12 +67,13 @@ CutResult MaterialRemoval::cut(RunVolume& workpiece, const ToolPose& from, const
     if (cutter_ && writing_ == Writing::deferred) {
         putOff = cutter_->cut(workpiece, from, to, removed);
     } else {
-        assert(workpiece.grid().axis() == RunAxis::z);
-        takeAway(workpiece, from.tip, to.tip, removed);
+        sweep_.cut(workpiece, from, to, removed);
     }
     CutResult result = account(workpiece, removed);
     result.putOff = putOff;
-    report(workpiece, to.tip, to.tip - from.tip, result);
+    const glm::dvec3 upright(0.0, 0.0, 1.0); // all that the flux knows, as do runs along z
+    const bool flux = workpiece.grid().axis() == RunAxis::z && from.axis == upright && to.axis == upright;
+    report(workpiece, flux, to.tip, to.tip - from.tip, result);
     return result;
 }
 
@@ -120,10 +100,11 @@ void MaterialRemoval::reset() noexcept {
     lastPlace_ = glm::dvec3(0.0);
 }
 
-void MaterialRemoval::report(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
-                             CutResult& result) noexcept {
+void MaterialRemoval::report(const RunVolume& workpiece, bool fluxApplies, const glm::dvec3& tip,
+                             const glm::dvec3& motion, CutResult& result) noexcept {
     const double step = glm::length(motion);
-    const bool moves = step > 0.0, small = step < longestFluxStep * workpiece.grid().edge();
+    const bool moves = step > 0.0,
+               small = reportsFlux_ && fluxApplies && step < longestFluxStep * workpiece.grid().edge();
     SurfaceFlux::Flux flux;
     if (moves && small) surface_.measure(workpiece, window(), tip, motion, flux);
     for (MaterialVolume& material : result.removed) {

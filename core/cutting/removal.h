@@ -4,6 +4,7 @@
 
 #include "core/cutting/contact.h"
 #include "core/cutting/surface_flux.h"
+#include "core/cutting/sweep_cutter.h"
 #include "core/cutting/window_cutter.h"
 #include "core/geometry/pose.h"
 #include "core/tool/swept_span.h"
@@ -80,15 +81,15 @@ public:
 
 private:
     CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;
-    void takeAway(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
-                  RemovedUnits& removed) noexcept;
-    void report(const RunVolume& workpiece, const glm::dvec3& tip, const glm::dvec3& motion,
+    void report(const RunVolume& workpiece, bool fluxApplies, const glm::dvec3& tip, const glm::dvec3& motion,
                 CutResult& result) noexcept;
 
-    RevolvedPiece flutes_;
+    RevolvedPiece flutes_; ///< the lowest of them
+    SweepCutter sweep_;
     Writing writing_;
     std::unique_ptr<WindowCutter> cutter_; ///< none: the piece is not one that it serves
     SurfaceFlux surface_;
+    bool reportsFlux_ = true;
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
     glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last
 };

@@ -82,44 +82,43 @@ Result<void> requireInside(const Model& model, const Box& stock) {
 bool fillStock(RunVolume& volume, const Box& stock, PropertyIndex property) {
     const Grid& grid = volume.grid();
     const auto lines = [&](int axis) {
-        return static_cast<std::int32_t>(std::ceil(stock.size()[axis] / grid.edge() - 0.5 - 1e-6));
+        return std::max(1, static_cast<std::int32_t>(std::ceil(stock.size()[axis] / grid.edge() - 0.5 - 1e-6)));
     };
-    return volume.fillBlock({0, 0}, {std::max(1, lines(0)), std::max(1, lines(1))}, grid.toRunPosition(stock.low.z),
-                            grid.toRunPosition(stock.high.z), property);
+    const int runs = grid.axisOfRuns();
+    return volume.fillBlock({0, 0}, {lines(grid.axisOfU()), lines(grid.axisOfV())}, grid.toRunPosition(stock.low[runs]),
+                            grid.toRunPosition(stock.high[runs]), property);
 }
 
-Error notWatertight(const Model& model, std::size_t body, std::size_t lines) {
-    const std::size_t open = model.bodies[body].openEdges;
-    const std::string count =
-        open > 0 ? std::to_string(open) + " open edges" : std::to_string(lines) + " scanlines with an odd crossing";
-    return {ErrorCode::modelNotWatertight, model.sourceFile, count + " in " + nameOf(model, body), {}};
-}
-
-/// Fills one body and says what was odd about it.
-Result<void> fillBody(const Model& model, std::size_t body, EmbeddedSetup& embedded, Progress& progress) {
-    RunVolume& volume = embedded.workpiece;
-    const RunAmounts before = volume.amounts();
-    const Result<VoxelisationReport> report =
-        voxelise(model.bodies[body].mesh, embedded.bodyProperties[body], volume, progress);
-    if (!report) return report.error();
-    if (report->linesWithOddCrossings > 0) return notWatertight(model, body, report->linesWithOddCrossings);
-    const auto warn = [&](std::string text) { embedded.warnings.push_back(std::move(text)); };
-    if (model.bodies[body].openEdges > 0)
-        warn(nameOf(model, body) + " has " + std::to_string(model.bodies[body].openEdges) +
-             " open edges, too small for the voxels to see");
-    if (report->linesWithTurnedFaces > 0)
-        warn(nameOf(model, body) + " has faces that are turned inside out on " +
-             std::to_string(report->linesWithTurnedFaces) + " scanlines");
-    if (report->filledUnits == 0)
-        warn(nameOf(model, body) + " is too small for the voxels: nothing of it is protected");
+/// What was odd about a body.
+void warn(const Model& model, std::size_t body, const VoxelisationReport& report, EmbeddedSetup& embedded) {
+    const std::string name = nameOf(model, body);
+    const std::size_t openEdges = model.bodies[body].openEdges;
+    const std::string odd = report.warning();
+    if (!odd.empty())
+        embedded.warnings.push_back(name + ": " + odd);
+    else if (openEdges > 0)
+        embedded.warnings.push_back(name + " has " + std::to_string(openEdges) +
+                                    " open edges, too small for the voxels to see");
+    if (report.filledUnits == 0)
+        embedded.warnings.push_back(name + " is too small for the voxels: nothing of it is protected");
     for (std::size_t earlier = 0; earlier < body; ++earlier) {
-        const PropertyIndex property = embedded.bodyProperties[earlier];
-        const std::uint64_t lost = before.units[property] - volume.amounts().units[property];
+        const std::uint64_t lost = report.replaced.units[embedded.bodyProperties[earlier]];
         if (lost > 0)
-            warn(nameOf(model, body) + " overlaps " + nameOf(model, earlier) + " in " +
-                 formatFixed(static_cast<double>(lost) * volume.grid().unitVolume(), 3) +
-                 " mm³; the later body has its place");
+            embedded.warnings.push_back(
+                name + " overlaps " + nameOf(model, earlier) + " in " +
+                formatFixed(static_cast<double>(lost) * embedded.workpiece.grid().unitVolume(), 3) +
+                " mm³; the later body has its place");
     }
+}
+
+/// Where bodies overlap the later one has the place.
+Result<void> fillBodies(const Model& model, EmbeddedSetup& embedded, Progress& progress) {
+    std::vector<BodyMesh> bodies;
+    for (std::size_t i = 0; i < model.bodies.size(); ++i)
+        bodies.push_back({&model.bodies[i].mesh, embedded.bodyProperties[i]});
+    const Result<std::vector<VoxelisationReport>> reports = voxelise(bodies, embedded.workpiece, progress);
+    if (!reports) return reports.error();
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) warn(model, i, (*reports)[i], embedded);
     return {};
 }
 
@@ -136,7 +135,7 @@ Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::v
     if (Result<void> inside = requireInside(model, setup.stock); !inside) return inside.error();
     Result<Materials> materials = gatherMaterials(model, setup, known);
     if (!materials) return materials.error();
-    const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size->voxels, RunAxis::z);
+    const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size->voxels, setup.runs);
     if (!grid) return grid.error();
     Result<RunVolume> volume = RunVolume::make(*grid, std::move(materials->list));
     if (!volume) return volume.error();
@@ -144,11 +143,7 @@ Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::v
     EmbeddedSetup embedded{*std::move(volume), std::move(materials->bodies), materials->stock, 0.0, 0.0, {}};
     if (!fillStock(embedded.workpiece, setup.stock, embedded.stockProperty))
         return Error{ErrorCode::volumeOutOfMemory, std::to_string(embedded.workpiece.reservedBytes()), {}, {}};
-    const auto count = static_cast<double>(model.bodies.size());
-    for (std::size_t body = 0; body < model.bodies.size(); ++body) {
-        progress.stage(static_cast<double>(body) / count, static_cast<double>(body + 1) / count);
-        if (Result<void> filled = fillBody(model, body, embedded, progress); !filled) return filled.error();
-    }
+    if (Result<void> filled = fillBodies(model, embedded, progress); !filled) return filled.error();
     const RunAmounts& amounts = embedded.workpiece.amounts();
     for (const PropertyIndex property : embedded.bodyProperties)
         embedded.partVolume += static_cast<double>(amounts.units[property]) * grid->unitVolume();

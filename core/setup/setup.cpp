@@ -56,7 +56,7 @@ Result<EmbeddingSize> embeddingSize(const Setup& setup) {
                          {}};
         size.voxels[axis] = static_cast<int>(voxels);
     }
-    const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size.voxels, RunAxis::z);
+    const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size.voxels, setup.runs);
     if (!grid) return grid.error();
     size.megabytes = static_cast<double>(RunVolume::defaultReserve(*grid)) / bytesPerMegabyte;
     // The other half is for meshes, fields, pictures and the rest of the machine.

@@ -21,6 +21,7 @@ struct Setup {
     std::vector<std::string> bodyMaterials; ///< per body; empty: the stock's
     Box stock;                              ///< mm; filled by `placeStock`
     glm::dvec3 workOffset{0.0};             ///< program zero in the setup frame, mm; filled by `placeStock`
+    RunAxis runs = RunAxis::z;              ///< of the volume: along the spindle, or what comes next to it
 };
 
 /// Box stock around a model: its box grown by the margins. Program zero: centre of the stock's top face.
@@ -44,9 +45,11 @@ struct EmbeddedSetup {
     std::vector<std::string> warnings;         ///< English: open meshes, overlapping bodies
 };
 
-/// Fills a grid with the stock (machinable) and the bodies (protected). Stock faces lie on run ends along z exactly and
-/// on voxel faces across (the grid is the stock box, rounded up to whole voxels; the overhang is air).
-/// Errors: volumeTooLarge, outOfMemory, nameUnknown (a material), modelNotWatertight, partOutsideStock, cancelled.
+/// Fills a grid with the stock (machinable) and the bodies (protected). Where bodies overlap the later one has the
+/// place. A body whose surface is open, folded or turned is filled by the rules of voxelise(), with a warning that says
+/// where. Stock faces lie on run ends along the run axis exactly and on voxel faces across (the grid is the stock box,
+/// rounded up to whole voxels; the overhang is air). Errors: volumeTooLarge, outOfMemory, volumeOutOfMemory,
+/// nameUnknown (a material), partOutsideStock, cancelled.
 Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, Progress& progress);
 /// @param materials looked through by id before the library: those that a project keeps
 Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::vector<Property>& materials,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/block_arena.h"
 
+#include "core/base/parallel.h"
 #include "core/volume/available_memory.h"
 
 #include <algorithm>
@@ -47,7 +48,12 @@ std::unique_ptr<BlockArena> BlockArena::make(std::size_t bytes) {
     arena->unitCount_ = static_cast<std::uint32_t>(std::max(bytes, unitBytes * 2) / unitBytes);
     // A page that is touched for the first time costs a fault; the haptic loop must not pay for it.
     (void)::madvise(memory, mapped, MADV_HUGEPAGE);
-    for (std::size_t offset = 0; offset < arena->reservedBytes(); offset += 4096) arena->memory_[offset] = std::byte{0};
+    std::byte* const first = arena->memory_;
+    parallelStretches(std::size_t{0}, (arena->reservedBytes() + page - 1) / page, 1,
+                      [first, mapped](std::size_t from, std::size_t to) {
+                          for (std::size_t offset = from * page; offset < std::min(to * page, mapped); offset += 4096)
+                              first[offset] = std::byte{0};
+                      });
     return arena;
 }
 

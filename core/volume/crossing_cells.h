@@ -42,12 +42,13 @@ public:
         : cells_(static_cast<std::size_t>((lineCountU + brickSide - 1) / brickSide) * linesPerBrick)
         , touched_(cells_.size() / linesPerBrick) {}
 
-    /// @param v within the row of bricks, 0 … 7
-    void add(std::int32_t u, std::int32_t v, LineCrossing crossing) {
-        const std::uint32_t column = static_cast<std::uint32_t>(u) / brickSide;
-        const std::uint32_t index = column * linesPerBrick + static_cast<std::uint32_t>(v) * brickSide +
-                                    static_cast<std::uint32_t>(u) % brickSide;
-        touched_[column] = 1;
+    /// The cell of a line. @param v within the row of bricks, 0 … 7
+    static std::uint32_t cellOf(std::int32_t u, std::int32_t v) noexcept {
+        const auto column = static_cast<std::uint32_t>(u), row = static_cast<std::uint32_t>(v);
+        return column / brickSide * linesPerBrick + row * brickSide + column % brickSide;
+    }
+    void add(std::uint32_t index, LineCrossing crossing) {
+        touched_[index / linesPerBrick] = 1;
         Cell& cell = cells_[index];
         const std::uint32_t at = cell.count++;
         if (at < room)

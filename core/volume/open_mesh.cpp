@@ -88,25 +88,62 @@ private:
     std::unordered_map<Cell, std::vector<std::pair<std::uint32_t, glm::dvec3>>, CellHash> cells_;
 };
 
-/// Which vertices hang together by edges.
-class Components {
+/// Takes open edges apart into loops that pass no vertex twice. At each vertex an even number of them meet.
+class Loops {
 public:
-    std::uint32_t find(std::uint32_t vertex) {
-        auto [entry, added] = parents_.try_emplace(vertex, vertex);
-        while (entry->second != entry->first) {
-            const auto parent = parents_.find(entry->second);
-            entry->second = parent->second;
-            entry = parent;
+    explicit Loops(std::span<const OpenEdge> edges) : edges_(edges), used_(edges.size()) {
+        for (std::uint32_t i = 0; i < edges.size(); ++i) {
+            atVertex_[edges[i].from].push_back(i);
+            atVertex_[edges[i].to].push_back(i);
         }
-        return entry->first;
     }
-    void join(std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t rootA = find(a), rootB = find(b);
-        parents_[std::max(rootA, rootB)] = std::min(rootA, rootB);
+    /// Calls visit(edges of the loop).
+    template <class Visit>
+    void forEach(Visit&& visit) {
+        for (std::uint32_t start = 0; start < edges_.size(); ++start)
+            while (!used_[start]) walk(edges_[start].from, visit);
     }
 
 private:
-    std::unordered_map<std::uint32_t, std::uint32_t> parents_;
+    struct Step {
+        OpenEdge edge;
+        std::uint32_t from = 0; ///< the end of the edge that the walk came by
+    };
+
+    template <class Visit>
+    void walk(std::uint32_t vertex, Visit& visit) {
+        std::vector<Step> way;
+        std::unordered_map<std::uint32_t, std::size_t> passed; ///< where on the way
+        while (const OpenEdge* const edge = next(vertex)) {
+            passed[vertex] = way.size();
+            way.push_back({*edge, vertex});
+            vertex = edge->from == vertex ? edge->to : edge->from;
+            const auto closed = passed.find(vertex);
+            if (closed == passed.end()) continue;
+            std::vector<OpenEdge> loop;
+            const std::size_t first = closed->second;
+            for (std::size_t i = first; i < way.size(); ++i) {
+                loop.push_back(way[i].edge);
+                passed.erase(way[i].from);
+            }
+            way.resize(first);
+            visit(std::span<const OpenEdge>(loop));
+        }
+    }
+    /// An unused edge at a vertex, one that leaves it where there is a choice.
+    const OpenEdge* next(std::uint32_t vertex) {
+        std::vector<std::uint32_t>& here = atVertex_[vertex];
+        std::erase_if(here, [&](std::uint32_t edge) { return used_[edge]; });
+        if (here.empty()) return nullptr;
+        const auto leaving = std::ranges::find(here, vertex, [&](std::uint32_t edge) { return edges_[edge].from; });
+        const std::uint32_t edge = leaving != here.end() ? *leaving : here.front();
+        used_[edge] = true;
+        return &edges_[edge];
+    }
+
+    std::span<const OpenEdge> edges_;
+    std::vector<bool> used_;
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> atVertex_;
 };
 
 } // namespace
@@ -135,7 +172,10 @@ void OpenMesh::dropDuplicates() {
 
 void OpenMesh::mergeRims(double tolerance) {
     std::map<std::uint32_t, std::uint32_t> merged;
-    for (const auto& [from, to] : openEdges(closed_)) merged.emplace(from, from).first, merged.emplace(to, to);
+    for (const auto& [from, to] : openEdges(closed_)) {
+        merged.emplace(from, from);
+        merged.emplace(to, to);
+    }
     NearbyPlaces places(tolerance);
     for (auto& [vertex, goal] : merged) goal = places.findOrAdd(vertex, closed_.vertices[vertex]);
     std::size_t kept = 0;
@@ -151,25 +191,14 @@ void OpenMesh::mergeRims(double tolerance) {
 void OpenMesh::addCaps() {
     firstCap_ = closed_.triangles.size();
     const std::vector<OpenEdge> rims = openEdges(closed_);
-    Components components;
-    for (const auto& [from, to] : rims) components.join(from, to);
-    struct Middle {
-        glm::dvec3 sum{0.0};
-        double count = 0.0;
-        std::uint32_t vertex = 0;
-    };
-    std::map<std::uint32_t, Middle> middles;
-    for (const auto& [from, to] : rims) {
-        Middle& middle = middles[components.find(from)];
-        middle.sum += 0.5 * (closed_.vertices[from] + closed_.vertices[to]);
-        middle.count += 1.0;
-    }
-    for (auto& [component, middle] : middles) {
-        middle.vertex = static_cast<std::uint32_t>(closed_.vertices.size());
-        closed_.vertices.push_back(middle.sum / middle.count);
-    }
-    for (const auto& [from, to] : rims) closed_.triangles.push_back({to, from, middles[components.find(from)].vertex});
-    holes_ = middles.size();
+    Loops(rims).forEach([&](std::span<const OpenEdge> rim) {
+        glm::dvec3 sum(0.0);
+        for (const auto& [from, to] : rim) sum += 0.5 * (closed_.vertices[from] + closed_.vertices[to]);
+        const auto middle = static_cast<std::uint32_t>(closed_.vertices.size());
+        closed_.vertices.push_back(sum / static_cast<double>(rim.size()));
+        for (const auto& [from, to] : rim) closed_.triangles.push_back({to, from, middle});
+        ++holes_;
+    });
 }
 
 double OpenMesh::windingOfCaps(const glm::dvec3& place) const noexcept {

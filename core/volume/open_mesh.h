@@ -25,7 +25,7 @@ public:
     std::size_t firstCap() const noexcept { return firstCap_; }
     std::size_t capCount() const noexcept { return closed_.triangles.size() - firstCap_; }
     std::size_t duplicates() const noexcept { return duplicates_; }
-    std::size_t holes() const noexcept { return holes_; } ///< connected rims
+    std::size_t holes() const noexcept { return holes_; } ///< rims: loops of open edges
 
     /// Winding number of the caps around a place: what the holes make of it. Cost: linear in the caps.
     double windingOfCaps(const glm::dvec3& place) const noexcept;

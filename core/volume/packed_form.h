@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-/// Parts of a packed tile that its writer and its reader have in common (README.md, "Packed tiles").
+/// Parts of a packed tile that its writer and its reader have in common (volume_file.md, "A packed brick").
 namespace burin::packed_form {
 
 inline constexpr unsigned shapeWidth = 2, widthWidth = 5;

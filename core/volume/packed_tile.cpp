@@ -41,12 +41,6 @@ unsigned plainWidth(const TileView& lines, std::span<const std::uint8_t> places)
 
 } // namespace
 
-TileView TileLines::view() const noexcept {
-    TileView lines;
-    for (int i = 0; i < linesPerTile; ++i) lines[static_cast<std::size_t>(i)] = line(i);
-    return lines;
-}
-
 void TilePacker::findGroups(const TileView& lines) {
     groups_.clear();
     for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/volume/bit_stream.h"
+#include "core/volume/brick_lines.h"
 #include "core/volume/packed_prediction.h"
 #include "core/volume/run_volume.h"
 
@@ -15,18 +16,6 @@
 
 namespace burin {
 
-/// The scanlines of a tile of its own, one after the other.
-struct TileLines {
-    std::array<std::uint32_t, linesPerTile + 1> offsets{};
-    std::vector<Segment> segments;
-
-    std::span<const Segment> line(int line) const noexcept {
-        const auto place = static_cast<std::size_t>(line);
-        return std::span(segments).subspan(offsets[place], offsets[place + 1] - offsets[place]);
-    }
-    TileView view() const noexcept;
-};
-
 /// What a packed tile is read with: it is not stored in each.
 struct PackedTileFrame {
     RunPosition lineEnd = 0;      ///< each scanline ends there
@@ -34,9 +23,9 @@ struct PackedTileFrame {
     friend bool operator==(const PackedTileFrame&, const PackedTileFrame&) = default;
 };
 
-/// Packs tiles without loss; README.md gives the form. Scanlines with one sequence of properties form a group; each
-/// column of a group (the same run end on all its scanlines) is predicted by a constant, a plane or a quadratic over
-/// the tile, and what is left is stored at its exact width. One object a thread: it keeps its working memory.
+/// Packs tiles without loss; volume_file.md gives the form. Scanlines with one sequence of properties form a group;
+/// each column of a group (the same run end on all its scanlines) is predicted by a constant, a plane or a quadratic
+/// over the tile, and what is left is stored at its exact width. One object a thread: it keeps its working memory.
 /// @throws std::bad_alloc
 class TilePacker {
 public:
@@ -75,11 +64,11 @@ private:
     std::vector<Column> columns_;
 };
 
-/// Reads a packed tile at the start of `bytes`. False: they are damaged; `tile` is anything then.
+/// Reads a packed tile at the start of `bytes`. False: they are damaged; `tile` is complete, and anything, then.
 /// What is read is sound whatever the bytes are: gapless lines that end at the frame's line end.
 /// Cost: 0.4–2 µs for a tile of a few runs a line; memory: never more than 64 segments a byte.
 /// @param length bytes that the tile takes, where it is asked for
 /// @throws std::bad_alloc
-bool unpackTile(std::string_view bytes, const PackedTileFrame& frame, TileLines& tile, std::size_t* length = nullptr);
+bool unpackTile(std::string_view bytes, const PackedTileFrame& frame, BrickLines& tile, std::size_t* length = nullptr);
 
 } // namespace burin

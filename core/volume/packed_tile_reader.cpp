@@ -17,7 +17,7 @@ namespace {
 /// can't be.
 class TileReader {
 public:
-    TileReader(std::string_view bytes, const PackedTileFrame& frame, TileLines& tile) noexcept
+    TileReader(std::string_view bytes, const PackedTileFrame& frame, BrickLines& tile) noexcept
         : reader_(bytes), frame_(frame), tile_(tile) {}
 
     bool read() {
@@ -51,8 +51,10 @@ private:
 
     BitReader reader_;
     const PackedTileFrame frame_;
-    TileLines& tile_;
-    std::array<std::byte, 2048> scratch_; ///< an ordinary tile needs no other memory
+    BrickLines& tile_;
+    Segment* segments_ = nullptr;            ///< of the tile
+    const std::uint32_t* offsets_ = nullptr; ///< of the tile
+    std::array<std::byte, 2048> scratch_;    ///< an ordinary tile needs no other memory
     std::pmr::monotonic_buffer_resource memory_{scratch_.data(), scratch_.size()};
     std::pmr::vector<PropertyIndex> palette_{&memory_}, sequences_{&memory_};
     std::size_t groupCount_ = 0;
@@ -105,20 +107,24 @@ bool TileReader::readSequence(std::size_t group) {
 }
 
 void TileReader::placeLines() {
-    std::uint32_t at = 0;
-    for (std::size_t i = 0; i < linesPerTile; ++i) {
-        tile_.offsets[i] = at;
-        at += static_cast<std::uint32_t>(columnsOf(groupOf_[i]) + 1);
-    }
-    tile_.offsets[linesPerTile] = at;
-    tile_.segments.resize(at);
+    std::size_t all = 0;
+    for (const std::uint8_t group : groupOf_) all += columnsOf(group) + 1;
+    tile_.writeAll(all, [&](Segment* segments, std::uint32_t* offsets) {
+        std::uint32_t at = 0;
+        for (std::size_t i = 0; i < linesPerTile; ++i) {
+            offsets[i] = at;
+            at += static_cast<std::uint32_t>(columnsOf(groupOf_[i]) + 1);
+        }
+        offsets[linesPerTile] = at;
+        segments_ = segments;
+        offsets_ = offsets;
+    });
 }
 
 bool TileReader::readEnds(std::size_t group) {
     const std::size_t columns = columnsOf(group);
     const PropertyIndex last = sequence(group).back();
-    for (const std::uint8_t place : lines(group))
-        tile_.segments[tile_.offsets[place] + columns] = Segment(frame_.lineEnd, last);
+    for (const std::uint8_t place : lines(group)) segments_[offsets_[place] + columns] = Segment(frame_.lineEnd, last);
     if (columns == 0) return true;
     if (reader_.get(1) != 0) return readPlain(group);
     for (std::size_t column = 0; column < columns; ++column)
@@ -132,7 +138,7 @@ bool TileReader::readPlain(std::size_t group) {
     const unsigned width = reader_.get(widthWidth);
     if (width == 0 || !reader_.holds(std::uint64_t{width} * columns * lines(group).size())) return false;
     for (const std::uint8_t place : lines(group)) {
-        Segment* next = tile_.segments.data() + tile_.offsets[place];
+        Segment* next = segments_ + offsets_[place];
         std::uint64_t end = 0;
         for (std::size_t column = 0; column < columns; ++column) {
             end += std::uint64_t{reader_.get(width)} + 1;
@@ -161,7 +167,7 @@ bool TileReader::readColumn(std::size_t group, std::size_t column) {
     const RunPosition lineEnd = frame_.lineEnd;
     bool sound = true;
     for (const std::uint8_t place : places) {
-        Segment* const segment = tile_.segments.data() + tile_.offsets[place] + column;
+        Segment* const segment = segments_ + offsets_[place] + column;
         const RunPosition before = column > 0 ? segment[-1].end() : 0;
         const RunPosition end = (values[place] & predictionMask) + (relative ? before : 0);
         sound &= (end > before) & (end < lineEnd);
@@ -172,7 +178,7 @@ bool TileReader::readColumn(std::size_t group, std::size_t column) {
 
 } // namespace
 
-bool unpackTile(std::string_view bytes, const PackedTileFrame& frame, TileLines& tile, std::size_t* length) {
+bool unpackTile(std::string_view bytes, const PackedTileFrame& frame, BrickLines& tile, std::size_t* length) {
     TileReader reader(bytes, frame, tile);
     if (!reader.read()) return false;
     if (length != nullptr) *length = reader.length();

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/packed_volume.h"
 
-#include "core/base/parallel.h"
+#include "core/volume/assembly.h"
 #include "core/volume/packed_blocks.h"
 
 #include <algorithm>
 #include <cassert>
+#include <mutex>
 #include <new>
 #include <unordered_map>
 #include <utility>
@@ -55,11 +56,7 @@ Result<PackedVolume> PackedVolume::pack(const VolumeSnapshot& snapshot, Progress
         if (progress.cancelled()) return cancelled("packing");
         const PackedBlocks packed =
             packBlocks(*state.store, all.subspan(first, std::min(bricksPerStage, all.size() - first)));
-        for (std::size_t i = 0; i + 1 < packed.starts.size(); ++i) {
-            const std::size_t before = tiles.count();
-            starts.push_back(tiles.add(packed.tile(i)));
-            if (tiles.count() > before) volume.segments_ += state.store->tile(all[first + i]).segmentCount();
-        }
+        for (std::size_t i = 0; i + 1 < packed.starts.size(); ++i) starts.push_back(tiles.add(packed.tile(i)));
         progress.report(static_cast<double>(starts.size()) / static_cast<double>(all.size()));
     }
     volume.differentBricks_ = tiles.count();
@@ -71,7 +68,7 @@ Result<PackedVolume> PackedVolume::pack(const VolumeSnapshot& snapshot, Progress
     return Error{ErrorCode::outOfMemory, "packing", {}, {}};
 }
 
-void PackedVolume::brick(LineIndex line, TileLines& brick) const {
+void PackedVolume::brick(LineIndex line, BrickLines& brick) const {
     const std::size_t place =
         static_cast<std::size_t>(line.v / tileSide) * static_cast<std::size_t>(TileTable(grid_).tilesU) +
         static_cast<std::size_t>(line.u / tileSide);
@@ -82,47 +79,31 @@ void PackedVolume::brick(LineIndex line, TileLines& brick) const {
 }
 
 std::vector<Segment> PackedVolume::line(LineIndex line) const {
-    TileLines lines;
+    BrickLines lines(grid_.lineEnd());
     brick(line, lines);
     const std::span<const Segment> segments = lines.line(TileTable::lineInTile(line));
     return {segments.begin(), segments.end()};
 }
 
-Result<RunVolume> PackedVolume::unpack(Progress& progress, std::size_t reservedBytes) const try {
-    // Twice what the segments take: editing goes on afterwards.
-    const std::size_t reserve =
-        reservedBytes != 0 ? reservedBytes : RunVolume::defaultReserve(grid_) + 2 * segments_ * sizeof(Segment);
-    Result<RunVolume> volume = RunVolume::make(grid_, properties_, reserve);
-    if (!volume) return volume;
-    auto& writer = VolumeAccess::writer(*volume);
-    const TileTable table(grid_);
-    const auto corner = [&](std::size_t place) {
-        const auto tilesU = static_cast<std::size_t>(table.tilesU);
-        return LineIndex{static_cast<std::int32_t>(place % tilesU) * tileSide,
-                         static_cast<std::int32_t>(place / tilesU) * tileSide};
-    };
-    std::unordered_map<std::uint64_t, LineIndex> known;
-    std::vector<std::size_t> fresh; // places whose bricks stand nowhere yet
-    std::vector<TileLines> lines(std::min(bricksPerStage, starts_.size()));
-    for (std::size_t first = 0; first < starts_.size(); first += bricksPerStage) {
-        if (progress.cancelled()) return cancelled("unpacking");
-        const std::size_t end = std::min(first + bricksPerStage, starts_.size());
-        fresh.clear();
-        for (std::size_t place = first; place < end; ++place)
-            if (known.try_emplace(starts_[place], corner(place)).second) fresh.push_back(place);
-        parallelStretches(std::size_t{0}, fresh.size(), 64, [&](std::size_t from, std::size_t to) {
-            for (std::size_t i = from; i < to; ++i) brick(corner(fresh[i]), lines[i]);
-        });
-        bool fits = true;
-        for (std::size_t i = 0; fits && i < fresh.size(); ++i) fits = writer.setTile(corner(fresh[i]), lines[i].view());
-        for (std::size_t place = first; fits && place < end; ++place)
-            fits = writer.shareTile(corner(place), known.at(starts_[place]));
-        if (!fits) return Error{ErrorCode::volumeOutOfMemory, std::to_string(volume->reservedBytes()), {}, {}};
-        progress.report(static_cast<double>(end) / static_cast<double>(starts_.size()));
-    }
+Result<RunVolume> PackedVolume::unpack(Progress& progress, std::size_t reservedBytes) const {
+    const std::int32_t rows = TileTable(grid_).tilesV;
+    std::mutex mutex; // for:
+    std::int32_t done = 0;
+    Result<RunVolume> volume = assembleBricks(
+        grid_, properties_,
+        [&](std::int32_t row, BrickSink& sink) {
+            if (progress.cancelled()) return;
+            BrickLines lines(grid_.lineEnd());
+            for (LineIndex corner{0, row * brickSide}; corner.u < grid_.lineCountU(); corner.u += brickSide) {
+                brick(corner, lines);
+                sink.put(corner, lines);
+            }
+            const std::lock_guard lock(mutex);
+            progress.report(static_cast<double>(++done) / rows);
+        },
+        reservedBytes);
+    if (progress.cancelled()) return cancelled("unpacking");
     return volume;
-} catch (const std::bad_alloc&) {
-    return Error{ErrorCode::outOfMemory, "unpacking", {}, {}};
 }
 
 } // namespace burin

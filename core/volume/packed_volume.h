@@ -25,14 +25,14 @@ public:
     const RunAmounts& amounts() const noexcept { return amounts_; }
 
     /// The brick of 8 × 8 scanlines around `line`, which must lie in the grid. Cost: 0.4–2 µs for a few runs a line.
-    /// @param brick line 8 v + u, counted from the brick's low corner; those beyond the grid are air
+    /// @param brick line 8 v + u, counted from the brick's low corner; those beyond the grid are of no account
     /// @throws std::bad_alloc
-    void brick(LineIndex line, TileLines& brick) const;
+    void brick(LineIndex line, BrickLines& brick) const;
     /// Segments of one scanline, in order. Cost: that of its brick; for many lines ask for bricks.
     std::vector<Segment> line(LineIndex line) const;
-    /// A volume that holds the same, for editing. Bricks that are equal share memory.
-    /// @param reservedBytes as for RunVolume::make; 0: what the content takes twice, and the default for its grid
-    /// Errors: cancelled, outOfMemory, volumeOutOfMemory (`reservedBytes` does not hold it).
+    /// A volume that holds the same, for editing.
+    /// @param reservedBytes as for assembleBricks
+    /// Errors: cancelled, outOfMemory.
     Result<RunVolume> unpack(Progress& progress, std::size_t reservedBytes = 0) const;
 
     std::size_t tileBytes() const noexcept { return bytes_.capacity(); }
@@ -50,7 +50,6 @@ private:
     std::string bytes_;
     std::vector<std::uint64_t> starts_; ///< in `bytes_`, for each place of the table, row by row
     std::size_t differentBricks_ = 0;
-    std::size_t segments_ = 0; ///< of bricks that differ
 };
 
 } // namespace burin

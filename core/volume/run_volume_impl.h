@@ -24,11 +24,12 @@ public:
     bool fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool setLine(LineIndex index, std::span<const Segment> segments) noexcept;
     bool rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe);
-    /// Gives the 8 × 8 scanlines from `corner` on new content; those beyond the grid become air. Each line has to be
-    /// gapless up to the line's end, neighbours of different property. False: out of reserved memory, tile unchanged.
-    bool setTile(LineIndex corner, const TileView& lines) noexcept;
-    /// Lets the tile at `corner` share the block of the one at `other`, which has the same scanlines in the grid.
-    bool shareTile(LineIndex corner, LineIndex other) noexcept;
+    /// Gives the brick at `corner` new content; what it says of scanlines beyond the grid is of no account. False: out
+    /// of reserved memory, brick unchanged.
+    bool setBrick(LineIndex corner, const BrickLines& lines) noexcept;
+    /// Lets the brick at `corner` share the block of the one at `other`. False: out of reserved memory, brick
+    /// unchanged.
+    bool shareBrick(LineIndex corner, LineIndex other) noexcept;
 
     /// Makes large blocks of what is free in small ones. Outside the haptic loop. @throws std::bad_alloc
     void joinFreeMemory();
@@ -63,7 +64,7 @@ private:
     bool fillTile(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property,
                   EqualFill& known) noexcept;
     void count(std::span<const Segment> line, bool add) noexcept;
-    void count(const TileView& lines, bool add) noexcept;
+    void count(LineIndex corner, const Tile& tile, bool add) noexcept;
     bool sparePage(std::size_t page) noexcept;
     void writeCleared(const Tile& present, const BrickSpans& spans, const Tile& tile) noexcept;
     Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition to, Segment* place) noexcept;

@@ -36,11 +36,22 @@ public:
             if (found == airProperty) found = property;
             if (found != airProperty && (depth >= 0.9 || !lookForPart)) break;
         }
-        return found;
+        return found != airProperty ? found : beside(place);
     }
 
 private:
     glm::dvec3 inVoxels(const glm::dvec3& way) const { return {way[axes_[0]], way[axes_[1]], way[axes_[2]]}; }
+    /// Of a splinter thinner than that: the first that is found in the voxels around. Without it a brick, which knows
+    /// that there is one material alone, would differ from its tile.
+    PropertyIndex beside(const glm::dvec3& place) const {
+        for (int u = -1; u <= 1; ++u)
+            for (int v = -1; v <= 1; ++v)
+                for (int n = -2; n <= 2; ++n) {
+                    const PropertyIndex property = at(place + glm::dvec3(u, v, 0.5 * n));
+                    if (property != airProperty) return property;
+                }
+        return airProperty;
+    }
     PropertyIndex at(const glm::dvec3& place) const {
         const auto within = [](double count, std::int32_t limit) {
             return std::clamp(static_cast<std::int32_t>(count), 0, limit - 1);

@@ -12,17 +12,9 @@
 
 namespace burin {
 
-// What surface nets work out of the nodes around one cube, four at a time with what every x86-64 processor has (SSE2).
-// Lanes are ordered (u, n): (0, 0), (0, 1), (1, 0), (1, 1); a lane order for v says so. No branches: which edges the
-// surface crosses can't be foreseen.
-
-/// Which of eight nodes in a row lie inside: a bit each.
-inline std::uint32_t insideBits(const std::uint16_t* values, std::uint16_t half) noexcept {
-    const __m128i eight = _mm_loadu_si128(reinterpret_cast<const __m128i*>(values));
-    const __m128i below = _mm_subs_epu16(_mm_set1_epi16(static_cast<short>(half)), eight); // 0: at least half
-    const __m128i inside = _mm_cmpeq_epi16(below, _mm_setzero_si128());
-    return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(inside, _mm_setzero_si128())));
-}
+// What surface nets work out of the nodes around one cube, four numbers at a time with what every x86-64 processor has
+// (SSE2). n counts along the runs. Four corners of one v lie in the order (u, n) = (0, 0), (0, 1), (1, 0), (1, 1). No
+// branches: which edges the surface crosses can't be foreseen.
 
 /// The columns of nodes around a cube, 4 × 4, each from the node before the cube's lower one on.
 class CubeColumns {
@@ -38,17 +30,14 @@ public:
         const __m128 v0 = _mm_cvtepi32_ps(low), v1 = _mm_cvtepi32_ps(high), middle = _mm_set1_ps(half);
         const __m128 in0 = _mm_cmpge_ps(v0, middle), in1 = _mm_cmpge_ps(v1, middle);
         const __m128 one = _mm_set1_ps(1.0F);
-        // Edges along v lie in these lanes; along u and n, two of either v are put together.
+        // Edges along v join the two as they are; for those along u and n, halves of both are put together.
         const Crossing alongV = crossing(v0, v1, in0, in1, middle);
-        const auto both = [](__m128 a, __m128 b, auto&& mix) { return mix(a, b); };
         const auto lowU = [](__m128 a, __m128 b) { return _mm_movelh_ps(a, b); };  // (v, n) at u = 0
         const auto highU = [](__m128 a, __m128 b) { return _mm_movehl_ps(b, a); }; // at u = 1
-        const Crossing alongU =
-            crossing(both(v0, v1, lowU), both(v0, v1, highU), both(in0, in1, lowU), both(in0, in1, highU), middle);
+        const Crossing alongU = crossing(lowU(v0, v1), highU(v0, v1), lowU(in0, in1), highU(in0, in1), middle);
         const auto lowN = [](__m128 a, __m128 b) { return _mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)); }; // (v, u)
         const auto highN = [](__m128 a, __m128 b) { return _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)); };
-        const Crossing alongN =
-            crossing(both(v0, v1, lowN), both(v0, v1, highN), both(in0, in1, lowN), both(in0, in1, highN), middle);
+        const Crossing alongN = crossing(lowN(v0, v1), highN(v0, v1), lowN(in0, in1), highN(in0, in1), middle);
         const __m128 upper = _mm_set_ps(1.0F, 1.0F, 0.0F, 0.0F), odd = _mm_set_ps(1.0F, 0.0F, 1.0F, 0.0F);
         __m128 sumU = add(alongU.place, _mm_and_ps(alongV.is, upper), _mm_and_ps(alongN.is, odd));
         __m128 sumV = add(alongV.place, _mm_and_ps(alongU.is, upper), _mm_and_ps(alongN.is, upper));

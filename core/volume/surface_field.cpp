@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface_field.h"
 
+#include "core/volume/surface_lanes.h"
 #include "core/volume/volume_access.h"
 
 #include <algorithm>
@@ -12,6 +13,31 @@ namespace {
 
 constexpr std::int64_t blockNodes = 16; ///< nodes along the runs that are told solid, air or mixed as one
 constexpr int shortInterval = 120;      ///< nodes of 256 units, two of which more fit 16 bits
+
+/// Columns are worked on so many nodes at a time; the ones too many are right, too.
+constexpr int wholeLanes(int nodes) {
+    constexpr int lanes = nodeLanes;
+    return (nodes + lanes - 1) / lanes * lanes;
+}
+
+/// Looks lines up that mostly lie in one brick.
+class LineReader {
+public:
+    explicit LineReader(const VolumeSnapshot& workpiece) : state_(VolumeAccess::state(workpiece)) {}
+    std::span<const Segment> at(LineIndex line) {
+        const LineIndex brick{line.u / tileSide, line.v / tileSide};
+        if (brick != brick_) {
+            brick_ = brick;
+            tile_ = state_.store->tile(VolumeAccess::tileAt(state_, brick.u, brick.v));
+        }
+        return tile_.line(TileTable::lineInTile(line));
+    }
+
+private:
+    const VolumeState& state_;
+    LineIndex brick_{-1, -1};
+    Tile tile_{nullptr};
+};
 
 std::int64_t floorQuotient(std::int64_t value, std::int64_t divisor) {
     return value >= 0 ? value / divisor : -((divisor - 1 - value) / divisor);
@@ -59,8 +85,8 @@ std::span<const SurfaceField::Interval> SurfaceField::findIntervals(const Volume
             const int first = static_cast<int>(begin) * static_cast<int>(blockNodes) - 1;
             const int end = std::min(static_cast<int>(block) * static_cast<int>(blockNodes), nodesAlong) - 1;
             // Beyond the blocks nothing crosses, so all nodes but the last may own what they find.
-            const int from = first - overhang, count = end - first + 2 * overhang;
-            intervals_.push_back({from, count, from, from + count - 1});
+            const int from = first - overhang, behind = end + overhang;
+            intervals_.push_back({from, wholeLanes(behind - from), from, behind - 1});
         } else
             ++block;
     }
@@ -70,7 +96,7 @@ std::span<const SurfaceField::Interval> SurfaceField::findIntervals(const Volume
 SurfaceField::Interval SurfaceField::brickInterval(const Grid& grid, std::int32_t brick) {
     const int begin = brick == 0 ? -1 : brick * linesPerSurfaceTile; // the surface closes before the first voxel
     const int end = std::min((brick + 1) * linesPerSurfaceTile, grid.voxelsPerLine());
-    return {begin - overhang, end - begin + 2 * overhang, begin, end};
+    return {begin - overhang, wholeLanes(end - begin + 2 * overhang), begin, end};
 }
 
 void SurfaceField::mark(std::span<const Segment> line, RunPosition lineEnd) {
@@ -108,78 +134,146 @@ void SurfaceField::markStretch(std::vector<std::uint8_t>& blocks, std::int64_t f
 void SurfaceField::fill(const VolumeSnapshot& workpiece, Interval interval) {
     filled_ = interval;
     seen_.fill(false);
-    const auto values = static_cast<std::size_t>(columnsU_ * columnsV_) * static_cast<std::size_t>(interval.count);
+    // Places within a brick fit 16 bits, of which twice as many are worked on at once.
+    if (level_ == 0 && interval.count <= shortInterval)
+        fillShort(workpiece);
+    else
+        fillLong(workpiece);
+    smooth();
+}
+
+void SurfaceField::makeRoom() {
+    const auto values = static_cast<std::size_t>(columnsU_ * columnsV_) * static_cast<std::size_t>(filled_.count);
     raw_.resize(values);
     smoothAlongV_.resize(values);
     smooth_.resize(values);
-    // Places within a brick fit 16 bits, of which twice as many are worked on at once.
-    if (level_ == 0 && interval.count <= shortInterval)
-        fillColumns<std::int16_t>(workpiece);
-    else
-        fillColumns<std::int32_t>(workpiece);
-    smooth();
+}
+
+/// A column is one line. All lines are read first: nodes before the first place and behind the last one at which any of
+/// them changes are alike, and are left out.
+void SurfaceField::fillShort(const VolumeSnapshot& workpiece) {
+    const Grid& grid = workpiece.grid();
+    constexpr int node = static_cast<int>(unitsPerVoxel);
+    const int origin = filled_.first * node, end = (filled_.count + 1) * node;
+    const auto within = [&](RunPosition position) {
+        return static_cast<std::int16_t>(std::clamp(static_cast<int>(position) - origin, -node, end));
+    };
+    LineReader lines(workpiece);
+    stretches_.clear();
+    firstStretch_.clear();
+    bool solidAtBegin = false, airAtBegin = false, solidAtEnd = false, airAtEnd = false;
+    int firstChange = end, lastChange = -node;
+    for (std::int32_t u = firstU_; u < firstU_ + columnsU_; ++u)
+        for (std::int32_t v = firstV_; v < firstV_ + columnsV_; ++v) {
+            const std::size_t first = stretches_.size();
+            firstStretch_.push_back(first);
+            if (grid.contains(LineIndex{u, v}))
+                eachStretch(lines.at({u, v}), [&](RunPosition from, RunPosition to) {
+                    const Stretch16 stretch{within(from), within(to)};
+                    if (stretch.low == stretch.high) return;
+                    stretches_.push_back(stretch);
+                    if (stretch.low > -node) firstChange = std::min<int>(firstChange, stretch.low);
+                    if (stretch.low > -node) lastChange = std::max<int>(lastChange, stretch.low);
+                    if (stretch.high < end) firstChange = std::min<int>(firstChange, stretch.high);
+                    if (stretch.high < end) lastChange = std::max<int>(lastChange, stretch.high);
+                });
+            const bool any = stretches_.size() > first;
+            const bool begins = any && stretches_[first].low == -node, ends = any && stretches_.back().high == end;
+            (begins ? solidAtBegin : airAtBegin) = true;
+            (ends ? solidAtEnd : airAtEnd) = true;
+        }
+    firstStretch_.push_back(stretches_.size());
+    if (solidAtBegin && airAtBegin) firstChange = -node;
+    if (solidAtEnd && airAtEnd) lastChange = end;
+    narrow(firstChange, lastChange);
+
+    makeRoom();
+    const auto count = static_cast<std::size_t>(filled_.count);
+    const int shift = filled_.first * node - origin;
+    for (std::size_t column = 0; column + 1 < firstStretch_.size(); ++column) {
+        auto* const sums = reinterpret_cast<std::int16_t*>(raw_.data() + column * count);
+        std::fill_n(sums, count, std::int16_t{0});
+        for (std::size_t i = firstStretch_[column]; i < firstStretch_[column + 1]; ++i)
+            addSeen(static_cast<std::int16_t>(stretches_[i].low - shift),
+                    static_cast<std::int16_t>(stretches_[i].high - shift), count, sums);
+    }
+}
+
+/// Leaves the nodes where something changes, and `overhang` more on either side.
+/// @param firstChange, lastChange in run units from the interval's first node
+void SurfaceField::narrow(int firstChange, int lastChange) {
+    constexpr int node = static_cast<int>(unitsPerVoxel), reach = overhang + 2; // a node sees two of the changes' nodes
+    if (firstChange > lastChange) {
+        filled_.count = 0;
+        return;
+    }
+    const int first = std::max(0, firstChange / node - reach);
+    const int end = std::min(filled_.count, wholeLanes(lastChange / node + reach + 1 - first) + first);
+    filled_.first += first;
+    filled_.count = wholeLanes(end - first);
+    filled_.owned = std::max(filled_.owned, filled_.first);
+    filled_.ownedEnd = std::max(filled_.owned, std::min(filled_.ownedEnd, filled_.first + filled_.count - 1));
 }
 
 /// A node's solid is scaled to 0 … 512 (level 0) or 0 … 2048: sixteen times that, which smoothing makes of it, fits 16
 /// bits.
-template <class Sum>
-void SurfaceField::fillColumns(const VolumeSnapshot& workpiece) {
-    const VolumeState& state = VolumeAccess::state(workpiece);
+void SurfaceField::fillLong(const VolumeSnapshot& workpiece) {
     const Grid& grid = workpiece.grid();
     const auto count = static_cast<std::size_t>(filled_.count);
     const int shift = level_ == 0 ? 0 : 3 * level_ - 2;
-    std::vector<Sum> sums(count);
-    for (int u = 0; u < columnsU_; ++u)
+    makeRoom();
+    std::vector<int> sums(count);
+    LineReader lines(workpiece);
+    for (int u = 0; u < columnsU_; ++u) {
+        const std::int32_t lowU = (firstU_ + u) * cell(), highU = std::min(lowU + cell(), grid.lineCountU());
         for (int v = 0; v < columnsV_; ++v) {
-            std::fill(sums.begin(), sums.end(), Sum{0});
-            const LineIndex low{(firstU_ + u) * cell(), (firstV_ + v) * cell()};
-            for (std::int32_t lineU = std::max(low.u, 0); lineU < std::min(low.u + cell(), grid.lineCountU()); ++lineU)
-                for (std::int32_t lineV = std::max(low.v, 0); lineV < std::min(low.v + cell(), grid.lineCountV());
-                     ++lineV)
-                    addLine(state.store->line(state.pages, {lineU, lineV}), sums.data());
+            std::ranges::fill(sums, 0);
+            const std::int32_t lowV = (firstV_ + v) * cell(), highV = std::min(lowV + cell(), grid.lineCountV());
+            for (std::int32_t lineU = std::max(lowU, 0); lineU < highU; ++lineU)
+                for (std::int32_t lineV = std::max(lowV, 0); lineV < highV; ++lineV)
+                    eachStretch(lines.at({lineU, lineV}),
+                                [&](RunPosition from, RunPosition to) { addStretch(from, to, sums); });
             std::uint16_t* const column = raw_.data() + offset(u, v);
             for (std::size_t n = 0; n < count; ++n) column[n] = static_cast<std::uint16_t>(sums[n] >> shift);
         }
+    }
 }
 
-template <class Sum>
-void SurfaceField::addLine(std::span<const Segment> line, Sum* sums) {
+/// Calls visit(from, to) for the stretches of a line that hold material, as far as they lie near the nodes.
+template <class Visit>
+void SurfaceField::eachStretch(std::span<const Segment> line, Visit visit) {
     // Materials count as far as a point's own may be looked for.
     constexpr std::int64_t reach = 2;
     const std::int64_t node = std::int64_t{unitsPerVoxel} << level_;
-    const std::int64_t low = (filled_.first - reach) * node, high = (filled_.first + filled_.count + reach) * node;
-    std::int64_t begin = 0, from = 0;
+    const auto last = static_cast<std::int64_t>(line.back().end());
+    const auto low = static_cast<RunPosition>(std::clamp((filled_.first - reach) * node, std::int64_t{0}, last));
+    const auto high =
+        static_cast<RunPosition>(std::clamp((filled_.first + filled_.count + reach) * node, std::int64_t{0}, last));
+    const Segment* segment = line.data();
+    RunPosition begin = 0;
+    for (; segment->end() <= low && segment->end() < last; ++segment) begin = segment->end();
     bool solid = false;
-    for (const Segment segment : line) {
-        const std::int64_t end = segment.end();
-        if (end > low) {
-            const bool segmentSolid = segment.property() != airProperty;
-            seen_[segment.property()] = true;
-            if (segmentSolid && !solid) from = begin;
-            if (!segmentSolid && solid) addStretch(from, begin, sums);
-            solid = segmentSolid;
-            if (end >= high) {
-                begin = end;
-                break;
-            }
-        }
-        begin = end;
+    RunPosition from = 0;
+    for (;; ++segment) {
+        const bool segmentSolid = segment->property() != airProperty;
+        seen_[segment->property()] = true;
+        if (segmentSolid && !solid) from = begin;
+        if (!segmentSolid && solid) visit(from, begin);
+        solid = segmentSolid;
+        begin = segment->end();
+        if (begin >= high) break;
     }
-    if (solid) addStretch(from, begin, sums);
+    if (solid) visit(from, begin);
 }
 
 /// Node n sees from (n - 1/2) to (n + 3/2) nodes.
-template <class Sum>
-void SurfaceField::addStretch(std::int64_t from, std::int64_t to, Sum* sums) const {
-    const int node = static_cast<int>(unitsPerVoxel) << level_, count = filled_.count;
-    const std::int64_t origin = std::int64_t{filled_.first} * node, end = std::int64_t{count + 1} * node;
-    const auto low = static_cast<Sum>(std::clamp<std::int64_t>(from - origin, -node, end));
-    const auto high = static_cast<Sum>(std::clamp<std::int64_t>(to - origin, -node, end));
-    const auto whole = static_cast<Sum>(2 * node);
+void SurfaceField::addStretch(RunPosition from, RunPosition to, std::span<int> sums) const {
+    const int node = static_cast<int>(unitsPerVoxel) << level_, origin = filled_.first * node;
+    const int low = static_cast<int>(from) - origin, high = static_cast<int>(to) - origin;
+    const int count = filled_.count;
     for (int n = 0; n < count; ++n) {
-        const auto sees = static_cast<Sum>(n * node - node / 2);
-        const auto solid = static_cast<Sum>(std::min<Sum>(high, static_cast<Sum>(sees + whole)) - std::max(low, sees));
-        sums[n] = static_cast<Sum>(sums[n] + std::max<Sum>(solid, 0));
+        const int sees = n * node - node / 2;
+        sums[static_cast<std::size_t>(n)] += std::max(std::min(high, sees + 2 * node) - std::max(low, sees), 0);
     }
 }
 
@@ -197,19 +291,14 @@ bool SurfaceField::holdsProtected(const PropertyList& properties) const {
 
 void SurfaceField::smooth() {
     const auto count = static_cast<std::size_t>(filled_.count);
-    const auto average = [count](const std::uint16_t* before, const std::uint16_t* at, const std::uint16_t* behind,
-                                 std::uint16_t* result) {
-        for (std::size_t n = 0; n < count; ++n)
-            result[n] = static_cast<std::uint16_t>(before[n] + 2 * at[n] + behind[n]);
-    };
     for (int u = 0; u < columnsU_; ++u)
         for (int v = 1; v + 1 < columnsV_; ++v)
-            average(raw_.data() + offset(u, v - 1), raw_.data() + offset(u, v), raw_.data() + offset(u, v + 1),
-                    smoothAlongV_.data() + offset(u, v));
+            averageColumns(raw_.data() + offset(u, v - 1), raw_.data() + offset(u, v), raw_.data() + offset(u, v + 1),
+                           count, smoothAlongV_.data() + offset(u, v));
     for (int u = 1; u + 1 < columnsU_; ++u)
         for (int v = 1; v + 1 < columnsV_; ++v)
-            average(smoothAlongV_.data() + offset(u - 1, v), smoothAlongV_.data() + offset(u, v),
-                    smoothAlongV_.data() + offset(u + 1, v), smooth_.data() + offset(u, v));
+            averageColumns(smoothAlongV_.data() + offset(u - 1, v), smoothAlongV_.data() + offset(u, v),
+                           smoothAlongV_.data() + offset(u + 1, v), count, smooth_.data() + offset(u, v));
 }
 
 } // namespace burin

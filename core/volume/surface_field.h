@@ -25,7 +25,7 @@ public:
 
     /// Stretch along the runs, of nodes.
     struct Interval {
-        int first = 0, count = 0;
+        int first = 0, count = 0;    ///< a multiple of eight
         int owned = 0, ownedEnd = 0; ///< whose edges are drawn with it; a node more on either side is enough beyond
     };
 
@@ -35,7 +35,7 @@ public:
     std::span<const Interval> findIntervals(const VolumeSnapshot& workpiece);
     /// Brick by brick of 32 voxels along the runs, wherever the surface is; level 0.
     static Interval brickInterval(const Grid& grid, std::int32_t brick);
-    /// Works the nodes of one interval out.
+    /// Works the nodes of one interval out; of a short one only those near its surface (`filled`).
     void fill(const VolumeSnapshot& workpiece, Interval interval);
 
     int cell() const { return 1 << level_; } ///< voxels
@@ -59,12 +59,17 @@ private:
     }
     void mark(std::span<const Segment> line, RunPosition lineEnd);
     void markStretch(std::vector<std::uint8_t>& blocks, std::int64_t from, std::int64_t to) const;
-    template <class Sum>
-    void fillColumns(const VolumeSnapshot& workpiece);
-    template <class Sum>
-    void addLine(std::span<const Segment> line, Sum* sums);
-    template <class Sum>
-    void addStretch(std::int64_t from, std::int64_t to, Sum* sums) const;
+    /// Of one column, in run units from the first node to be filled in.
+    struct Stretch16 {
+        std::int16_t low = 0, high = 0;
+    };
+    void fillShort(const VolumeSnapshot& workpiece);
+    void fillLong(const VolumeSnapshot& workpiece);
+    void narrow(int firstChange, int lastChange);
+    void makeRoom();
+    template <class Visit>
+    void eachStretch(std::span<const Segment> line, Visit visit);
+    void addStretch(RunPosition from, RunPosition to, std::span<int> sums) const;
     void smooth();
 
     int level_ = 0, ownedU_ = 0, ownedV_ = 0, firstU_ = 0, firstV_ = 0, columnsU_ = 0, columnsV_ = 0;
@@ -72,6 +77,8 @@ private:
     std::vector<std::uint8_t> solidBlocks_, airBlocks_;
     std::vector<Interval> intervals_;
     Interval filled_;
+    std::vector<Stretch16> stretches_;
+    std::vector<std::size_t> firstStretch_; ///< by column
     std::vector<std::uint16_t> raw_, smoothAlongV_, smooth_;
 };
 

@@ -3,6 +3,7 @@
 #include "core/volume/surface_net.h"
 
 #include "core/volume/surface_cube.h"
+#include "core/volume/surface_lanes.h"
 
 #include <algorithm>
 #include <array>
@@ -38,9 +39,16 @@ void SurfaceNet::add(const SurfaceField& field, const Grid& grid, SurfaceMesh& m
     columnsU_ = field.ownedU() + 2 * SurfaceField::margin;
     columnsV_ = field.ownedV() + 2 * SurfaceField::margin;
     count_ = field.filled().count;
+    if (count_ == 0) return;
     words_ = (static_cast<std::size_t>(count_) + wordBits - 1) / wordBits;
-    owned_ = field.filled().owned - field.filled().first;
-    ownedEnd_ = field.filled().ownedEnd - field.filled().first;
+    const int owned = field.filled().owned - field.filled().first;
+    const int ownedEnd = field.filled().ownedEnd - field.filled().first;
+    ownedNodes_.resize(words_);
+    ownedCubes_.resize(words_);
+    for (std::size_t word = 0; word < words_; ++word) {
+        ownedNodes_[word] = bitsBetween(owned, ownedEnd, word);
+        ownedCubes_[word] = bitsBetween(std::max(owned - 1, 1), ownedEnd, word);
+    }
     axes_ = {grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
     low_ = {grid.low()[axes_[0]], grid.low()[axes_[1]], grid.low()[axes_[2]]};
     size_ = grid.edge() * field.cell();
@@ -57,10 +65,8 @@ void SurfaceNet::findInside() {
         for (int v = firstCube; v < columnsV_ - firstCube; ++v) {
             const std::uint16_t* values = field_->column(u, v);
             std::uint64_t* words = inside_.data() + static_cast<std::size_t>(u * columnsV_ + v) * words_;
-            std::size_t n = 0;
-            for (; n + 8 <= count; n += 8)
+            for (std::size_t n = 0; n < count; n += 8)
                 words[n / wordBits] |= std::uint64_t{insideBits(values + n, half)} << (n % wordBits);
-            for (; n < count; ++n) words[n / wordBits] |= std::uint64_t{values[n] >= half} << (n % wordBits);
         }
 }
 
@@ -78,8 +84,7 @@ void SurfaceNet::addPoints(SurfaceMesh& mesh) {
                     all &= column[word] & upper;
                     any |= column[word] | upper;
                 }
-                eachBit(any & ~all & bitsBetween(std::max(owned_ - 1, 1), ownedEnd_, word), word,
-                        [&](int n) { addPoint(u, v, n, mesh); });
+                eachBit(any & ~all & ownedCubes_[word], word, [&](int n) { addPoint(u, v, n, mesh); });
             }
         }
 }
@@ -109,7 +114,7 @@ template <class Visit>
 void SurfaceNet::crossings(int u, int v, int otherU, int otherV, Visit visit) const {
     const std::uint64_t *column = insideOf(u, v), *other = insideOf(otherU, otherV);
     for (std::size_t word = 0; word < words_; ++word)
-        eachBit((column[word] ^ other[word]) & bitsBetween(owned_, ownedEnd_, word), word,
+        eachBit((column[word] ^ other[word]) & ownedNodes_[word], word,
                 [&](int n) { visit(n, ((column[word] >> (static_cast<std::size_t>(n) % wordBits)) & 1) != 0); });
 }
 
@@ -128,7 +133,7 @@ void SurfaceNet::addFaces(SurfaceMesh& mesh) const {
             for (std::size_t word = 0; word < words_ && u > firstCube && v > firstCube; ++word) {
                 const std::uint64_t next = word + 1 < words_ ? column[word + 1] << (wordBits - 1) : 0;
                 const std::uint64_t crossed = column[word] ^ ((column[word] >> 1) | next);
-                eachBit(crossed & bitsBetween(owned_, ownedEnd_, word), word, [&](int n) {
+                eachBit(crossed & ownedNodes_[word], word, [&](int n) {
                     const bool inside = ((column[word] >> (static_cast<std::size_t>(n) % wordBits)) & 1) != 0;
                     addFace({2, u, v, n, inside}, mesh);
                 });
@@ -152,7 +157,9 @@ void SurfaceNet::addFace(const Edge& edge, SurfaceMesh& mesh) const {
         return glm::dot(way, way);
     };
     const std::size_t turn = length(0, 2) <= length(1, 3) ? 0 : 1; // split along the shorter diagonal
-    for (const std::size_t place : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.triangles.push_back(corner[(place + turn) % 4]);
+    if (turn == 1) std::rotate(corner.begin(), corner.begin() + 1, corner.end());
+    const std::array two{corner[0], corner[1], corner[2], corner[0], corner[2], corner[3]};
+    mesh.triangles.insert(mesh.triangles.end(), two.begin(), two.end());
 }
 
 } // namespace burin

@@ -43,10 +43,11 @@ private:
 
     const SurfaceField* field_ = nullptr;
     int columnsU_ = 0, columnsV_ = 0, count_ = 0;
-    int owned_ = 0, ownedEnd_ = 0; ///< nodes, counted from the interval's first
-    std::array<int, 3> axes_{};    ///< x, y or z of u, v and the runs
-    glm::dvec3 low_{0.0};          ///< mm, of the grid along those
-    double size_ = 1.0;            ///< mm, of a cell
+    std::vector<std::uint64_t> ownedNodes_; ///< a bit a node whose edges are drawn
+    std::vector<std::uint64_t> ownedCubes_; ///< a bit a cube that touches one of them
+    std::array<int, 3> axes_{};             ///< x, y or z of u, v and the runs
+    glm::dvec3 low_{0.0};                   ///< mm, of the grid along those
+    double size_ = 1.0;                     ///< mm, of a cell
     std::size_t words_ = 0;
     std::vector<std::uint64_t> inside_;      ///< a bit a node, by column
     std::vector<std::uint32_t> pointOfCube_; ///< by the cube's lowest node; set where the surface crosses

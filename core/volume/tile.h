@@ -77,17 +77,6 @@ public:
         return segmentCount() == lines.segmentCount() &&
                std::memcmp(segments(), lines.segments().data(), segmentCount() * sizeof(Segment)) == 0;
     }
-    /// All lines at once. They must not be this tile's own; the caller has made sure of the capacity.
-    void assign(const TileView& lines) const noexcept {
-        std::uint32_t at = 0;
-        for (int i = 0; i < linesPerTile; ++i) {
-            const std::span<const Segment> source = lines[static_cast<std::size_t>(i)];
-            setOffset(i, at);
-            std::memcpy(segments() + at, source.data(), source.size_bytes());
-            at += static_cast<std::uint32_t>(source.size());
-        }
-        setOffset(linesPerTile, at);
-    }
     /// Makes room for `added` segments in place of `removed` ones of a line, from its `first` on. The caller has made
     /// sure of the capacity and writes them to the place that is returned.
     Segment* replace(int line, std::uint32_t first, std::uint32_t removed, std::uint32_t added) const noexcept {

@@ -12,7 +12,7 @@ public:
     static const VolumeState& state(const VolumeSnapshot& snapshot) noexcept { return *snapshot.state_; }
     static RunVolume::Impl& writer(RunVolume& volume) noexcept { return *volume.impl_; }
 
-    /// The block of every tile that a snapshot shows, row by row of tiles.
+    /// The block of the tile in this place of the table.
     static BlockIndex tileAt(const VolumeState& state, std::int32_t tileU, std::int32_t tileV) noexcept {
         const LineIndex corner{tileU * tileSide, tileV * tileSide};
         const VolumeStore& store = *state.store;

@@ -92,11 +92,11 @@ bool VolumeDelta::put(RunVolume& volume, std::uint64_t Brick::*moment) const {
     auto& writer = VolumeAccess::writer(volume);
     const PackedTileFrame frame = packedFrame(volume.grid(), volume.properties());
     const VolumeSnapshot unchanged = volume.snapshot(); // the way back
-    TileLines lines;
+    BrickLines lines(frame.lineEnd);
     for (const Brick& brick : bricks_) {
         const bool sound = unpackTile(std::string_view(bytes_).substr(brick.*moment), frame, lines);
         assert(sound);
-        if (sound && writer.setTile(brick.corner, lines.view())) continue;
+        if (sound && writer.setBrick(brick.corner, lines)) continue;
         volume.restore(unchanged);
         return false;
     }

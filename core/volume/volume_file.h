@@ -31,9 +31,10 @@ struct VolumeFileContent {
     std::optional<Error> damage() const;
 };
 
-/// Writes a volume in its file form (README.md): packed bricks, compressed and checksummed in groups of up to 16 × 16,
-/// the header at both ends. Brick group by brick group, so that memory stays bounded.
-/// Errors: cancelled, outOfMemory, fileNotWritable, diskFull, argumentInvalid (a property that has no file form).
+/// Writes a volume in its file form (volume_file.md): packed bricks, compressed and checksummed in groups of up to 16 ×
+/// 16, the header at both ends. Brick group by brick group, so that memory stays bounded.
+/// Errors: cancelled, outOfMemory (also a single brick beyond 1 GiB), fileNotWritable, diskFull, argumentInvalid (a
+/// property that does not come back from its JSON form: one without a name, a value that is not finite).
 Result<void> writeVolume(std::ostream& stream, const std::string& name, const VolumeSnapshot& volume,
                          Progress& progress);
 /// The same beside `file`, and renames it over: afterwards the new file stands there whole, or what stood there before.

@@ -50,7 +50,8 @@ public:
         : volume_(volume)
         , groups_(header.grid)
         , frame_(packedFrame(header.grid, header.properties))
-        , bricks_(header.grid) {}
+        , bricks_(header.grid)
+        , lines_(frame_.lineEnd) {}
 
     /// The content of a block that stands in front of the scanner, if it is sound. Else the scanner stays, as another
     /// record may begin within what should have been the block.
@@ -66,7 +67,7 @@ private:
     BrickGroups groups_;
     PackedTileFrame frame_;
     BrickMap bricks_;
-    TileLines lines_;
+    BrickLines lines_;
     std::unordered_map<std::string_view, LineIndex> known_; ///< of one block: equal bricks share memory
 };
 
@@ -100,14 +101,8 @@ Result<void> BrickReader::put(const BlockHead& head, std::string_view plain) {
 
 bool BrickReader::place(LineIndex corner, std::string_view packed) {
     auto& writer = VolumeAccess::writer(volume_);
-    const Grid& grid = volume_.grid();
-    // What lies beyond the grid is made air, so bricks at the rim are nobody's equals.
-    const bool inner = grid.contains(LineIndex{corner.u + tileSide - 1, corner.v + tileSide - 1});
-    if (inner) {
-        const auto [equal, isNew] = known_.try_emplace(packed, corner);
-        if (!isNew) return writer.shareTile(corner, equal->second);
-    }
-    return writer.setTile(corner, lines_.view());
+    const auto [equal, isNew] = known_.try_emplace(packed, corner);
+    return isNew ? writer.setBrick(corner, lines_) : writer.shareBrick(corner, equal->second);
 }
 
 } // namespace

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-/// The records that a volume's file consists of (README.md, "File form"), for its writer and its reader.
+/// The records that a volume's file consists of (volume_file.md), for its writer and its reader.
 namespace burin::volume_file {
 
 inline constexpr std::uint32_t version = 1;

@@ -26,9 +26,10 @@ void VolumeHistory::add(VolumeSnapshot before) {
     if (packing_ && packing_->step >= present_) packing_.reset();
     steps_.resize(present_);
     marks_.resize(marks_.empty() ? 0 : present_ + 1);
-    const auto other = [&](const VolumeSnapshot& mark) { return !mark.empty() && !mark.sameVolume(before); };
-    if (std::ranges::any_of(marks_, other)) clear();
-    reserve_ = VolumeAccess::state(before).store->arena->reservedBytes();
+    const std::shared_ptr<VolumeStore>& store = VolumeAccess::state(before).store;
+    if (volume_.lock() != store) clear();
+    volume_ = store;
+    reserve_ = store->arena->reservedBytes();
     if (marks_.empty())
         marks_.push_back(std::move(before));
     else
@@ -41,6 +42,10 @@ void VolumeHistory::add(VolumeSnapshot before) {
     while (nextDue(budget_.mostHeldSteps, noLimit)) packDue(budget_.mostHeldSteps, noLimit, noLimit);
 }
 
+bool VolumeHistory::belongsTo(RunVolume& volume) const {
+    return volume_.lock().get() == &VolumeAccess::writer(volume).store();
+}
+
 /// Makes sure that the volume can come back to the present mark over a step.
 void VolumeHistory::leave(std::size_t step, RunVolume& volume) {
     if (steps_[step].delta || !marks_[present_].empty()) return;
@@ -49,7 +54,8 @@ void VolumeHistory::leave(std::size_t step, RunVolume& volume) {
 }
 
 Result<void> VolumeHistory::undo(RunVolume& volume) {
-    if (!canUndo()) return Error{ErrorCode::argumentInvalid, "undo", "0", "a step that can be taken back"};
+    if (!canUndo() || !belongsTo(volume))
+        return Error{ErrorCode::argumentInvalid, "undo", "0", "a step that can be taken back"};
     const std::size_t step = present_ - 1;
     leave(step, volume);
     if (!marks_[step].empty())
@@ -61,7 +67,8 @@ Result<void> VolumeHistory::undo(RunVolume& volume) {
 }
 
 Result<void> VolumeHistory::redo(RunVolume& volume) {
-    if (!canRedo()) return Error{ErrorCode::argumentInvalid, "redo", "0", "a step that was taken back"};
+    if (!canRedo() || !belongsTo(volume))
+        return Error{ErrorCode::argumentInvalid, "redo", "0", "a step that was taken back"};
     const std::size_t step = present_;
     leave(step, volume);
     if (!marks_[step + 1].empty())

@@ -6,9 +6,12 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 
 namespace burin {
+
+class VolumeStore;
 
 /// Steps of cutting on one volume that can be taken back and done again, in bounded memory. The newest are held by
 /// snapshots (taking one back costs no more than its table of bricks), older ones packed (VolumeDelta), the oldest
@@ -39,8 +42,8 @@ public:
     bool canRedo() const noexcept { return present_ < steps_.size(); }
     std::size_t undoSteps() const noexcept { return present_; }
     std::size_t redoSteps() const noexcept { return steps_.size() - present_; }
-    /// Errors: argumentInvalid (there is none), volumeOutOfMemory (a packed step, and a reserve that is used up): the
-    /// volume is then what it was.
+    /// Errors: argumentInvalid (there is none, or it is another volume's), volumeOutOfMemory (a packed step, and a
+    /// reserve that is used up): the volume is then what it was.
     Result<void> undo(RunVolume& volume);
     Result<void> redo(RunVolume& volume);
 
@@ -64,6 +67,7 @@ private:
         std::size_t heldBytes = 0;
     };
 
+    bool belongsTo(RunVolume& volume) const;
     void leave(std::size_t step, RunVolume& volume);
     std::size_t heldLimit() const noexcept;
     bool packable(std::size_t step) const noexcept;
@@ -76,9 +80,10 @@ private:
 
     Budget budget_;
     std::deque<Step> steps_;
-    std::deque<VolumeSnapshot> marks_; ///< states between steps, one more than there are steps; empty: not held
-    std::size_t reserve_ = 0;          ///< of the volume, bytes
-    std::size_t present_ = 0;          ///< the mark at which the volume stands
+    std::deque<VolumeSnapshot> marks_;  ///< states between steps, one more than there are steps; empty: not held
+    std::weak_ptr<VolumeStore> volume_; ///< whose steps they are
+    std::size_t reserve_ = 0;           ///< of the volume, bytes
+    std::size_t present_ = 0;           ///< the mark at which the volume stands
     struct Packing {
         std::size_t step = 0;
         VolumeDeltaPacker packer;

@@ -12,11 +12,28 @@ namespace burin {
 
 namespace {
 
-/// Scanlines of an edge tile beyond the grid hold air alone.
-std::size_t materialRuns(const Tile& tile) {
-    const std::span<const Segment> segments(tile.segments(), tile.segmentCount());
+std::size_t materialRuns(std::span<const Segment> segments) {
     return static_cast<std::size_t>(
         std::ranges::count_if(segments, [](Segment segment) { return segment.property() != airProperty; }));
+}
+
+/// Runs of material in all scanlines of the grid.
+std::size_t runsOf(const VolumeState& state) {
+    const VolumeStore& store = *state.store;
+    const Grid& grid = store.grid;
+    std::size_t runs = 0;
+    for (LineIndex corner; corner.v < grid.lineCountV(); corner.v += tileSide)
+        for (corner.u = 0; corner.u < grid.lineCountU(); corner.u += tileSide) {
+            const Tile tile = store.tile(VolumeAccess::tileAt(state, corner.u / tileSide, corner.v / tileSide));
+            if (grid.contains(LineIndex{corner.u + tileSide - 1, corner.v + tileSide - 1})) {
+                runs += materialRuns(tile.all());
+                continue;
+            }
+            for (int i = 0; i < linesPerTile; ++i)
+                if (grid.contains(LineIndex{corner.u + i % tileSide, corner.v + i / tileSide}))
+                    runs += materialRuns(tile.line(i));
+        }
+    return runs;
 }
 
 std::vector<BlockIndex> blocksOf(const VolumeState& state) {
@@ -40,6 +57,7 @@ VolumeMemory memoryOf(const VolumeSnapshot& snapshot) {
     for (const BlockIndex page : state.pages) memory.tableBytes += store.arena->bytesOf(*store.arena->at(page));
     std::vector<BlockIndex> blocks = blocksOf(state);
     memory.places = blocks.size();
+    memory.runs = runsOf(state);
     std::ranges::sort(blocks);
     for (std::size_t i = 0; i < blocks.size();) {
         std::size_t next = i;
@@ -52,7 +70,6 @@ VolumeMemory memoryOf(const VolumeSnapshot& snapshot) {
         memory.segmentBytes += segments;
         memory.headerBytes += header;
         memory.slackBytes += all - segments - header;
-        memory.runs += (next - i) * materialRuns(tile);
         i = next;
     }
     return memory;

@@ -4,7 +4,7 @@
 
 #include "core/base/parallel.h"
 #include "core/volume/line_filling.h"
-#include "core/volume/triangle_bins.h"
+#include "core/volume/sorted_crossings.h"
 
 #include <algorithm>
 #include <memory>
@@ -22,29 +22,28 @@ struct PreparedBody {
     const TriangleMesh* mesh = nullptr; ///< closed
     PropertyIndex property = airProperty;
     std::unique_ptr<OpenMesh> open; ///< holds `mesh` when the caller's was open
-    std::vector<LatticeVertex> vertices;
-    std::optional<TriangleBins> bins;
+    std::optional<SortedCrossings> crossings;
 };
 
-Result<void> sortTriangles(PreparedBody& body, const Grid& grid) {
+Result<void> sortCrossings(PreparedBody& body, const Grid& grid) {
     Result<std::vector<LatticeVertex>> vertices = projectVertices(*body.mesh, grid);
     if (!vertices) return vertices.error();
-    body.vertices = *std::move(vertices);
-    body.bins.emplace(*body.mesh, body.vertices, grid);
+    const std::size_t firstCap = body.open ? body.open->firstCap() : body.mesh->triangles.size();
+    body.crossings.emplace(*body.mesh, firstCap, grid, *std::move(vertices));
     return {};
 }
 
 Result<void> prepare(const BodyMesh& body, const Grid& grid, PreparedBody& prepared, VoxelisationReport& report) {
     prepared.mesh = body.mesh;
     prepared.property = body.property;
-    if (Result<void> done = sortTriangles(prepared, grid); !done || prepared.bins->closed()) return done;
+    if (Result<void> done = sortCrossings(prepared, grid); !done || prepared.crossings->closed()) return done;
     constexpr double slit = 1.0 / 16.0; // voxels
     prepared.open = std::make_unique<OpenMesh>(*body.mesh, slit * grid.edge());
     prepared.mesh = &prepared.open->closed();
     report.openEdges = prepared.open->capCount();
     report.holes = prepared.open->holes();
     report.duplicateTriangles = prepared.open->duplicates();
-    return sortTriangles(prepared, grid);
+    return sortCrossings(prepared, grid);
 }
 
 /// Fills rows of bricks on one thread, one after the other.
@@ -61,7 +60,7 @@ public:
     void fill(const RunVolume& volume, std::int32_t row, std::span<const PreparedBody> bodies,
               std::span<VoxelisationReport> reports, BrickSink& sink) {
         for (std::size_t body = 0; body < bodies.size(); ++body) {
-            cross(bodies[body], row);
+            bodies[body].crossings->collect(row, cells_);
             const bool last = body + 1 == bodies.size();
             for (LineIndex low{0, row * brickSide}; low.u < grid_.lineCountU(); low.u += brickSide) {
                 const std::int32_t column = low.u / brickSide;
@@ -86,24 +85,6 @@ public:
     }
 
 private:
-    /// Puts the crossings of a row's triangles into their lines' cells.
-    void cross(const PreparedBody& body, std::int32_t row) {
-        const LineRange range{0, row * brickSide, grid_.lineCountU(),
-                              std::min((row + 1) * brickSide, grid_.lineCountV())};
-        const TriangleMesh& mesh = *body.mesh;
-        const std::size_t firstCap = body.open ? body.open->firstCap() : mesh.triangles.size();
-        const double beyond = static_cast<double>(grid_.lineEnd()) + 1.0;
-        body.bins->forEachIn(row, [&](std::uint32_t triangle) {
-            const auto& [a, b, c] = mesh.triangles[triangle];
-            const TriangleCover cover(body.vertices[a], body.vertices[b], body.vertices[c], range);
-            cover.forEachLine(-1.0, beyond, [&](std::int32_t u, std::int32_t v, double along, bool leaves) {
-                const auto position = static_cast<std::int32_t>(along + 1.5) - 1; // to the nearest; never below -1
-                cells_.add(u, v - range.lowV, LineCrossing(position, leaves, triangle >= firstCap));
-            });
-        });
-        cells_.finish();
-    }
-
     /// Makes the new content of a brick.
     void paint(std::span<const Segment> present, LineIndex low, const PreparedBody& body, VoxelisationReport& report) {
         lines_.clear();

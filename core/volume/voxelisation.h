@@ -46,18 +46,17 @@ struct VoxelisationReport {
 /// - A line on which windings do not close, as faces disagree: parity of its crossings.
 /// - Triangles without area cross nothing. A triangle that is there twice, turned alike, counts once, in a mesh that is
 ///   open else. Slits up to 1/16 voxel wide between open edges close (their vertices move by no more than that).
-/// - A hole's rim is closed by a cone to its middle. Lines that meet such a cap are cut into pieces at surface and
-/// caps;
-///   a piece is inside where the generalised winding number of the surface at its middle is above 1/2: where the
-///   surface takes up more than half of the view (Jacobson, Kavan & Sorkine-Hornung 2013). So a plane hole in a
-///   closed shape ends in a plane. Beyond 20,000 open edges the caps are taken for surface.
-/// All of them hold for any run axis; what a mesh encloses by a rule of the last two kinds is a guess, and warned of.
+/// - A hole's rim is closed by a cone to its middle, the cap. A line that meets caps is cut into pieces at surface and
+///   caps; a piece is inside where the generalised winding number of the surface at its middle is above 1/2, that is,
+///   where the surface takes up more than half of the view (Jacobson, Kavan & Sorkine-Hornung 2013). So a plane hole in
+///   a closed shape ends in its plane. Beyond 20,000 open edges the caps are taken for surface.
+/// They hold for any run axis. What is inside by parity or by a hole's rule is a guess, and warned of.
 ///
 /// Bodies are filled in the order of their priorities, equal ones in the order of the list; the result is that of one
-/// after the other. Reports are in the order of the list. Cost: time linear in triangles and crossings, in lines
-/// through holes times open edges; parallel over rows of bricks. Errors: volumeOutOfMemory, cancelled (some lines are
-/// filled then), argumentInvalid (a vertex of a triangle that is not finite or half a million times farther away than
-/// the largest grid reaches), outOfMemory.
+/// after the other. Reports are in the order of the list.
+/// Cost: time and memory (8 bytes a crossing, 24 a vertex) linear in triangles and crossings; besides, lines through
+/// holes times open edges. Parallel. Errors: volumeOutOfMemory, cancelled (some lines are filled then), argumentInvalid
+/// (a vertex that is not finite or half a million times farther away than the largest grid reaches), outOfMemory.
 Result<std::vector<VoxelisationReport>> voxelise(std::span<const BodyMesh> bodies, RunVolume& volume,
                                                  Progress& progress);
 

@@ -69,7 +69,7 @@ void packedFigures(Session& session, const std::string& name, const VolumeSnapsh
     session.add(figure(name + ".hot_bytes_per_run", memory.bytesPerRun(), "B"));
     const Grid& grid = snapshot.grid();
     std::size_t different = 0;
-    TileLines brick;
+    BrickLines brick(grid.lineEnd());
     for (std::int32_t v = 0; v < grid.lineCountV(); v += tileSide)
         for (std::int32_t u = 0; u < grid.lineCountU(); u += tileSide) {
             packed.brick({u, v}, brick);

@@ -69,7 +69,7 @@ void readAll(const std::string& bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     std::string input(reinterpret_cast<const char*>(bytes), count);
-    TileLines tile;
+    BrickLines tile(1U << 14);
     static_cast<void>(unpackTile(input, {1U << 14, 4}, tile));
     readAll(input);
     makeSumsRight(input);

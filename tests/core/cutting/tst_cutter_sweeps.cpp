@@ -95,6 +95,68 @@ private slots:
         QVERIFY(inside > 50 && outside > 50);
     }
 
+    /// What mills takes exactly that, counts it, and leaves what is protected; a tool that stands still takes nothing.
+    void materialRemovalTakesTheSweep_data() { rowForEveryType(); }
+    void materialRemovalTakesTheSweep() {
+        QFETCH(int, index);
+        const Cutter cutter = cutters::all()[static_cast<std::size_t>(index)].cutter;
+        const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
+        QVERIFY(rc::check("material removal", [&] {
+            const glm::dvec3 axis = random::axis(), from(real(-1.0, 1.0), real(-1.0, 1.0), real(-1.0, 1.0));
+            const glm::dvec3 to = from + 0.5 * random::moveFor(axis);
+            const auto runs = static_cast<RunAxis>(*rc::gen::inRange(0, 3));
+            RunVolume ours = solid({-9.0, -9.0, -9.0}, 0.5, {36, 36, 36}, runs);
+            RunVolume wanted = solid({-9.0, -9.0, -9.0}, 0.5, {36, 36, 36}, runs);
+            for (RunVolume* volume : {&ours, &wanted})
+                RC_ASSERT(volume->fillBlock({20, 0}, {36, 36}, 0, 18 * 256, part));
+            RunAmounts removed;
+            sweep(wanted, flutes, {from, to, axis}, removed);
+            MaterialRemoval removal(cutter, ours.grid());
+            const CutResult cut = removal.cut(ours, ToolPose{from, axis}, ToolPose{to, axis});
+            RC_ASSERT(ours.amounts() == wanted.amounts());
+            RC_ASSERT(unitsOf(cut, softStock) == removed.units[softStock]);
+            for (LineIndex line; line.v < 36; ++line.v)
+                for (line.u = 0; line.u < 36; ++line.u)
+                    RC_ASSERT(std::ranges::equal(ours.line(line), wanted.line(line)));
+            RC_ASSERT(removal.cut(ours, ToolPose{to, axis}, ToolPose{to, axis}).volume == 0.0);
+        }));
+    }
+
+    /// An axis that turns on the way: what is gone lies within the stated eighth of a voxel of the true motion's sweep.
+    void aTurningAxisSweepsItsMotion() {
+        const Cutter cutter = cutters::bullNose();
+        const RevolvedPiece piece = flutes(cutter);
+        const double edge = 0.5, bound = SweepCutter::turnTolerance * edge;
+        QVERIFY(rc::check("turning axis", [&] {
+            const glm::dvec3 axis = random::axis(), from(real(-1.0, 1.0), real(-1.0, 1.0), real(-1.0, 1.0));
+            const glm::dvec3 other =
+                glm::normalize(axis + 0.3 * glm::dvec3(real(-1.0, 1.0), real(-1.0, 1.0), real(-1.0, 1.0)));
+            const ToolPose first{from, axis}, last{from + 0.2 * random::move(), other};
+            RunVolume volume =
+                solid(glm::dvec3(-16.0), edge, glm::ivec3(64), static_cast<RunAxis>(*rc::gen::inRange(0, 3)));
+            MaterialRemoval removal(cutter, volume.grid());
+            (void)removal.cut(volume, first, last);
+            RC_ASSERT(removal.cut(volume, last, last).volume == 0.0);
+            const Grid& grid = volume.grid();
+            const PoseSteps motion(first, last, 13.0, edge);
+            for (int point = 0; point < 80; ++point) {
+                const LineIndex line{*rc::gen::inRange(0, 64), *rc::gen::inRange(0, 64)};
+                const auto position = static_cast<RunPosition>(*rc::gen::inRange(0, 64 * 256));
+                const glm::dvec3 place = inSetupFrame(grid, {grid.lineCentre(line), grid.toMillimetres(position)});
+                double nearest = 1e9; // mm, of the flutes at sampled moments of the true motion
+                for (int i = 0; i <= 400; ++i) {
+                    const ToolPose pose = motion.poseAt(i / 400.0);
+                    const glm::dvec3 q = place - pose.tip;
+                    const double height = glm::dot(q, pose.axis);
+                    nearest = std::min(nearest, signedDistance(piece, glm::length(q - height * pose.axis), height));
+                }
+                const double slack = bound + 0.02; // samples lie that close
+                if (isAir(volume, line, position)) RC_ASSERT(nearest <= slack);
+                if (!isAir(volume, line, position)) RC_ASSERT(nearest >= -slack);
+            }
+        }));
+    }
+
     /// The paper's interpolation of voxel tools and the analytic sweep remove the same, within what voxels can say:
     /// half a voxel's diagonal for the tool's own voxels, half a step between two poses.
     void thePapersInterpolationRemovesTheSame_data() { rowForEveryType(); }

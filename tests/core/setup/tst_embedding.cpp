@@ -129,16 +129,37 @@ private slots:
         QVERIFY(embedded->warnings.empty());
     }
 
-    void anOpenBodyIsAnErrorThatNamesIt() {
+    void anOpenBodyIsFilledWithAWarningThatNamesItAndThePlace() {
         TriangleMesh open = boxMesh({0, 0, 0}, {10, 10, 10});
-        open.triangles.pop_back();
-        open.triangles.erase(open.triangles.begin());
+        open.triangles.erase(open.triangles.begin() + 2, open.triangles.begin() + 4); // the top
         const Model part = model({body("Sound", boxMesh({20, 0, 0}, {30, 10, 10})), body("Torn", open)});
-        const auto embedded = embedIn(part, *placeStock(part, withVoxel(0.5, 1.0)));
-        QVERIFY(!embedded);
-        QVERIFY(embedded.error().code == ErrorCode::modelNotWatertight);
-        QCOMPARE(embedded.error().subject, std::string("part.step"));
-        QCOMPARE(embedded.error().place, std::string("6 open edges in Torn"));
+        for (const RunAxis axis : {RunAxis::x, RunAxis::y, RunAxis::z}) {
+            Setup setup = *placeStock(part, withVoxel(0.5, 1.0));
+            setup.runs = axis;
+            const auto embedded = embedIn(part, setup);
+            QVERIFY(embedded);
+            QCOMPARE(embedded->partVolume, 2000.0);
+            QCOMPARE(embedded->warnings.size(), std::size_t{1});
+            const std::string& warning = embedded->warnings[0];
+            QVERIFY(warning.starts_with("Torn: the surface is open at 4 edges (1 rim)"));
+            if (axis == RunAxis::z)
+                QVERIFY(warning.ends_with(" a guess, between (0.000, 0.000, 0.000) and (10.000, 10.000, 10.000) mm"));
+        }
+    }
+
+    void everyRunAxisKeepsStockAndPart() {
+        const Model part = model({body("Block", boxMesh({0, 0, 0}, {20, 10, 7.25}))});
+        for (const RunAxis axis : {RunAxis::x, RunAxis::y}) {
+            Setup setup = *placeStock(part, withVoxel(0.5, 2.25));
+            setup.runs = axis;
+            const auto embedded = embedIn(part, setup);
+            QVERIFY(embedded);
+            QVERIFY(embedded->workpiece.grid().axis() == axis);
+            // Across the runs a face lies on the voxel face that is nearest to it: 7.25 mm from 2.25 mm are 4.5 to 19
+            // voxels, whose lower end is a tie.
+            QVERIFY(std::abs(embedded->partVolume - 20 * 10 * 7.25) <= 20 * 10 * 0.25);
+            QVERIFY(std::abs(embedded->partVolume + embedded->stockVolume - 24.5 * 14.5 * 11.75) <= 24.5 * 14.5 * 0.25);
+        }
     }
 
     void aPartBeyondItsStockIsAnError() {

@@ -30,15 +30,15 @@ Lines linesOf(const Volume& volume) {
     return lines;
 }
 
-/// Rising ends, some equal, some beyond the line, neighbours of one property now and then.
+/// Rising ends, some equal, neighbours of one property now and then.
 std::vector<Segment> someSegments(std::mt19937& random, RunPosition lineEnd, int most) {
     std::vector<Segment> segments;
     RunPosition end = 0;
     for (int count = static_cast<int>(random() % static_cast<unsigned>(most + 1)); count > 0; --count) {
         end += static_cast<RunPosition>(random() % (2 * lineEnd / static_cast<unsigned>(most)));
-        segments.emplace_back(end, static_cast<PropertyIndex>(random() % 4));
+        segments.emplace_back(std::min(end, lineEnd), static_cast<PropertyIndex>(random() % 4));
     }
-    segments.emplace_back(std::max(end, lineEnd), airProperty);
+    segments.emplace_back(lineEnd, airProperty);
     return segments;
 }
 

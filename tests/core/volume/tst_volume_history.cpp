@@ -205,9 +205,15 @@ private slots:
     void anotherVolumeStartsANewHistory() {
         Milled one(1, Content::sheets), other(2, Content::sheets);
         one.mill(1);
+        one.mill(1);
+        QVERIFY(one.history.packAll());
+        QCOMPARE(one.history.undo(other.volume).error().code, ErrorCode::argumentInvalid);
+        QVERIFY(other.isAtPresent());
         one.history.add(other.volume.snapshot());
         QCOMPARE(one.history.undoSteps(), std::size_t{1});
-        QCOMPARE(one.history.redo(one.volume).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(one.history.undo(one.volume).error().code, ErrorCode::argumentInvalid);
+        QVERIFY(one.isAtPresent());
+        QVERIFY(one.history.undo(other.volume));
     }
 };
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/voxelisation.h"
 #include "tests/core/volume/shapes.h"
-#include "tests/core/volume/volumes.h"
-#include "tests/oracles/dense_grid.h"
+#include "tests/core/volume/voxelised.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -14,11 +13,6 @@ using namespace burin;
 using namespace burin::test;
 
 namespace {
-
-VoxelisationReport fill(const TriangleMesh& mesh, RunVolume& volume, PropertyIndex property = part) {
-    Progress progress;
-    return *voxelise(mesh, property, volume, progress);
-}
 
 /// Volume, mm³, that a mesh has in a grid over a 20 mm cube that is moved by `shift` voxels. Negative: the report is
 /// not clean.
@@ -132,12 +126,7 @@ private slots:
                         nearest,
                         std::abs(windingNumber(mesh, place + glm::dvec3(0, 0, step)) - winding) > 0.5 ? 0.0 : 1.0);
                 if (nearest == 0.0) continue;
-                PropertyIndex found = airProperty;
-                for (const Segment segment : volume.line(line))
-                    if (segment.end() > unit) {
-                        found = segment.property();
-                        break;
-                    }
+                const PropertyIndex found = propertyAt(volume, line, unit);
                 RC_ASSERT((found == part) == (std::abs(std::round(winding)) > 0.5));
             }
         });
@@ -162,30 +151,99 @@ private slots:
         QCOMPARE(volume.amounts().units[part], std::uint64_t{512 * 256});
     }
 
-    void facesThatDisagreeAreFilledByParityAndReported() {
-        const Grid grid = *Grid::make(glm::dvec3(0.0), 1.0, {16, 16, 16});
-        RunVolume volume = emptyVolume(grid);
-        TriangleMesh mesh = boxMesh({1, 1, 1}, {9, 9, 9});
-        std::swap(mesh.triangles[2][0], mesh.triangles[2][1]); // half of the top
-        const auto report = fill(mesh, volume);
-        QVERIFY(report.linesWithTurnedFaces >= 28 && report.linesWithTurnedFaces <= 36); // a triangle of 8 × 8 lines
-        QCOMPARE(report.linesWithOddCrossings, std::size_t{0});
-        QCOMPARE(volume.amounts().units[part], std::uint64_t{512 * 256});
+    void bigAndSmallTrianglesMeetWithoutGaps() {
+        const bool held = rc::check("blobs of any size against their winding number", [] {
+            const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+            std::mt19937 random(seed);
+            const double scale = std::exp2(*rc::gen::inRange(0, 6)); // edges of some 2 to 150 voxels
+            TriangleMesh mesh = latticeBlob(seed);
+            for (glm::dvec3& point : mesh.vertices) point = (point - 8.0) * scale + 64.0;
+            append(mesh, latticeBlob(seed + 1)); // in a corner of the grid
+            const Grid grid = cubeGrid({128, 128, 128}, everyAxis[random() % 3]);
+            RunVolume volume = emptyVolume(grid);
+            const auto report = fill(mesh, volume);
+            RC_ASSERT(report.linesWithOddCrossings + report.linesWithTurnedFaces == 0U);
+            RC_ASSERT(report.filledUnits == volume.amounts().units[part]);
+            for (int i = 0; i < 40; ++i) {
+                const VoxelIndex voxel{static_cast<int>(random() % 128), static_cast<int>(random() % 128),
+                                       static_cast<int>(random() % 128)};
+                const LineIndex line = grid.lineOf(voxel);
+                const std::int32_t along = grid.alongOf(voxel);
+                glm::dvec3 place(voxel.i + 0.5, voxel.j + 0.5, voxel.k + 0.5), step(0.0);
+                place[grid.axisOfU()] += 1e-5;
+                place[grid.axisOfV()] -= 1e-8;
+                step[grid.axisOfRuns()] = 1.0 / 256;
+                const double winding = windingNumber(mesh, place);
+                if (std::abs(windingNumber(mesh, place + step) - winding) > 0.5 ||
+                    std::abs(windingNumber(mesh, place - step) - winding) > 0.5)
+                    continue; // a run end is rounded to 1/256
+                const PropertyIndex found =
+                    propertyAt(volume, line, static_cast<RunPosition>(along) * unitsPerVoxel + unitsPerVoxel / 2);
+                RC_ASSERT((found == part) == (std::abs(std::round(winding)) > 0.5));
+            }
+        });
+        QVERIFY(held);
     }
 
-    void anOpenBoxIsFilledToItsRim() {
-        const Grid grid = *Grid::make(glm::dvec3(0.0), 1.0, {16, 16, 16});
-        RunVolume volume = emptyVolume(grid);
-        TriangleMesh mesh = boxMesh({1, 1, 1}, {9, 9, 9});
-        mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4); // the top
-        const auto report = fill(mesh, volume);
-        QCOMPARE(report.linesWithOddCrossings, std::size_t{64});
-        QCOMPARE(report.linesThroughHoles, std::size_t{64});
-        QCOMPARE(report.openEdges, std::size_t{4});
-        QCOMPARE(report.holes, std::size_t{1});
-        QCOMPARE(volume.amounts().units[part], std::uint64_t{512 * 256});
-        QCOMPARE(report.warning(), std::string("the surface is open at 4 edges (1 rim): what it encloses on 64 scanlines "
-                                               "is a guess, between (1.000, 1.000, 1.000) and (9.000, 9.000, 9.000) mm"));
+    void severalBodiesAreFilledAsOneAfterTheOther() {
+        const bool held = rc::check("bodies in one pass", [] {
+            std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+            const Grid grid = cubeGrid({20, 17, 23}, everyAxis[random() % 3]);
+            std::vector<TriangleMesh> meshes;
+            std::vector<BodyMesh> bodies;
+            for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
+                meshes.push_back(latticeBlob(static_cast<std::uint32_t>(random())));
+                for (glm::dvec3& point : meshes.back().vertices) point += static_cast<double>(random() % 5);
+                if (random() % 4 == 0) meshes.back().triangles.resize(meshes.back().triangles.size() - 3);
+            }
+            for (const TriangleMesh& mesh : meshes)
+                bodies.push_back({&mesh, static_cast<PropertyIndex>(1 + random() % 3), static_cast<int>(random() % 3)});
+            RunVolume together = emptyVolume(grid, 2'000'000), apart = emptyVolume(grid, 2'000'000);
+            for (RunVolume* volume : {&together, &apart}) volume->fillBlock({2, 3}, {15, 14}, 700, 4000, wax);
+            Progress progress;
+            const auto reports = voxelise(bodies, together, progress);
+            RC_ASSERT(static_cast<bool>(reports));
+            RC_ASSERT(reports->size() == bodies.size());
+            for (const int priority : {0, 1, 2})
+                for (std::size_t i = 0; i < bodies.size(); ++i) {
+                    if (bodies[i].priority != priority) continue;
+                    const RunAmounts before = apart.amounts();
+                    const auto report = fill(*bodies[i].mesh, apart, bodies[i].property);
+                    RC_ASSERT(report.filledUnits == (*reports)[i].filledUnits);
+                    RC_ASSERT(report.replaced == (*reports)[i].replaced);
+                    for (std::size_t p = 0; p < 4; ++p)
+                        RC_ASSERT(before.units[p] - report.replaced.units[p] +
+                                      (p == bodies[i].property ? report.filledUnits : 0) ==
+                                  apart.amounts().units[p]);
+                }
+            for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
+                for (line.u = 0; line.u < grid.lineCountU(); ++line.u)
+                    RC_ASSERT(std::ranges::equal(together.line(line), apart.line(line)));
+            RC_ASSERT(together.amounts() == apart.amounts());
+            RC_ASSERT(together.amounts() == together.snapshot().amounts());
+        });
+        QVERIFY(held);
+    }
+
+    void theResultAlongXAndYIsThatOfTheTurnedMeshAlongZ() {
+        const bool held = rc::check("run axes", [] {
+            std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+            const TriangleMesh mesh = latticeBlob(static_cast<std::uint32_t>(random()));
+            const glm::ivec3 count(17, 16, 18);
+            for (const RunAxis axis : {RunAxis::x, RunAxis::y}) {
+                const Grid grid = cubeGrid(count, axis);
+                TriangleMesh turnedMesh = mesh;
+                for (glm::dvec3& point : turnedMesh.vertices)
+                    point = {point[grid.axisOfU()], point[grid.axisOfV()], point[grid.axisOfRuns()]};
+                RunVolume volume = emptyVolume(grid),
+                          alongZ = emptyVolume(cubeGrid({grid.lineCountU(), grid.lineCountV(), grid.voxelsPerLine()}));
+                RC_ASSERT(fill(mesh, volume).filledUnits == fill(turnedMesh, alongZ).filledUnits);
+                for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
+                    for (line.u = 0; line.u < grid.lineCountU(); ++line.u)
+                        RC_ASSERT(std::ranges::equal(volume.line(line), alongZ.line(line)));
+            }
+        });
+        QVERIFY(held);
     }
 
     void whatReachesOutOfTheGridIsClippedAndReported() {

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cutting/sweep_cutter.h"
+
+#include "core/cutting/footprint.h"
+#include "core/cutting/line_frame.h"
+
+#include <utility>
+
+namespace burin {
+
+SweepCutter::SweepCutter(std::vector<RevolvedPiece> pieces, double edge)
+    : pieces_(std::move(pieces)), reach_(reachOf(pieces_)), tolerance_(turnTolerance * edge) {}
+
+void SweepCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
+                      RemovedUnits& removed) const noexcept {
+    RunAmounts taken;
+    const PoseSteps steps(from, to, reach_, tolerance_);
+    for (std::int32_t k = 0; k < steps.count(); ++k)
+        if (!cutStep(workpiece, steps.step(k), taken, removed)) break;
+    for (std::size_t property = 0; property < taken.units.size(); ++property)
+        removed.byProperty[property] += taken.units[property];
+}
+
+/// False when the workpiece's memory is used up.
+bool SweepCutter::cutStep(RunVolume& workpiece, const PoseStep& step, RunAmounts& taken,
+                          RemovedUnits& removed) const noexcept {
+    const Grid& grid = workpiece.grid();
+    const PropertyList& properties = workpiece.properties();
+    const auto take = [&](LineIndex line, RunPosition from, RunPosition to) {
+        std::uint64_t units = 0;
+        double along = 0.0;
+        forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
+            if (properties.isProtected(property)) return;
+            units += end - start;
+            along += 0.5 * (static_cast<double>(start) + static_cast<double>(end)) * (end - start);
+        });
+        if (units == 0) return true;
+        removed.outOfMemory = workpiece.removeSpan(line, from, to, taken) == Removal::outOfMemory;
+        if (removed.outOfMemory) return false;
+        removed.total += units;
+        removed.momentU += static_cast<double>(units) * line.u;
+        removed.momentV += static_cast<double>(units) * line.v;
+        removed.momentAlong += along;
+        return true;
+    };
+    const glm::dvec3 fromTip = inLineFrame(grid, step.fromTip), toTip = inLineFrame(grid, step.toTip);
+    for (const RevolvedPiece& piece : pieces_) {
+        forEachSpan(SweptPiece(piece, fromTip, toTip, inLineFrame(grid, step.axis)), grid, take);
+        if (removed.outOfMemory) return false;
+    }
+    return true;
+}
+
+} // namespace burin

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/gap_window.h"
+#include "core/cutting/pose_steps.h"
+#include "core/volume/run_volume.h"
+
+#include <vector>
+
+namespace burin {
+
+/// Takes what any flutes sweep between two poses, any axis, any axis of the runs, out of the machinable runs of a
+/// workpiece: scanline by scanline, written at once. Exact for a standing axis (SweptPiece); an axis that turns is
+/// split into steps that keep each point of the flutes within an eighth of a voxel of its place (PoseSteps).
+/// No allocation, lock or exception in `cut`.
+class SweepCutter {
+public:
+    static constexpr double turnTolerance = 0.125; ///< voxels
+    /// @param pieces flutePieces(cutter) @param edge of a voxel, mm
+    SweepCutter(std::vector<RevolvedPiece> pieces, double edge);
+
+    /// Poses in the setup frame, finite, axes of unit length. Adds to `removed`.
+    void cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to, RemovedUnits& removed) const noexcept;
+
+private:
+    bool cutStep(RunVolume& workpiece, const PoseStep& step, RunAmounts& taken, RemovedUnits& removed) const noexcept;
+
+    std::vector<RevolvedPiece> pieces_;
+    double reach_ = 0.0, tolerance_ = 0.0; ///< mm
+};
+
+} // namespace burin
