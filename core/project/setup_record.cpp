@@ -32,6 +32,8 @@ const char* notFinite(const Setup& setup) {
     return "";
 }
 
+constexpr std::string_view axisNames = "xyz"; // in the order of RunAxis
+
 Setup read(const json& record) {
     Setup setup;
     setup.voxel = record.at("voxel_mm").get<double>();
@@ -42,6 +44,11 @@ Setup read(const json& record) {
     if (const json& stock = record.at("stock_mm"); !stock.is_null())
         setup.stock = {vectorOf(stock.at(0)), vectorOf(stock.at(1))};
     setup.workOffset = vectorOf(record.at("work_offset_mm"));
+    // Left out by the versions that knew no other.
+    const std::string runs = record.value("run_axis", "z");
+    const std::size_t axis = runs.size() == 1 ? axisNames.find(runs) : std::string_view::npos;
+    if (axis == std::string_view::npos) throw json::other_error::create(501, "run_axis", &record);
+    setup.runs = static_cast<RunAxis>(axis);
     return setup;
 }
 
@@ -58,6 +65,7 @@ Result<std::string> toJson(const Setup& setup) {
         {"body_materials", setup.bodyMaterials},
         {"stock_mm", setup.stock.empty() ? json() : json::array({jsonOf(setup.stock.low), jsonOf(setup.stock.high)})},
         {"work_offset_mm", jsonOf(setup.workOffset)},
+        {"run_axis", std::string(1, axisNames[static_cast<std::size_t>(setup.runs)])},
     };
     return record.dump(-1, ' ', false, json::error_handler_t::replace);
 }

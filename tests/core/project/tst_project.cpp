@@ -113,6 +113,22 @@ private slots:
         QVERIFY(same(*setup, Setup{}));
     }
 
+    void theRunAxisComesBack() {
+        Setup setup;
+        for (const RunAxis axis : {RunAxis::x, RunAxis::y, RunAxis::z}) {
+            setup.runs = axis;
+            const auto back = setupFromJson(*toJson(setup));
+            QVERIFY(back && back->runs == axis);
+        }
+        std::string text = *toJson(setup); // along z
+        const std::string key = R"("run_axis":"z",)";
+        const std::size_t at = text.find(key);
+        QVERIFY(at != std::string::npos);
+        std::string older = text, wrong = text;
+        QVERIFY(setupFromJson(older.erase(at, key.size()))->runs == RunAxis::z);
+        QVERIFY(!setupFromJson(wrong.replace(at, key.size(), R"("run_axis":"w",)")));
+    }
+
     void aSetupThatIsNotFiniteIsRefused() {
         const QTemporaryDir folder;
         Result<Project> project = Project::create(fileIn(folder));
