@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/vectorised.h"
+#include "core/cutting/removed_units.h"
 #include "core/volume/run_volume.h"
 
 #include <array>
@@ -11,20 +12,11 @@
 
 namespace burin {
 
-/// What cuts took, counted as they take it.
-struct RemovedUnits {
-    std::array<std::uint64_t, 256> byProperty{}; ///< run units
-    std::uint64_t total = 0;                     ///< run units
-    double momentU = 0.0, momentV = 0.0;         ///< run units times line
-    double momentAlong = 0.0;                    ///< run units times run unit
-    bool outOfMemory = false;                    ///< lines from there on are uncut
-};
-
-/// The scanlines around a tool, kept where a tick finds them at once. For each line it holds the gap: a stretch in which
-/// nothing machinable is left, and what borders it on either side. A span that grows the gap within its neighbours is
-/// taken by arithmetic on eight lines at a time, without a look at the volume; other spans read the volume's line. What
-/// was taken is owed to the volume until it is written, a brick of 8 × 8 lines at a time, within 16 ticks.
-/// Memory: 16 bytes a line, toroidal: a brick of lines uses the place of another that the tool left behind.
+/// The scanlines around a tool, kept where a tick finds them at once. For each line it holds the gap: a stretch in
+/// which nothing machinable is left, and what borders it on either side. A span that grows the gap within its
+/// neighbours is taken by arithmetic on eight lines at a time, without a look at the volume; other spans read the
+/// volume's line. What was taken is owed to the volume until it is written, a brick of 8 × 8 lines at a time, within 16
+/// ticks. Memory: 16 bytes a line, toroidal: a brick of lines uses the place of another that the tool left behind.
 class GapWindow {
 public:
     static constexpr int longestDelay = 16; ///< ticks that a cut is owed at most
@@ -41,8 +33,8 @@ public:
     /// Takes the spans of some lines of a row. Stops at a brick for which no memory is left: see RemovedUnits.
     /// @param low, high spans of `groups` groups of eight lines, run units; none where low > high
     /// @return lines for which the volume was read
-    int take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups, const EightIntegers* low,
-             const EightIntegers* high, RemovedUnits& removed) noexcept;
+    int take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
+             const EightIntegers* low, const EightIntegers* high, RemovedUnits& removed) noexcept;
     /// Adds what `take` has summed up so far; to be called after its last row.
     void collect(RemovedUnits& removed) noexcept;
     /// Gets lines ready of which a cut may ask soon. Parameters and result as `take`.
@@ -78,11 +70,11 @@ public:
     /// Sums over some rows, lane by lane.
     struct alignas(64) Sums {
         std::array<EightIntegers, 256> byProperty{};
-        std::array<std::uint64_t, 4> used{}; ///< a bit for each property
+        std::array<std::uint64_t, 4> used{};                      ///< a bit for each property
         EightFloats units{}, momentU{}, momentV{}, momentAlong{}; ///< from the origins
-        std::int32_t originU = 0, originV = 0; ///< lines
-        std::int32_t alongOrigin = 0;          ///< run units, doubled
-        int rows = 0;                          ///< that are in the sums
+        std::int32_t originU = 0, originV = 0;                    ///< lines
+        std::int32_t alongOrigin = 0;                             ///< run units, doubled
+        int rows = 0;                                             ///< that are in the sums
     };
     /// A row of the window.
     struct Row {
@@ -149,7 +141,7 @@ private:
     std::uint32_t tick_ = 0;
 
     std::vector<std::int32_t> hits_;
-    std::vector<std::int32_t> open_; ///< groups with lines that need the volume …
+    std::vector<std::int32_t> open_;       ///< groups with lines that need the volume …
     std::vector<std::uint32_t> openLanes_; ///< … and which those are
     std::vector<std::uint32_t> cutLanes_;  ///< by hit: the lines of it that were cut
     Sums sums_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/removal.h"
 
+#include "core/cutting/window_cutter.h"
 #include "core/geometry/pose.h"
 
 #include <algorithm>
@@ -29,6 +30,8 @@ MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing
     reportsFlux_ = known && (!isBall || first.bottomRadius <= largestFluxBall * grid.edge());
     if (known && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
 }
+
+MaterialRemoval::~MaterialRemoval() = default;
 
 CutResult MaterialRemoval::account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept {
     CutResult result;
@@ -87,6 +90,10 @@ CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
     CutResult result = account(workpiece, removed);
     for (MaterialVolume& material : result.removed) pending_[material.property] += material.volume;
     return result;
+}
+
+const GapWindow* MaterialRemoval::window() const noexcept {
+    return cutter_ ? &cutter_->window() : nullptr;
 }
 
 bool MaterialRemoval::settled() const noexcept {

@@ -5,7 +5,6 @@
 #include "core/cutting/contact.h"
 #include "core/cutting/surface_flux.h"
 #include "core/cutting/sweep_cutter.h"
-#include "core/cutting/window_cutter.h"
 #include "core/geometry/pose.h"
 #include "core/tool/swept_span.h"
 #include "core/tool/tool.h"
@@ -17,6 +16,8 @@
 #include <vector>
 
 namespace burin {
+
+class WindowCutter;
 
 /// Volume of one material, mm³.
 struct MaterialVolume {
@@ -57,6 +58,7 @@ class MaterialRemoval {
 public:
     /// Allocates. @param grid of every workpiece that is cut
     MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing = Writing::everyCut);
+    ~MaterialRemoval();
 
     /// The tool's axis lies along the runs, +.
     /// A tip that is not finite removes nothing; neither does a tool that stands still where it arrived.
@@ -78,7 +80,7 @@ public:
     void reset() noexcept;
 
     /// What the workpiece is owed, for tests of contact between cuts; nothing: nothing ever is.
-    const GapWindow* window() const noexcept { return cutter_ ? &cutter_->window() : nullptr; }
+    const GapWindow* window() const noexcept;
 
 private:
     CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;

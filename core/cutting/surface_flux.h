@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/cutting/gap_window.h"
 #include "core/geometry/revolved_piece.h"
 #include "core/volume/run_volume.h"
 
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace burin {
+
+class GapWindow;
 
 /// What the surface of the flutes takes in a short move: the integral of normal · motion over the part of the surface
 /// that has material ahead of it. Unlike the volume that the runs lose, it does not come in rows of scanlines, so that

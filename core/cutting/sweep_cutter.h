@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/cutting/gap_window.h"
 #include "core/cutting/pose_steps.h"
+#include "core/cutting/removed_units.h"
 #include "core/volume/run_volume.h"
 
 #include <vector>
