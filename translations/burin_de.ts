@@ -852,6 +852,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>End mill 6 mm</source>
         <translation>Schaftfräser 6 mm</translation>
     </message>
+    <message>
+        <source>Chamfer mill 6 mm, 90°</source>
+        <translation>Fasenfräser 6 mm, 90°</translation>
+    </message>
+    <message>
+        <source>Drill 5 mm</source>
+        <translation>Bohrer 5 mm</translation>
+    </message>
+    <message>
+        <source>Lollipop mill 6 mm</source>
+        <translation>Kugelkopffräser 6 mm</translation>
+    </message>
+    <message>
+        <source>Taper ball mill 1 mm, 5° a side</source>
+        <translation>Kegelkugelfräser 1 mm, 5° je Seite</translation>
+    </message>
 </context>
 <context>
     <name>Subject</name>
@@ -962,6 +978,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>command</source>
         <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>benchmark</source>
+        <translation>Benchmark</translation>
     </message>
 </context>
 <context>
