@@ -16,6 +16,8 @@ constexpr double unitsAVoxel = 256.0;
 // A way that is shorter across the runs counts as one along them.
 constexpr double leastReach = 1e-9; // voxels
 constexpr double shortWay = 8.0;    // voxels
+// Lines that are left out lie so far behind those that can have more: roundings don't decide about any.
+constexpr double clipMargin = 1.0; // voxels
 
 /// Nearest run unit, held within what an int can say.
 std::int32_t unitOf(double voxels) noexcept {
@@ -45,7 +47,8 @@ void includeCircle(Extent& extent, double x, double y, double radius) noexcept {
 } // namespace
 
 bool SpanRows::serves(const RevolvedPiece& piece) noexcept {
-    return !piece.bulges() && piece.bottomRadius == piece.topRadius && piece.bottomRadius > 0.0 && piece.top > piece.bottom;
+    return !piece.bulges() && piece.bottomRadius == piece.topRadius && piece.bottomRadius > 0.0 &&
+           piece.top > piece.bottom;
 }
 
 SpanRows::SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept
@@ -121,6 +124,10 @@ void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withSta
     upright_.highestTop = std::max(upright_.from.top, upright_.to.top);
     upright_.joins = std::abs(toTip.z - from.tip.z) < piece_.top - piece_.bottom - piece_.cornerRadius;
     upright_.topRises = std::min(upright_.from.top, upright_.lineEnd) != upright_.levelTop;
+    const double rise = toTip.z - from.tip.z;
+    const bool topStays = rise <= 0.0 || std::min(upright_.from.top, upright_.lineEnd) == upright_.levelTop;
+    clips_ = !withStart && moves_ && topStays && (rise >= 0.0 || shape_ == Shape::ball);
+    behind_ = clips_ ? std::max(0.0, -rise) / static_cast<double>(upright_.reach) : 0.0;
     rows_ = {wholeOf(std::min(from.tip.y, toTip.y) - radius_), wholeOf(std::max(from.tip.y, toTip.y) + radius_) + 1};
     columns_ = {wholeOf(std::min(from.tip.x, toTip.x) - radius_), wholeOf(std::max(from.tip.x, toTip.x) + radius_) + 1};
 }
@@ -170,7 +177,22 @@ LineStretch SpanRows::row(std::int32_t v) const noexcept {
         }
     }
     if (!(extent.low <= extent.high)) return {};
-    return {wholeOf(extent.low), wholeOf(extent.high) + 1};
+    const LineStretch lines{wholeOf(extent.low), wholeOf(extent.high) + 1};
+    return clips_ ? inFront(lines, v - from.y) : lines;
+}
+
+/// Lines that can have more than at the start of the way. The height of the piece over a line is convex along the way:
+/// where it does not fall at the start, it never does. Behind the axis a piece that does not sink never falls, and a
+/// ball that sinks does not from behind_ · (half its chord) on.
+/// @param y voxels, of the row from the axis at the start
+LineStretch SpanRows::inFront(const LineStretch& lines, double y) const noexcept {
+    const double chord = std::sqrt(std::max(0.0, (radius_ - y) * (radius_ + y)));
+    const double ahead = -clipMargin - behind_ * chord - y * upright_.wayY; // of x · wayX, at least
+    const double wayX = upright_.wayX, x = upright_.from.x;
+    if (std::abs(wayX) * (radius_ + upright_.reach) < clipMargin)
+        return ahead > clipMargin ? LineStretch{} : lines; // the row lies across the way
+    if (wayX > 0.0) return {std::max(lines.first, wholeOf(x + ahead / wayX)), lines.last};
+    return {lines.first, std::min(lines.last, wholeOf(x + ahead / wayX) + 1)};
 }
 
 void SpanRows::spans(std::int32_t v, std::int32_t firstGroup, std::int32_t groups, EightIntegers* low,

@@ -72,34 +72,35 @@ public:
     enum class Shape : std::uint8_t { ball, flat, bullNose };
     /// One end of an upright piece's way.
     struct End {
-        double x = 0.0, y = 0.0;  ///< voxels
-        std::int32_t wholeX = 0;  ///< of x
-        float partX = 0.0F;       ///< the rest
-        std::int32_t top = 0;     ///< units, of the upper face
-        std::int32_t base = 0;    ///< units, that heights count from
-        float middle = 0.0F;      ///< units from base, of the rounding's middle, + 1/2
-        float flatHeight = 0.0F;  ///< units over that, of the flat middle
+        double x = 0.0, y = 0.0; ///< voxels
+        std::int32_t wholeX = 0; ///< of x
+        float partX = 0.0F;      ///< the rest
+        std::int32_t top = 0;    ///< units, of the upper face
+        std::int32_t base = 0;   ///< units, that heights count from
+        float middle = 0.0F;     ///< units from base, of the rounding's middle, + 1/2
+        float flatHeight = 0.0F; ///< units over that, of the flat middle
     };
     /// An upright piece on its way.
     struct Upright {
         float radius = 0.0F, flatRadius = 0.0F, cornerRadius = 0.0F; ///< voxels
         End from, to;
         std::int32_t lineEnd = 0;
-        bool topRises = false;     ///< the upper face lies in the grid and at two heights
-        std::int32_t levelTop = 0; ///< units, of the upper face where it does not
+        bool topRises = false;       ///< the upper face lies in the grid and at two heights
+        std::int32_t levelTop = 0;   ///< units, of the upper face where it does not
         std::int32_t highestTop = 0; ///< units
-        bool joins = true;         ///< what is covered at both ends overlaps, or touches, on every line
+        bool joins = true;           ///< what is covered at both ends overlaps, or touches, on every line
         // The way between: direction and length across the runs, rise along them.
-        double wayX = 1.0, wayY = 0.0;        ///< unit
-        float reach = 0.0F, perReach = 0.0F;  ///< voxels, its inverse
-        float rise = 0.0F, riseSign = 0.0F;   ///< units
-        float sine = 0.0F, cosine = 1.0F;     ///< of the way's slope
-        std::int32_t topBase = 0;             ///< units, that the upper face counts from between the ends
-        float topMiddle = 0.0F;               ///< units from there, of the upper face at the end, + 1/2
+        double wayX = 1.0, wayY = 0.0;       ///< unit
+        float reach = 0.0F, perReach = 0.0F; ///< voxels, its inverse
+        float rise = 0.0F, riseSign = 0.0F;  ///< units
+        float sine = 0.0F, cosine = 1.0F;    ///< of the way's slope
+        std::int32_t topBase = 0;            ///< units, that the upper face counts from between the ends
+        float topMiddle = 0.0F;              ///< units from there, of the upper face at the end, + 1/2
     };
 
 private:
     bool isUpright(const glm::dvec3& axis) const noexcept;
+    LineStretch inFront(const LineStretch& lines, double y) const noexcept;
     LineStretch tiltedRow(std::int32_t v) const noexcept;
     void beginTilted(const LinePose& from, const glm::dvec3& toTip) noexcept;
     void beginEnd(End& end, const glm::dvec3& tip) const noexcept;
@@ -110,6 +111,8 @@ private:
     double radius_ = 0.0, longestWay_ = 0.0;
     double depth_ = 0.0; ///< units, below a rounding's middle that heights count from
     bool withStart_ = true, moves_ = false;
+    bool clips_ = false;  ///< lines behind the piece can't have more
+    double behind_ = 0.0; ///< slope of the way downwards: how far behind its axis a ball still goes deeper
     LineStretch rows_, columns_;
     bool tilts_ = false;
     double reach_ = 0.0;
