@@ -21,7 +21,7 @@ constexpr double largestFluxBall = 30.0; // voxels
 constexpr double pendingShare = 1.0 / 64.0;
 // While the flux goes on, no more of that than so much of it at once, and of the rest a smaller share: where runs lie
 // across the spindle, a ramp takes a whole layer of scanlines in a tick, which the flux has told all the time.
-constexpr double evenShare = 1.0 / 6.0, excessShare = 1.0 / 16.0;
+constexpr double evenShare = 1.0 / 4.0, excessShare = 1.0 / 8.0;
 
 /// What a tick reports of the pending difference, beside the flux.
 double dueOf(double pending, double flux) noexcept {
@@ -37,11 +37,11 @@ MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing
     : sweep_(flutePieces(cutter), grid.edge()), surface_(flutePieces(cutter).front(), grid.edge()) {
     const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
     const RevolvedPiece& first = flutes.front();
-    knowsSurface_ = flutes.size() == 1 && WindowCutter::serves(first);
-    const bool isBall = knowsSurface_ && first.cornerRadius == first.bottomRadius;
-    reportsFlux_ = knowsSurface_ && (!isBall || first.bottomRadius <= largestFluxBall * grid.edge());
+    const bool known = flutes.size() == 1 && WindowCutter::serves(first);
+    const bool isBall = known && first.cornerRadius == first.bottomRadius;
+    reportsFlux_ = known && (!isBall || first.bottomRadius <= largestFluxBall * grid.edge());
     reach_ = std::hypot(first.top, first.bottomRadius);
-    if (knowsSurface_ && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
+    if (known && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
 }
 
 MaterialRemoval::~MaterialRemoval() = default;
@@ -126,7 +126,7 @@ void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, c
     const double step = glm::length(tip - from.tip) + glm::length(to.axis - from.axis) * reach_;
     const bool moves = step > 0.0, small = reportsFlux_ && step < longestFluxStep * workpiece.grid().edge();
     SurfaceFlux::Flux flux;
-    if (moves && knowsSurface_) surface_.measure(workpiece, window(), from, to, flux);
+    if (moves && small) surface_.measure(workpiece, window(), from, to, flux);
     result.engagement = flux.engagement;
     for (MaterialVolume& material : result.removed) {
         if (material.property == airProperty) break;
@@ -136,7 +136,7 @@ void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, c
         pending += material.volume - material.reported;
         result.reported += material.reported;
     }
-    if (small && flux.total > 0.0) {
+    if (flux.total > 0.0) {
         lastPlace_ = flux.moment / flux.total - tip;
     } else if (result.volume > 0.0) {
         lastPlace_ = result.centroid - tip;

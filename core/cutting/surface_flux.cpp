@@ -14,9 +14,12 @@ namespace burin {
 namespace {
 
 // So many patches cover a hemisphere or a turn of the wall at most; large tools get larger patches.
-constexpr double hemispherePatches = 1000.0;
-constexpr double wallStrips = 240.0;
-constexpr double wallSectors = 48.0;
+struct PatchBounds {
+    double hemisphere, strips, sectors;
+};
+constexpr PatchBounds fine{1000.0, 240.0, 48.0}, coarse{300.0, 80.0, 32.0};
+// A look at a scanline that the tick has not touched yet is a miss of the cache: from here on few have to do.
+constexpr double largestFineRadius = 30.0; // voxels
 // Height of the wall's lowest ring, over the radius, and of each further one over the height below it.
 constexpr double lowestRing = 0.15, ringGrowth = 0.3;
 constexpr double lookAhead = 1.0; // voxels
@@ -64,7 +67,8 @@ struct SurfaceFlux::Sum {
 
 SurfaceFlux::SurfaceFlux(const RevolvedPiece& flutes, double edge) : edge_(edge) {
     const double radius = flutes.bottomRadius, corner = flutes.cornerRadius, flat = radius - corner;
-    const double spacing = std::max(edge, radius * std::sqrt(2.0 * pi / hemispherePatches));
+    const PatchBounds& most = radius <= largestFineRadius * edge ? fine : coarse;
+    const double spacing = std::max(edge, radius * std::sqrt(2.0 * pi / most.hemisphere));
     const auto addEnd = [&](const Ring& ring) {
         addRing(ring, countOf(pi * (ring.innerRadius + ring.outerRadius), spacing), end_);
     };
@@ -78,12 +82,12 @@ SurfaceFlux::SurfaceFlux(const RevolvedPiece& flutes, double edge) : edge_(edge)
     }
     const double around = 2.0 * pi * radius, foot = flutes.bottom + corner;
     if (flutes.top > foot)
-        addRing({radius, radius, foot, flutes.top}, countOf(around, std::max(0.5 * edge, around / wallStrips)),
+        addRing({radius, radius, foot, flutes.top}, countOf(around, std::max(0.5 * edge, around / most.strips)),
                 strips_);
     for (double low = foot; low < flutes.top;) {
         const double step = std::max(edge, lowestRing * radius) + ringGrowth * (low - foot);
         const double high = low + 1.5 * step < flutes.top ? low + step : flutes.top;
-        addRing({radius, radius, low, high}, countOf(around, std::max(edge, around / wallSectors)), wall_);
+        addRing({radius, radius, low, high}, countOf(around, std::max(edge, around / most.sectors)), wall_);
         low = high;
     }
 }

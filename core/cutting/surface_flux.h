@@ -19,7 +19,8 @@ class GapWindow;
 /// they slide along. All 0 where they meet none.
 struct Engagement {
     /// rad, 0 … 2 pi: directions about the tool axis, taken together, in which the flutes meet material (slot: pi; half
-    /// immersion: pi/2; plunge into solid stock: 2 pi). Right to a patch's width at each end, and half a voxel.
+    /// immersion: pi/2; plunge into solid stock: 2 pi). Right to a patch's width and to where the flutes slide along
+    /// the stock within half a voxel: for 15 voxels of radius, 0.3 rad.
     double arc = 0.0;
     /// mm along the tool axis, from the lowest to the highest place at which they do. Right to a patch's height.
     double depth = 0.0;
@@ -43,7 +44,8 @@ struct Engagement {
 /// passed by one patch after another and not by a whole ring at once.
 class SurfaceFlux {
 public:
-    /// @param edge of a voxel, mm. Allocates; `hemispherePatches` and a thousand patches at most.
+    /// @param edge of a voxel, mm. Allocates; some two thousand patches at most, a quarter of that above 30 voxels
+    /// of radius.
     SurfaceFlux(const RevolvedPiece& flutes, double edge);
 
     struct Flux {
