@@ -18,7 +18,7 @@ constexpr double longestFluxStep = 0.3; // voxels
 // A larger ball takes so many scanlines a tick that the volume itself is smooth enough (README).
 constexpr double largestFluxBall = 30.0; // voxels
 // Share of the pending difference that a tick reports: slow beside the rows of scanlines, fast beside the hand.
-constexpr double pendingShare = 1.0 / 64.0;
+constexpr double pendingShare = 1.0 / 48.0;
 // While the flux goes on, no more of that than so much of it at once, and of the rest a smaller share: where runs lie
 // across the spindle, a ramp takes a whole layer of scanlines in a tick, which the flux has told all the time.
 constexpr double evenShare = 1.0 / 4.0, excessShare = 1.0 / 8.0;

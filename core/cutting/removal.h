@@ -68,8 +68,8 @@ public:
     /// A tip that is not finite removes nothing; neither does a tool that stands still where it arrived.
     /// The reported volume is the flux through the flutes' surface for moves of no point of them by 0.3 voxel or more,
     /// whatever the axes of tool and runs, and the exact one above and for a ball of more than 30 voxels of radius;
-    /// 1/64 of what the sum of the reported lags the exact one is added each tick that the tool moves; beyond a quarter
-    /// of the flux 1/512 of it.
+    /// 1/48 of what the sum of the reported lags the exact one is added each tick that the tool moves; beyond a quarter
+    /// of the flux 1/384 of it.
     /// Cost: grows with the scanlines under the cutter, not with the grid.
     CutResult cut(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
     /// The same with any axis, which may turn on the way.
