@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace burin {
 
@@ -17,7 +18,18 @@ constexpr double longestFluxStep = 0.3; // voxels
 // A larger ball takes so many scanlines a tick that the volume itself is smooth enough (README).
 constexpr double largestFluxBall = 30.0; // voxels
 // Share of the pending difference that a tick reports: slow beside the rows of scanlines, fast beside the hand.
-constexpr double pendingShare = 1.0 / 64.0;
+constexpr double pendingShare = 1.0 / 48.0;
+// While the flux goes on, no more of that than so much of it at once, and of the rest a smaller share: where runs lie
+// across the spindle, a ramp takes a whole layer of scanlines in a tick, which the flux has told all the time.
+constexpr double evenShare = 1.0 / 4.0, excessShare = 1.0 / 8.0;
+
+/// What a tick reports of the pending difference, beside the flux.
+double dueOf(double pending, double flux) noexcept {
+    const double all = pending * pendingShare;
+    if (flux <= 0.0) return all;
+    const double even = std::clamp(all, -evenShare * flux, evenShare * flux);
+    return even + (all - even) * excessShare;
+}
 
 } // namespace
 
@@ -28,6 +40,7 @@ MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing
     const bool known = flutes.size() == 1 && WindowCutter::serves(first);
     const bool isBall = known && first.cornerRadius == first.bottomRadius;
     reportsFlux_ = known && (!isBall || first.bottomRadius <= largestFluxBall * grid.edge());
+    reach_ = std::hypot(first.top, first.bottomRadius);
     if (known && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
 }
 
@@ -108,21 +121,18 @@ void MaterialRemoval::reset() noexcept {
 
 void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
                              CutResult& result) noexcept {
-    const glm::dvec3 tip = to.tip, motion = to.tip - from.tip;
-    const double step = glm::length(motion);
-    // The flux knows upright tools over runs along z.
-    const glm::dvec3 upright(0.0, 0.0, 1.0);
-    const bool hasFlux =
-        reportsFlux_ && from.axis == upright && to.axis == upright && workpiece.grid().axis() == RunAxis::z;
-    const bool moves = step > 0.0 || from.axis != to.axis,
-               small = hasFlux && step < longestFluxStep * workpiece.grid().edge();
+    const glm::dvec3 tip = to.tip;
+    // mm, that no point of the flutes moves farther than.
+    const double step = glm::length(tip - from.tip) + glm::length(to.axis - from.axis) * reach_;
+    const bool moves = step > 0.0, small = reportsFlux_ && step < longestFluxStep * workpiece.grid().edge();
     SurfaceFlux::Flux flux;
-    if (step > 0.0 && small) surface_.measure(workpiece, window(), tip, motion, flux);
+    if (moves && small) surface_.measure(workpiece, window(), from, to, flux);
+    result.engagement = flux.engagement;
     for (MaterialVolume& material : result.removed) {
         if (material.property == airProperty) break;
         double& pending = pending_[material.property];
         const double now = small ? flux.volume[material.property] : material.volume;
-        if (moves) material.reported = std::max(0.0, now + pending * pendingShare);
+        if (moves) material.reported = std::max(0.0, now + dueOf(pending, small ? now : 0.0));
         pending += material.volume - material.reported;
         result.reported += material.reported;
     }

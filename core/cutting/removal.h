@@ -36,6 +36,10 @@ struct CutResult {
     glm::dvec3 centroid{0.0}; ///< mm, of what was removed, setup frame; meaningless when volume is 0
     /// mm, of what is reported, setup frame, from tick to tick as smooth as that; meaningless when `reported` is 0.
     glm::dvec3 reportedCentroid{0.0};
+    /// How the flutes stood in material at the end of the move. Known where the flux is reported
+    /// (`MaterialRemoval::cut`): all 0 for moves from 0.3 voxel on, balls above 30 voxels of radius, flutes of several
+    /// pieces or whose sides are not straight and parallel to the axis, and a tool that stands still.
+    Engagement engagement;
     bool outOfMemory = false; ///< reserved memory of the volume is used up; lines from there on are uncut
     /// Part of the way is put off to bound the tick's work: the next cuts, or `settle`, take it and count it then.
     bool putOff = false;
@@ -62,8 +66,10 @@ public:
 
     /// The tool's axis lies along the runs, +.
     /// A tip that is not finite removes nothing; neither does a tool that stands still where it arrived.
-    /// The reported volume is the flux through the flutes' surface for moves below 0.3 voxel and the exact one above;
-    /// 1/64 of what the sum of the reported lags the exact one is added each tick that the tool moves.
+    /// The reported volume is the flux through the flutes' surface for moves of no point of them by 0.3 voxel or more,
+    /// whatever the axes of tool and runs, and the exact one above and for a ball of more than 30 voxels of radius;
+    /// 1/48 of what the sum of the reported lags the exact one is added each tick that the tool moves; beyond a quarter
+    /// of the flux 1/384 of it.
     /// Cost: grows with the scanlines under the cutter, not with the grid.
     CutResult cut(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
     /// The same with any axis, which may turn on the way.
@@ -89,6 +95,7 @@ private:
     SweepCutter sweep_;
     std::unique_ptr<WindowCutter> cutter_; ///< none: written with every cut, or of a form that it does not serve
     SurfaceFlux surface_;
+    double reach_ = 0.0; ///< mm, of the flutes from the tip, at most
     bool reportsFlux_ = true;
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
     glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last

@@ -6,83 +6,189 @@
 #include "core/cutting/footprint.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace burin {
 
 namespace {
 
-// So many patches cover a hemisphere or a wall at most; large tools get larger patches.
-constexpr double hemispherePatches = 1500.0;
-constexpr double wallPatches = 720.0;
+// So many patches cover a hemisphere or a turn of the wall at most; large tools get larger patches.
+struct PatchBounds {
+    double hemisphere, strips, sectors;
+};
+constexpr PatchBounds fine{1000.0, 240.0, 48.0}, coarse{300.0, 80.0, 32.0};
+// A look at a scanline that the tick has not touched yet is a miss of the cache: from here on few have to do.
+constexpr double largestFineRadius = 30.0; // voxels
+// Height of the wall's lowest ring, over the radius, and of each further one over the height below it.
+constexpr double lowestRing = 0.15, ringGrowth = 0.3;
 constexpr double lookAhead = 1.0; // voxels
+constexpr int directionCount = 128;
+constexpr double goldenRatio = 0.6180339887498949;
 
 int countOf(double length, double spacing) noexcept {
     return std::max(1, static_cast<int>(std::ceil(length / spacing)));
 }
 
+double fractionOf(double x) noexcept {
+    return x - std::floor(x);
+}
+
+/// The least turn that takes +Z to `axis`: steady as the axis turns.
+glm::dmat3 turnTo(const glm::dvec3& axis) noexcept {
+    if (axis.z < -1.0 + 1e-12) return {{1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.0, -1.0}};
+    const double k = 1.0 / (1.0 + axis.z), mixed = -axis.x * axis.y * k;
+    return {{1.0 - axis.x * axis.x * k, mixed, -axis.x}, {mixed, 1.0 - axis.y * axis.y * k, -axis.y}, axis};
+}
+
 } // namespace
+
+/// What the patches find.
+struct SurfaceFlux::Sum {
+    const RunVolume& workpiece;
+    const GapWindow* window;
+    Flux& flux;
+    glm::dvec3 gridLow; ///< frame of the lines
+    Directions directions{};
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest; ///< mm above the tip
+
+    /// A patch, or a part of it between two heights, has this material ahead.
+    void add(const Patch& patch, PropertyIndex property, double volume, double size, const glm::dvec3& place,
+             double low, double high) noexcept {
+        flux.volume[property] += volume;
+        flux.total += volume;
+        flux.moment += volume * place;
+        flux.engagement.area += size;
+        for (std::size_t i = 0; i < directions.size(); ++i) directions[i] |= patch.directions[i];
+        lowest = std::min(lowest, low);
+        highest = std::max(highest, high);
+    }
+};
 
 SurfaceFlux::SurfaceFlux(const RevolvedPiece& flutes, double edge) : edge_(edge) {
     const double radius = flutes.bottomRadius, corner = flutes.cornerRadius, flat = radius - corner;
-    const double spacing = std::max(edge, radius * std::sqrt(2.0 * pi / hemispherePatches));
+    const PatchBounds& most = radius <= largestFineRadius * edge ? fine : coarse;
+    const double spacing = std::max(edge, radius * std::sqrt(2.0 * pi / most.hemisphere));
+    const auto addEnd = [&](const Ring& ring) {
+        addRing(ring, countOf(pi * (ring.innerRadius + ring.outerRadius), spacing), end_);
+    };
     const int discs = flat > 0.0 ? countOf(flat, spacing) : 0;
-    for (int i = 0; i < discs; ++i)
-        addRing({flat * i / discs, flat * (i + 1) / discs, flutes.bottom, flutes.bottom}, spacing);
+    for (int i = 0; i < discs; ++i) addEnd({flat * i / discs, flat * (i + 1) / discs, flutes.bottom, flutes.bottom});
     const int arcs = corner > 0.0 ? countOf(0.5 * pi * corner, spacing) : 0;
     for (int i = 0; i < arcs; ++i) {
         const double low = 0.5 * pi * i / arcs, high = 0.5 * pi * (i + 1) / arcs;
-        addRing({flat + corner * std::sin(low), flat + corner * std::sin(high),
-                 flutes.bottom + corner * (1.0 - std::cos(low)), flutes.bottom + corner * (1.0 - std::cos(high))},
-                spacing);
+        addEnd({flat + corner * std::sin(low), flat + corner * std::sin(high),
+                flutes.bottom + corner * (1.0 - std::cos(low)), flutes.bottom + corner * (1.0 - std::cos(high))});
     }
-    if (flutes.top > flutes.bottom + corner)
-        addRing({radius, radius, flutes.bottom + corner, flutes.top},
-                std::max(0.5 * edge, 2.0 * pi * radius / wallPatches));
+    const double around = 2.0 * pi * radius, foot = flutes.bottom + corner;
+    if (flutes.top > foot)
+        addRing({radius, radius, foot, flutes.top}, countOf(around, std::max(0.5 * edge, around / most.strips)),
+                strips_);
+    for (double low = foot; low < flutes.top;) {
+        const double step = std::max(edge, lowestRing * radius) + ringGrowth * (low - foot);
+        const double high = low + 1.5 * step < flutes.top ? low + step : flutes.top;
+        addRing({radius, radius, low, high}, countOf(around, std::max(edge, around / most.sectors)), wall_);
+        low = high;
+    }
 }
 
 /// Cuts a ring into sectors. A sector's integral of the normal: in the plane the chord's normal times the height, along
 /// the axis its area seen from above.
-void SurfaceFlux::addRing(const Ring& ring, double spacing) {
-    const double middle = 0.5 * (ring.innerRadius + ring.outerRadius);
-    const int sectors = std::max(12, countOf(2.0 * pi * middle, spacing));
-    const double angle = 2.0 * pi / sectors;
+void SurfaceFlux::addRing(const Ring& ring, int sectors, std::vector<Patch>& patches) const {
+    sectors = std::max(12, sectors);
+    const double middle = 0.5 * (ring.innerRadius + ring.outerRadius), angle = 2.0 * pi / sectors;
     const double sideways = 2.0 * std::sin(0.5 * angle) * middle * (ring.high - ring.low);
     const double down = 0.5 * angle * (ring.outerRadius - ring.innerRadius) * (ring.outerRadius + ring.innerRadius);
+    const double start = fractionOf(goldenRatio * static_cast<double>(patches.size()));
     for (int i = 0; i < sectors; ++i) {
-        const double cosine = std::cos((i + 0.5) * angle), sine = std::sin((i + 0.5) * angle);
-        patches_.push_back({{sideways * cosine, sideways * sine, -down},
-                            middle * cosine,
-                            middle * sine,
-                            ring.low,
-                            std::max(ring.high, ring.low + 0.25 * edge_)});
+        const double cosine = std::cos((start + i + 0.5) * angle), sine = std::sin((start + i + 0.5) * angle);
+        const double share = fractionOf(goldenRatio * (i + 0.5));
+        const double at = ring.innerRadius + share * (ring.outerRadius - ring.innerRadius);
+        Patch patch{{sideways * cosine, sideways * sine, -down},
+                    {at * cosine, at * sine, ring.low + share * (ring.high - ring.low)},
+                    ring.low,
+                    ring.high,
+                    std::hypot(sideways, down),
+                    {}};
+        // The directions whose middle lies in the sector: a whole ring has each once.
+        const double width = static_cast<double>(directionCount) / sectors;
+        const int first = static_cast<int>(std::ceil((start + i) * width - 0.5)),
+                  last = static_cast<int>(std::ceil((start + i + 1) * width - 0.5));
+        for (int direction = first; direction < last; ++direction) {
+            const auto bit = static_cast<unsigned>(direction % directionCount);
+            patch.directions[bit / 64] |= std::uint64_t{1} << bit % 64;
+        }
+        patches.push_back(patch);
     }
 }
 
-void SurfaceFlux::measure(const RunVolume& workpiece, const GapWindow* window, const glm::dvec3& tip,
-                          const glm::dvec3& motion, Flux& flux) const noexcept {
+void SurfaceFlux::measure(const RunVolume& workpiece, const GapWindow* window, const ToolPose& from, const ToolPose& to,
+                          Flux& flux) const noexcept {
     const Grid& grid = workpiece.grid();
-    const PropertyList& properties = workpiece.properties();
-    const glm::dvec3 probe = tip + motion * (lookAhead * edge_ / glm::length(motion));
-    const glm::dvec2 origin = (glm::dvec2(probe) - glm::dvec2(grid.low())) / edge_;
-    for (const Patch& patch : patches_) {
-        const double swept = glm::dot(patch.area, motion);
-        if (swept <= 0.0) continue; // turned away from the motion
-        const double u = origin.x + patch.x / edge_, v = origin.y + patch.y / edge_;
-        if (!(u >= 0.0 && v >= 0.0 && u < grid.lineCountU() && v < grid.lineCountV())) continue;
-        const RunPosition from = grid.toRunPosition(probe.z + patch.low), to = grid.toRunPosition(probe.z + patch.high);
-        const double share = swept * (edge_ / unitsPerVoxel) / (patch.high - patch.low);
-        const LineIndex line{static_cast<std::int32_t>(u), static_cast<std::int32_t>(v)};
-        const auto add = [&](PropertyIndex property, RunPosition start, RunPosition end) {
-            if (properties.isProtected(property)) return;
-            const double volume = share * (end - start);
-            flux.volume[property] += volume;
-            flux.total += volume;
-            flux.moment += volume * glm::dvec3(tip.x + patch.x, tip.y + patch.y,
-                                               0.5 * (grid.toMillimetres(start) + grid.toMillimetres(end)));
-        };
-        if (from < to) forEachPieceLeft(workpiece, window, line, from, to, add);
+    const ToolPose start = inLineFrame(grid, from), end = inLineFrame(grid, to);
+    const glm::dmat3 turn = turnTo(end.axis), back = glm::transpose(turn);
+    const Stand stand{turn, end.tip, back * (end.tip - start.tip), back * glm::cross(start.axis, end.axis),
+                      lookAhead * edge_};
+    Sum sum{workpiece, window, flux, inLineFrame(grid, grid.low())};
+    const bool alongRuns = start.axis == end.axis && end.axis.x == 0.0 && end.axis.y == 0.0;
+    if (alongRuns) {
+        for (const Patch& patch : end_) measureAlongRuns(patch, stand, sum);
+        for (const Patch& patch : strips_) measureAlongRuns(patch, stand, sum);
+    } else {
+        for (const Patch& patch : end_) measureAtPlace(patch, stand, sum);
+        for (const Patch& patch : wall_) measureAtPlace(patch, stand, sum);
     }
+    flux.moment = inSetupFrame(grid, flux.moment);
+    int met = 0;
+    for (const std::uint64_t directions : sum.directions) met += std::popcount(directions);
+    flux.engagement.arc = 2.0 * pi * met / directionCount;
+    if (sum.highest > sum.lowest) flux.engagement.depth = sum.highest - sum.lowest;
+}
+
+/// All heights of the patch at once, of the one scanline ahead of its place.
+void SurfaceFlux::measureAlongRuns(const Patch& patch, const Stand& stand, Sum& sum) const noexcept {
+    const double swept = glm::dot(patch.area, stand.motion);
+    if (swept <= 0.0) return;          // turned away from the motion
+    const double up = stand.turn[2].z; // 1 or -1
+    const Grid& grid = sum.workpiece.grid();
+    const glm::dvec3 probe = stand.tip + stand.turn * (stand.motion * (stand.lookAhead / glm::length(stand.motion)));
+    const glm::dvec3 side = stand.turn * glm::dvec3(patch.place.x, patch.place.y, 0.0);
+    const double u = (probe.x + side.x - sum.gridLow.x) / edge_, v = (probe.y + side.y - sum.gridLow.y) / edge_;
+    if (!(u >= 0.0 && v >= 0.0 && u < grid.lineCountU() && v < grid.lineCountV())) return;
+    const double high = std::max(patch.high, patch.low + 0.25 * edge_); // a level patch looks at something, too
+    const RunPosition first = grid.toRunPosition(probe.z + (up > 0.0 ? patch.low : -high)),
+                      last = grid.toRunPosition(probe.z + (up > 0.0 ? high : -patch.low));
+    const double unit = (edge_ / unitsPerVoxel) / (high - patch.low);
+    const LineIndex line{static_cast<std::int32_t>(u), static_cast<std::int32_t>(v)};
+    const auto add = [&](PropertyIndex property, RunPosition start, RunPosition end) {
+        if (sum.workpiece.properties().isProtected(property)) return;
+        const double share = unit * (end - start), low = grid.toMillimetres(start), top = grid.toMillimetres(end);
+        const double ends[] = {std::clamp(up * (low - probe.z), patch.low, patch.high),
+                               std::clamp(up * (top - probe.z), patch.low, patch.high)};
+        sum.add(patch, property, share * swept, share * patch.size,
+                {stand.tip.x + side.x, stand.tip.y + side.y, 0.5 * (low + top)}, std::min(ends[0], ends[1]),
+                std::max(ends[0], ends[1]));
+    };
+    if (first < last) forEachPieceLeft(sum.workpiece, sum.window, line, first, last, add);
+}
+
+void SurfaceFlux::measureAtPlace(const Patch& patch, const Stand& stand, Sum& sum) const noexcept {
+    const glm::dvec3 motion = stand.motion + glm::cross(stand.turning, patch.place);
+    const double swept = glm::dot(patch.area, motion);
+    if (swept <= 0.0) return; // turned away from the motion
+    const Grid& grid = sum.workpiece.grid();
+    const glm::dvec3 place = stand.tip + stand.turn * patch.place;
+    const glm::dvec3 ahead = stand.turn * (motion * (stand.lookAhead / glm::length(motion)));
+    const glm::dvec3 probe = (place + ahead - sum.gridLow) / edge_; // voxels
+    if (!(probe.x >= 0.0 && probe.y >= 0.0 && probe.z >= 0.0)) return;
+    if (!(probe.x < grid.lineCountU() && probe.y < grid.lineCountV() && probe.z < grid.voxelsPerLine())) return;
+    const LineIndex line{static_cast<std::int32_t>(probe.x), static_cast<std::int32_t>(probe.y)};
+    const auto at = static_cast<RunPosition>(probe.z * unitsPerVoxel);
+    const auto add = [&](PropertyIndex property, RunPosition, RunPosition) {
+        if (sum.workpiece.properties().isProtected(property)) return;
+        sum.add(patch, property, swept, patch.size, place, patch.place.z, patch.place.z);
+    };
+    forEachPieceLeft(sum.workpiece, sum.window, line, at, at + 1, add);
 }
 
 } // namespace burin

@@ -2,15 +2,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/pose.h"
 #include "core/geometry/revolved_piece.h"
 #include "core/volume/run_volume.h"
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace burin {
 
 class GapWindow;
+
+/// How the flutes stand in the machinable material ahead of them: of what a tick's motion pushes into it, not of what
+/// they slide along. All 0 where they meet none.
+struct Engagement {
+    /// rad, 0 … 2 pi: directions about the tool axis, taken together, in which the flutes meet material (slot: pi; half
+    /// immersion: pi/2; plunge into solid stock: 2 pi). Right to a patch's width and to where the flutes slide along
+    /// the stock within half a voxel: for 15 voxels of radius, 0.3 rad.
+    double arc = 0.0;
+    /// mm along the tool axis, from the lowest to the highest place at which they do. Right to a patch's height.
+    double depth = 0.0;
+    /// mm², of the flutes' surface that does, measured on the surface, not projected (side of a flat end: arc · radius
+    /// · depth). Right to a patch at its border.
+    double area = 0.0;
+};
 
 /// What the surface of the flutes takes in a short move: the integral of normal · motion over the part of the surface
 /// that has material ahead of it. Unlike the volume that the runs lose, it does not come in rows of scanlines, so that
@@ -18,37 +35,60 @@ class GapWindow;
 ///
 /// The surface is held as patches, each with its exact integral of the normal (by the divergence theorem the flux
 /// through a closed patchwork of them is the swept volume, whatever their number). A patch looks for material one
-/// voxel ahead of itself *along the motion*: scanlines whose centre the tool has passed are cut already, and a look
+/// voxel ahead of itself *along its motion*: scanlines whose centre the tool has passed are cut already, and a look
 /// along the normal would see the wall beside the tool, which it only slides along.
+///
+/// A tool along the runs has its wall in strips, which ask one scanline for all their height. Across the runs and
+/// leaning, the wall is rings of patches that are the higher the farther they are from the tip, and each patch asks at
+/// one place. Places are staggered within their rings, so that a border of the stock, or a layer of scanlines, is
+/// passed by one patch after another and not by a whole ring at once.
 class SurfaceFlux {
 public:
-    /// @param edge of a voxel, mm. Allocates; a few thousand patches at most.
+    /// @param edge of a voxel, mm. Allocates; some two thousand patches at most, a quarter of that above 30 voxels
+    /// of radius.
     SurfaceFlux(const RevolvedPiece& flutes, double edge);
 
     struct Flux {
         std::array<double, 256> volume{}; ///< mm³ by property; protected ones and air stay 0
-        glm::dvec3 moment{0.0};           ///< mm⁴: volume times place
+        glm::dvec3 moment{0.0};           ///< mm⁴: volume times place, setup frame
         double total = 0.0;               ///< mm³
+        Engagement engagement;
     };
-    /// @param tip    at the end of the move, mm, setup frame, axis +Z, runs along z
-    /// @param motion of the tip, mm, not 0
+    /// @param from, to poses at the ends of the move, mm, setup frame; any axes, which may turn on the way by little
     /// @param window what of the workpiece is gone, though not yet written; may be none
-    void measure(const RunVolume& workpiece, const GapWindow* window, const glm::dvec3& tip, const glm::dvec3& motion,
+    void measure(const RunVolume& workpiece, const GapWindow* window, const ToolPose& from, const ToolPose& to,
                  Flux& flux) const noexcept;
 
 private:
+    using Directions = std::array<std::uint64_t, 2>; ///< a bit for each 128th of the circle
     struct Patch {
-        glm::dvec3 area{0.0};         ///< mm², integral of the outward normal
-        double x = 0.0, y = 0.0;      ///< mm from the axis, of its middle
+        glm::dvec3 area{0.0};         ///< mm², integral of the outward normal, tool frame
+        glm::dvec3 place{0.0};        ///< mm, tool frame: where it looks from
         double low = 0.0, high = 0.0; ///< mm above the tip
+        double size = 0.0;            ///< mm², length of `area`
+        Directions directions{};      ///< that it covers
     };
     /// Ring of the surface between two circles about the axis.
     struct Ring {
         double innerRadius = 0.0, outerRadius = 0.0, low = 0.0, high = 0.0;
     };
-    void addRing(const Ring& ring, double spacing);
+    /// The tool in the frame of the grid's lines, and its motion in its own.
+    struct Stand {
+        glm::dmat3 turn{1.0};    ///< from the tool frame to the lines'
+        glm::dvec3 tip{0.0};     ///< mm, frame of the lines
+        glm::dvec3 motion{0.0};  ///< mm, of the tip, tool frame
+        glm::dvec3 turning{0.0}; ///< rad, about the tip, tool frame
+        double lookAhead = 0.0;  ///< mm
+    };
+    struct Sum;
 
-    std::vector<Patch> patches_;
+    void addRing(const Ring& ring, int sectors, std::vector<Patch>& patches) const;
+    void measureAlongRuns(const Patch& patch, const Stand& stand, Sum& sum) const noexcept;
+    void measureAtPlace(const Patch& patch, const Stand& stand, Sum& sum) const noexcept;
+
+    std::vector<Patch> end_;    ///< bottom and corner
+    std::vector<Patch> strips_; ///< of the wall, over all its height
+    std::vector<Patch> wall_;   ///< in rings
     double edge_ = 0.0;
 };
 

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cutting/removal.h"
+#include "tests/core/cutting/workpieces.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace burin;
+using namespace burin::tests;
+
+namespace {
+
+constexpr double edge = 0.2, radius = 3.0, pi = 3.14159265358979; // mm
+// A patch at each end of the arc and half a voxel, and a ring's height, for these tools: what Engagement states.
+constexpr double arcTolerance = 0.3, depthTolerance = 0.15; // rad, mm
+
+/// Solid below z = 0.
+Grid gridOf(RunAxis axis) {
+    return Grid::make({-15.0, -15.0, -10.0}, edge, {150, 150, 50}, axis).value();
+}
+
+/// One short move that ends at `tip`, the tool being in the stock already and having come by 6 mm.
+CutResult millTo(RunVolume& workpiece, const Cutter& cutter, const glm::dvec3& tip, const glm::dvec3& direction,
+                 const glm::dvec3& axis = {0.0, 0.0, 1.0}, double step = 0.01) {
+    MaterialRemoval removal(cutter, workpiece.grid());
+    const glm::dvec3 last = tip - step * direction;
+    removal.cut(workpiece, {tip - 6.0 * direction, axis}, {last, axis});
+    return removal.cut(workpiece, {last, axis}, {tip, axis});
+}
+
+bool near(double found, double expected, double tolerance) {
+    return std::abs(found - expected) <= tolerance;
+}
+
+} // namespace
+
+class EngagementTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cases_data() {
+        QTest::addColumn<int>("runs");
+        QTest::addColumn<double>("degrees");
+        for (const int runs : {0, 1, 2})
+            for (const double degrees : {0.0, 90.0, 37.0})
+                QTest::addRow("runs along %c, %.0f degrees", "xyz"[runs], degrees) << runs << degrees;
+    }
+
+    void aSlotIsHalfTheCircle_data() { cases_data(); }
+    void aSlotIsHalfTheCircle() {
+        QFETCH(int, runs);
+        QFETCH(double, degrees);
+        const glm::dvec3 direction(std::cos(degrees * pi / 180.0), std::sin(degrees * pi / 180.0), 0.0);
+        for (const double depth : {1.5, 4.0}) {
+            RunVolume workpiece = block(gridOf(static_cast<RunAxis>(runs)));
+            clearAbove(workpiece, 0.0);
+            const Engagement met = millTo(workpiece, flat(6.0, 20.0), {0.03, 0.05, -depth}, direction).engagement;
+            QVERIFY2(near(met.arc, pi, arcTolerance), qPrintable(QString::number(met.arc)));
+            QVERIFY2(near(met.depth, depth, depthTolerance), qPrintable(QString::number(met.depth)));
+            const double area = met.arc * radius * depth;
+            QVERIFY2(near(met.area, area, 0.15 * area), qPrintable(QString::number(met.area / area)));
+        }
+    }
+
+    void halfImmersionIsAQuarterOfTheCircle_data() { cases_data(); }
+    void halfImmersionIsAQuarterOfTheCircle() {
+        QFETCH(int, runs);
+        QFETCH(double, degrees);
+        const glm::dvec3 direction(std::cos(degrees * pi / 180.0), std::sin(degrees * pi / 180.0), 0.0);
+        RunVolume workpiece = block(gridOf(static_cast<RunAxis>(runs)));
+        clearAbove(workpiece, 0.0);
+        // A first slot, a radius aside, leaves half the width to the second.
+        const glm::dvec3 aside = radius * glm::dvec3(-direction.y, direction.x, 0.0);
+        MaterialRemoval first(flat(6.0, 20.0), workpiece.grid());
+        const glm::dvec3 down(0.0, 0.0, -2.0), upright(0.0, 0.0, 1.0);
+        first.cut(workpiece, {aside - 12.0 * direction + down, upright}, {aside + 12.0 * direction + down, upright});
+        const CutResult cut = millTo(workpiece, flat(6.0, 20.0), {0.0, 0.0, -2.0}, direction);
+        QVERIFY2(near(cut.engagement.arc, 0.5 * pi, arcTolerance), qPrintable(QString::number(cut.engagement.arc)));
+        QVERIFY2(near(cut.engagement.depth, 2.0, depthTolerance), qPrintable(QString::number(cut.engagement.depth)));
+    }
+
+    /// Straight down, bottom and all around.
+    void aPlungeIsTheWholeCircle() {
+        for (const int runs : {0, 1, 2}) {
+            RunVolume workpiece = block(gridOf(static_cast<RunAxis>(runs)));
+            const Engagement met = millTo(workpiece, flat(6.0, 20.0), {0.0, 0.0, -2.0}, {0.0, 0.0, -1.0}).engagement;
+            QVERIFY2(near(met.arc, 2.0 * pi, 1e-9), qPrintable(QString::number(met.arc)));
+            QVERIFY2(near(met.depth, 0.0, depthTolerance), qPrintable(QString::number(met.depth)));
+            QVERIFY2(near(met.area, pi * radius * radius, 0.02 * met.area), qPrintable(QString::number(met.area)));
+        }
+    }
+
+    /// In solid stock all that faces the motion cuts: of a sphere its front half.
+    void aBallThatLeansMeetsHalfOfItself() {
+        for (const int runs : {0, 1, 2}) {
+            RunVolume workpiece = block(gridOf(static_cast<RunAxis>(runs)));
+            const glm::dvec3 axis = glm::normalize(glm::dvec3(0.3, -0.4, 0.87));
+            const glm::dvec3 direction = glm::normalize(glm::cross(axis, glm::dvec3(0.3, 0.8, 0.1)));
+            const glm::dvec3 tip = glm::dvec3(0.0, 0.0, -6.0);
+            // Flutes no longer than the ball: nothing but the sphere.
+            const Engagement met = millTo(workpiece, ball(6.0, 3.0), tip, direction, axis).engagement;
+            QVERIFY2(near(met.arc, pi, arcTolerance), qPrintable(QString::number(met.arc)));
+            QVERIFY2(near(met.depth, radius, 2.0 * depthTolerance), qPrintable(QString::number(met.depth)));
+            const double area = pi * radius * radius; // half a hemisphere
+            QVERIFY2(near(met.area, area, 0.15 * area), qPrintable(QString::number(met.area / area)));
+        }
+    }
+
+    void airAndStandingStillMeetNothing() {
+        RunVolume workpiece = block(gridOf(RunAxis::z));
+        clearAbove(workpiece, 0.0);
+        const Engagement above = millTo(workpiece, flat(6.0, 20.0), {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}).engagement;
+        QVERIFY(above.arc == 0.0 && above.depth == 0.0 && above.area == 0.0);
+        MaterialRemoval removal(flat(6.0, 20.0), workpiece.grid());
+        removal.cut(workpiece, glm::dvec3(0.0, 0.0, 5.0), glm::dvec3(0.0, 0.0, -2.0));
+        const Engagement still =
+            removal.cut(workpiece, glm::dvec3(0.0, 0.0, -2.0), glm::dvec3(0.0, 0.0, -2.0)).engagement;
+        QVERIFY(still.arc == 0.0 && still.depth == 0.0 && still.area == 0.0);
+    }
+
+private:
+    static void clearAbove(RunVolume& workpiece, double height) {
+        const Grid& all = workpiece.grid();
+        for (LineIndex line; line.v < all.lineCountV(); ++line.v)
+            for (line.u = 0; line.u < all.lineCountU(); ++line.u) {
+                if (all.axisOfRuns() == 2) {
+                    (void)workpiece.fillSpan(line, all.toRunPosition(height), all.lineEnd(), airProperty);
+                    continue;
+                }
+                const glm::dvec2 middle = all.lineCentre(line);
+                if ((all.axisOfU() == 2 ? middle.x : middle.y) > height)
+                    (void)workpiece.fillSpan(line, 0, all.lineEnd(), airProperty);
+            }
+    }
+};
+
+QTEST_APPLESS_MAIN(EngagementTest)
+#include "tst_engagement.moc"
