@@ -17,7 +17,7 @@ namespace {
 struct PatchBounds {
     double hemisphere, strips, sectors;
 };
-constexpr PatchBounds fine{1000.0, 240.0, 48.0}, coarse{300.0, 80.0, 32.0};
+constexpr PatchBounds fine{1000.0, 240.0, 48.0}, coarse{130.0, 80.0, 32.0};
 // A look at a scanline that the tick has not touched yet is a miss of the cache: from here on few have to do.
 constexpr double largestFineRadius = 30.0; // voxels
 // Height of the wall's lowest ring, over the radius, and of each further one over the height below it.
