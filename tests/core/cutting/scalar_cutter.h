@@ -58,8 +58,8 @@ inline RunVolume motleyWorkpiece(const Grid& grid) {
     return volume;
 }
 
-/// The scalar cutter: the same spans line by line, over the whole grid and from the start of each way, each taken from
-/// the volume at once. Any axis of tool and runs.
+/// The scalar cutter: the same spans line by line, over the whole grid each taken from the volume at once. Any axis of
+/// tool and runs.
 class ScalarCutter {
 public:
     ScalarCutter(const Cutter& cutter, const Grid& grid)
@@ -70,15 +70,18 @@ public:
         axis[grid_.axisOfRuns()] = 1.0;
         return cut(volume, from, to, axis);
     }
-    /// The axis stands.
-    RunAmounts cut(RunVolume& volume, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis) {
+    /// The axis stands. @param arrived the way goes on where one with this axis ended: what was covered there is not
+    /// asked for again. (Asked for, it would make a leaning tool's line longer where its chord is but a unit.)
+    RunAmounts cut(RunVolume& volume, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis,
+                   bool arrived = false) {
         RunAmounts removed;
         const glm::dvec3 start = inLines(from), end = inLines(to), lean = turned(axis);
         const int parts = std::max(1, int(std::ceil(glm::length(end - start) / spans_.longestWay(lean))));
+        const bool leans = lean.z != 1.0;
         glm::dvec3 tip = start;
         for (int i = 1; i <= parts; ++i) {
             const glm::dvec3 next = i == parts ? end : glm::mix(start, end, double(i) / parts);
-            spans_.begin({tip, lean}, next, true);
+            spans_.begin({tip, lean}, next, !leans || (i == 1 && !arrived));
             tip = next;
             for (LineIndex line; line.v < grid_.lineCountV(); ++line.v)
                 for (line.u = 0; line.u < grid_.lineCountU(); line.u += 8) takeGroup(volume, line, removed);

@@ -13,8 +13,8 @@ class DeferredCuttingTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Every line and every sum, as a cutter gives them that takes each span from the volume at once; whatever the tool,
-    /// the moves, the materials; with snapshots, restarts and jumps in between.
+    /// Every line and every sum, as a cutter gives them that takes each span from the volume at once; whatever the
+    /// tool, the moves, the materials; with snapshots, restarts and jumps in between.
     void equalsTheScalarCutter() {
         const bool held = rc::check("random walks", [] {
             const int side = *rc::gen::inRange(40, 130);
