@@ -93,7 +93,7 @@ bool GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t 
 /// Before lines of a brick are cut: memory to write them, and a place in the queue.
 bool GapWindow::expectCuts(RunVolume& workpiece, Brick& brick) noexcept {
     if (brick.room.empty() && !workpiece.setAside({brick.u * lanes, brick.v * lanes}, brick.room)) return false;
-    return enqueue(workpiece, static_cast<std::uint32_t>(&brick - bricks_.data()));
+    return brick.queued || enqueue(workpiece, static_cast<std::uint32_t>(&brick - bricks_.data()));
 }
 
 bool GapWindow::enqueue(RunVolume& workpiece, std::uint32_t place) noexcept {
@@ -141,8 +141,6 @@ bool GapWindow::writeNext(RunVolume& workpiece) noexcept {
 }
 
 bool GapWindow::writeDue(RunVolume& workpiece) noexcept {
-    // Without a page to spare only now is it certain that everything can be written.
-    if (!workpiece.hasPagesToSpare()) return writeAll(workpiece);
     std::uint32_t due = 0, pace = 0;
     for (std::uint32_t ahead = 0; ahead < longestDelay; ++ahead) {
         due += dueCounts_[(tick_ + ahead) % longestDelay];
@@ -151,7 +149,9 @@ bool GapWindow::writeDue(RunVolume& workpiece) noexcept {
     for (; pace > 0 && queueCount_ > 0; --pace)
         if (!writeNext(workpiece)) return false;
     ++tick_;
-    return true;
+    // Without a page to spare, be it for what was written just now, only before the next snapshot is it certain that
+    // everything can be written.
+    return workpiece.hasPagesToSpare() || writeAll(workpiece);
 }
 
 bool GapWindow::writeAll(RunVolume& workpiece) noexcept {
@@ -183,11 +183,14 @@ int GapWindow::take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGrou
     const auto brickOf = [&](std::int32_t hit) -> Brick& {
         return bricks[static_cast<std::uint32_t>(firstGroup + hits_[static_cast<std::size_t>(hit)]) & mask];
     };
-    for (std::int32_t i = 0; i < count; ++i)
-        if (!brickOf(i).queued && !expectCuts(workpiece, brickOf(i))) {
-            removed.outOfMemory = true;
-            count = i;
-        }
+    for (std::int32_t i = 0; i < count; ++i) {
+        // A brick that `widen` wrote early waits in the queue without room when there was none for it again.
+        Brick& brick = brickOf(i);
+        if (brick.queued && !brick.room.empty()) continue;
+        if (expectCuts(workpiece, brick)) continue;
+        removed.outOfMemory = true;
+        count = i;
+    }
     if (sums_.rows++ == 0) {
         sums_.originU = firstGroup * lanes;
         sums_.originV = v;
@@ -245,8 +248,8 @@ void GapWindow::collect(RemovedUnits& removed) noexcept {
 }
 
 /// Looks from a stretch in which nothing is left, `around`, as far as `low` and `high` and on to the next machinable
-/// segments. What the volume shows within it may be gone already; what it shows beyond is there, and is counted as taken
-/// up to `low` and `high`.
+/// segments. What the volume shows within it may be gone already; what it shows beyond is there, and is counted as
+/// taken up to `low` and `high`.
 GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, std::int32_t low,
                                        std::int32_t high, RemovedUnits& removed) noexcept {
     const PropertyList& properties = workpiece.properties();
@@ -297,8 +300,8 @@ void GapWindow::keep(LineIndex line, const Found& found) noexcept {
     gap.right[lane] = found.right;
 }
 
-/// Takes a span that its neighbours do not hold: over the border of two materials, apart from the gap, or of a line that
-/// was not known.
+/// Takes a span that its neighbours do not hold: over the border of two materials, apart from the gap, or of a line
+/// that was not known.
 bool GapWindow::widen(RunVolume& workpiece, LineIndex line, std::int32_t low, std::int32_t high,
                       RemovedUnits& removed) noexcept {
     Brick& brick = bricks_[brickAt(line.u >> 3, line.v >> 3)];

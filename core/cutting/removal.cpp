@@ -97,7 +97,7 @@ void MaterialRemoval::approach(RunVolume& workpiece, const ToolPose& pose) noexc
 }
 
 CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
-    if (settled()) return {};
+    if (!cutter_) return {}; // also when nothing is pending: memory that was set aside goes back
     RemovedUnits removed;
     cutter_->settle(workpiece, removed);
     CutResult result = account(workpiece, removed);

@@ -77,7 +77,8 @@ public:
     /// Gets ready, within a tick's bounds, for a cut that may begin at this pose, so that the first contact of a large
     /// tool is not dear. Cuts nothing. For every tick in which the tool moves without cutting.
     void approach(RunVolume& workpiece, const ToolPose& pose) noexcept;
-    /// Writes all that is pending to the workpiece and takes what was put off, which alone its result counts.
+    /// Writes all that is pending to the workpiece and takes what was put off, which alone its result counts. Gives back
+    /// the memory that was set aside for more, which is lost to the workpiece when the object goes or is reset without.
     /// Cost: up to that of a first contact.
     CutResult settle(RunVolume& workpiece) noexcept;
     /// True when the workpiece's runs show every cut.

@@ -138,8 +138,7 @@ std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, con
     return added;
 }
 
-bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
-                       RemovedUnits& removed) noexcept {
+bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to, RemovedUnits& removed) noexcept {
     const LinePose start = inLines(from), end = inLines(to);
     const bool connected = hasArrived_ && arrived_.tip == start.tip && arrived_.axis == start.axis;
     hasArrived_ = false;
@@ -178,7 +177,10 @@ void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept
     spans_.begin(place, place.tip, true);
     const LineStretch rows = rowsOf(spans_.rows()), all = groupsOf(spans_.columns());
     if (rows.first > rows.last || all.first > all.last || !fits(rows, all)) return;
-    if (!window_.cover(workpiece, rows.first, rows.last, all.first, all.last)) return;
+    const bool covered = window_.cover(workpiece, rows.first, rows.last, all.first, all.last);
+    // As after a cut: a snapshot may come before the next.
+    if (!workpiece.hasPagesToSpare()) static_cast<void>(window_.writeAll(workpiece));
+    if (!covered) return;
     double budget = tickBudget;
     for (std::int32_t v = rows.first; v <= rows.last && budget > 0.0; ++v) {
         const LineStretch groups = groupsOf(spans_.row(v));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/session_loop.h"
+#include "tests/core/cutting/scalar_cutter.h"
 #include "tests/core/project/sample_project.h"
 #include "tests/core/project/session_bench.h"
 #include "tests/oracles/allocation_count.h"
@@ -119,6 +120,48 @@ private slots:
             QVERIFY(linesOf(strokes[i].before) == found[i]);
         }
         QVERIFY(strokes.back().first + strokes.back().count > firsts.back()); // it holds all the others
+    }
+
+    /// When a stroke has ended, the workpiece is what the recorded moves leave of it, cut line by line or replayed:
+    /// what is undone, saved or measured is never short of what was cut.
+    void aStrokesEndShowsAllThatWasCut() {
+        LoopUnderTest test;
+        constexpr int strokes = 8;
+        test.hand.mill(strokes);
+        test.loop->wishTake({test.recorder.take(), &test.recorder});
+        TickTiming timing;
+        timing.period = 0.001;
+        Take take;
+        Bench scalarBench = blockBench();
+        tests::ScalarCutter scalar(test.bench.tool.cutter, scalarBench.embedded.workpiece.grid());
+        int ended = 0;
+        bool lagged = false;
+        while (test.hand.done() < strokes) {
+            const StylusState state = test.hand.read(0.0);
+            const bool wasUnderWay = test.loop->strokeUnderWay();
+            QCOMPARE(test.loop->edge(), AtEdge::tick);
+            take.samples.push_back(test.step(state, timing.period));
+            test.loop->tick(take.samples.back(), timing);
+            Stroke stroke;
+            while (test.loop->takeStroke(stroke)) continue;
+            const Sample& sample = take.samples.back();
+            const bool cuts = std::ranges::any_of(sample.removed, [](const RemovedMaterial& m) { return m.units > 0; });
+            if (cuts)
+                scalar.cut(scalarBench.embedded.workpiece, take.samples[take.samples.size() - 2].proxy.tip,
+                           sample.proxy.tip);
+            const RunVolume& workpiece = test.bench.embedded.workpiece;
+            lagged = lagged || workpiece.amounts() != scalarBench.embedded.workpiece.amounts();
+            if (!wasUnderWay || test.loop->strokeUnderWay()) continue;
+            ++ended;
+            const VolumeSnapshot shown = test.bench.embedded.workpiece.snapshot();
+            QVERIFY(shown.amounts() == workpiece.amounts());
+            QVERIFY(linesOf(shown) == linesOf(scalarBench.embedded.workpiece));
+            Bench replayed = blockBench();
+            QVERIFY(replayTake(take, test.bench.tool, replayed, test.progress));
+            QVERIFY(linesOf(shown) == linesOf(replayed.embedded.workpiece));
+        }
+        QCOMPARE(ended, strokes);
+        QVERIFY(lagged); // while a stroke is under way the workpiece may be late: or nothing was tested
     }
 
 private:

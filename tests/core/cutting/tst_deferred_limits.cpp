@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cutting/removal.h"
+#include "tests/core/cutting/scalar_cutter.h"
+#include "tests/oracles/allocation_count.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+using namespace burin;
+using namespace burin::tests;
+
+namespace {
+
+constexpr std::array stocks{softStock, hardStock};
+
+/// What cuts say they took, added up.
+struct Taken {
+    RunAmounts amounts;
+    void add(const CutResult& cut) {
+        for (const PropertyIndex stock : stocks) amounts.units[stock] += unitsOf(cut, stock);
+    }
+    void add(const RunAmounts& more) {
+        for (const PropertyIndex stock : stocks) amounts.units[stock] += more.units[stock];
+    }
+};
+
+/// A hand that moves on and on in about one direction.
+struct Walk {
+    glm::dvec3 low, size, tip, way;
+    double step;
+    Walk(const Grid& grid, double voxels)
+        : low(grid.box().low)
+        , size(grid.box().high - low)
+        , tip(low + size * glm::dvec3(real(0.0, 1.0), real(0.0, 1.0), real(0.0, 1.0)))
+        , way(real(-1, 1), real(-1, 1), real(-1, 1))
+        , step(voxels * grid.edge()) {}
+    glm::dvec3 next() {
+        way = 0.8 * way + 0.4 * glm::dvec3(real(-1, 1), real(-1, 1), real(-1, 0.8));
+        return glm::clamp(tip + way * (step / std::max(glm::length(way), 0.1)), low, low + size);
+    }
+};
+
+/// Takes all memory that a volume has left, until it is given back.
+class Ballast {
+public:
+    explicit Ballast(RunVolume& volume) : volume_(&volume) { rooms_.reserve(100000); }
+    /// All but what `left` bricks take.
+    void take(std::size_t left) {
+        const Grid& grid = volume_->grid();
+        for (LineIndex line; rooms_.size() < rooms_.capacity();
+             line.u = (line.u + 8) % grid.lineCountU(), line.v = (line.v + 8) % grid.lineCountV()) {
+            BrickRoom room;
+            if (!volume_->setAside(line, room)) break;
+            rooms_.push_back(room);
+        }
+        giveBack(left);
+    }
+    bool empty() const { return rooms_.empty(); }
+    void giveBack(std::size_t count) {
+        for (; count > 0 && !rooms_.empty(); --count) {
+            volume_->giveBack(rooms_.back());
+            rooms_.pop_back();
+        }
+    }
+
+private:
+    RunVolume* volume_;
+    std::vector<BrickRoom> rooms_;
+};
+
+/// Two stocks over each other and a protected block: bricks that take next to no memory.
+bool fillLayers(RunVolume& volume) {
+    const Grid& grid = volume.grid();
+    const LineIndex low{0, 0}, high{grid.lineCountU(), grid.lineCountV()};
+    const RunPosition end = grid.lineEnd();
+    return volume.fillBlock(low, high, 0, end / 2, softStock) && volume.fillBlock(low, high, end / 2, end, hardStock) &&
+           volume.fillBlock({8, 8}, {16, 12}, end / 4, end / 3, part);
+}
+
+/// Snapshots, and what each showed when it was taken.
+struct Kept {
+    std::vector<std::pair<VolumeSnapshot, RunAmounts>> snapshots;
+    void take(RunVolume& volume) {
+        snapshots.emplace_back(volume.snapshot(), RunAmounts{});
+        snapshots.back().second = snapshots.back().first.amounts();
+    }
+    bool stand() const {
+        return std::ranges::all_of(snapshots, [](const auto& kept) { return kept.first.amounts() == kept.second; });
+    }
+};
+
+bool accounts(const RunAmounts& before, const RunVolume& now, const Taken& taken) {
+    return std::ranges::all_of(stocks, [&](PropertyIndex stock) {
+        return before.units[stock] - now.amounts().units[stock] == taken.amounts.units[stock];
+    });
+}
+
+} // namespace
+
+class DeferredLimitsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Whenever memory runs out, what was counted is what is gone; once there is room the same moves finish the work.
+    void goesOnWhenThereIsRoomAgain() {
+        int ranOut = 0, finished = 0;
+        const bool held = rc::check("walks without room", [&] {
+            const int side = *rc::gen::inRange(40, 150);
+            const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {side, side - 7, 40});
+            const Cutter cutter = cutterOf(*rc::gen::inRange(0, 3), 0.5 * real(2.0, 15.0));
+            RunVolume workpiece = RunVolume::make(fine, materials(), 8'000'000).value();
+            RC_ASSERT(fillMotley(workpiece));
+            RunVolume expected = motleyWorkpiece(fine);
+            const RunAmounts before = workpiece.amounts();
+            MaterialRemoval removal(cutter, fine, Writing::deferred);
+            ScalarCutter scalar(cutter, fine);
+            Walk walk(fine, *rc::gen::element(0.3, 2.0, 10.0));
+            Ballast ballast(workpiece);
+            Kept kept;
+            Taken taken, expectedTaken;
+            if (*rc::gen::inRange(0, 2) == 0) kept.take(workpiece);
+            ballast.take(*rc::gen::inRange<std::size_t>(0, 60));
+            for (int tick = 0; tick < 30; ++tick) {
+                const glm::dvec3 next = walk.next();
+                for (;;) {
+                    const CutResult cut = removal.cut(workpiece, walk.tip, next);
+                    taken.add(cut);
+                    RC_ASSERT(!cut.putOff);
+                    if (!cut.outOfMemory) break;
+                    ++ranOut;
+                    if (*rc::gen::inRange(0, 2) == 0) {
+                        const CutResult rest = removal.settle(workpiece);
+                        taken.add(rest);
+                        // What was counted had its memory beforehand.
+                        RC_ASSERT(!rest.outOfMemory);
+                        RC_ASSERT(removal.settled());
+                        RC_ASSERT(accounts(before, workpiece, taken));
+                        RC_ASSERT(isValid(workpiece));
+                    }
+                    RC_ASSERT(kept.stand());
+                    // All is given back, but in pieces that are too small: this walk can not be finished.
+                    if (kept.snapshots.empty() && ballast.empty()) {
+                        taken.add(removal.settle(workpiece));
+                        RC_ASSERT(removal.settled() && accounts(before, workpiece, taken) && isValid(workpiece));
+                        return;
+                    }
+                    if (kept.snapshots.empty())
+                        ballast.giveBack(*rc::gen::inRange<std::size_t>(1, 40));
+                    else
+                        kept.snapshots.clear();
+                }
+                expectedTaken.add(scalar.cut(expected, walk.tip, next));
+                RC_ASSERT(taken.amounts == expectedTaken.amounts);
+                walk.tip = next;
+                if (*rc::gen::inRange(0, 6) == 0) kept.take(workpiece);
+            }
+            const CutResult rest = removal.settle(workpiece);
+            RC_ASSERT(!rest.outOfMemory && rest.volume == 0.0);
+            RC_ASSERT(sameLines(workpiece, expected));
+            RC_ASSERT(accounts(before, workpiece, taken));
+            RC_ASSERT(isValid(workpiece));
+            RC_ASSERT(kept.stand());
+            finished += 1;
+        });
+        QVERIFY(held);
+        QVERIFY(ranOut > 100); // or nothing was tested
+        QVERIFY(finished > 50);
+    }
+
+    /// The same with next to no reserve from the beginning, where even the tables of a snapshot are dear.
+    void losesNothingWithATinyReserve() {
+        int ranOut = 0, wentOn = 0;
+        const bool held = holds("tiny reserves", 300, [&] {
+            const int side = *rc::gen::inRange(20, 140);
+            const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {side, side - 7, 20});
+            RunVolume workpiece =
+                RunVolume::make(fine, materials(), *rc::gen::inRange<std::size_t>(8000, 150000)).value();
+            RC_PRE(fillLayers(workpiece));
+            const RunAmounts before = workpiece.amounts();
+            MaterialRemoval removal(cutterOf(*rc::gen::inRange(0, 3), 0.5 * real(2.0, 12.0)), fine, Writing::deferred);
+            Walk walk(fine, *rc::gen::element(0.3, 2.0, 10.0));
+            Kept kept;
+            Taken taken;
+            bool full = false;
+            for (int tick = 0; tick < 30; ++tick) {
+                const glm::dvec3 next = walk.next();
+                const CutResult cut = removal.cut(workpiece, walk.tip, next);
+                taken.add(cut);
+                walk.tip = next;
+                ranOut += cut.outOfMemory ? 1 : 0;
+                wentOn += full && !cut.outOfMemory && cut.volume > 0.0 ? 1 : 0;
+                full = cut.outOfMemory;
+                if (*rc::gen::inRange(0, 4) == 0) kept.take(workpiece);
+                if (*rc::gen::inRange(0, 4) == 0) {
+                    const CutResult rest = removal.settle(workpiece);
+                    taken.add(rest);
+                    RC_ASSERT(!rest.outOfMemory && removal.settled());
+                    RC_ASSERT(accounts(before, workpiece, taken));
+                    RC_ASSERT(isValid(workpiece));
+                }
+                if (full || *rc::gen::inRange(0, 8) == 0) {
+                    RC_ASSERT(kept.stand());
+                    kept.snapshots.clear();
+                }
+            }
+            taken.add(removal.settle(workpiece));
+            RC_ASSERT(removal.settled());
+            RC_ASSERT(accounts(before, workpiece, taken));
+            RC_ASSERT(isValid(workpiece));
+            RC_ASSERT(kept.stand());
+        });
+        QVERIFY(held);
+        QVERIFY(ranOut > 100);
+        QVERIFY(wentOn > 10);
+    }
+
+    /// Memory that a cut set aside comes back, whether anything was there to cut or not: hours of work and undo, with
+    /// one tool after another, end with as much to spare as a minute.
+    void settlingGivesBackAllThatWasSetAside() {
+        const Grid fine = grid({0.0, 0.0, 0.0}, 0.5, {96, 96, 40});
+        RunVolume workpiece = block(fine);
+        QVERIFY(workpiece.fillBlock({0, 0}, {48, 96}, 0, fine.lineEnd(), airProperty));
+        std::size_t used = 0;
+        for (int round = 0; round < 20; ++round) {
+            const VolumeSnapshot before = workpiece.snapshot();
+            MaterialRemoval removal(cutterOf(round % 3, 5.0), fine, Writing::deferred);
+            for (int tick = 0; tick < 5; ++tick)
+                QVERIFY(!removal.cut(workpiece, {8.0 + tick, 24.0, 10.0}, {9.0 + tick, 24.0, 10.0}).outOfMemory);
+            if (round % 2 == 0) QVERIFY(removal.cut(workpiece, {13.0, 24.0, 10.0}, {26.0, 24.0, 10.0}).volume > 0.0);
+            removal.settle(workpiece);
+            QVERIFY(removal.settled());
+            workpiece.restore(before);
+            removal.reset();
+            if (round < 6) used = std::max(used, workpiece.usedBytes());
+            QVERIFY2(workpiece.usedBytes() <= used, qPrintable(QString::number(round)));
+        }
+    }
+
+    /// Ticks do not allocate, whatever the tool and however it leans or turns, while snapshots are taken.
+    void noTickAllocates_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<double>("lean");
+        QTest::addColumn<bool>("turns");
+        const std::array names{"ball", "flat", "bull nose"};
+        for (int kind = 0; kind < 3; ++kind) {
+            const auto* name = names[static_cast<std::size_t>(kind)];
+            QTest::addRow("%s, upright", name) << kind << 0.0 << false;
+            QTest::addRow("%s, leaning", name) << kind << 0.7 << false;
+            QTest::addRow("%s, turning", name) << kind << 0.3 << true;
+        }
+    }
+    void noTickAllocates() {
+        QFETCH(const int, kind);
+        QFETCH(const double, lean);
+        QFETCH(const bool, turns);
+        const std::size_t first = allocationCount;
+        const Grid fine = grid({0.0, 0.0, 0.0}, 0.5, {140, 140, 60});
+        RunVolume workpiece = RunVolume::make(fine, materials()).value();
+        QVERIFY(fillMotley(workpiece));
+        QVERIFY(allocationCount > first); // they are counted
+        MaterialRemoval removal(cutterOf(kind, 6.0), fine, Writing::deferred);
+        std::vector<VolumeSnapshot> kept(8);
+        const auto poseAt = [&](int tick) {
+            const double angle = 0.01 * tick, leans = turns ? lean + 0.2 * std::sin(0.3 * tick) : lean;
+            return ToolPose{{35.0 + 25.0 * std::cos(angle), 35.0 + 25.0 * std::sin(2.0 * angle), 20.0 - 0.02 * tick},
+                            glm::normalize(glm::dvec3(std::sin(leans), 0.1 * std::sin(leans), std::cos(leans)))};
+        };
+        std::size_t allocations = 0;
+        std::uint64_t taken = 0;
+        for (int tick = 0; tick < 600; ++tick) {
+            const ToolPose from = poseAt(tick), to = poseAt(tick + 1);
+            const std::size_t before = allocationCount;
+            if (tick % 50 > 44) {
+                removal.approach(workpiece, to);
+            } else {
+                const CutResult cut = removal.cut(workpiece, from, to);
+                for (const PropertyIndex stock : stocks) taken += unitsOf(cut, stock);
+                if (cut.outOfMemory) QFAIL("out of memory");
+            }
+            if (tick % 97 == 96) removal.settle(workpiece);
+            allocations += allocationCount - before;
+            if (tick % 9 == 0) kept[static_cast<std::size_t>(tick / 9) % kept.size()] = workpiece.snapshot();
+        }
+        QCOMPARE(allocations, std::size_t{0});
+        QVERIFY(taken > 1000000);
+    }
+
+    /// A large tool that stands in the stock is more than one tick takes; the next ones, or settling, take the rest.
+    void putsOffWhatATickCanNotTake() {
+        int putOffs = 0;
+        const bool held = holds("first contacts", 15, [&putOffs] {
+            const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {220, 213, 60});
+            const double radius = real(60.0, 100.0);
+            const Cutter cutter = cutterOf(*rc::gen::inRange(0, 3), 0.5 * radius);
+            RunVolume workpiece = motleyWorkpiece(fine), expected = motleyWorkpiece(fine);
+            MaterialRemoval removal(cutter, fine, Writing::deferred);
+            ScalarCutter scalar(cutter, fine);
+            const glm::dvec3 low = fine.box().low, size = fine.box().high - low;
+            glm::dvec3 tip = low + size * glm::dvec3(real(0.4, 0.6), real(0.4, 0.6), real(0.1, 0.4));
+            Taken taken, expectedTaken;
+            const int ticks = *rc::gen::inRange(1, 8);
+            for (int tick = 0; tick < ticks; ++tick) {
+                const glm::dvec3 next =
+                    tip + fine.edge() * glm::dvec3(real(-1.0, 1.0), real(-1.0, 1.0), real(-1.0, 0.5));
+                const CutResult cut = removal.cut(workpiece, tip, next);
+                taken.add(cut);
+                expectedTaken.add(scalar.cut(expected, tip, next));
+                if (tick == 0) RC_ASSERT(cut.putOff);
+                RC_ASSERT(cut.putOff == (taken.amounts != expectedTaken.amounts));
+                putOffs += cut.putOff ? 1 : 0;
+                RC_ASSERT(!removal.settled());
+                tip = next;
+                if (*rc::gen::inRange(0, 4) == 0) (void)workpiece.snapshot();
+            }
+            taken.add(removal.settle(workpiece));
+            RC_ASSERT(removal.settled());
+            RC_ASSERT(taken.amounts == expectedTaken.amounts);
+            RC_ASSERT(sameLines(workpiece, expected));
+            RC_ASSERT(isValid(workpiece));
+        });
+        QVERIFY(held);
+        QVERIFY(putOffs > 0);
+    }
+
+    /// Approaching cuts nothing, and spares the first cut: in stock of one material nothing is put off any more.
+    void approachingSparesTheFirstCut_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<double>("radius");
+        for (int kind = 0; kind < 3; ++kind)
+            for (const double radius : {60.0, 80.0, 100.0}) QTest::addRow("%d, %g", kind, radius) << kind << radius;
+    }
+    void approachingSparesTheFirstCut() {
+        QFETCH(const int, kind);
+        QFETCH(const double, radius);
+        const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {220, 213, 60});
+        const Cutter cutter = cutterOf(kind, 0.5 * radius);
+        const glm::dvec3 tip(54.0, 55.0, 1.0), next = tip + glm::dvec3(0.3, 0.1, -0.1);
+        RunVolume workpiece = block(fine), unready = block(fine), expected = block(fine);
+        const RunAmounts before = workpiece.amounts();
+
+        MaterialRemoval unprepared(cutter, fine, Writing::deferred);
+        QVERIFY(unprepared.cut(unready, tip, next).putOff);
+
+        MaterialRemoval removal(cutter, fine, Writing::deferred);
+        const int ticks = static_cast<int>(std::ceil(3.2 * radius * radius * 5.4 / 50000.0)) + 1;
+        for (int tick = 0; tick < ticks; ++tick) removal.approach(workpiece, {tip, {0.0, 0.0, 1.0}});
+        QVERIFY(removal.settled());
+        QVERIFY(workpiece.amounts() == before);
+        const CutResult cut = removal.cut(workpiece, tip, next);
+        QVERIFY(!cut.putOff);
+        Taken taken, expectedTaken;
+        taken.add(cut);
+        ScalarCutter scalar(cutter, fine);
+        expectedTaken.add(scalar.cut(expected, tip, next));
+        QVERIFY(taken.amounts == expectedTaken.amounts);
+        QCOMPARE(removal.settle(workpiece).volume, 0.0);
+        QVERIFY(sameLines(workpiece, expected));
+    }
+};
+
+QTEST_APPLESS_MAIN(DeferredLimitsTest)
+#include "tst_deferred_limits.moc"
