@@ -7,6 +7,9 @@
 // Within core/tool: the inner loops of SpanRows.
 namespace burin::kernels {
 
+inline constexpr float unitsAVoxel = 256.0F;
+inline constexpr float nowhere = 1e9F; ///< above every height: no part of the piece
+
 /// Some groups of eight lines of one row.
 struct Stretch {
     std::int32_t v = 0, firstGroup = 0, groups = 0;

@@ -10,8 +10,6 @@ using Linear = TiltedPiece::Linear;
 using End = TiltedPiece::End;
 using Rounding = TiltedPiece::Rounding;
 
-constexpr float unitsAVoxel = 256.0F;
-constexpr float nowhere = 1e9F; // above every height
 constexpr int roundingSteps = 6;
 
 /// Heights of eight lines, units from a tip; low > high where there is none.

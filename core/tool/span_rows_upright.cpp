@@ -10,11 +10,7 @@ using Shape = SpanRows::Shape;
 using Upright = SpanRows::Upright;
 using End = SpanRows::End;
 
-constexpr float unitsAVoxel = 256.0F;
 constexpr int cornerSteps = 10;
-
-/// Above every height: no part of the piece.
-constexpr float nowhere = 1e9F;
 
 /// Height of the rounding below its middle, voxels, over lines `inside` away from the outline (square: R² - r²).
 template <Shape shape>

@@ -171,7 +171,7 @@ private slots:
     /// The same with next to no reserve from the beginning, where even the tables of a snapshot are dear.
     void losesNothingWithATinyReserve() {
         int ranOut = 0, wentOn = 0;
-        const bool held = holds("tiny reserves", 300, [&] {
+        const bool held = holds("tiny reserves", 900, [&] {
             const int side = *rc::gen::inRange(20, 140);
             const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {side, side - 7, 20});
             RunVolume workpiece =
