@@ -197,7 +197,8 @@ LineStretch SpanRows::inFront(const LineStretch& lines, double y) const noexcept
 
 void SpanRows::spans(std::int32_t v, std::int32_t firstGroup, std::int32_t groups, EightIntegers* low,
                      EightIntegers* high) const noexcept {
-    const kernels::Stretch stretch{v, firstGroup, groups, low, high, withStart_, moves_};
+    const bool start = withStart_ || (tilts_ && moves_);
+    const kernels::Stretch stretch{v, firstGroup, groups, low, high, start, moves_};
     switch (shape_) {
     case Shape::ball:
         return tilts_ ? kernels::tiltedBall(tilted_, stretch) : kernels::uprightBall(upright_, stretch);

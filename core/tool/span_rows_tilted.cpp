@@ -101,7 +101,8 @@ struct RowEnd {
     float y; ///< of the rounding's middle
 
     BURIN_INLINE RowEnd(const TiltedPiece& itsPiece, double fromTip) noexcept
-        : piece(itsPiece), standing(itsPiece.standing, fromTip)
+        : piece(itsPiece)
+        , standing(itsPiece.standing, fromTip)
         , hemisphere(itsPiece.hemisphere, fromTip)
         , y(static_cast<float>(fromTip - itsPiece.middleYExact)) {}
 
@@ -113,7 +114,8 @@ struct RowEnd {
             meets = meets & (all.low < all.high);
             if (bitsOf(meets) != 0) {
                 const Floats x = fromTip - piece.middleX;
-                const Floats low = (all.low - piece.middleZ) / unitsAVoxel, high = (all.high - piece.middleZ) / unitsAVoxel;
+                const Floats low = (all.low - piece.middleZ) / unitsAVoxel,
+                             high = (all.high - piece.middleZ) / unitsAVoxel;
                 Integers met = meets;
                 const Floats reachedLow = reachRounding(piece, x, y, meets ? low : Floats{}, 1.0F, met);
                 const Floats reachedHigh = reachRounding(piece, x, y, meets ? high : Floats{}, -1.0F, met);
@@ -179,12 +181,14 @@ struct RowWay {
             const Floats first = (along - piece.sine * chord) * piece.perReach;
             const Floats last = (along + piece.sine * chord) * piece.perReach;
             const Floats half = (unitsAVoxel * piece.cosine) * chord;
-            const Floats low = piece.rise * first - half + piece.middleZ, high = piece.rise * last + half + piece.middleZ;
+            const Floats low = piece.rise * first - half + piece.middleZ,
+                         high = piece.rise * last + half + piece.middleZ;
             const Integers meets = inside > zero;
             // Only what the ball's own half touches: beyond its flat side is the straight part, or nothing.
             const Floats side = fromTip * piece.axisX + y * piece.axisY - piece.hemisphereTop;
             const Floats rise = floats(piece.axisZ / unitsAVoxel);
-            const Integers lows = meets & (first > zero) & (first < one) & (side + rise * low <= piece.axialWay * first);
+            const Integers lows =
+                meets & (first > zero) & (first < one) & (side + rise * low <= piece.axialWay * first);
             const Integers highs = meets & (last > zero) & (last < one) & (side + rise * high <= piece.axialWay * last);
             // Either is a place of the solid, so that it counts for both ends of the span.
             all.low = lows ? least(all.low, low) : all.low;

@@ -42,7 +42,8 @@ TiltedPiece::Cylinder faceOnWay(const glm::dvec3& axis, const glm::dvec3& way, d
         return place - way * (glm::dot(place, axis) / along);
     };
     const glm::dvec3 run = onFace(0.0, 0.0, 1.0) - onFace(0.0, 0.0, 0.0);
-    const double length = std::max(glm::length(run), 1e-6);
+    const double length = glm::length(run);
+    if (length < 1e-6) return face; // moved along the lines: none enters between its ends
     const glm::dvec3 direction = run / length, across = glm::cross(axis, direction);
     face.present = true;
     face.radius = static_cast<float>(radius);
@@ -110,7 +111,8 @@ void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& a
     const double length = glm::length(side), straight = piece.bottom + piece.cornerRadius;
     tilted.hasBox = length > 1e-7 && piece.top > straight;
     if (tilted.hasBox) {
-        const glm::dvec3 normal = side / length, acrossWay = glm::cross(way, normal), acrossAxis = glm::cross(normal, axis);
+        const glm::dvec3 normal = side / length, acrossWay = glm::cross(way, normal),
+                         acrossAxis = glm::cross(normal, axis);
         tilted.box[0] = slabOf(normal, -piece.bottomRadius, piece.bottomRadius);
         tilted.box[1] = slabOf(acrossWay / glm::dot(acrossWay, axis), straight, piece.top);
         tilted.box[2] = slabOf(acrossAxis / glm::dot(acrossAxis, way), 0.0, 1.0);
