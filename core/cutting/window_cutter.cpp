@@ -117,7 +117,7 @@ bool WindowCutter::add(RunVolume& workpiece, const Step& step, RemovedUnits& rem
 std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                                  RemovedUnits& removed) noexcept {
     const int parts =
-        std::max(1, static_cast<int>(std::ceil(glm::length(to - from.tip) / spans_.longestWay(from.axis))));
+        std::max(1, static_cast<int>(std::ceil(glm::length(to - from.tip) / spans_.longestWay(from.axis) - 1e-9)));
     std::size_t added = 0;
     glm::dvec3 tip = from.tip;
     for (int i = 1; i <= parts; ++i) {
@@ -140,7 +140,7 @@ std::size_t WindowCutter::addTurn(RunVolume& workpiece, const LinePose& from, co
     std::size_t added = 0;
     if (angle * spans_.reach() <= turnTolerance) { // the last axis stands for all of them
         if (withStart) added += addWay(workpiece, from, from.tip, true, removed);
-        return added + addWay(workpiece, {from.tip, to.axis}, to.tip, true, removed);
+        return added + addWay(workpiece, {from.tip, to.axis}, to.tip, from.tip == to.tip, removed);
     }
     const PoseSteps steps({from.tip, from.axis}, {to.tip, to.axis}, spans_.reach(), turnTolerance);
     for (std::int32_t k = 0; k < steps.count() && !removed.outOfMemory; ++k) {

@@ -18,6 +18,7 @@ constexpr double leastReach = 1e-9; // voxels
 constexpr double shortWay = 8.0;    // voxels
 // Lines that are left out lie so far behind those that can have more: roundings don't decide about any.
 constexpr double clipMargin = 1.0; // voxels
+constexpr double roundingMargin = 1e-3; // voxels, of the ends of a row
 
 /// Nearest run unit, held within what an int can say.
 std::int32_t unitOf(double voxels) noexcept {
@@ -70,8 +71,10 @@ SpanRows::SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept
 }
 
 double SpanRows::longestWay(const glm::dvec3& axis) const noexcept {
-    if (shape_ != Shape::bullNose || isUpright(axis)) return longestWay_;
-    return std::min(longestWay_, std::sqrt(8.0 * piece_.cornerRadius * leaningRoundingError));
+    if (isUpright(axis)) return longestWay_;
+    // Two circles of that radius leave no more than the error of what one sweeps between them.
+    const double roundest = shape_ == Shape::flat ? radius_ : piece_.cornerRadius;
+    return std::min(longestWay_, std::sqrt(8.0 * roundest * leaningWayError));
 }
 
 bool SpanRows::isUpright(const glm::dvec3& axis) const noexcept {
@@ -137,32 +140,17 @@ void SpanRows::beginTilted(const LinePose& from, const glm::dvec3& toTip) noexce
     const double depth = std::ceil((reach_ + longestWay_) * unitsAVoxel) + 2.0;
     setWay(tilted_, piece_, axis_, from.tip, toTip, depth);
     moves_ = from.tip != toTip;
-    foot_ = glm::dvec2(toTip + axis_ * (piece_.bottom + piece_.cornerRadius));
-    head_ = glm::dvec2(toTip + axis_ * piece_.top);
-    width_ = radius_ + (withStart_ || moves_ ? glm::length(glm::dvec2(toTip - from.tip)) : 0.0);
-    const glm::dvec2 low = glm::min(foot_, head_) - width_, high = glm::max(foot_, head_) + width_;
-    columns_ = {wholeOf(low.x), wholeOf(high.x) + 1};
-    rows_ = {wholeOf(low.y), wholeOf(high.y) + 1};
-}
-
-/// Of a leaning piece: the shadow of a capsule about its axis.
-LineStretch SpanRows::tiltedRow(std::int32_t v) const noexcept {
-    Extent extent;
-    includeCircle(extent, foot_.x, v - foot_.y, width_);
-    includeCircle(extent, head_.x, v - head_.y, width_);
-    const glm::dvec2 axis = head_ - foot_;
-    const double length = glm::length(axis);
-    if (std::abs(axis.y) > 1e-12)
-        for (const double side : {-width_, width_}) {
-            const double part = (v - (foot_.y + side * axis.x / length)) / axis.y;
-            if (part >= 0.0 && part <= 1.0) extent.include(foot_.x - side * axis.y / length + part * axis.x);
-        }
-    if (!(extent.low <= extent.high)) return {};
-    return {wholeOf(extent.low), wholeOf(extent.high) + 1};
+    shadow_ = TiltedShadow(piece_, axis_, glm::dvec2(toTip), glm::length(glm::dvec2(toTip - from.tip)));
+    columns_ = {wholeOf(shadow_.low().x), wholeOf(shadow_.high().x) + 1};
+    rows_ = {wholeOf(shadow_.low().y), wholeOf(shadow_.high().y) + 1};
 }
 
 LineStretch SpanRows::row(std::int32_t v) const noexcept {
-    if (tilts_) return tiltedRow(v);
+    if (tilts_) {
+        const TiltedShadow::Stretch lines = shadow_.row(v);
+        if (!(lines.low <= lines.high)) return {};
+        return {wholeOf(lines.low - roundingMargin) + 1, wholeOf(lines.high + roundingMargin)};
+    }
     const End &from = upright_.from, &to = upright_.to;
     Extent extent;
     includeCircle(extent, to.x, v - to.y, radius_);
@@ -197,8 +185,7 @@ LineStretch SpanRows::inFront(const LineStretch& lines, double y) const noexcept
 
 void SpanRows::spans(std::int32_t v, std::int32_t firstGroup, std::int32_t groups, EightIntegers* low,
                      EightIntegers* high) const noexcept {
-    const bool start = withStart_ || (tilts_ && moves_);
-    const kernels::Stretch stretch{v, firstGroup, groups, low, high, start, moves_};
+    const kernels::Stretch stretch{v, firstGroup, groups, low, high, withStart_, moves_};
     switch (shape_) {
     case Shape::ball:
         return tilts_ ? kernels::tiltedBall(tilted_, stretch) : kernels::uprightBall(upright_, stretch);

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double unitsAVoxel = 256.0;
 using Linear = TiltedPiece::Linear;
+// Voxels about a rim's way in which the start of the way is looked at as well: an axis that turned since the start was
+// taken may have had the rim so far off.
+constexpr double rimMargin = 0.25;
 
 /// A function of x and y that is linear, from its values.
 template <class Function>
@@ -79,7 +82,7 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     tilted.cornerRadius = static_cast<float>(corner);
     const glm::dvec3 middle = axis * (piece.bottom + corner);
     tilted.middleX = static_cast<float>(middle.x);
-    tilted.middleYExact = middle.y;
+    tilted.middleY = middle.y;
     tilted.middleZ = static_cast<float>(middle.z * unitsAVoxel);
     tilted.axisX = static_cast<float>(axis.x);
     tilted.axisY = static_cast<float>(axis.y);
@@ -94,8 +97,10 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     standing.aside = {0.0, -heading.y, heading.x};
     standing.middle = {0.0, heading.x * axis.z / sine * unitsAVoxel, heading.y * axis.z / sine * unitsAVoxel};
     standing.slab = slabOf(axis, piece.bottom + (ball ? corner : 0.0), piece.top);
+    tilted.perStretch = static_cast<float>(sine / unitsAVoxel);
+    const float upper = axis.z < 0.0 ? -standing.slab.half : standing.slab.half;
+    tilted.rimHeights = {tilted.rounding == TiltedPiece::Rounding::none ? -upper : upper, upper};
     tilted.hemisphere = slabOf(axis, piece.bottom - corner, piece.bottom + corner);
-    tilted.hemisphereTop = static_cast<float>(piece.bottom + corner);
 }
 
 void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& axis, const glm::dvec3& from,
@@ -103,30 +108,18 @@ void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& a
     setEnd(tilted.from, from, depth);
     setEnd(tilted.to, to, depth);
     const glm::dvec3 way = to - from;
-    tilted.faces[0] = {};
-    if (tilted.rounding != TiltedPiece::Rounding::ball)
-        tilted.faces[0] = faceOnWay(axis, way, piece.bottom, piece.bottomRadius - piece.cornerRadius);
-    tilted.faces[1] = faceOnWay(axis, way, piece.top, piece.topRadius);
-    const glm::dvec3 side = glm::cross(axis, way);
-    const double length = glm::length(side), straight = piece.bottom + piece.cornerRadius;
-    tilted.hasBox = length > 1e-7 && piece.top > straight;
-    if (tilted.hasBox) {
-        const glm::dvec3 normal = side / length, acrossWay = glm::cross(way, normal),
-                         acrossAxis = glm::cross(normal, axis);
-        tilted.box[0] = slabOf(normal, -piece.bottomRadius, piece.bottomRadius);
-        tilted.box[1] = slabOf(acrossWay / glm::dot(acrossWay, axis), straight, piece.top);
-        tilted.box[2] = slabOf(acrossAxis / glm::dot(acrossAxis, way), 0.0, 1.0);
-    }
-    const double reach = std::hypot(way.x, way.y), total = glm::length(way);
-    tilted.axialWay = static_cast<float>(glm::dot(way, axis));
-    tilted.hasCapsule = tilted.rounding == TiltedPiece::Rounding::ball && reach > 1e-9;
-    if (!tilted.hasCapsule) return;
-    tilted.wayX = way.x / reach;
-    tilted.wayY = way.y / reach;
-    tilted.perReach = static_cast<float>(1.0 / reach);
-    tilted.rise = static_cast<float>(way.z * unitsAVoxel);
-    tilted.sine = static_cast<float>(way.z / total);
-    tilted.cosine = static_cast<float>(reach / total);
+    tilted.rims[0] = {};
+    if (tilted.rounding == TiltedPiece::Rounding::none)
+        tilted.rims[0] = faceOnWay(axis, way, piece.bottom, piece.bottomRadius);
+    tilted.rims[1] = faceOnWay(axis, way, piece.top, piece.topRadius);
+    // Where a line meets a face's plane moves by so much across the axis while the tool is on its way.
+    const double along = glm::dot(way, axis), steep = awayFromZero(axis.z, 1.0);
+    const glm::dvec3 shift = glm::dvec3(0.0, 0.0, along / steep) - way;
+    const double reach = glm::length(shift) + rimMargin / std::abs(steep);
+    tilted.rimReach = static_cast<float>(reach * (2.0 * piece.bottomRadius + reach));
+    // Where the way passes the whole thickness, what is between the ends is not within both anywhere.
+    tilted.rimsEverywhere =
+        reach > piece.bottomRadius || std::abs(along) + rimMargin > piece.top - piece.bottom - piece.cornerRadius;
 }
 
 } // namespace burin
