@@ -17,7 +17,7 @@ constexpr double unitsAVoxel = 256.0;
 constexpr double leastReach = 1e-9; // voxels
 constexpr double shortWay = 8.0;    // voxels
 // Lines that are left out lie so far behind those that can have more: roundings don't decide about any.
-constexpr double clipMargin = 1.0; // voxels
+constexpr double clipMargin = 1.0;      // voxels
 constexpr double roundingMargin = 1e-3; // voxels, of the ends of a row
 
 /// Nearest run unit, held within what an int can say.

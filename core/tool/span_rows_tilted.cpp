@@ -51,7 +51,7 @@ struct RowCylinder {
     /// Eight lines that meet it.
     struct Met {
         Heights heights;
-        Floats inside;          ///< square voxels of half chord across the axis; none of it where not above 0
+        Floats inside;           ///< square voxels of half chord across the axis; none of it where not above 0
         Floats place, slabPlace; ///< of the axis and of the slab's middle
     };
     BURIN_INLINE Met at(Floats x) const noexcept {

@@ -23,7 +23,8 @@ inline RevolvedPiece grown(const RevolvedPiece& piece, double by) {
 class Stretches {
 public:
     explicit Stretches(const Grid& grid)
-        : grid_(grid), lines_(static_cast<std::size_t>(grid.lineCountU()) * static_cast<std::size_t>(grid.lineCountV())) {}
+        : grid_(grid)
+        , lines_(static_cast<std::size_t>(grid.lineCountU()) * static_cast<std::size_t>(grid.lineCountV())) {}
 
     /// What a piece sweeps, by its exact spans, each end moved outwards by `slack` run units.
     void addSweep(const RevolvedPiece& piece, const ToolPose& from, const glm::dvec3& toTip, double slack) {

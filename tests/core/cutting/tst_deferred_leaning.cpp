@@ -100,7 +100,8 @@ private slots:
             const double radius = real(1.5, 0.25 * side), step = *rc::gen::element(0.05, 0.3, 1.0, 5.0, 20.0, 40.0);
             const Cutter cutter = cutterOf(*rc::gen::inRange(0, 3), 0.5 * radius);
             const RevolvedPiece piece = flutes(cutter);
-            const double outline = 4.0 * SpanRows::outlineError * (reachOf({{piece}}) / fine.edge() + step);
+            const double outline =
+                4.0 * SpanRows::outlineError * (reachOf({{piece}}) / fine.edge() + step) + SpanRows::uprightError;
             const double slack = SpanRows::endError + 0.5;
             const double smaller = outline + SpanRows::leaningWayError;
             RunVolume workpiece = block(fine);
@@ -175,7 +176,8 @@ private slots:
             for (int i = 0; i < 150; ++i) {
                 // About the tool at some moment, on the nearest line.
                 const ToolPose& moment = poses[*rc::gen::inRange<std::size_t>(0, poses.size())];
-                const double radius = piece.bottomRadius + fine.edge(), height = real(-fine.edge(), piece.top + fine.edge());
+                const double radius = piece.bottomRadius + fine.edge(),
+                             height = real(-fine.edge(), piece.top + fine.edge());
                 const glm::dvec3 near =
                     moment.tip + height * moment.axis + radius * glm::dvec3(real(-1, 1), real(-1, 1), real(-1, 1));
                 const glm::dvec3 voxels = inLineFrame(fine, (near - fine.low()) / fine.edge());
@@ -183,8 +185,8 @@ private slots:
                                      static_cast<std::int32_t>(std::floor(voxels.y))};
                 const double unit = std::floor(voxels.z * unitsPerVoxel);
                 if (!fine.contains(line) || unit < 0.0 || unit >= static_cast<double>(fine.lineEnd())) continue;
-                const glm::dvec3 point =
-                    fine.low() + fine.edge() * inSetupFrame(fine, {line.u + 0.5, line.v + 0.5, (unit + 0.5) / unitsPerVoxel});
+                const glm::dvec3 point = fine.low() + fine.edge() * inSetupFrame(fine, {line.u + 0.5, line.v + 0.5,
+                                                                                        (unit + 0.5) / unitsPerVoxel});
                 double beyond = std::numeric_limits<double>::infinity();
                 for (const ToolPose& other : poses)
                     beyond = std::min(beyond, oracles::beyondSurface(piece, point - other.tip, other.axis));
