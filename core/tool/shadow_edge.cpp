@@ -19,6 +19,8 @@ constexpr double leastWidth = 1e-12;
 // Seen from the side within this, a rounding's ring is a line: angles would not tell its places, and with them their
 // depths, from each other. What that moves is less than a millionth of a millimetre a metre from the tip.
 constexpr double leastOpening = 1e-9;
+// Two arcs that meet leave no place between them to rounding.
+constexpr double joint = 1e-12; // mm
 
 /// An axis (unit length) that lies in the view's plane but for rounding is put there.
 glm::dvec3 inView(const glm::dvec3& axis) noexcept {
@@ -154,7 +156,7 @@ ShadowEdge::Point ShadowEdge::lowest(double across) const noexcept {
     }
     if (profile_.arc().radius > 0.0 && profile_.arc().centreRadius == 0.0) lowestOnBall(across, best);
     for (std::size_t i = 0; i < arcCount_; ++i) {
-        if (across < arcs_[i].acrossLow || across > arcs_[i].acrossHigh) continue;
+        if (across < arcs_[i].acrossLow - joint || across > arcs_[i].acrossHigh + joint) continue;
         const Point point = lowestOnArc(arcs_[i], across);
         if (point.up < best.up) best = point;
     }

@@ -98,6 +98,19 @@ private slots:
         }
     }
 
+    /// A bull nose with a level axis whose tip lies on the line: seen along the way, two arcs of its rounding meet
+    /// right there. (Neither was taken to reach so far, and 0.65 was left standing.)
+    void linesThroughTheTipOfALevelBullNose() {
+        const RevolvedPiece piece{0.0, 5.986541276972801, 3.652108, 3.652108, 1.7144485012064004};
+        const glm::dvec3 axis(0.75599714519731798, -0.65457491278959445, 0.0);
+        const glm::dvec3 way(-20.062411075507747, 17.370900225650836, -29.929107691139542);
+        const std::optional<Span> found = SweptPiece(piece, glm::dvec3(0.0), way, axis).along(0.0, 0.0);
+        const Span span = oracles::SearchedLine(piece, glm::dvec3(0.0), way, axis, 0.0, 0.0).span();
+        QVERIFY(found.has_value());
+        QVERIFY(near(found->low, span.low, 1e-6));
+        QVERIFY(near(found->high, span.high, 1e-6));
+    }
+
     /// An axis along the lines is the upright case, in which everything is found another way.
     void agreesWithTheUprightFormsNextToThem() {
         const bool held = rc::check("tilted by next to nothing", [] {
