@@ -13,10 +13,10 @@ using Linear = TiltedPiece::Linear;
 using End = TiltedPiece::End;
 using Rounding = TiltedPiece::Rounding;
 
-// Of the search for a bull nose's rounding: it ends once no line's end moves by more than this …
-constexpr float nearEnough = 1.0F / 256.0F; // voxels
-// … which but for axes that are nearly level takes three or four steps.
-constexpr int mostSteps = 40;
+// Of the search for a bull nose's rounding: it ends once no line's end moves by more than this in a step, and none that
+// has not met the rounding yet by more than that, which but for axes that are nearly level takes three or four steps.
+constexpr float nearEnough = 1.0F / 256.0F, nearlyStill = 1.0F / 16384.0F; // voxels
+constexpr int mostSteps = 64;
 
 /// Heights of eight lines, units from a tip; low > high where there is none.
 struct Heights {
@@ -67,6 +67,16 @@ struct RowCylinder {
     }
 };
 
+/// Of an axis that is nearly level: the place on the line where the piece is as wide as at the height of another one.
+BURIN_INLINE Floats atHeightOf(const TiltedPiece& piece, Floats flatSquare, Floats flatAlong, Floats z,
+                               float side) noexcept {
+    const Floats along = least(flatAlong + z * piece.axisZ, Floats{});
+    const Floats wide = piece.flatRadius + rootsOf(piece.cornerRadius * piece.cornerRadius - along * along);
+    const float perSquare = 1.0F / (1.0F - piece.axisZ * piece.axisZ);
+    const Floats middle = flatAlong * (piece.axisZ * perSquare);
+    return middle - side * rootsOf(middle * middle - (flatSquare - flatAlong * flatAlong - wide * wide) * perSquare);
+}
+
 /// One end of a line's stretch within a bull nose's outline, moved on to the rounding. The rounding is what balls about
 /// the places of a circle fill: each step takes the ball that lies out from the axis in the direction of the place
 /// before it. No step leaves the piece, and as the circle is smooth, what a step is short of goes with the square of
@@ -77,6 +87,7 @@ BURIN_INLINE Floats reachRounding(const TiltedPiece& piece, Floats x, float y, F
                                   Integers& outs) noexcept {
     const Floats flatSquare = x * x + y * y, flatAlong = x * piece.axisX + y * piece.axisY;
     const Floats square = floats(piece.cornerRadius * piece.cornerRadius), tiny = floats(1e-12F);
+    if (piece.nearlyLevel) z = atHeightOf(piece, flatSquare, flatAlong, z, side);
     Integers meets = outs;
     for (int step = 0; step < mostSteps; ++step) {
         const Floats along = flatAlong + z * piece.axisZ;
@@ -87,7 +98,8 @@ BURIN_INLINE Floats reachRounding(const TiltedPiece& piece, Floats x, float y, F
         const Floats moved = next - z;
         meets = outs & (inside > Floats{});
         z = outs ? next : z;
-        if (bitsOf(outs & ((moved > nearEnough) | (moved < -nearEnough))) == 0) break;
+        const Floats still = meets ? floats(nearEnough) : floats(nearlyStill);
+        if (bitsOf(outs & ((moved > still) | (moved < -still))) == 0) break;
     }
     outs = meets;
     return z;
@@ -171,25 +183,23 @@ BURIN_INLINE void addRounded(const Heights& heights, const End& end, Integers& l
     high = valid ? most(high, wholeOf((valid ? heights.high : zero) + end.middle) + end.base) : high;
 }
 
-/// What lies between the ends of the way: the walls that rims leave, seen from the start.
-struct RowRims {
-    const TiltedPiece& piece;
-    RowCylinder lower, upper;
-    BURIN_INLINE RowRims(const TiltedPiece& itsPiece, double fromTip) noexcept
-        : piece(itsPiece), lower(itsPiece.rims[0], fromTip), upper(itsPiece.rims[1], fromTip) {}
+/// What lies between the ends of the way: the wall that a rim leaves, seen from the start.
+struct RowRim {
+    RowCylinder wall;
+    RowLinear lift;
+    float scale;
+    bool present;
+    BURIN_INLINE RowRim(const TiltedPiece::Rim& rim, double fromTip) noexcept
+        : wall(rim.wall, fromTip), lift(rim.lift, fromTip), scale(rim.scale), present(rim.wall.present) {}
 
-    BURIN_INLINE void add(Floats fromTip, Integers& low, Integers& high) const noexcept {
-        if (piece.rims[0].present) addWall(lower, fromTip, low, high);
-        if (piece.rims[1].present) addWall(upper, fromTip, low, high);
-    }
-
-private:
-    BURIN_INLINE void addWall(const RowCylinder& rim, Floats fromTip, Integers& low, Integers& high) const noexcept {
-        RowCylinder::Met met = rim.at(fromTip);
+    BURIN_INLINE void add(Floats fromTip, const End& from, Integers& low, Integers& high) const noexcept {
+        if (!present) return;
+        const RowCylinder::Met met = wall.at(fromTip);
         const Integers meets = (met.inside > Floats{}) & (met.heights.low < met.heights.high);
-        met.heights.low = meets ? met.heights.low : floats(nowhere);
-        met.heights.high = meets ? met.heights.high : floats(-nowhere);
-        addRounded(met.heights, piece.from, low, high);
+        const Floats level = lift.at(fromTip);
+        const Heights heights{meets ? level + scale * met.heights.low : floats(nowhere),
+                              meets ? level + scale * met.heights.high : floats(-nowhere)};
+        addRounded(heights, from, low, high);
     }
 };
 
@@ -201,7 +211,7 @@ template <Rounding rounding>
 BURIN_INLINE void coverRow(const TiltedPiece& piece, const Stretch& stretch) noexcept {
     constexpr std::int32_t most64 = 64; // groups whose rims one word tells
     const RowPiece<rounding> end(piece, stretch.v - piece.to.y), start(piece, stretch.v - piece.from.y);
-    const RowRims rims(piece, stretch.v - piece.from.y);
+    const RowRim lower(piece.rims[0], stretch.v - piece.from.y), upper(piece.rims[1], stretch.v - piece.from.y);
     const std::uint64_t always = stretch.moves && (stretch.withStart || piece.rimsEverywhere) ? ~std::uint64_t{0} : 0;
     for (std::int32_t first = 0; first < stretch.groups; first += most64) {
         const std::int32_t count = std::min(stretch.groups - first, most64);
@@ -221,7 +231,8 @@ BURIN_INLINE void coverRow(const TiltedPiece& piece, const Stretch& stretch) noe
             Integers low = load(stretch.low[group]), high = load(stretch.high[group]), near;
             const Floats fromU = linesFrom(piece.from, stretch.firstGroup + group);
             addRounded(start.at(fromU, near), piece.from, low, high);
-            rims.add(fromU, low, high);
+            lower.add(fromU, piece.from, low, high);
+            upper.add(fromU, piece.from, low, high);
             store(most(low, Integers{}), stretch.low[group]);
             store(least(high, integers(piece.lineEnd)), stretch.high[group]);
         }

@@ -34,6 +34,12 @@ struct TiltedPiece {
         Slab slab;
         bool present = false;
     };
+    /// The wall that a rim leaves. Its heights are `lift` and `scale` times those of the cylinder.
+    struct Rim {
+        Cylinder wall;
+        Linear lift;
+        float scale = 1.0F;
+    };
     struct End {
         double x = 0.0, y = 0.0; ///< voxels, of the tip
         std::int32_t wholeX = 0; ///< of x
@@ -53,8 +59,9 @@ struct TiltedPiece {
     double middleY = 0.0;
     float radius = 0.0F, flatRadius = 0.0F, cornerRadius = 0.0F; ///< voxels
     float axisX = 0.0F, axisY = 0.0F, axisZ = 1.0F;
+    bool nearlyLevel = false; ///< where the search for a bull nose's rounding is slow unless it begins near by
 
-    std::array<Cylinder, 2> rims; ///< of the lower and the upper face, on the way
+    std::array<Rim, 2> rims; ///< of the lower and the upper face, on the way
     /// Run units from the middle of the straight part's slab, of the faces whose rims are there.
     std::array<float, 2> rimHeights{};
     float perStretch = 0.0F; ///< of the straight part
