@@ -70,7 +70,9 @@ BURIN_INLINE Floats floats(float value) noexcept {
     return Floats{} + value;
 }
 BURIN_INLINE Integers integers(std::int32_t value) noexcept {
-    return Integers{} + value;
+    // One move and one shuffle; Integers{} + value becomes an insertion for each lane.
+    const std::int32_t __attribute__((vector_size(16))) first{value, 0, 0, 0};
+    return __builtin_shufflevector(first, first, 0, 0, 0, 0, 0, 0, 0, 0);
 }
 BURIN_INLINE Floats least(Floats a, Floats b) noexcept {
     return a < b ? a : b;

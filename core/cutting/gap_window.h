@@ -45,7 +45,7 @@ public:
     bool writeDue(RunVolume& workpiece) noexcept;
     /// Writes all that is owed. False: out of reserved memory; the rest is still owed.
     bool writeAll(RunVolume& workpiece) noexcept;
-    bool owesNothing() const noexcept { return owingBricks_ == 0; }
+    bool owesNothing() const noexcept { return pendingBricks_ == 0; }
     /// Forgets all lines, and what is owed with them.
     void forget() noexcept;
 
@@ -76,24 +76,28 @@ public:
         std::int32_t alongOrigin = 0;                             ///< run units, doubled
         int rows = 0;                                             ///< that are in the sums
     };
-    /// A row of the window.
-    struct Row {
-        Gap* gaps = nullptr;
-        std::uint32_t mask = 0; ///< of a group's place in the row
-        std::int32_t v = 0, firstGroup = 0, groups = 0;
-        const EightIntegers* low = nullptr;
-        const EightIntegers* high = nullptr;
-    };
-
-private:
-    struct Brick {
+    /// 8 × 8 lines.
+    struct alignas(64) Brick {
         std::int32_t u = -1, v = -1;
         std::uint64_t owing = 0; ///< a bit for each line
         BrickRoom room;
         std::uint32_t stamp = 0; ///< an entry of the queue with another one is void
         std::uint8_t due = 0;    ///< tick, of 16
         bool queued = false;
+        bool ready = false; ///< for cuts: queued, and with room
     };
+    /// A row of the window.
+    struct Row {
+        Gap* gaps = nullptr;
+        Brick* bricks = nullptr;
+        std::uint32_t mask = 0; ///< of a group's place in the row
+        int shift = 0;          ///< of the row's bits in what a brick owes
+        std::int32_t v = 0, firstGroup = 0, groups = 0;
+        const EightIntegers* low = nullptr;
+        const EightIntegers* high = nullptr;
+    };
+
+private:
     struct Entry {
         std::uint32_t brick = 0, stamp = 0;
     };
@@ -132,7 +136,7 @@ private:
     std::int32_t mask_ = 0, rowMask_ = 0; ///< of a brick's place, of a row's
     std::vector<Gap> gaps_;
     std::vector<Brick> bricks_;
-    std::size_t owingBricks_ = 0;
+    std::size_t pendingBricks_ = 0; ///< in the queue: no others owe anything
     std::int32_t coveredFirstRow_ = 0, coveredLastRow_ = -1, coveredFirstGroup_ = 0, coveredLastGroup_ = -1;
 
     std::vector<Entry> queue_; ///< a ring
@@ -140,10 +144,8 @@ private:
     std::array<std::uint32_t, longestDelay> dueCounts_{}; ///< bricks by the tick that they are due in
     std::uint32_t tick_ = 0;
 
-    std::vector<std::int32_t> hits_;
     std::vector<std::int32_t> open_;       ///< groups with lines that need the volume …
     std::vector<std::uint32_t> openLanes_; ///< … and which those are
-    std::vector<std::uint32_t> cutLanes_;  ///< by hit: the lines of it that were cut
     Sums sums_;
     int mostRows_ = 1; ///< before the sums could overflow
 };

@@ -4,21 +4,18 @@
 
 #include "core/cutting/gap_window.h"
 
-// Within core/cutting: the inner loops of GapWindow.
+// Within core/cutting: the inner loop of GapWindow.
 namespace burin::kernels {
-
-/// Groups of a row, counted from its first, in which a span reaches out of its gap. @param hits room for all groups
-std::int32_t findHits(const GapWindow::Row& row, std::int32_t* hits) noexcept;
 
 /// What `growGaps` leaves to the one who calls it.
 struct Growth {
-    std::uint32_t* cutLanes = nullptr;  ///< by hit: bits of the lines whose gap grew
-    std::int32_t* open = nullptr;       ///< hits with lines that need the volume …
+    std::int32_t* open = nullptr;       ///< groups with lines that need the volume …
     std::uint32_t* openLanes = nullptr; ///< … and bits of those
     std::int32_t openCount = 0;
 };
-/// Grows the gaps of the hits where their neighbours hold enough; sums up what that takes.
-void growGaps(const GapWindow::Row& row, const std::int32_t* hits, std::int32_t hitCount, GapWindow::Sums& sums,
-              Growth& growth) noexcept;
+/// Grows the gaps of a row in which spans reach out of them and the neighbours hold enough; sums up what that takes.
+/// @param group to begin with
+/// @return the first group that it did not come to: its brick is not ready for cuts; or the row's end
+std::int32_t growGaps(const GapWindow::Row& row, std::int32_t group, GapWindow::Sums& sums, Growth& growth) noexcept;
 
 } // namespace burin::kernels

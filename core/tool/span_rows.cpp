@@ -26,7 +26,9 @@ std::int32_t unitOf(double voxels) noexcept {
 }
 
 std::int32_t wholeOf(double voxels) noexcept {
-    return static_cast<std::int32_t>(std::floor(std::clamp(voxels, -1e9, 1e9)));
+    const double held = std::clamp(voxels, -1e9, 1e9);
+    const auto whole = static_cast<std::int32_t>(held); // std::floor is a call where SSE4 is not given
+    return whole - (held < whole ? 1 : 0);
 }
 
 struct Extent {
@@ -126,8 +128,9 @@ void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withSta
     upright_.topRises = std::min(upright_.from.top, upright_.lineEnd) != upright_.levelTop;
     const double rise = toTip.z - from.tip.z;
     const bool topStays = rise <= 0.0 || std::min(upright_.from.top, upright_.lineEnd) == upright_.levelTop;
-    clips_ = !withStart && moves_ && topStays && (rise >= 0.0 || shape_ == Shape::ball);
-    behind_ = clips_ ? std::max(0.0, -rise) / static_cast<double>(upright_.reach) : 0.0;
+    clipsLow_ = !withStart && moves_ && (rise >= 0.0 || shape_ == Shape::ball);
+    clips_ = clipsLow_ && topStays;
+    behind_ = clipsLow_ ? std::max(0.0, -rise) / static_cast<double>(upright_.reach) : 0.0;
     rows_ = {wholeOf(std::min(from.tip.y, toTip.y) - radius_), wholeOf(std::max(from.tip.y, toTip.y) + radius_) + 1};
     columns_ = {wholeOf(std::min(from.tip.x, toTip.x) - radius_), wholeOf(std::max(from.tip.x, toTip.x) + radius_) + 1};
 }
@@ -197,7 +200,12 @@ LineStretch SpanRows::inFront(const LineStretch& lines, double y) const noexcept
 
 void SpanRows::spans(std::int32_t v, std::int32_t firstGroup, std::int32_t groups, EightIntegers* low,
                      EightIntegers* high) const noexcept {
-    const kernels::Stretch stretch{v, firstGroup, groups, low, high, withStart_, moves_};
+    kernels::Stretch stretch{v, firstGroup, groups, low, high, withStart_, moves_, 0, groups};
+    if (clipsLow_ && !clips_ && !tilts_) {
+        const LineStretch front = inFront({8 * firstGroup, 8 * (firstGroup + groups) - 1}, v - upright_.from.y);
+        stretch.firstDeeper = (front.first >> 3) - firstGroup;
+        stretch.endDeeper = front.last < front.first ? stretch.firstDeeper : (front.last >> 3) - firstGroup + 1;
+    }
     switch (shape_) {
     case Shape::ball:
         return tilts_ ? kernels::tiltedBall(tilted_, stretch) : kernels::uprightBall(upright_, stretch);

@@ -111,8 +111,9 @@ private:
     double radius_ = 0.0, longestWay_ = 0.0;
     double depth_ = 0.0; ///< units, below a rounding's middle that heights count from
     bool withStart_ = true, moves_ = false;
-    bool clips_ = false;  ///< lines behind the piece can't have more
-    double behind_ = 0.0; ///< slope of the way downwards: how far behind its axis a ball still goes deeper
+    bool clipsLow_ = false; ///< lines behind the piece can't be lower than at the start
+    bool clips_ = false;    ///< lines behind the piece can't have more
+    double behind_ = 0.0;   ///< slope of the way downwards: how far behind its axis a ball still goes deeper
     LineStretch rows_, columns_;
     bool tilts_ = false;
     double reach_ = 0.0;

@@ -16,6 +16,7 @@ struct Stretch {
     EightIntegers* low = nullptr;
     EightIntegers* high = nullptr;
     bool withStart = true, moves = false;
+    std::int32_t firstDeeper = 0, endDeeper = 0; ///< groups outside hold no line that is lower than at the start
 };
 
 void uprightBall(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
