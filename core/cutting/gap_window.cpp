@@ -45,8 +45,7 @@ GapWindow::GapWindow(const Grid& grid, double reach) : lineCountU_(grid.lineCoun
     mostRows_ = std::max(1, static_cast<int>((std::int64_t{1} << 31) - 1) /
                                 static_cast<int>(std::min<std::int64_t>(
                                     static_cast<std::int64_t>(side_) * grid.lineEnd(), (std::int64_t{1} << 31) - 1)));
-    open_.resize(side_ + 1);
-    openLanes_.resize(side_ + 1);
+    open_.resize((side_ + 1) * SpanRows::rowsAtOnce);
 }
 
 /// Gives a brick's place to other lines, of which nothing is known yet.
@@ -175,38 +174,48 @@ void GapWindow::forget() noexcept {
     coveredLastRow_ = -1;
 }
 
-int GapWindow::take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
-                    const EightIntegers* low, const EightIntegers* high, RemovedUnits& removed) noexcept {
-    Brick* const bricks = &bricks_[brickAt(0, v >> 3)];
-    const Row row{
-        &gaps_[gapAt(v, 0)], bricks, static_cast<std::uint32_t>(mask_), (v & 7) * 8, v, firstGroup, groups, low, high};
-    kernels::Growth growth{open_.data(), openLanes_.data()};
-    if (sums_.rows == 0) {
-        sums_.originU = firstGroup * lanes;
-        sums_.originV = v;
-        const std::int32_t middle = low[groups / 2][0];
-        sums_.alongOrigin = middle < far ? 2 * middle : 0;
+int GapWindow::take(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept {
+    int read = 0;
+    while (!rows.empty() && !removed.outOfMemory) {
+        const auto now = rows.first(std::min(rows.size(), static_cast<std::size_t>(mostRows_ - sums_.rows)));
+        read += takeSome(workpiece, now, removed);
+        if (sums_.rows == mostRows_) collect(removed);
+        rows = rows.subspan(now.size());
     }
-    std::int32_t group = 0;
-    while ((group = kernels::growGaps(row, group, sums_, growth)) < groups)
-        if (!expectCuts(workpiece, bricks[(firstGroup + group) & mask_])) {
+    return read;
+}
+
+int GapWindow::takeSome(RunVolume& workpiece, std::span<const RowSpans> spans, RemovedUnits& removed) noexcept {
+    const std::int32_t firstRow = spans.front().v;
+    Brick* const bricks = &bricks_[brickAt(0, firstRow >> 3)];
+    const Rows rows{&gaps_[gapAt(firstRow & ~7, 0)], side_ + 1, bricks, static_cast<std::uint32_t>(mask_), spans};
+    if (sums_.rows == 0) {
+        const RowSpans& row = spans[spans.size() / 2];
+        sums_.originU = row.firstGroup * lanes;
+        sums_.originV = row.v;
+        const std::int32_t low = row.low[row.groups / 2][0];
+        sums_.alongOrigin = low < far ? 2 * low : 0;
+    }
+    sums_.rows += static_cast<int>(spans.size());
+    kernels::Growth growth{open_.data()};
+    while (!kernels::growGaps(rows, sums_, growth))
+        if (!expectCuts(workpiece, bricks[(spans[growth.row].firstGroup + growth.group) & mask_])) {
             removed.outOfMemory = true;
             break;
         }
-    if (++sums_.rows == mostRows_) collect(removed);
-    return growth.openCount == 0 ? 0 : takeOpen(workpiece, row, growth.openCount, removed);
+    return takeOpen(workpiece, spans, std::span(open_).first(growth.openCount), removed);
 }
 
-/// The lines of a row that arithmetic could not serve.
-int GapWindow::takeOpen(RunVolume& workpiece, const Row& row, std::int32_t count, RemovedUnits& removed) noexcept {
+/// The lines that arithmetic could not serve.
+int GapWindow::takeOpen(RunVolume& workpiece, std::span<const RowSpans> rows, std::span<const Open> open,
+                        RemovedUnits& removed) noexcept {
     int read = 0;
-    for (std::int32_t i = 0; i < count; ++i) {
-        const auto entry = static_cast<std::size_t>(i);
-        const std::int32_t group = open_[entry];
-        for (std::uint32_t lanesLeft = openLanes_[entry]; lanesLeft != 0; lanesLeft &= lanesLeft - 1) {
-            const int lane = std::countr_zero(lanesLeft);
-            const LineIndex line{(row.firstGroup + group) * lanes + lane, row.v};
-            if (!widen(workpiece, line, row.low[group][lane], row.high[group][lane], removed)) {
+    for (const Open& one : open) {
+        const RowSpans& row = rows[one.row];
+        for (std::uint32_t left = one.lanesOf; left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            const LineIndex line{(row.firstGroup + one.group) * lanes + lane, row.v};
+            if (!widen(workpiece, line, row.low[one.group][lane], row.high[one.group][lane], removed)) {
                 removed.outOfMemory = true;
                 return read;
             }
@@ -310,17 +319,17 @@ bool GapWindow::widen(RunVolume& workpiece, LineIndex line, std::int32_t low, st
     return true;
 }
 
-int GapWindow::look(const RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
-                    const EightIntegers* low, const EightIntegers* high) noexcept {
+int GapWindow::look(const RunVolume& workpiece, const RowSpans& row) noexcept {
     int read = 0;
     RemovedUnits nothing;
-    for (std::int32_t group = 0; group < groups; ++group) {
-        const Gap& gap = gaps_[gapAt(v, firstGroup + group)];
-        std::uint32_t unknown = bitsOf((load(gap.low) > load(gap.high)) & (load(low[group]) < load(high[group])));
+    for (std::int32_t group = 0; group < row.groups; ++group) {
+        const EightIntegers &low = row.low[group], &high = row.high[group];
+        const Gap& gap = gaps_[gapAt(row.v, row.firstGroup + group)];
+        std::uint32_t unknown = bitsOf((load(gap.low) > load(gap.high)) & (load(low) < load(high)));
         for (; unknown != 0; unknown &= unknown - 1, ++read) {
             const int lane = std::countr_zero(unknown);
-            const std::int32_t middle = low[group][lane] + (high[group][lane] - low[group][lane]) / 2;
-            const LineIndex line{(firstGroup + group) * 8 + lane, v};
+            const std::int32_t middle = low[lane] + (high[lane] - low[lane]) / 2;
+            const LineIndex line{(row.firstGroup + group) * lanes + lane, row.v};
             keep(line, lookAround(workpiece, line, {middle, middle}, middle, middle, nothing));
         }
     }

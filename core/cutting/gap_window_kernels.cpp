@@ -11,8 +11,8 @@ namespace {
 /// What one side of a row's gaps lost, lane by lane. Neighbours of one property are the rule: their units stay in a
 /// register until another one comes.
 struct Side {
-    Integers property{};     ///< of `units`, the same in every lane
-    Integers units{}, all{}; ///< of that property; of those before it, run units
+    Integers property{}; ///< of `units`, the same in every lane
+    Integers units{};    ///< run units
     Floats momentAlong{};
 };
 
@@ -20,7 +20,6 @@ BURIN_INLINE void flush(GapWindow::Sums& sums, Side& lost) noexcept {
     const auto place = static_cast<std::size_t>(lost.property[0]);
     store(load(sums.byProperty[place]) + lost.units, sums.byProperty[place]);
     sums.used[place / 64] |= std::uint64_t{1} << (place % 64);
-    lost.all += lost.units;
     lost.units = Integers{};
 }
 
@@ -46,32 +45,25 @@ BURIN_INLINE Floats addSide(Integers taken, Words neighbour, Integers middle, Ga
     return units;
 }
 
-/// Adds a row's sums to those of the rows before it. `momentU` without the lanes' own places.
-BURIN_INLINE void addRow(std::int32_t v, Floats momentU, GapWindow::Sums& sums, Side& below, Side& above) noexcept {
-    flush(sums, below);
-    flush(sums, above);
-    const Floats units = floatsOf(below.all + above.all);
-    const Floats lane{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F};
-    store(load(sums.units) + units, sums.units);
-    store(load(sums.momentU) + momentU + units * lane, sums.momentU);
-    store(load(sums.momentV) + units * static_cast<float>(v - sums.originV), sums.momentV);
-    store(load(sums.momentAlong) + below.momentAlong + above.momentAlong, sums.momentAlong);
-}
+/// What rows lost, from the sums' origins.
+struct Lost {
+    Side below, above;
+    Floats units{}, momentU{}, momentV{}; ///< momentU without the lanes' own places
+};
 
-} // namespace
-
-BURIN_VECTORISED std::int32_t growGaps(const GapWindow::Row& row, std::int32_t group, GapWindow::Sums& sums,
-                                       Growth& growth) noexcept {
+/// Goes on with a row. @return the first group that it did not come to
+BURIN_INLINE std::int32_t growRow(const GapWindow::Rows& rows, const RowSpans& row, GapWindow::Sums& sums, Lost& lost,
+                                  Growth& growth) noexcept {
     // What the stores below can't change, as far as the compiler knows.
     const EightIntegers *const lows = row.low, *const highs = row.high;
-    GapWindow::Gap* const gaps = row.gaps;
-    GapWindow::Brick* const bricks = row.bricks;
-    const std::uint32_t firstGroup = static_cast<std::uint32_t>(row.firstGroup), mask = row.mask;
-    const std::int32_t groups = row.groups, originU = sums.originU;
+    GapWindow::Gap* const gaps = rows.gaps + rows.rowPitch * static_cast<std::size_t>(row.v & 7);
+    GapWindow::Brick* const bricks = rows.bricks;
+    const std::uint32_t firstGroup = static_cast<std::uint32_t>(row.firstGroup), mask = rows.mask;
+    const std::int32_t groups = row.groups, originU = row.firstGroup * lanes - sums.originU;
     const Integers alongOrigin = integers(sums.alongOrigin);
-    const int shift = row.shift;
-    Side below, above;
-    Floats momentU{};
+    const int shift = (row.v & 7) * 8;
+    Floats rowUnits{};
+    std::int32_t group = growth.group;
     for (; group < groups; ++group) {
         const std::uint32_t place = (firstGroup + static_cast<std::uint32_t>(group)) & mask;
         GapWindow::Gap& gap = gaps[place];
@@ -90,18 +82,42 @@ BURIN_VECTORISED std::int32_t growGaps(const GapWindow::Row& row, std::int32_t g
         const Integers newLow = grows ? least(low, oldLow) : oldLow, newHigh = grows ? most(high, oldHigh) : oldHigh;
         store(newLow, gap.low);
         store(newHigh, gap.high);
-        const Floats units = addSide(oldLow - newLow, left, oldLow + newLow - alongOrigin, sums, below) +
-                             addSide(newHigh - oldHigh, right, oldHigh + newHigh - alongOrigin, sums, above);
-        momentU += units * static_cast<float>((row.firstGroup + group) * lanes - originU);
+        const Floats units = addSide(oldLow - newLow, left, oldLow + newLow - alongOrigin, sums, lost.below) +
+                             addSide(newHigh - oldHigh, right, oldHigh + newHigh - alongOrigin, sums, lost.above);
+        rowUnits += units;
+        lost.momentU += units * static_cast<float>(group * lanes + originU);
         const std::uint32_t open = bitsOf(hit & apart);
         brick.owing |= static_cast<std::uint64_t>(hits & ~open) << shift;
-        if (open != 0) {
-            growth.open[growth.openCount] = group;
-            growth.openLanes[growth.openCount++] = open;
-        }
+        if (open != 0)
+            growth.open[growth.openCount++] = {static_cast<std::uint16_t>(growth.row),
+                                               static_cast<std::uint16_t>(group), open};
     }
-    addRow(row.v, momentU, sums, below, above);
+    lost.units += rowUnits;
+    lost.momentV += rowUnits * static_cast<float>(row.v - sums.originV);
     return group;
+}
+
+BURIN_INLINE void addTo(GapWindow::Sums& sums, Lost& lost) noexcept {
+    flush(sums, lost.below);
+    flush(sums, lost.above);
+    const Floats lane{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F};
+    store(load(sums.units) + lost.units, sums.units);
+    store(load(sums.momentU) + lost.momentU + lost.units * lane, sums.momentU);
+    store(load(sums.momentV) + lost.momentV, sums.momentV);
+    store(load(sums.momentAlong) + lost.below.momentAlong + lost.above.momentAlong, sums.momentAlong);
+}
+
+} // namespace
+
+BURIN_VECTORISED bool growGaps(const GapWindow::Rows& rows, GapWindow::Sums& sums, Growth& growth) noexcept {
+    Lost lost;
+    for (; growth.row < rows.spans.size(); ++growth.row, growth.group = 0) {
+        const RowSpans& row = rows.spans[growth.row];
+        growth.group = growRow(rows, row, sums, lost, growth);
+        if (growth.group < row.groups) break;
+    }
+    addTo(sums, lost);
+    return growth.row == rows.spans.size();
 }
 
 } // namespace burin::kernels

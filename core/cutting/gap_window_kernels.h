@@ -7,15 +7,15 @@
 // Within core/cutting: the inner loop of GapWindow.
 namespace burin::kernels {
 
-/// What `growGaps` leaves to the one who calls it.
+/// How far `growGaps` has come, and what it leaves to the one who calls it.
 struct Growth {
-    std::int32_t* open = nullptr;       ///< groups with lines that need the volume …
-    std::uint32_t* openLanes = nullptr; ///< … and bits of those
-    std::int32_t openCount = 0;
+    GapWindow::Open* open = nullptr; ///< room for all groups
+    std::size_t openCount = 0;
+    std::size_t row = 0;    ///< to go on with, of the rows' spans
+    std::int32_t group = 0; ///< to go on with in it
 };
-/// Grows the gaps of a row in which spans reach out of them and the neighbours hold enough; sums up what that takes.
-/// @param group to begin with
-/// @return the first group that it did not come to: its brick is not ready for cuts; or the row's end
-std::int32_t growGaps(const GapWindow::Row& row, std::int32_t group, GapWindow::Sums& sums, Growth& growth) noexcept;
+/// Grows the gaps in which spans reach out of them and the neighbours hold enough; sums up what that takes.
+/// False: the brick of the row and group to go on with is not ready for cuts.
+bool growGaps(const GapWindow::Rows& rows, GapWindow::Sums& sums, Growth& growth) noexcept;
 
 } // namespace burin::kernels

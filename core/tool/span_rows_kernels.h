@@ -16,12 +16,13 @@ struct Stretch {
     EightIntegers* low = nullptr;
     EightIntegers* high = nullptr;
     bool withStart = true, moves = false;
-    std::int32_t firstDeeper = 0, endDeeper = 0; ///< groups outside hold no line that is lower than at the start
 };
 
-void uprightBall(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
-void uprightFlat(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
-void uprightBullNose(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
+void planRows(const SpanRows::Upright& piece, std::int32_t firstRow, SpanRows::UprightRows& rows) noexcept;
+using Stretches = std::span<const RowSpans>;
+void uprightBall(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
+void uprightFlat(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
+void uprightBullNose(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
 
 void tiltedBall(const TiltedPiece& piece, const Stretch& stretch) noexcept;
 void tiltedFlat(const TiltedPiece& piece, const Stretch& stretch) noexcept;

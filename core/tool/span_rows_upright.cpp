@@ -9,6 +9,7 @@ namespace {
 using Shape = SpanRows::Shape;
 using Upright = SpanRows::Upright;
 using End = SpanRows::End;
+using Rows = SpanRows::UprightRows;
 
 constexpr int cornerSteps = 10;
 
@@ -115,13 +116,18 @@ BURIN_INLINE Integers highBetween(const Upright& piece, const FromWay& line) noe
 
 /// What depends on the row alone.
 struct Row {
-    float fromSquare, toSquare;     ///< R² - y² at both ends, voxels²
-    float ahead, aside, wayX, wayY; ///< of the line at x = 0, seen from the start
+    float fromSquare, toSquare; ///< R² - y² at both ends, voxels²
+    float ahead, aside;         ///< of the line at the start's x, seen from the start
 };
 
 /// Groups of a stretch, counted from its first.
 struct Groups {
     std::int32_t first = 0, end = 0;
+    /// Those of other ones that are among these.
+    BURIN_INLINE Groups held(std::int32_t otherFirst, std::int32_t otherEnd) const noexcept {
+        const auto within = [&](std::int32_t group) { return group < first ? first : group < end ? group : end; };
+        return {within(otherFirst), within(otherEnd)};
+    }
 };
 
 /// The upper face is at one height wherever the lower one is, or both its heights count.
@@ -130,7 +136,7 @@ enum class Top : bool { level, rises };
 /// Where lines lie from one end of the way, in lanes; what a loop over groups keeps in registers.
 struct Place {
     Floats u, part; ///< whole lines from the end; its part of a voxel
-    BURIN_INLINE static Place of(const End& end, const Stretch& stretch, std::int32_t group) noexcept {
+    BURIN_INLINE static Place of(const End& end, const RowSpans& stretch, std::int32_t group) noexcept {
         const Integers first = Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup + group) * lanes;
         return {floatsOf(first - end.wholeX), floats(end.partX)};
     }
@@ -138,7 +144,7 @@ struct Place {
 
 /// Lines that the piece covers at the end of the way, and no lower between: all but `high` follows from the end.
 template <Shape shape>
-BURIN_INLINE void coverEnd(const Upright& piece, const Row& row, const Stretch& stretch, Groups groups,
+BURIN_INLINE void coverEnd(const Upright& piece, const Row& row, const RowSpans& stretch, Groups groups,
                            std::int32_t top) noexcept {
     Place to = Place::of(piece.to, stretch, groups.first);
     const Floats square = floats(row.toSquare), middle = floats(piece.to.middle);
@@ -156,7 +162,7 @@ BURIN_INLINE void coverEnd(const Upright& piece, const Row& row, const Stretch& 
 }
 
 /// Lines behind the axis of a piece that rises: only its upper face moves there.
-BURIN_INLINE void coverTop(const Upright& piece, const Stretch& stretch, Groups groups) noexcept {
+BURIN_INLINE void coverTop(const Upright& piece, const RowSpans& stretch, Groups groups) noexcept {
     const Integers low = integers(piece.from.top > 0 ? piece.from.top : 0);
     const Integers high = integers(piece.to.top < piece.lineEnd ? piece.to.top : piece.lineEnd);
     for (std::int32_t group = groups.first; group < groups.end; ++group) {
@@ -166,7 +172,7 @@ BURIN_INLINE void coverTop(const Upright& piece, const Stretch& stretch, Groups 
 }
 
 template <Shape shape, bool withStart, bool moves, Top top>
-BURIN_INLINE void cover(const Upright& piece, const Row& row, const Stretch& stretch, Groups groups,
+BURIN_INLINE void cover(const Upright& piece, const Row& row, const RowSpans& stretch, Groups groups,
                         std::int32_t levelTop) noexcept {
     Place to = Place::of(piece.to, stretch, groups.first), from = Place::of(piece.from, stretch, groups.first);
     for (std::int32_t group = groups.first; group < groups.end; ++group, to.u += lanes, from.u += lanes) {
@@ -175,9 +181,9 @@ BURIN_INLINE void cover(const Upright& piece, const Row& row, const Stretch& str
         FromWay line{};
         Floats height = lowAtEnd<shape>(piece, piece.to, toInside);
         if constexpr (moves) {
-            const Floats aside = row.aside - fromX * row.wayY;
+            const Floats aside = row.aside - fromX * piece.wayY;
             const Floats inside = (piece.radius - aside) * (piece.radius + aside);
-            line = {fromX * row.wayX + row.ahead, rootsOf(inside), aside * aside, inside > Floats{}};
+            line = {fromX * piece.wayX + row.ahead, rootsOf(inside), aside * aside, inside > Floats{}};
             height = least(height, lowBetween<shape>(piece, line));
         }
         Integers low = wholeOf(height + piece.to.middle) + piece.to.base;
@@ -200,119 +206,70 @@ BURIN_INLINE void cover(const Upright& piece, const Row& row, const Stretch& str
     }
 }
 
-/// Groups between which a ball can be lowest on the way, not at an end: between its axis at the start and at the end,
-/// as far as a sloping way shifts that.
-BURIN_INLINE Groups groupsBetween(const Upright& piece, const Row& row, const Stretch& stretch, Groups all) noexcept {
-    constexpr float slack = 1.0F; // voxels
-    const float shift = piece.sine * piece.radius;
-    const float low = (shift < 0.0F ? shift : 0.0F) - slack, high = piece.reach + (shift > 0.0F ? shift : 0.0F) + slack;
-    if (row.wayX < 1e-3F && row.wayX > -1e-3F) {
-        constexpr float across = 1e-3F * 4096.0F; // lines of a row differ by no more
-        return row.ahead + across < low || row.ahead - across > high ? Groups{all.end, all.end} : all;
-    }
-    const float one = (low - row.ahead) / row.wayX, other = (high - row.ahead) / row.wayX;
-    const auto origin = static_cast<float>(piece.from.wholeX - stretch.firstGroup * lanes);
-    const float start = (one < other ? one : other) + origin, stop = (one < other ? other : one) + origin;
-    Groups between = all;
-    if (start > 8.0F * static_cast<float>(all.first))
-        between.first = start < 8.0F * static_cast<float>(all.end) ? static_cast<std::int32_t>(start) / lanes : all.end;
-    if (stop < 8.0F * static_cast<float>(all.end))
-        between.end = stop < 0.0F ? between.first : static_cast<std::int32_t>(stop) / lanes + 1;
-    if (between.end < between.first) between.end = between.first;
-    return between;
-}
-
-/// Groups of which the piece covers every line at both ends of the way, roundings aside.
-BURIN_INLINE Groups groupsCovered(const Upright& piece, const Row& row, const Stretch& stretch) noexcept {
-    constexpr double slack = 1.0 / 16.0; // voxels
-    if (!(row.fromSquare > 0.0F) || !(row.toSquare > 0.0F)) return {};
-    const double fromHalf = __builtin_sqrt(static_cast<double>(row.fromSquare)) - slack;
-    const double toHalf = __builtin_sqrt(static_cast<double>(row.toSquare)) - slack;
-    const double origin = static_cast<double>(stretch.firstGroup) * lanes;
-    const double fromX = piece.from.x - origin, toX = piece.to.x - origin;
-    const double low = fromX - fromHalf > toX - toHalf ? fromX - fromHalf : toX - toHalf;
-    const double high = fromX + fromHalf < toX + toHalf ? fromX + fromHalf : toX + toHalf;
-    // Lines low … high, whole ones; the stretch begins at or before them.
-    Groups covered{low > 0.0 ? (static_cast<std::int32_t>(low) + lanes) / lanes : 0,
-                   high > 0.0 ? (static_cast<std::int32_t>(high) + 1) / lanes : 0};
-    if (covered.end > stretch.groups) covered.end = stretch.groups;
-    return covered.first < covered.end ? covered : Groups{};
-}
-
-/// A piece that moves below an upper face at one height.
+/// A piece that moves below an upper face at one height. @param between where a ball can be lowest between the ends
 template <Shape shape, bool withStart>
-BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, const Stretch& stretch, Groups groups,
-                              std::int32_t top) noexcept {
-    Groups between = groups;
+BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, const RowSpans& stretch, Groups groups,
+                              Groups between, std::int32_t top) noexcept {
     if constexpr (shape == Shape::ball && !withStart) {
-        between = groupsBetween(piece, row, stretch, groups);
+        between = groups.held(between.first, between.end);
         coverEnd<shape>(piece, row, stretch, {groups.first, between.first}, top);
         coverEnd<shape>(piece, row, stretch, {between.end, groups.end}, top);
+        groups = between;
     }
-    cover<shape, withStart, true, Top::level>(piece, row, stretch, between, top);
+    cover<shape, withStart, true, Top::level>(piece, row, stretch, groups, top);
 }
 
 /// A piece that goes on from where it was, its upper face at two heights within the stock. On lines that it covers all
 /// the way that face counts with the higher one; where it rises, nothing else is new behind its axis.
 template <Shape shape>
-BURIN_INLINE void coverGoingOn(const Upright& piece, const Row& row, const Stretch& stretch) noexcept {
-    Groups covered = groupsCovered(piece, row, stretch);
-    if (!piece.joins) covered = {};
-    const auto held = [&](std::int32_t group) {
-        return group < covered.first ? covered.first : group < covered.end ? group : covered.end;
-    };
-    const Groups front{held(stretch.firstDeeper), held(stretch.endDeeper)};
+BURIN_INLINE void coverGoingOn(const Upright& piece, const Row& row, const RowSpans& stretch, Groups covered,
+                               Groups deeper, Groups between) noexcept {
+    deeper = covered.held(deeper.first, deeper.end);
     cover<shape, false, true, Top::rises>(piece, row, stretch, {0, covered.first}, 0);
-    coverTop(piece, stretch, {covered.first, front.first});
-    coverMoving<shape, false>(piece, row, stretch, front, piece.highestTop);
-    coverTop(piece, stretch, {front.end, covered.end});
+    coverTop(piece, stretch, {covered.first, deeper.first});
+    coverMoving<shape, false>(piece, row, stretch, deeper, between, piece.highestTop);
+    coverTop(piece, stretch, {deeper.end, covered.end});
     cover<shape, false, true, Top::rises>(piece, row, stretch, {covered.end, stretch.groups}, 0);
 }
 
 template <Shape shape>
-BURIN_INLINE void choose(const Upright& piece, const Row& row, const Stretch& stretch) noexcept {
+BURIN_INLINE void coverRow(const Upright& piece, const Rows& rows, const RowSpans& stretch) noexcept {
+    const std::int32_t lane = stretch.v - rows.first, origin = stretch.firstGroup;
+    const Row row{rows.fromSquare[lane], rows.toSquare[lane], rows.ahead[lane], rows.aside[lane]};
     const Groups all{0, stretch.groups};
+    const Groups between{rows.betweenBegin[lane] - origin, rows.betweenEnd[lane] - origin};
     if (piece.topRises) {
-        if (stretch.withStart)
-            stretch.moves ? cover<shape, true, true, Top::rises>(piece, row, stretch, all, 0)
-                          : cover<shape, true, false, Top::rises>(piece, row, stretch, all, 0);
+        if (piece.withStart)
+            piece.moves ? cover<shape, true, true, Top::rises>(piece, row, stretch, all, 0)
+                        : cover<shape, true, false, Top::rises>(piece, row, stretch, all, 0);
+        else if (!piece.moves)
+            cover<shape, false, false, Top::rises>(piece, row, stretch, all, 0);
         else
-            stretch.moves ? coverGoingOn<shape>(piece, row, stretch)
-                          : cover<shape, false, false, Top::rises>(piece, row, stretch, all, 0);
-    } else if (stretch.withStart) {
-        stretch.moves ? coverMoving<shape, true>(piece, row, stretch, all, piece.levelTop)
-                      : cover<shape, true, false, Top::level>(piece, row, stretch, all, piece.levelTop);
+            coverGoingOn<shape>(piece, row, stretch,
+                                piece.joins ? all.held(rows.coveredBegin[lane] - origin, rows.coveredEnd[lane] - origin)
+                                            : Groups{},
+                                {rows.deeperBegin[lane] - origin, rows.deeperEnd[lane] - origin}, between);
+    } else if (piece.withStart) {
+        piece.moves ? coverMoving<shape, true>(piece, row, stretch, all, between, piece.levelTop)
+                    : cover<shape, true, false, Top::level>(piece, row, stretch, all, piece.levelTop);
     } else {
-        stretch.moves ? coverMoving<shape, false>(piece, row, stretch, all, piece.levelTop)
-                      : coverEnd<shape>(piece, row, stretch, all, piece.levelTop);
+        piece.moves ? coverMoving<shape, false>(piece, row, stretch, all, between, piece.levelTop)
+                    : coverEnd<shape>(piece, row, stretch, all, piece.levelTop);
     }
-}
-
-template <Shape shape>
-BURIN_INLINE void coverRow(const Upright& piece, const Stretch& stretch) noexcept {
-    const double radius = piece.radius;
-    const double fromY = stretch.v - piece.from.y, toY = stretch.v - piece.to.y;
-    const Row row{static_cast<float>((radius - fromY) * (radius + fromY)),
-                  static_cast<float>((radius - toY) * (radius + toY)),
-                  static_cast<float>(fromY * piece.wayY),
-                  static_cast<float>(fromY * piece.wayX),
-                  static_cast<float>(piece.wayX),
-                  static_cast<float>(piece.wayY)};
-    choose<shape>(piece, row, stretch);
 }
 
 } // namespace
 
-BURIN_VECTORISED void uprightBall(const SpanRows::Upright& piece, const Stretch& stretch) noexcept {
-    coverRow<Shape::ball>(piece, stretch);
+BURIN_VECTORISED void uprightBall(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Shape::ball>(piece, rows, stretch);
 }
 
-BURIN_VECTORISED void uprightFlat(const SpanRows::Upright& piece, const Stretch& stretch) noexcept {
-    coverRow<Shape::flat>(piece, stretch);
+BURIN_VECTORISED void uprightFlat(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Shape::flat>(piece, rows, stretch);
 }
 
-BURIN_VECTORISED void uprightBullNose(const SpanRows::Upright& piece, const Stretch& stretch) noexcept {
-    coverRow<Shape::bullNose>(piece, stretch);
+BURIN_VECTORISED void uprightBullNose(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Shape::bullNose>(piece, rows, stretch);
 }
 
 } // namespace burin::kernels
