@@ -67,7 +67,7 @@ BURIN_INLINE void store(const Lanes& values, Eight<Number>& to) noexcept {
 }
 
 BURIN_INLINE Floats floats(float value) noexcept {
-    return Floats{} + value;
+    return value - Floats{}; // as a sum it would keep -0 from becoming +0, which costs an addition
 }
 BURIN_INLINE Integers integers(std::int32_t value) noexcept {
     // One move and one shuffle; Integers{} + value becomes an insertion for each lane.

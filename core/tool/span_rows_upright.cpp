@@ -133,103 +133,109 @@ struct Groups {
 /// The upper face is at one height wherever the lower one is, or both its heights count.
 enum class Top : bool { level, rises };
 
-/// Where lines lie from one end of the way, in lanes; what a loop over groups keeps in registers.
-struct Place {
-    Floats u, part; ///< whole lines from the end; its part of a voxel
-    BURIN_INLINE static Place of(const End& end, const RowSpans& stretch, std::int32_t group) noexcept {
-        const Integers first = Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup + group) * lanes;
-        return {floatsOf(first - end.wholeX), floats(end.partX)};
+/// Goes along a row, group by group.
+struct Cursor {
+    Floats u; ///< whole lines from the end of the way
+    EightIntegers* low;
+    EightIntegers* high;
+
+    BURIN_INLINE static Cursor at(const End& end, const RowSpans& stretch) noexcept {
+        const Integers first = Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup * lanes - end.wholeX);
+        return {floatsOf(first), stretch.low, stretch.high};
+    }
+    BURIN_INLINE void put(Integers lowEnd, Integers highEnd) noexcept {
+        store(lowEnd, *low++);
+        store(highEnd, *high++);
+        u += lanes;
     }
 };
 
-/// Lines that the piece covers at the end of the way, and no lower between: all but `high` follows from the end.
+BURIN_INLINE std::int32_t lesser(std::int32_t a, std::int32_t b) noexcept {
+    return a < b ? a : b;
+}
+
+/// Lines that the piece covers at the end of the way, and no lower between: all but the upper end follows from that.
 template <Shape shape>
-BURIN_INLINE void coverEnd(const Upright& piece, const Row& row, const RowSpans& stretch, Groups groups,
+BURIN_INLINE void coverEnd(const Upright& piece, const Row& row, Cursor& cursor, std::int32_t groups,
                            std::int32_t top) noexcept {
-    Place to = Place::of(piece.to, stretch, groups.first);
-    const Floats square = floats(row.toSquare), middle = floats(piece.to.middle);
-    const Integers base = integers(piece.to.base), high = integers(top < piece.lineEnd ? top : piece.lineEnd);
-    const Upright shapeOnly = piece;
+    if (groups <= 0) return;
+    const Floats part = floats(piece.to.partX), square = floats(row.toSquare), middle = floats(piece.to.middle);
+    const Integers base = integers(piece.to.base), high = integers(lesser(top, piece.lineEnd));
+    const Upright shapeOnly = piece; // which the stores can't change
     const End end = piece.to;
-    EightIntegers *low = stretch.low + groups.first, *const last = stretch.low + groups.end;
-    EightIntegers* highs = stretch.high + groups.first;
-    for (; low < last; ++low, ++highs, to.u += lanes) {
-        const Floats x = to.u - to.part;
+    for (; groups > 0; --groups) {
+        const Floats x = cursor.u - part;
         const Floats height = lowAtEnd<shape>(shapeOnly, end, square - x * x);
-        store(most(wholeOf(height + middle) + base, Integers{}), *low);
-        store(high, *highs);
+        cursor.put(most(wholeOf(height + middle) + base, Integers{}), high);
     }
 }
 
 /// Lines behind the axis of a piece that rises: only its upper face moves there.
-BURIN_INLINE void coverTop(const Upright& piece, const RowSpans& stretch, Groups groups) noexcept {
+BURIN_INLINE void coverTop(const Upright& piece, Cursor& cursor, std::int32_t groups) noexcept {
+    if (groups <= 0) return;
     const Integers low = integers(piece.from.top > 0 ? piece.from.top : 0);
-    const Integers high = integers(piece.to.top < piece.lineEnd ? piece.to.top : piece.lineEnd);
-    for (std::int32_t group = groups.first; group < groups.end; ++group) {
-        store(low, stretch.low[group]);
-        store(high, stretch.high[group]);
-    }
+    const Integers high = integers(lesser(piece.to.top, piece.lineEnd));
+    for (; groups > 0; --groups) cursor.put(low, high);
 }
 
 template <Shape shape, bool withStart, bool moves, Top top>
-BURIN_INLINE void cover(const Upright& piece, const Row& row, const RowSpans& stretch, Groups groups,
+BURIN_INLINE void cover(const Upright& piece, const Row& row, Cursor& cursor, std::int32_t groups,
                         std::int32_t levelTop) noexcept {
-    Place to = Place::of(piece.to, stretch, groups.first), from = Place::of(piece.from, stretch, groups.first);
-    for (std::int32_t group = groups.first; group < groups.end; ++group, to.u += lanes, from.u += lanes) {
-        const Floats toX = to.u - to.part, fromX = from.u - from.part;
+    if (groups <= 0) return;
+    const Upright own = piece; // which the stores can't change
+    const Integers level = integers(lesser(levelTop, own.lineEnd));
+    const auto between = static_cast<float>(own.to.wholeX - own.from.wholeX);
+    for (; groups > 0; --groups) {
+        const Floats toX = cursor.u - own.to.partX, fromX = (cursor.u + between) - own.from.partX;
         const Floats toInside = row.toSquare - toX * toX, fromInside = row.fromSquare - fromX * fromX;
         FromWay line{};
-        Floats height = lowAtEnd<shape>(piece, piece.to, toInside);
+        Floats height = lowAtEnd<shape>(own, own.to, toInside);
         if constexpr (moves) {
-            const Floats aside = row.aside - fromX * piece.wayY;
-            const Floats inside = (piece.radius - aside) * (piece.radius + aside);
-            line = {fromX * piece.wayX + row.ahead, rootsOf(inside), aside * aside, inside > Floats{}};
-            height = least(height, lowBetween<shape>(piece, line));
+            const Floats aside = row.aside - fromX * own.wayY;
+            const Floats inside = (own.radius - aside) * (own.radius + aside);
+            line = {fromX * own.wayX + row.ahead, rootsOf(inside), aside * aside, inside > Floats{}};
+            height = least(height, lowBetween<shape>(own, line));
         }
-        Integers low = wholeOf(height + piece.to.middle) + piece.to.base;
-        Integers high = integers(levelTop);
+        Integers low = wholeOf(height + own.to.middle) + own.to.base;
+        Integers high = level;
         if constexpr (withStart) {
-            const Floats start = lowAtEnd<shape>(piece, piece.from, fromInside);
-            low = least(low, wholeOf(start + piece.from.middle) + piece.from.base);
+            const Floats start = lowAtEnd<shape>(own, own.from, fromInside);
+            low = least(low, wholeOf(start + own.from.middle) + own.from.base);
         }
         if constexpr (top == Top::rises) {
-            high = toInside > Floats{} ? integers(piece.to.top) : integers(-SpanRows::none);
+            high = toInside > Floats{} ? integers(own.to.top) : integers(-SpanRows::none);
             // No higher than at the ends, roundings or not: lines that are covered there agree on it.
-            if constexpr (moves) high = most(high, least(highBetween(piece, line), integers(piece.highestTop)));
+            if constexpr (moves) high = most(high, least(highBetween(own, line), integers(own.highestTop)));
             // What was left behind at the start joins on to what is beyond it.
             const Integers started = fromInside > Floats{};
-            low = started ? least(low, integers(piece.from.top)) : low;
-            high = started ? most(high, integers(piece.from.top)) : high;
+            low = started ? least(low, integers(own.from.top)) : low;
+            high = least(started ? most(high, integers(own.from.top)) : high, integers(own.lineEnd));
         }
-        store(most(low, Integers{}), stretch.low[group]);
-        store(least(high, integers(piece.lineEnd)), stretch.high[group]);
+        cursor.put(most(low, Integers{}), high);
     }
 }
 
 /// A piece that moves below an upper face at one height. @param between where a ball can be lowest between the ends
 template <Shape shape, bool withStart>
-BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, const RowSpans& stretch, Groups groups,
-                              Groups between, std::int32_t top) noexcept {
-    if constexpr (shape == Shape::ball && !withStart) {
-        between = groups.held(between.first, between.end);
-        coverEnd<shape>(piece, row, stretch, {groups.first, between.first}, top);
-        coverEnd<shape>(piece, row, stretch, {between.end, groups.end}, top);
-        groups = between;
-    }
-    cover<shape, withStart, true, Top::level>(piece, row, stretch, groups, top);
+BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, Cursor& cursor, Groups groups, Groups between,
+                              std::int32_t top) noexcept {
+    between = shape == Shape::ball && !withStart ? groups.held(between.first, between.end) : groups;
+    coverEnd<shape>(piece, row, cursor, between.first - groups.first, top);
+    cover<shape, withStart, true, Top::level>(piece, row, cursor, between.end - between.first, top);
+    coverEnd<shape>(piece, row, cursor, groups.end - between.end, top);
 }
 
 /// A piece that goes on from where it was, its upper face at two heights within the stock. On lines that it covers all
 /// the way that face counts with the higher one; where it rises, nothing else is new behind its axis.
 template <Shape shape>
-BURIN_INLINE void coverGoingOn(const Upright& piece, const Row& row, const RowSpans& stretch, Groups covered,
+BURIN_INLINE void coverGoingOn(const Upright& piece, const Row& row, Cursor& cursor, Groups all, Groups covered,
                                Groups deeper, Groups between) noexcept {
     deeper = covered.held(deeper.first, deeper.end);
-    cover<shape, false, true, Top::rises>(piece, row, stretch, {0, covered.first}, 0);
-    coverTop(piece, stretch, {covered.first, deeper.first});
-    coverMoving<shape, false>(piece, row, stretch, deeper, between, piece.highestTop);
-    coverTop(piece, stretch, {deeper.end, covered.end});
-    cover<shape, false, true, Top::rises>(piece, row, stretch, {covered.end, stretch.groups}, 0);
+    cover<shape, false, true, Top::rises>(piece, row, cursor, covered.first, 0);
+    coverTop(piece, cursor, deeper.first - covered.first);
+    coverMoving<shape, false>(piece, row, cursor, deeper, between, piece.highestTop);
+    coverTop(piece, cursor, covered.end - deeper.end);
+    cover<shape, false, true, Top::rises>(piece, row, cursor, all.end - covered.end, 0);
 }
 
 template <Shape shape>
@@ -238,23 +244,24 @@ BURIN_INLINE void coverRow(const Upright& piece, const Rows& rows, const RowSpan
     const Row row{rows.fromSquare[lane], rows.toSquare[lane], rows.ahead[lane], rows.aside[lane]};
     const Groups all{0, stretch.groups};
     const Groups between{rows.betweenBegin[lane] - origin, rows.betweenEnd[lane] - origin};
+    Cursor cursor = Cursor::at(piece.to, stretch);
     if (piece.topRises) {
         if (piece.withStart)
-            piece.moves ? cover<shape, true, true, Top::rises>(piece, row, stretch, all, 0)
-                        : cover<shape, true, false, Top::rises>(piece, row, stretch, all, 0);
+            piece.moves ? cover<shape, true, true, Top::rises>(piece, row, cursor, all.end, 0)
+                        : cover<shape, true, false, Top::rises>(piece, row, cursor, all.end, 0);
         else if (!piece.moves)
-            cover<shape, false, false, Top::rises>(piece, row, stretch, all, 0);
+            cover<shape, false, false, Top::rises>(piece, row, cursor, all.end, 0);
         else
-            coverGoingOn<shape>(piece, row, stretch,
+            coverGoingOn<shape>(piece, row, cursor, all,
                                 piece.joins ? all.held(rows.coveredBegin[lane] - origin, rows.coveredEnd[lane] - origin)
                                             : Groups{},
                                 {rows.deeperBegin[lane] - origin, rows.deeperEnd[lane] - origin}, between);
     } else if (piece.withStart) {
-        piece.moves ? coverMoving<shape, true>(piece, row, stretch, all, between, piece.levelTop)
-                    : cover<shape, true, false, Top::level>(piece, row, stretch, all, piece.levelTop);
+        piece.moves ? coverMoving<shape, true>(piece, row, cursor, all, between, piece.levelTop)
+                    : cover<shape, true, false, Top::level>(piece, row, cursor, all.end, piece.levelTop);
     } else {
-        piece.moves ? coverMoving<shape, false>(piece, row, stretch, all, between, piece.levelTop)
-                    : coverEnd<shape>(piece, row, stretch, all, piece.levelTop);
+        piece.moves ? coverMoving<shape, false>(piece, row, cursor, all, between, piece.levelTop)
+                    : coverEnd<shape>(piece, row, cursor, all.end, piece.levelTop);
     }
 }
 
