@@ -220,7 +220,7 @@ template <Shape shape, bool withStart>
 BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, Cursor& cursor, Groups groups, Groups between,
                               std::int32_t top) noexcept {
     // Of a short row, more parts would cost more than they save.
-    constexpr std::int32_t shortRow = 8;
+    constexpr std::int32_t shortRow = 4;
     const bool splits = shape == Shape::ball && !withStart && groups.end - groups.first > shortRow;
     between = splits ? groups.held(between.first, between.end) : groups;
     coverEnd<shape>(piece, row, cursor, between.first - groups.first, top);
