@@ -59,30 +59,22 @@ inline RunVolume motleyWorkpiece(const Grid& grid) {
     return volume;
 }
 
-/// The scalar cutter: the same spans line by line, over the whole grid each taken from the volume at once. Any axis of
-/// tool and runs.
+/// The scalar cutter: the same spans line by line, over the whole grid each taken from the volume at once. Runs along
+/// any axis, the tool's along them.
 class ScalarCutter {
 public:
     ScalarCutter(const Cutter& cutter, const Grid& grid)
         : grid_(grid), spans_(inVoxels(flutes(cutter)), static_cast<std::int32_t>(grid.lineEnd())) {}
 
     RunAmounts cut(RunVolume& volume, const glm::dvec3& from, const glm::dvec3& to) {
-        glm::dvec3 axis(0.0);
-        axis[grid_.axisOfRuns()] = 1.0;
-        return cut(volume, from, to, axis);
-    }
-    /// The axis stands. @param arrived the way goes on where one with this axis ended: what was covered there is not
-    /// asked for again. (Asked for, it would make a leaning tool's line longer where its chord is but a unit.)
-    RunAmounts cut(RunVolume& volume, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis,
-                   bool arrived = false) {
+        constexpr glm::dvec3 upright(0.0, 0.0, 1.0);
         RunAmounts removed;
-        const glm::dvec3 start = inLines(from), end = inLines(to), lean = turned(axis);
-        const int parts = std::max(1, int(std::ceil(glm::length(end - start) / spans_.longestWay(lean) - 1e-9)));
-        const bool leans = lean.z != 1.0;
+        const glm::dvec3 start = inLines(from), end = inLines(to);
+        const int parts = std::max(1, int(std::ceil(glm::length(end - start) / spans_.longestWay(upright) - 1e-9)));
         glm::dvec3 tip = start;
         for (int i = 1; i <= parts; ++i) {
             const glm::dvec3 next = i == parts ? end : glm::mix(start, end, double(i) / parts);
-            spans_.begin({tip, lean}, next, !leans || (i == 1 && !arrived));
+            spans_.begin({tip, upright}, next, true);
             tip = next;
             for (LineIndex line; line.v < grid_.lineCountV(); ++line.v)
                 for (line.u = 0; line.u < grid_.lineCountU(); line.u += 8) takeGroup(volume, line, removed);
@@ -148,11 +140,6 @@ inline Cutter cutterOf(int kind, double radius) {
     if (kind == 0) return ball(2.0 * radius, 3.0 * radius);
     if (kind == 1) return flat(2.0 * radius, 2.0 * radius);
     return bullNose(2.0 * radius, 0.3 * radius, 2.0 * radius);
-}
-
-inline glm::dvec3 leaningAxis() {
-    const double lean = real(0.0, 1.4), about = real(0.0, 6.28);
-    return {std::sin(lean) * std::cos(about), std::sin(lean) * std::sin(about), std::cos(lean)};
 }
 
 } // namespace burin::tests
