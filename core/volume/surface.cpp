@@ -3,6 +3,7 @@
 #include "core/volume/surface.h"
 
 #include "core/volume/surface_net.h"
+#include "core/volume/surface_search.h"
 #include "core/volume/surface_simplification.h"
 #include "core/volume/volume_access.h"
 
@@ -81,20 +82,22 @@ void SurfaceMesh::clear() {
 
 class SurfaceExtractor::Storage {
 public:
-    /// Adds the surface of one stretch along the runs.
-    void add(const VolumeSnapshot& workpiece, SurfaceField::Interval interval, SurfaceMesh& mesh) {
-        field.fill(workpiece, interval);
+    /// Adds the surface in one window.
+    void add(const VolumeSnapshot& workpiece, const SurfaceWindow& window, SurfaceMesh& mesh) {
+        lines.read(workpiece, window);
         const std::size_t before = mesh.points.size();
-        net.add(field, workpiece.grid(), mesh);
-        mesh.properties.resize(mesh.points.size(), field.onlyProperty());
-        if (field.onlyProperty() != airProperty) return;
+        net.add(window, lines, workpiece.grid(), mesh);
+        const PropertyIndex only = lines.onlyProperty();
+        mesh.properties.resize(mesh.points.size(), only);
+        if (only != airProperty) return;
         const MaterialUnder material(workpiece);
-        const bool lookForPart = field.holdsProtected(workpiece.properties());
+        const bool lookForPart = lines.holdsProtected(workpiece.properties());
         for (std::size_t i = before; i < mesh.points.size(); ++i)
-            mesh.properties[i] = material(mesh.points[i], mesh.normals[i], field.cell(), lookForPart);
+            mesh.properties[i] = material(mesh.points[i], mesh.normals[i], window.cell(), lookForPart);
     }
 
-    SurfaceField field;
+    SurfaceSearch search;
+    SurfaceLines lines;
     SurfaceNet net;
     SurfaceSimplifier simplifier;
 };
@@ -107,18 +110,16 @@ SurfaceExtractor& SurfaceExtractor::operator=(SurfaceExtractor&&) noexcept = def
 void SurfaceExtractor::extract(const VolumeSnapshot& workpiece, SurfaceTile tile, const SurfaceDetail& detail,
                                SurfaceMesh& mesh) {
     mesh.clear();
-    SurfaceField& field = storage_->field;
-    field.aim(workpiece, tile, detail.level);
-    for (const SurfaceField::Interval interval : field.findIntervals(workpiece))
-        storage_->add(workpiece, interval, mesh);
+    const Grid& grid = workpiece.grid();
+    for (const int piece : storage_->search.pieces(workpiece, tile, detail.level))
+        storage_->add(workpiece, SurfaceWindow::of(grid, tile, piece, detail.level), mesh);
     if (detail.tolerance > 0.0)
-        storage_->simplifier.simplify(mesh, detail.tolerance, field.cell() * workpiece.grid().edge());
+        storage_->simplifier.simplify(mesh, detail.tolerance, grid.edge() * (1 << detail.level));
 }
 
 void SurfaceExtractor::extractBrick(const VolumeSnapshot& workpiece, SurfaceBrick brick, SurfaceMesh& mesh) {
     mesh.clear();
-    storage_->field.aim(workpiece, {brick.u, brick.v}, 0);
-    storage_->add(workpiece, SurfaceField::brickInterval(workpiece.grid(), brick.n), mesh);
+    storage_->add(workpiece, SurfaceWindow::of(workpiece.grid(), {brick.u, brick.v}, brick.n, 0), mesh);
 }
 
 glm::ivec2 surfaceTiles(const Grid& grid) {

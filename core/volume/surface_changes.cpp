@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface.h"
-#include "core/volume/surface_field.h"
+#include "core/volume/surface_window.h"
 #include "core/volume/tile.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ std::vector<SurfaceTile> changedSurface(const VolumeSnapshot& before, const Volu
     const bool known = now.sameVolume(before);
     std::vector<std::uint8_t> changed(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y),
                                       known ? 0 : 1);
-    const std::int32_t reach = SurfaceField::margin << level;
+    const std::int32_t reach = SurfaceWindow::margin << level;
     for (std::int32_t v = 0; known && v < grid.lineCountV(); v += tileSide)
         for (std::int32_t u = 0; u < grid.lineCountU(); u += tileSide) {
             if (now.sharesBrick(before, {u, v})) continue;
