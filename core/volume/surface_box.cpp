@@ -12,13 +12,14 @@ namespace burin {
 namespace {
 
 constexpr std::int16_t beyond = SurfaceLine::beyond;
-constexpr std::size_t mostLines = SurfaceWindow::mostColumns << coarsestSurfaceLevel; ///< of a row; rows alike
+/// Of a row; rows alike.
+constexpr std::size_t mostLines = linesPerSurfaceTile + (2 * SurfaceWindow::margin << coarsestSurfaceLevel);
 static_assert(sizeof(SurfaceLine) * surfaceLineLanes == sizeof(Nodes) && mostLines % surfaceLineLanes == 0);
 
 /// What the first changes of some lines lie between. Lines without a change are all air or all solid if both are the
 /// same.
 struct Extent {
-    std::int16_t least = beyond, most = -beyond;
+    std::int16_t least, most;
     void add(const Extent& other) {
         least = std::min(least, other.least);
         most = std::max(most, other.most);
@@ -26,43 +27,47 @@ struct Extent {
     bool uniform() const { return least == most && (least == beyond || least == -beyond); }
     friend bool operator==(const Extent&, const Extent&) = default;
 };
+constexpr Extent nothing{beyond, -beyond};
 
-/// Eight lines side by side. (Between the places stands whether they change to air, which does not matter here.)
-struct EightExtents {
-    Nodes least, most;
+struct Extents {
+    std::array<Extent, mostLines> byRow, byLine; ///< by row of scanlines, and by scanline of a row
+    Extent changes;                              ///< where lines change at all
 };
-BURIN_INLINE EightExtents both(const EightExtents& a, const EightExtents& b) noexcept {
-    return {a.least < b.least ? a.least : b.least, a.most > b.most ? a.most : b.most};
+
+/// Of eight lines side by side. (Between the places stands whether they change to air, which does not matter here.)
+struct EightExtents {
+    Nodes least = nodes(beyond), most = nodes(-beyond);
+};
+BURIN_INLINE void add(Nodes low, Nodes high, EightExtents& to) noexcept {
+    to.least = low < to.least ? low : to.least;
+    to.most = high > to.most ? high : to.most;
 }
 BURIN_INLINE Extent ofAll(const EightExtents& eight) noexcept {
-    Extent extent;
-    for (int i = 0; i < nodeLanes; i += 2) {
-        extent.least = std::min<std::int16_t>(extent.least, eight.least[i]);
-        extent.most = std::max<std::int16_t>(extent.most, eight.most[i]);
-    }
+    Extent extent = nothing;
+    for (int i = 0; i < nodeLanes; i += 2) extent.add({eight.least[i], eight.most[i]});
     return extent;
 }
 
-/// By row, and by line of a row.
-BURIN_VECTORISED void findExtents(const SurfaceLine* lines, std::size_t step, std::size_t rows, Extent* byRow,
-                                  Extent* byLine) noexcept {
-    constexpr std::size_t most = (mostLines + surfaceLineLanes) / surfaceLineLanes;
-    EightExtents columns[most];
-    const std::size_t eights = step / surfaceLineLanes;
-    for (std::size_t i = 0; i < eights; ++i) columns[i] = {nodes(beyond), nodes(-beyond)};
+BURIN_VECTORISED void findExtents(const SurfaceLine* lines, std::size_t step, std::size_t rows,
+                                  Extents& extents) noexcept {
+    std::array<EightExtents, mostLines / surfaceLineLanes> columns;
+    EightExtents changes;
+    const Nodes air = nodes(beyond), solid = nodes(-beyond);
     for (std::size_t row = 0; row < rows; ++row) {
-        EightExtents whole{nodes(beyond), nodes(-beyond)};
-        for (std::size_t i = 0; i < eights; ++i) {
+        EightExtents whole;
+        for (std::size_t i = 0; i < step / surfaceLineLanes; ++i) {
             const Nodes here = loadNodes(&lines[row * step + i * surfaceLineLanes].place);
-            columns[i] = both(columns[i], {here, here});
-            whole = both(whole, {here, here});
+            add(here, here, columns[i]);
+            add(here, here, whole);
+            add(here == solid ? air : here, here == air ? solid : here, changes);
         }
-        byRow[row] = ofAll(whole);
+        extents.byRow[row] = ofAll(whole);
     }
+    extents.changes = ofAll(changes);
     for (std::size_t line = 0; line < step; ++line) {
         const EightExtents& eight = columns[line / surfaceLineLanes];
         const auto lane = static_cast<int>(2 * (line % surfaceLineLanes));
-        byLine[line] = {eight.least[lane], eight.most[lane]};
+        extents.byLine[line] = {eight.least[lane], eight.most[lane]};
     }
 }
 
@@ -72,6 +77,7 @@ BURIN_VECTORISED void findExtents(const SurfaceLine* lines, std::size_t step, st
 SurfaceBox::Range withoutUniform(std::span<const Extent> lines, int level) {
     constexpr int reach = SurfaceWindow::margin;
     std::array<Extent, SurfaceWindow::mostColumns> extents;
+    extents.fill(nothing);
     for (std::size_t i = 0; i < lines.size(); ++i) extents[i >> level].add(lines[i]);
     const auto count = static_cast<int>(lines.size() >> level);
     const auto begin = extents.begin(), end = begin + count;
@@ -95,12 +101,13 @@ constexpr int ceilingQuotient(int value, int divisor) {
 }
 
 /// Nodes that are neither all air nor all solid are less than a cell from a change.
-SurfaceBox::Range nodesBetween(const SurfaceWindow& window, const SurfaceChanges& changes) {
+SurfaceBox::Range nodesBetween(const SurfaceWindow& window, const Extent& changes, bool differAtBegin,
+                               bool differAtEnd) {
     constexpr int reach = SurfaceWindow::marginNodes, cell = SurfaceLine::cell, centre = SurfaceLine::centre;
-    int first = floorQuotient(changes.lowest - cell - centre, cell) + 1;
-    int end = ceilingQuotient(changes.highest + centre, cell);
-    if (changes.atBegin == 3) first = 0;
-    if (changes.atEnd == 3) end = window.nodes();
+    int first = floorQuotient(changes.least - cell - centre, cell) + 1;
+    int end = ceilingQuotient(changes.most + centre, cell);
+    if (differAtBegin) first = 0;
+    if (differAtEnd) end = window.nodes();
     first = std::max(first, reach) - reach;
     end = std::min(end, window.nodes() - reach) + reach;
     if (end - first < 2 * reach) return {}; // no cube between them is the window's own
@@ -111,16 +118,16 @@ SurfaceBox::Range nodesBetween(const SurfaceWindow& window, const SurfaceChanges
 
 SurfaceBox findSurfaceBox(const SurfaceWindow& window, const SurfaceChanges& changes,
                           std::span<const SurfaceLine> lines) {
-    SurfaceBox box;
-    box.nodes = nodesBetween(window, changes);
-    if (box.nodes.count == 0) return box;
-    std::array<Extent, mostLines> byRow;
-    std::array<Extent, mostLines> byLine;
     const std::size_t rows = static_cast<std::size_t>(window.rows) << window.level;
-    findExtents(lines.data(), lines.size() / rows, rows, byRow.data(), byLine.data());
-    box.rows = withoutUniform(std::span(byRow).first(rows), window.level);
-    box.columns =
-        withoutUniform(std::span(byLine).first(static_cast<std::size_t>(window.columns) << window.level), window.level);
+    const std::size_t columns = static_cast<std::size_t>(window.columns) << window.level;
+    Extents extents;
+    findExtents(lines.data(), lines.size() / rows, rows, extents);
+    extents.changes.add({changes.lowest, changes.highest});
+    SurfaceBox box;
+    box.nodes = nodesBetween(window, extents.changes, changes.atBegin == 3, changes.atEnd == 3);
+    if (box.nodes.count == 0) return box;
+    box.rows = withoutUniform(std::span(extents.byRow).first(rows), window.level);
+    box.columns = withoutUniform(std::span(extents.byLine).first(columns), window.level);
     return box;
 }
 

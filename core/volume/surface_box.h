@@ -34,9 +34,9 @@ struct SurfaceBox {
     bool empty() const { return columns.count == 0 || rows.count == 0 || nodes.count == 0; }
 };
 
-/// What is known of all scanlines of a window together, those behind the first of each included.
+/// What is known of all scanlines of a window together beside their first changes.
 struct SurfaceChanges {
-    std::int16_t lowest = SurfaceLine::beyond, highest = -SurfaceLine::beyond; ///< places
+    std::int16_t lowest = SurfaceLine::beyond, highest = -SurfaceLine::beyond; ///< places of all further changes
     unsigned atBegin = 0, atEnd = 0; ///< 1: lines are air there, 2: lines are solid, 3: both
 };
 

@@ -5,7 +5,6 @@
 #include "core/volume/volume_access.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace burin {
 
@@ -39,7 +38,8 @@ public:
                          static_cast<std::int32_t>(grid_.lineEnd()) + 1))
         , further_(lines.further_)
         , seen_(lines.seen_.data())
-        , next_(lines.lines_.data()) {}
+        , next_(lines.lines_.data())
+        , firstSegments_(lines.firstSegments_.data()) {}
 
     void readRow(int row) {
         const std::int32_t firstV = (window_.firstV + row) << level_;
@@ -47,7 +47,10 @@ public:
             const SurfaceLine* const first = next_;
             readLines(v);
             // So that lines can be looked at in whole lanes.
-            for (; static_cast<std::size_t>(next_ - first) % surfaceLineLanes != 0; ++next_) *next_ = next_[-1];
+            for (; static_cast<std::size_t>(next_ - first) % surfaceLineLanes != 0; ++next_) {
+                *next_ = next_[-1];
+                *firstSegments_++ = nullptr;
+            }
         }
     }
     const SurfaceChanges& changes() const { return changes_; }
@@ -69,66 +72,84 @@ private:
     void addOutside(std::int32_t lines) {
         if (lines == 0) return;
         next_ = std::fill_n(next_, lines, SurfaceLine{});
+        firstSegments_ = std::fill_n(firstSegments_, lines, nullptr);
         changes_.atBegin |= stateBit(false);
         changes_.atEnd |= stateBit(false);
     }
-    /// Lines of a brick, one beside the other along u.
+    /// Lines of a brick, one beside the other along u. Hardly any has more than one end within a window.
     void addFrom(const Tile& tile, int first, int count, std::int32_t place) {
-        const std::int32_t low = low_, whole = low < 0 ? std::numeric_limits<std::int32_t>::max() : high_;
-        const Segment *const segments = tile.segments(), *begin = segments + tile.offset(first);
+        std::array<const Segment*, tileSide + 1> begins;
+        for (int i = 0; i <= count; ++i) begins[static_cast<std::size_t>(i)] = tile.segments() + tile.offset(first + i);
+        // Of its own, so that writing what was found can't change where to read.
+        const Segment** const firstSegments = firstSegments_;
+        SurfaceLine* const lines = next_;
+        std::uint8_t* const seen = seen_;
+        const std::int32_t low = low_, high = high_;
         std::ptrdiff_t skipped = 0; // segments before the window: mostly as many as in the line before
-        unsigned states = 0;
-        for (int i = 0; i < count; ++i) {
-            const Segment *const end = segments + tile.offset(first + i + 1), *segment = begin + skipped;
+        unsigned atBegin = 0, atEnd = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+            const Segment *segment = begins[i] + skipped, *const end = begins[i + 1];
             if (segment >= end || endOf(*segment) <= low || (skipped > 0 && endOf(segment[-1]) > low)) {
-                for (segment = begin; endOf(*segment) <= low;) ++segment;
-                skipped = segment - begin;
+                for (segment = begins[i]; endOf(*segment) <= low;) ++segment;
+                skipped = segment - begins[i];
             }
-            if (endOf(*segment) >= whole) {
-                const bool solid = solidIn(*segment);
-                seen_[segment->property()] = 1;
-                states |= stateBit(solid);
-                next_[i].place = solid ? -beyond : beyond;
-                next_[i].toAir = 0;
-            } else
-                next_[i] = readChanges(segment, end, (place + i) >> level_);
-            begin = end;
+            firstSegments[i] = segment;
+            const bool solid = solidIn(*segment), one = endOf(*segment) < high;
+            if ((low < 0 && solid) || (one && (segment + 1 == end || endOf(segment[1]) < high))) {
+                lines[i] = anyEnds(segment, end, (place + static_cast<std::int32_t>(i)) >> level_);
+                continue;
+            }
+            const Segment next = segment[one ? 1 : 0];
+            const bool behind = solidIn(next);
+            seen[segment->property()] = seen[next.property()] = 1;
+            atBegin |= stateBit(solid);
+            atEnd |= stateBit(behind);
+            lines[i] = solid == behind ? uniformLine(solid) : change(endOf(*segment), solid);
         }
         next_ += count;
-        changes_.atBegin |= states;
-        changes_.atEnd |= states;
+        firstSegments_ += count;
+        changes_.atBegin |= atBegin;
+        changes_.atEnd |= atEnd;
     }
     /// @param segment the first that ends within the window or behind it
-    SurfaceLine readChanges(const Segment* segment, const Segment* end, std::int32_t column) {
+    SurfaceLine anyEnds(const Segment* segment, const Segment* end, std::int32_t column) {
         bool solid = low_ >= 0 && solidIn(*segment), any = false;
-        changes_.atBegin |= stateBit(solid);
         seen_[segment->property()] = 1;
+        changes_.atBegin |= stateBit(solid);
         SurfaceLine first;
-        const auto change = [&](std::int32_t position) {
-            SurfaceLine line;
-            line.place = static_cast<std::int16_t>((position - origin_ + (1 << level_ >> 1)) >> level_);
-            line.toAir = solid ? -1 : 0;
-            changes_.lowest = std::min(changes_.lowest, line.place);
-            changes_.highest = std::max(changes_.highest, line.place);
-            if (any)
+        const auto turn = [&](std::int32_t position) {
+            const SurfaceLine line = change(position, solid);
+            if (any) {
                 further_.push_back({column, line});
-            else
+                changes_.lowest = std::min(changes_.lowest, line.place);
+                changes_.highest = std::max(changes_.highest, line.place);
+            } else
                 first = line;
             any = true;
             solid = !solid;
         };
-        if (low_ < 0 && solidIn(*segment)) change(0);
+        if (low_ < 0 && solidIn(*segment)) turn(0);
         for (; endOf(*segment) < high_; ++segment) {
             if (segment + 1 == end) { // the grid ends within the window
-                if (solid) change(endOf(*segment));
+                if (solid) turn(endOf(*segment));
                 break;
             }
             seen_[segment[1].property()] = 1;
-            if (solidIn(segment[1]) != solid) change(endOf(*segment));
+            if (solidIn(segment[1]) != solid) turn(endOf(*segment));
         }
         changes_.atEnd |= stateBit(solid);
-        if (!any && solid) first.place = -beyond;
-        return first;
+        return any ? first : uniformLine(solid);
+    }
+    SurfaceLine change(std::int32_t position, bool fromSolid) const {
+        SurfaceLine line;
+        line.place = static_cast<std::int16_t>((position - origin_ + (1 << level_ >> 1)) >> level_);
+        line.toAir = fromSolid ? -1 : 0;
+        return line;
+    }
+    static SurfaceLine uniformLine(bool solid) {
+        SurfaceLine line;
+        line.place = solid ? -beyond : beyond;
+        return line;
     }
 
     const VolumeState& state_;
@@ -139,6 +160,7 @@ private:
     std::vector<Further>& further_;
     std::uint8_t* const seen_;
     SurfaceLine* next_;
+    const Segment** firstSegments_;
     SurfaceChanges changes_;
 };
 
@@ -146,9 +168,11 @@ void SurfaceLines::read(const VolumeSnapshot& workpiece, const SurfaceWindow& wi
     level_ = window.level;
     step_ = (static_cast<std::size_t>(window.columns << level_) + surfaceLineLanes - 1) / surfaceLineLanes *
             surfaceLineLanes;
+    lineEnd_ = static_cast<std::int32_t>(workpiece.grid().lineEnd());
     lines_.resize(step_ * (static_cast<std::size_t>(window.rows) << level_));
+    firstSegments_.resize(lines_.size());
     further_.clear();
-    seen_.fill(0);
+    seen_ = {};
     Reader reader(*this, workpiece, window);
     for (int row = 0; row < window.rows; ++row) {
         firstFurther_[static_cast<std::size_t>(row)] = further_.size();
@@ -159,15 +183,25 @@ void SurfaceLines::read(const VolumeSnapshot& workpiece, const SurfaceWindow& wi
 }
 
 PropertyIndex SurfaceLines::onlyProperty() const {
-    const auto first = std::find(seen_.begin() + 1, seen_.end(), std::uint8_t{1});
-    const bool one = first != seen_.end() && std::find(first + 1, seen_.end(), std::uint8_t{1}) == seen_.end();
-    return one ? static_cast<PropertyIndex>(first - seen_.begin()) : airProperty;
+    int count = 0;
+    PropertyIndex found = airProperty;
+    eachMaterial([&](PropertyIndex property) {
+        found = property;
+        ++count;
+    });
+    return count == 1 ? found : airProperty;
 }
 
 bool SurfaceLines::holdsProtected(const PropertyList& properties) const {
-    for (std::size_t i = 1; i < seen_.size(); ++i)
-        if (seen_[i] != 0 && properties.isProtected(static_cast<PropertyIndex>(i))) return true;
-    return false;
+    bool any = false;
+    eachMaterial([&](PropertyIndex property) { any = any || properties.isProtected(property); });
+    return any;
+}
+
+template <class Visit>
+void SurfaceLines::eachMaterial(Visit visit) const {
+    for (std::size_t property = 1; property < seen_.size(); ++property)
+        if (seen_[property] != 0) visit(static_cast<PropertyIndex>(property));
 }
 
 } // namespace burin

@@ -12,7 +12,8 @@
 
 namespace burin {
 
-/// Where the scanlines of a window change between material and air. Everything outside the grid is air.
+/// Where the scanlines of a window change between material and air. Everything outside the grid is air. Looks into the
+/// workpiece that was read, which must stay.
 class SurfaceLines {
 public:
     /// A change behind the first of its scanline.
@@ -34,6 +35,15 @@ public:
         const auto at = static_cast<std::size_t>(row);
         return std::span(further_).subspan(firstFurther_[at], firstFurther_[at + 1] - firstFurther_[at]);
     }
+    /// Of the material at a place, as far as the window sees; air beside the grid.
+    /// @param line     row after row of scanlines, `step` apart, from the window's first on
+    /// @param position run units
+    PropertyIndex propertyAt(std::int32_t line, std::int32_t position) const {
+        const Segment* segment = firstSegments_[static_cast<std::size_t>(line)];
+        if (segment == nullptr || position >= lineEnd_) return airProperty;
+        while (static_cast<std::int32_t>(segment->end()) <= position) ++segment;
+        return segment->property();
+    }
     /// The one material in the window, airProperty when there are several.
     PropertyIndex onlyProperty() const;
     /// Whether any of them is protected.
@@ -41,10 +51,14 @@ public:
 
 private:
     class Reader;
+    template <class Visit>
+    void eachMaterial(Visit visit) const;
 
     int level_ = 0;
     std::size_t step_ = 0;
+    std::int32_t lineEnd_ = 0;
     std::vector<SurfaceLine> lines_;
+    std::vector<const Segment*> firstSegments_; ///< by scanline: the first that ends within the window or behind it
     std::vector<Further> further_;
     std::array<std::size_t, SurfaceWindow::mostColumns + 1> firstFurther_{}; ///< by row
     std::array<std::uint8_t, 256> seen_{};                                   ///< 1: the property occurs

@@ -39,8 +39,9 @@ SurfaceFrame frameOf(const SurfaceWindow& window, const SurfaceBox& box, const G
     frame.firstU = window.firstU + box.columns.first;
     frame.firstNode = window.firstNode + box.nodes.first;
     frame.axes = {grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
-    for (std::size_t i = 0; i < 3; ++i) frame.low[i] = grid.low()[frame.axes[i]];
-    frame.size = grid.edge() * window.cell();
+    const double size = grid.edge() * window.cell();
+    for (std::size_t i = 0; i < 3; ++i) frame.low[i] = static_cast<float>(grid.low()[frame.axes[i]] + 0.5 * size);
+    frame.size = static_cast<float>(size);
     return frame;
 }
 
@@ -52,15 +53,16 @@ void makeRoom(std::vector<Element>& elements, std::size_t count) {
 
 } // namespace
 
-void SurfaceNet::add(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid, SurfaceMesh& mesh) {
+void SurfaceNet::make(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid,
+                      std::size_t firstPoint) {
+    pointCount_ = cornerCount_ = 0;
+    firstPoint_ = static_cast<std::uint32_t>(firstPoint);
     const SurfaceBox& box = lines.box();
     if (box.empty()) return;
     const SurfaceCrossings::Owned owned = ownedOf(window, box);
     field_.start(window, lines);
     frame_ = frameOf(window, box, grid);
     frame_.stride = field_.stride();
-    firstPoint_ = static_cast<std::uint32_t>(mesh.points.size());
-    pointCount_ = cornerCount_ = 0;
     for (int i = 0; i < box.rows.count; ++i) {
         field_.advance();
         const int row = field_.row();
@@ -70,12 +72,6 @@ void SurfaceNet::add(const SurfaceWindow& window, const SurfaceLines& lines, con
         addPoints(row);
         addFaces(row);
     }
-    const auto append = [](auto& to, const auto& from, std::size_t count) {
-        to.insert(to.end(), from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
-    };
-    append(mesh.points, points_, pointCount_);
-    append(mesh.normals, normals_, pointCount_);
-    append(mesh.triangles, triangles_, cornerCount_);
 }
 
 void SurfaceNet::addPoints(int row) {

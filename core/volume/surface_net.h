@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -18,8 +19,16 @@ namespace burin {
 /// nodes; the points beside its border come out alike in both windows.
 class SurfaceNet {
 public:
-    /// Adds what a window holds: points, normals, triangles. Properties are left to the caller.
-    void add(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid, SurfaceMesh& mesh);
+    /// Works out what a window holds.
+    /// @param firstPoint what triangles call the first point
+    void make(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid, std::size_t firstPoint);
+
+    /// mm, setup frame. Behind the last `SurfaceFrame::spare` more may be read.
+    std::span<const glm::vec3> points() const { return {points_.data(), pointCount_}; }
+    std::span<const glm::vec3> normals() const { return {normals_.data(), pointCount_}; }
+    std::span<const std::uint32_t> triangles() const {
+        return {triangles_.data(), cornerCount_};
+    } ///< three corners each
 
 private:
     /// Points by the place of their cube; only those of cubes that are crossed are set.
@@ -33,11 +42,11 @@ private:
     SurfaceCrossings crossings_;
     SurfaceFrame frame_;
     std::array<PointRow, 2> pointRows_;
-    // Of this window; longer than what is used of them.
+    // Longer than what is used of them.
     std::vector<glm::vec3> points_, normals_;
     std::vector<std::uint32_t> triangles_;
     std::size_t pointCount_ = 0, cornerCount_ = 0;
-    std::uint32_t firstPoint_ = 0; ///< of the mesh
+    std::uint32_t firstPoint_ = 0;
 };
 
 } // namespace burin

@@ -10,8 +10,6 @@ namespace burin {
 namespace {
 
 using FourFloats = float __attribute__((vector_size(16)));
-using FourIntegers = std::int32_t __attribute__((vector_size(16)));
-using FourDoubles = double __attribute__((vector_size(32)));
 static_assert(SurfaceFrame::spare >= lanes && SurfaceCrossings::spare >= lanes);
 
 /// Numbers along u, v and the runs, of eight cubes.
@@ -109,20 +107,6 @@ BURIN_INLINE Triple outwards(const Corners& corners, const Triple& place) noexce
     return {any ? u * shorter : floats(0.0F), any ? v * shorter : floats(0.0F), any ? n * shorter : floats(1.0F)};
 }
 
-/// Millimetres from the grid's count of a node and the way from its centre, four of eight.
-template <int half>
-BURIN_INLINE FourFloats millimetres(Integers count, Floats way, double low, double size) noexcept {
-    constexpr int first = 4 * half;
-    const FourIntegers counts = __builtin_shufflevector(count, count, first, first + 1, first + 2, first + 3);
-    const FourFloats ways = __builtin_shufflevector(way, way, first, first + 1, first + 2, first + 3);
-    const FourDoubles nodes = __builtin_convertvector(ways, FourDoubles) + __builtin_convertvector(counts, FourDoubles);
-    return __builtin_convertvector(low + size * (nodes + 0.5), FourFloats);
-}
-BURIN_INLINE void storeMillimetres(Integers count, Floats way, double low, double size, EightFloats& to) noexcept {
-    const FourFloats halves[2]{millimetres<0>(count, way, low, size), millimetres<1>(count, way, low, size)};
-    __builtin_memcpy(&to, halves, sizeof to);
-}
-
 /// Writes eight vectors; the last one four numbers wide.
 BURIN_INLINE void storeVectors(const EightFloats (&axes)[3], glm::vec3* to) noexcept {
     for (int first = 0; first < lanes; first += 4) {
@@ -156,9 +140,9 @@ BURIN_VECTORISED void placeSurfacePoints(const SurfaceFrame& frame, const std::a
         __builtin_memcpy(&cube, eight, sizeof cube);
         const auto column = reinterpret_cast<Integers>(cube >> 16);
         const Integers node = reinterpret_cast<Integers>(cube & 0xffff) - column * frame.stride;
-        storeMillimetres(column + frame.firstU, within.u, frame.low[0], frame.size, place[axisU]);
-        storeMillimetres(integers(frame.v), within.v, frame.low[1], frame.size, place[axisV]);
-        storeMillimetres(node + frame.firstNode, within.n, frame.low[2], frame.size, place[axisN]);
+        store(frame.low[0] + frame.size * (floatsOf(column + frame.firstU) + within.u), place[axisU]);
+        store(frame.low[1] + frame.size * (static_cast<float>(frame.v) + within.v), place[axisV]);
+        store(frame.low[2] + frame.size * (floatsOf(node + frame.firstNode) + within.n), place[axisN]);
         store(normal.u, direction[axisU]);
         store(normal.v, direction[axisV]);
         store(normal.n, direction[axisN]);

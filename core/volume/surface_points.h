@@ -18,8 +18,8 @@ struct SurfaceFrame {
     int stride = 0;                         ///< from column to column
     int firstU = 0, v = 0, firstNode = 0;   ///< the grid's count of column 0, of the first row, of node 0
     std::array<int, 3> axes{};              ///< x, y or z (0, 1, 2) of u, v and the runs
-    std::array<double, 3> low{};            ///< mm, of the grid along those
-    double size = 1.0;                      ///< mm, of a cell
+    std::array<float, 3> low{};             ///< mm, of the grid's first node along those
+    float size = 1.0F;                      ///< mm, of a cell
     static constexpr std::size_t spare = 8; ///< room behind the points that may be written to
 };
 
