@@ -18,7 +18,7 @@ class SurfaceLines {
 public:
     /// A change behind the first of its scanline.
     struct Further {
-        int column = 0; ///< of the window
+        int row = 0, column = 0; ///< of the window
         SurfaceLine line;
     };
 

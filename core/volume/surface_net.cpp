@@ -77,8 +77,8 @@ void SurfaceNet::make(const SurfaceWindow& window, const SurfaceLines& lines, co
 void SurfaceNet::addPoints(int row) {
     const std::span<const std::uint32_t> cubes = crossings_.cubes();
     if (cubes.empty()) return;
-    PointRow& points = pointsOf(row);
-    auto point = firstPoint_ + static_cast<std::uint32_t>(pointCount_);
+    std::uint32_t* const points = pointsOf(row).data();
+    auto point = static_cast<std::uint32_t>(pointCount_);
     for (const std::uint32_t cube : cubes) points[SurfaceCrossings::placeOf(cube)] = point++;
     makeRoom(points_, pointCount_ + cubes.size() + SurfaceFrame::spare);
     makeRoom(normals_, pointCount_ + cubes.size() + SurfaceFrame::spare);
@@ -95,7 +95,7 @@ void SurfaceNet::addFaces(int row) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::span<const std::uint32_t> edges = crossings_.edges(axis);
         makeRoom(triangles_, cornerCount_ + 6 * edges.size());
-        writeSurfaceFaces(edges, corners[axis], points_.data() - firstPoint_, triangles_.data() + cornerCount_);
+        writeSurfaceFaces(edges, corners[axis], points_.data(), firstPoint_, triangles_.data() + cornerCount_);
         cornerCount_ += 6 * edges.size();
     }
 }

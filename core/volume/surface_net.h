@@ -31,8 +31,12 @@ public:
     } ///< three corners each
 
 private:
-    /// Points by the place of their cube; only those of cubes that are crossed are set.
-    using PointRow = std::array<std::uint32_t, SurfaceField::mostPlaces>;
+    /// The points of a row, from 0 on, by the place of their cube; only those of cubes that are crossed are set.
+    struct PointRow {
+        static constexpr std::size_t before = SurfaceField::mostNodes + 1; ///< how far back faces look from a place
+        std::array<std::uint32_t, before + SurfaceField::mostPlaces> points;
+        std::uint32_t* data() { return points.data() + before; }
+    };
 
     void addPoints(int row);
     void addFaces(int row);
