@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/brick_sampler.h"
 
+#include "core/field/spread.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -9,20 +11,27 @@ namespace burin {
 
 namespace {
 
-constexpr double slack = 1e-6; // mm, over what the Lipschitz bound allows: rounding
+// In voxels; what these allow is explained in README.md.
+constexpr float mostBendOfCorners = 0.06F, mostBendOfFours = 0.1F, mostResidual = 0.03F;
+constexpr double mostDifference = 0.01; // between a brick's middle and the lines through it
+constexpr double mostBend = 0.1, mostResidualOfTwos = 0.06, mostSpread = 0.03;
+constexpr double tolerance = 0.004, toleranceInDepth = 0.1; // of samples
 
-std::size_t cubeAt(const glm::ivec3& i, int along) noexcept {
+/// Calls `visit` for each place of a grid, to and fro: a step each.
+template <class Visit>
+void toAndFro(int along, const Visit& visit) {
+    for (int k = 0; k < along; ++k)
+        for (int row = 0; row < along; ++row)
+            for (int column = 0; column < along; ++column)
+                visit(glm::ivec3((row + k * along) % 2 == 0 ? column : along - 1 - column,
+                                 k % 2 == 0 ? row : along - 1 - row, k));
+}
+
+std::size_t placeIn(const glm::ivec3& i, int along) noexcept {
     return static_cast<std::size_t>(i.x + along * (i.y + along * i.z));
 }
 
 } // namespace
-
-ClearanceSample clearanceAt(const MeshDistance& part, const ToolFieldRequest& request, const glm::dvec3& tip,
-                            double within, double tolerance) {
-    const ToolClearance found = part.clearance(request.tool, {tip, {0.0, 0.0, 1.0}}, within, tolerance);
-    if (found.clearance < within) return {std::min(found.clearance, farthestClearance), found.away};
-    return {std::min(within, farthestClearance), glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
-}
 
 BrickSampler::BrickSampler(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
                            BrickField& field, const std::vector<std::uint32_t>& fine,
@@ -33,127 +42,169 @@ BrickSampler::BrickSampler(const MeshDistance& part, const ToolFieldRequest& req
     , field_(field)
     , fine_(fine)
     , corners_(corners)
-    , smooth_(fine.size(), 0)
-    , even_(fine.size() * evens * evens * evens) {}
+    , deep_(-1.25 * request.voxel - field.spacing) {}
 
-ClearanceSample BrickSampler::ask(const glm::dvec3& tip, double within) const {
-    // Deep in the part, below what the band's cells look at, a bound will do.
-    if (within < resolution_.low - 2.0 * field_.spacing)
-        return {within, glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
-    return clearanceAt(part_, request_, tip, within, 0.2 * resolution_.interpolationBound);
+void BrickSampler::Level::lay(const std::vector<std::uint8_t>& wanted) {
+    std::int32_t count = 0;
+    for (const std::uint8_t one : wanted) place.push_back(one != 0 ? count++ : none);
+    samples.resize(static_cast<std::size_t>(count) * owned());
+}
+
+void BrickSampler::fill(Progress& progress, double from, double to) {
+    const auto at = [&](double share) { return from + share * (to - from); };
+    std::vector<std::uint8_t> left(fine_.size(), 1); // not filled yet
+    const auto bricks = [&](double begin, double end, const auto& work) {
+        spreadStretches(fine_.size(), at(begin), at(end), progress, [&](std::size_t first, std::size_t last) {
+            TipAsker ask = asker();
+            SampleGrid nine(BrickField::samplesAlong);
+            for (std::size_t order = first; order < last && !progress.cancelled(); ++order)
+                if (left[order] != 0) work(order, ask, nine);
+        });
+    };
+    // What a tool's clearance has of features is as wide as the tool: samples farther apart could miss one.
+    const double width = 2.0 * request_.tool.front().bottomRadius;
+    if (width >= field_.brickEdge())
+        bricks(0.0, 0.1, [&](std::size_t order, TipAsker& ask, SampleGrid& nine) {
+            left[order] = fillFromCorners(order, ask, nine) ? 0 : 1;
+        });
+    const bool wideEnough = width >= fours_.step * field_.spacing;
+    if (wideEnough) {
+        fours_.lay(left);
+        bricks(0.1, 0.3, [&](std::size_t order, TipAsker& ask, SampleGrid&) { own(order, fours_, nullptr, ask); });
+        bricks(0.3, 0.4, [&](std::size_t order, TipAsker& ask, SampleGrid& nine) {
+            left[order] = fillFromFours(order, ask, nine) ? 0 : 1;
+        });
+    }
+    twos_.lay(left);
+    bricks(0.4, 0.7, [&](std::size_t order, TipAsker& ask, SampleGrid&) {
+        own(order, twos_, wideEnough ? &fours_ : nullptr, ask);
+    });
+    bricks(0.7, 1.0, [&](std::size_t order, TipAsker& ask, SampleGrid&) { fillFromTwos(order, ask); });
+}
+
+/// The bound that is subtracted from samples covers the tolerance; in depth only those count that no line outside meets.
+TipAsker BrickSampler::asker() const {
+    const double deepBelow = deep_ - BrickField::cells / 2 * field_.spacing;
+    return {part_, request_, {tolerance * request_.voxel, deepBelow, toleranceInDepth * request_.voxel}};
 }
 
 glm::dvec3 BrickSampler::place(std::size_t order, const glm::ivec3& sample) const noexcept {
     return field_.brickLow(field_.brickOf(fine_[order])) + glm::dvec3(sample) * field_.spacing;
 }
 
-/// The samples between the corners, when lines between these are smooth all over the brick.
-bool BrickSampler::cornersAgree(std::size_t order, SampleGrid& nine) const {
+bool BrickSampler::isSmooth(const LineCheck& check, float most) const noexcept {
+    const auto voxel = static_cast<float>(request_.voxel);
+    return check.bend <= most * voxel && check.residual <= mostResidual * voxel;
+}
+
+bool BrickSampler::fillFromCorners(std::size_t order, TipAsker& ask, SampleGrid& nine) {
     const glm::ivec3 brick = field_.brickOf(fine_[order]);
     SampleGrid two(2), three(3), five(5);
-    for (int i = 0; i < 8; ++i) {
-        const glm::ivec3 at{i & 1, (i >> 1) & 1, (i >> 2) & 1};
-        const PartSample& corner = corners_[field_.cornerAt(brick + at)];
-        if (!std::isfinite(corner.gradient.x)) return false;
-        two.set(static_cast<std::size_t>(i), corner);
-    }
+    for (int i = 0; i < 8; ++i)
+        two.set(static_cast<std::size_t>(i),
+                corners_[field_.cornerAt(brick + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2))]);
     const auto spacing = static_cast<float>(field_.spacing);
     LineCheck check;
+    check.floor = static_cast<float>(deep_);
     refine(two, three, 8.0F * spacing, check);
     refine(three, five, 4.0F * spacing, check);
     refine(five, nine, 2.0F * spacing, check);
-    const auto voxel = static_cast<float>(request_.voxel);
-    return check.bend <= 0.06F * voxel && check.residual <= 0.03F * voxel;
-}
-
-void BrickSampler::look(std::size_t order) {
-    // What a tool's clearance has of features is as wide as the tool: corners farther apart could miss one.
-    if (2.0 * request_.tool.front().bottomRadius < field_.brickEdge()) return;
-    SampleGrid nine(BrickField::samplesAlong);
-    if (!cornersAgree(order, nine)) return;
+    if (!isSmooth(check, mostBendOfCorners)) return false;
     const auto middle = static_cast<double>(nine.values[0][BrickField::sampleAt(glm::ivec3(4))]);
-    const double asked = clearanceAt(part_, request_, place(order, glm::ivec3(4)), middle + request_.voxel).value;
-    if (std::abs(asked - middle) <= 0.01 * request_.voxel) smooth_[order] = 1;
+    const auto asked = static_cast<double>(ask.ask(place(order, glm::ivec3(4))).distance);
+    if (std::abs(asked - middle) > (asked < deep_ ? 0.25 : mostDifference) * request_.voxel) return false;
+    pack(order, nine);
+    return true;
 }
 
-void BrickSampler::fillSmooth(std::size_t order) {
-    SampleGrid nine(BrickField::samplesAlong);
-    cornersAgree(order, nine);
-    std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
-    for (std::size_t i = 0; i < BrickField::samplesPerBrick; ++i)
-        first[i] = packed(static_cast<double>(nine.values[0][i]));
+/// Those of the corners and of a coarser level are known.
+void BrickSampler::own(std::size_t order, Level& level, const Level* coarser, TipAsker& ask) const {
+    PartSample* const first = level.samples.data() + static_cast<std::size_t>(level.place[order]) * level.owned();
+    const int along = level.along();
+    toAndFro(along, [&](const glm::ivec3& at) {
+        PartSample& sample = first[placeIn(at, along)];
+        if (at == glm::ivec3(0))
+            sample = corners_[field_.cornerAt(field_.brickOf(fine_[order]))];
+        else if (coarser != nullptr && at % 2 == glm::ivec3(0))
+            sample = coarser->samples[static_cast<std::size_t>(coarser->place[order]) * coarser->owned() +
+                                      placeIn(at / 2, coarser->along())];
+        else
+            sample = ask.ask(place(order, level.step * at));
+    });
 }
 
-void BrickSampler::sampleEven(std::size_t order) {
-    if (smooth_[order] != 0) return;
-    Even* const first = even_.data() + order * evens * evens * evens;
-    double bound = farthestClearance; // no tip has more than another one has, and the way between
-    glm::ivec3 last{0};
-    for (int k = 0; k < evens; ++k)
-        for (int row = 0; row < evens; ++row)
-            for (int column = 0; column < evens; ++column) {
-                const int j = k % 2 == 0 ? row : evens - 1 - row; // to and fro: the way is always one step
-                const int i = (row + k * evens) % 2 == 0 ? column : evens - 1 - column;
-                const glm::ivec3 at{i, j, k};
-                const double way = 2.0 * field_.spacing * glm::length(glm::dvec3(at - last));
-                const ClearanceSample found = ask(place(order, 2 * at), bound + way);
-                first[cubeAt(at, evens)] = {static_cast<float>(found.value), glm::vec3(found.gradient)};
-                bound = found.value + slack;
-                last = at;
-            }
-}
-
-/// Its own, the next bricks', and where the next brick is coarse, asked again.
-BrickSampler::Evens BrickSampler::gather(std::size_t order) const {
+/// Its own, the next bricks', and where these have none, asked for.
+void BrickSampler::gather(std::size_t order, const Level& level, TipAsker& ask, SampleGrid& all) const {
     const glm::ivec3 brick = field_.brickOf(fine_[order]);
-    Evens all;
-    double bound = farthestClearance;
-    glm::ivec3 last{0};
-    for (int k = 0; k < evensAlong; ++k)
-        for (int j = 0; j < evensAlong; ++j)
-            for (int i = 0; i < evensAlong; ++i) {
-                const glm::ivec3 at{i, j, k}, step = at / evens, owner = brick + step;
-                ClearanceSample& sample = all[cubeAt(at, evensAlong)];
-                const bool outside =
-                    owner.x >= field_.bricks.x || owner.y >= field_.bricks.y || owner.z >= field_.bricks.z;
-                const std::int32_t number = outside ? BrickField::coarse : field_.place[field_.brickAt(owner)];
-                if (number != BrickField::coarse && smooth_[static_cast<std::size_t>(number)] == 0) {
-                    const Even& known = even_[static_cast<std::size_t>(number) * evens * evens * evens +
-                                              cubeAt(at - step * evens, evens)];
-                    sample = {static_cast<double>(known.value), glm::dvec3(known.gradient)};
-                } else {
-                    const double way = 2.0 * field_.spacing * glm::length(glm::dvec3(at - last));
-                    sample = ask(place(order, 2 * at), bound + way);
-                }
-                bound = sample.value + slack;
-                last = at;
-            }
-    return all;
+    const int along = level.along();
+    toAndFro(along + 1, [&](const glm::ivec3& at) {
+        const glm::ivec3 step = at / along, owner = brick + step, in = at - step * along;
+        PartSample sample;
+        const bool outside = glm::any(glm::greaterThanEqual(owner, field_.bricks));
+        const std::int32_t number = outside ? BrickField::coarse : field_.place[field_.brickAt(owner)];
+        const std::int32_t known =
+            number == BrickField::coarse ? none : level.place[static_cast<std::size_t>(number)];
+        if (in == glm::ivec3(0))
+            sample = corners_[field_.cornerAt(owner)];
+        else if (known != none)
+            sample = level.samples[static_cast<std::size_t>(known) * level.owned() + placeIn(in, along)];
+        else
+            sample = ask.ask(place(order, level.step * at));
+        all.set(all.at(at.x, at.y, at.z), sample);
+    });
+}
+
+bool BrickSampler::fillFromFours(std::size_t order, TipAsker& ask, SampleGrid& nine) {
+    SampleGrid three(3), five(5);
+    gather(order, fours_, ask, three);
+    const auto spacing = static_cast<float>(field_.spacing);
+    LineCheck check;
+    check.floor = static_cast<float>(deep_);
+    refine(three, five, 4.0F * spacing, check);
+    refine(five, nine, 2.0F * spacing, check);
+    if (!isSmooth(check, mostBendOfFours)) return false;
+    pack(order, nine);
+    return true;
+}
+
+void BrickSampler::fillFromTwos(std::size_t order, TipAsker& ask) {
+    SampleGrid five(5);
+    gather(order, twos_, ask, five);
+    std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
+    toAndFro(BrickField::samplesAlong, [&](const glm::ivec3& at) {
+        const glm::ivec3 even = at / 2;
+        double value = static_cast<double>(five.get(five.at(even.x, even.y, even.z)).distance);
+        if (at % 2 != glm::ivec3(0)) {
+            const std::optional<double> smooth = between(five, at);
+            value = smooth ? *smooth : static_cast<double>(ask.ask(place(order, at)).distance);
+        }
+        first[BrickField::sampleAt(at)] = packed(value);
+    });
 }
 
 /// A sample with odd places lies in the middle of one, two or four lines between even ones.
-std::optional<double> BrickSampler::between(const Evens& all, const glm::ivec3& sample) const noexcept {
-    // What these allow is explained in README.md.
-    const double mostBend = 0.1 * request_.voxel, mostResidual = 0.06 * request_.voxel;
-    const double mostSpread = 0.03 * request_.voxel;
+std::optional<double> BrickSampler::between(const SampleGrid& twos, const glm::ivec3& sample) const noexcept {
     const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
-    // More than a voxel inside nothing but the way out is asked for: straight lines will do.
-    const double mean = 0.5 * (all[cubeAt(low, evensAlong)].value + all[cubeAt(low + odd, evensAlong)].value);
-    const bool deep = mean < -1.25 * request_.voxel - field_.spacing;
     double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0.0;
+    bool deep = false;
     int lines = 0;
     for (int signs = 0; signs < 8; ++signs) {
         const glm::ivec3 up = glm::ivec3(signs & 1, (signs >> 1) & 1, signs >> 2);
         if (up.x > odd.x || up.y > odd.y || up.z > odd.z) continue;
         if (signs > 7 - signs && odd == glm::ivec3(1)) continue;
-        const ClearanceSample& from = all[cubeAt(low + up, evensAlong)];
-        const ClearanceSample& to = all[cubeAt(low + odd - up, evensAlong)];
+        const glm::ivec3 a = low + up, b = low + odd - up;
+        const PartSample from = twos.get(twos.at(a.x, a.y, a.z)), to = twos.get(twos.at(b.x, b.y, b.z));
         const glm::dvec3 way = 2.0 * field_.spacing * glm::dvec3(odd - 2 * up);
-        double estimate = 0.5 * (from.value + to.value);
+        const auto start = static_cast<double>(from.distance), end = static_cast<double>(to.distance);
+        double estimate = 0.5 * (start + end);
+        // In depth nothing but the way out is asked for: straight lines will do.
+        deep = deep || estimate < deep_;
         if (!deep) {
-            const double bend = glm::dot(from.gradient - to.gradient, way) / 8.0;
-            const double residual = to.value - from.value - 0.5 * glm::dot(from.gradient + to.gradient, way);
-            if (!(std::abs(bend) <= mostBend) || !(std::abs(residual) <= mostResidual)) return std::nullopt;
+            const double bend = glm::dot(glm::dvec3(from.gradient - to.gradient), way) / 8.0;
+            const double residual = end - start - 0.5 * glm::dot(glm::dvec3(from.gradient + to.gradient), way);
+            if (!(std::abs(bend) <= mostBend * request_.voxel) ||
+                !(std::abs(residual) <= mostResidualOfTwos * request_.voxel))
+                return std::nullopt;
             estimate += bend;
         }
         least = std::min(least, estimate);
@@ -161,28 +212,14 @@ std::optional<double> BrickSampler::between(const Evens& all, const glm::ivec3& 
         sum += estimate;
         ++lines;
     }
-    if (!deep && most - least > mostSpread) return std::nullopt;
+    if (!deep && most - least > mostSpread * request_.voxel) return std::nullopt;
     return sum / lines;
 }
 
-void BrickSampler::fill(std::size_t order) {
-    if (smooth_[order] != 0) return fillSmooth(order);
-    const Evens all = gather(order);
+void BrickSampler::pack(std::size_t order, const SampleGrid& nine) {
     std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
-    for (int k = 0; k <= BrickField::cells; ++k)
-        for (int j = 0; j <= BrickField::cells; ++j)
-            for (int i = 0; i <= BrickField::cells; ++i) {
-                const glm::ivec3 at{i, j, k};
-                const ClearanceSample& near = all[cubeAt(at / 2, evensAlong)];
-                const glm::ivec3 odd = at % 2;
-                double value = near.value;
-                if (odd != glm::ivec3(0)) {
-                    const std::optional<double> smooth = between(all, at);
-                    const double way = field_.spacing * glm::length(glm::dvec3(odd));
-                    value = smooth ? *smooth : ask(place(order, at), near.value + way + slack).value;
-                }
-                first[BrickField::sampleAt(at)] = packed(value);
-            }
+    for (std::size_t i = 0; i < BrickField::samplesPerBrick; ++i)
+        first[i] = packed(static_cast<double>(nine.values[0][i]));
 }
 
 std::int16_t BrickSampler::packed(double value) const noexcept {
