@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/mesh_distance.h"
 
-#include "core/geometry/piece_minimum.h"
-#include "core/geometry/surface_normals.h"
-#include "core/geometry/triangle_tree.h"
-#include "core/geometry/triangle_walk.h"
+#include "core/geometry/piece_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,16 +31,6 @@ std::vector<Triangle> trianglesOf(const TriangleMesh& mesh, const std::vector<st
     return triangles;
 }
 
-/// A point of the mesh that a walk has found.
-struct Found {
-    std::size_t slot = 0;
-    glm::dvec3 point{0.0};
-    TriangleFeature feature = TriangleFeature::face;
-    double distance = 0.0;
-    std::size_t piece = 0;
-    bool any = false;
-};
-
 } // namespace
 
 /// A point of a tool's axis, and what was asked of the mesh for it last.
@@ -71,11 +58,6 @@ struct ClearanceMemory {
 };
 
 namespace {
-
-/// What a clearance has to be below to count, when one is found.
-double worthwhile(double clearance, const ClearanceTolerance& tolerance) noexcept {
-    return clearance - (clearance < tolerance.deepBelow ? tolerance.deep : tolerance.ordinary);
-}
 
 /// Heights of the points of the axis whose depth counts: the pieces' ends and the centres of their roundings.
 template <class Visit>
@@ -236,14 +218,7 @@ private:
                   const ClearanceTolerance& tie, const ClearanceMemory* memory) const noexcept {
         Found found;
         found.distance = within;
-        if (memory != nullptr)
-            for (const Found& met : memory->met) {
-                if (!met.any) continue;
-                const double distance = PlacedPiece(tool[met.piece], pose).at(met.point).distance;
-                if (!(distance < found.distance)) continue;
-                found = met;
-                found.distance = distance;
-            }
+        if (memory != nullptr) startFrom(*memory, tool, pose, tie, found);
         for (std::size_t i = 0; i < tool.size(); ++i) {
             const PlacedPiece piece(tool[i], pose);
             double floor = piece.piece().bottom;
@@ -251,51 +226,24 @@ private:
                 floor += piece.piece().cornerRadius;
                 meetBall(piece, i, tie, found);
             }
-            meetPiece(piece, i, floor, tie, found);
+            PieceSearch(tree_, normals_, piece, i, floor, tie, found).run();
         }
         return found;
     }
 
-    /// One look at each triangle first: most drop out before a minimum over a triangle has to be found.
-    void meetPiece(const PlacedPiece& piece, std::size_t number, double floor,
+    /// What was nearest to a tip nearby, and what is near that and nearer to this one.
+    void startFrom(const ClearanceMemory& memory, std::span<const RevolvedPiece> tool, const ToolPose& pose,
                    const ClearanceTolerance& tie, Found& found) const noexcept {
-        struct Candidate {
-            double below;
-            std::size_t slot;
-        };
-        std::array<Candidate, 64> candidates;
-        std::size_t count = 0;
-        NearPiece near(tree_, piece, floor);
-        const auto take = [&](const Found& better) noexcept {
-            found = better;
-            near.limit(worthwhile(found.distance, tie));
-        };
-        const auto solve = [&](std::size_t slot) noexcept {
-            if (const auto least = minimumOverTriangle(piece, tree_.triangles()[slot], worthwhile(found.distance, tie)))
-                take({slot, least->point, least->feature, least->distance, number, true});
-        };
-        near.limit(worthwhile(found.distance, tie));
-        walk(tree_, near, [&](std::size_t slot) noexcept {
-            const TriangleBounds bounds = boundsOverTriangle(piece, tree_.triangles()[slot]);
-            if (bounds.below >= worthwhile(found.distance, tie)) return;
-            if (bounds.above < worthwhile(found.distance, tie))
-                take({slot, bounds.centroid, TriangleFeature::face, bounds.above, number, true});
-            if (count == candidates.size()) { // some will have dropped out by now
-                const auto end = std::remove_if(candidates.begin(), candidates.end(),
-                                                [&](const Candidate& c) { return c.below >= worthwhile(found.distance, tie); });
-                count = static_cast<std::size_t>(end - candidates.begin());
-            }
-            if (count < candidates.size())
-                candidates[count++] = {bounds.below, slot};
-            else
-                solve(slot);
-        });
-        const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(count);
-        std::sort(candidates.begin(), end, [](const Candidate& a, const Candidate& b) { return a.below < b.below; });
-        for (auto candidate = candidates.begin(); candidate != end; ++candidate) {
-            if (candidate->below >= worthwhile(found.distance, tie)) break;
-            solve(candidate->slot);
+        for (const Found& met : memory.met) {
+            if (!met.any) continue;
+            const double distance = PlacedPiece(tool[met.piece], pose).at(met.point).distance;
+            if (!(distance < found.distance)) continue;
+            found = met;
+            found.distance = distance;
         }
+        if (!found.any) return;
+        const PlacedPiece piece(tool[found.piece], pose);
+        PieceSearch(tree_, normals_, piece, found.piece, piece.piece().bottom, tie, found).descend();
     }
 
     /// What lies below a ball's centre is as near to the ball as it is to the centre, which is quicker to ask. What

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "core/geometry/four_floats.h"
-#include "core/geometry/piece_minimum.h"
+#include "core/geometry/supporting_plane.h"
 #include "core/geometry/triangle_tree.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace burin {
 
@@ -112,6 +113,44 @@ private:
     float limit_ = 0.0F;
 };
 
+/// Lower bounds, over boxes and plates, of a function that stays above a plane.
+class AbovePlane {
+public:
+    AbovePlane(const TriangleTree& tree, const SupportingPlane& plane) noexcept {
+        const glm::vec3 at(plane.at - tree.origin()), slope(plane.slope), size = glm::abs(at);
+        value_ = FourFloats{} + static_cast<float>(plane.value);
+        // What rounding may have hidden of the place, the slope and the value.
+        slack_ = FourFloats{} + 2.4e-7F * std::max({size.x, size.y, size.z}) +
+                 1.2e-7F * std::abs(static_cast<float>(plane.value));
+        for (int axis = 0; axis < 3; ++axis) {
+            at_[static_cast<std::size_t>(axis)] = FourFloats{} + at[axis];
+            slope_[static_cast<std::size_t>(axis)] = FourFloats{} + slope[axis];
+        }
+        square_ = FourFloats{} + glm::dot(slope, slope) * (1.0F + 1e-6F);
+    }
+    FourFloats of(const TreeNode& node) const noexcept {
+        FourFloats bound = value_, spread{}, along{}, overBox{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const FourFloats low = fourAt(node.low[axis].data()), high = fourAt(node.high[axis].data());
+            const FourFloats way = 0.5F * (low + high) - at_[axis];
+            bound += slope_[axis] * way;
+            overBox += 0.5F * absolute(slope_[axis]) * (high - low);
+            spread += absolute(way);
+            along += slope_[axis] * fourAt(node.normal[axis].data());
+        }
+        FourFloats across = greater(square_ - along * along, FourFloats{}) + 1e-6F;
+        for (int child = 0; child < 4; ++child) across[child] = std::sqrt(across[child]);
+        const FourFloats thickness = along > 0.0F ? fourAt(node.below.data()) : fourAt(node.above.data());
+        const FourFloats radius = fourAt(node.radius.data());
+        const FourFloats overPlate = across * radius - along * thickness;
+        return bound - (overBox < overPlate ? overBox : overPlate) - slack_ - 1e-6F * (spread + radius);
+    }
+
+private:
+    std::array<FourFloats, 3> at_, slope_;
+    FourFloats value_, slack_, square_;
+};
+
 /// Lower bounds of the signed distance from a piece to the points of boxes, as far as they lie above `floor` (height
 /// above the tip, mm): from the piece's bottom up, or from a ball's centre when what is below is known already.
 class NearPiece {
@@ -130,8 +169,8 @@ public:
             const double low = std::min(bottom[i] - lower * across, top[i] - upper * across);
             const double high = std::max(bottom[i] + lower * across, top[i] + upper * across);
             const double slack = 1e-9 + 2.4e-7 * std::max(std::abs(low), std::abs(high));
-            low_[i] = static_cast<float>(low - slack);
-            high_[i] = static_cast<float>(high + slack);
+            low_[static_cast<std::size_t>(i)] = FourFloats{} + static_cast<float>(low - slack);
+            high_[static_cast<std::size_t>(i)] = FourFloats{} + static_cast<float>(high + slack);
         }
     }
     /// Only what is nearer counts, mm; negative: deeper inside.
@@ -144,19 +183,30 @@ public:
     }
     bool stillBelow(float bound) const noexcept { return static_cast<double>(bound) < distance_; }
 
+    /// A plane that the signed distance stays above.
+    void stayAbove(const AbovePlane& plane) noexcept { plane_ = plane; }
+
     ChildBounds of(const TreeNode& node) const noexcept {
-        ChildBounds squared{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (std::size_t child = 0; child < TreeNode::width; ++child) {
-                const float below = node.low[axis][child] - high_[static_cast<int>(axis)];
-                const float above = low_[static_cast<int>(axis)] - node.high[axis][child];
-                const float gap = std::max(std::max(below, above), 0.0F);
-                squared[child] += gap * gap;
-            }
-        ChildBounds bounds;
-        for (std::size_t child = 0; child < TreeNode::width; ++child)
-            bounds[child] =
-                squared[child] < squared_ ? tangentBound(node, child) : std::numeric_limits<float>::infinity();
+        const FourFloats zero{};
+        FourFloats squared{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const FourFloats gap = greater(greater(fourAt(node.low[axis].data()) - high_[axis],
+                                                   low_[axis] - fourAt(node.high[axis].data())),
+                                           zero);
+            squared += gap * gap;
+        }
+        ChildBounds bounds, boxes;
+        put(squared, boxes.data());
+        if (plane_)
+            put(plane_->of(node), bounds.data());
+        else
+            bounds.fill(-std::numeric_limits<float>::infinity());
+        for (std::size_t child = 0; child < TreeNode::width; ++child) {
+            if (!(boxes[child] < squared_))
+                bounds[child] = std::numeric_limits<float>::infinity();
+            else if (stillBelow(bounds[child]))
+                bounds[child] = std::max(bounds[child], tangentBound(node, child));
+        }
         return bounds;
     }
 
@@ -179,7 +229,8 @@ private:
     const PlacedPiece* placed_;
     glm::dvec3 origin_;
     double floor_;
-    glm::vec3 low_{0.0F}, high_{0.0F};
+    std::array<FourFloats, 3> low_, high_;
+    std::optional<AbovePlane> plane_;
     double distance_ = 0.0;
     float squared_ = 0.0F;
 };
