@@ -13,7 +13,7 @@ namespace {
 
 // In voxels; what these allow is explained in README.md.
 constexpr float mostBendOfCorners = 0.06F, mostBendOfFours = 0.1F, mostResidual = 0.03F;
-constexpr double mostDifference = 0.01; // between a brick's middle and the lines through it
+constexpr float mostDifference = 0.01F, mostDifferenceInDepth = 0.25F; // between a brick's middle and lines through it
 constexpr double mostBend = 0.1, mostResidualOfTwos = 0.06, mostSpread = 0.03;
 constexpr double tolerance = 0.004, toleranceInDepth = 0.1; // of samples
 
@@ -35,7 +35,7 @@ std::size_t placeIn(const glm::ivec3& i, int along) noexcept {
 
 BrickSampler::BrickSampler(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
                            BrickField& field, const std::vector<std::uint32_t>& fine,
-                           const std::vector<PartSample>& corners)
+                           const std::vector<TipSample>& corners)
     : part_(part)
     , request_(request)
     , resolution_(resolution)
@@ -56,33 +56,33 @@ void BrickSampler::fill(Progress& progress, double from, double to) {
     const auto bricks = [&](double begin, double end, const auto& work) {
         spreadStretches(fine_.size(), at(begin), at(end), progress, [&](std::size_t first, std::size_t last) {
             TipAsker ask = asker();
-            SampleGrid nine(BrickField::samplesAlong);
+            Grids grids;
             for (std::size_t order = first; order < last && !progress.cancelled(); ++order)
-                if (left[order] != 0) work(order, ask, nine);
+                if (left[order] != 0) work(order, ask, grids);
         });
     };
     // What a tool's clearance has of features is as wide as the tool: samples farther apart could miss one.
     const double width = 2.0 * request_.tool.front().bottomRadius;
     if (width >= field_.brickEdge())
-        bricks(0.0, 0.1, [&](std::size_t order, TipAsker& ask, SampleGrid& nine) {
-            left[order] = fillFromCorners(order, ask, nine) ? 0 : 1;
+        bricks(0.0, 0.1, [&](std::size_t order, TipAsker& ask, Grids& grids) {
+            left[order] = fillFromCorners(order, ask, grids) ? 0 : 1;
         });
     const bool wideEnough = width >= fours_.step * field_.spacing;
     if (wideEnough) {
         fours_.lay(left);
-        bricks(0.1, 0.3, [&](std::size_t order, TipAsker& ask, SampleGrid&) { own(order, fours_, nullptr, ask); });
-        bricks(0.3, 0.4, [&](std::size_t order, TipAsker& ask, SampleGrid& nine) {
-            left[order] = fillFromFours(order, ask, nine) ? 0 : 1;
+        bricks(0.1, 0.3, [&](std::size_t order, TipAsker& ask, Grids&) { own(order, fours_, nullptr, ask); });
+        bricks(0.3, 0.4, [&](std::size_t order, TipAsker& ask, Grids& grids) {
+            left[order] = fillFromFours(order, ask, grids) ? 0 : 1;
         });
     }
     twos_.lay(left);
-    bricks(0.4, 0.7, [&](std::size_t order, TipAsker& ask, SampleGrid&) {
-        own(order, twos_, wideEnough ? &fours_ : nullptr, ask);
-    });
-    bricks(0.7, 1.0, [&](std::size_t order, TipAsker& ask, SampleGrid&) { fillFromTwos(order, ask); });
+    bricks(0.4, 0.7,
+           [&](std::size_t order, TipAsker& ask, Grids&) { own(order, twos_, wideEnough ? &fours_ : nullptr, ask); });
+    bricks(0.7, 1.0, [&](std::size_t order, TipAsker& ask, Grids& grids) { fillFromTwos(order, ask, grids); });
 }
 
-/// The bound that is subtracted from samples covers the tolerance; in depth only those count that no line outside meets.
+/// The bound that is subtracted from samples covers the tolerance; in depth only those count that no line outside
+/// meets.
 TipAsker BrickSampler::asker() const {
     const double deepBelow = deep_ - BrickField::cells / 2 * field_.spacing;
     return {part_, request_, {tolerance * request_.voxel, deepBelow, toleranceInDepth * request_.voxel}};
@@ -97,32 +97,45 @@ bool BrickSampler::isSmooth(const LineCheck& check, float most) const noexcept {
     return check.bend <= most * voxel && check.residual <= mostResidual * voxel;
 }
 
-bool BrickSampler::fillFromCorners(std::size_t order, TipAsker& ask, SampleGrid& nine) {
+float BrickSampler::Grid::gainAt(const glm::vec3& share) const noexcept {
+    const int cells = samples.side - 1;
+    const glm::vec3 place = share * static_cast<float>(cells);
+    const glm::ivec3 low = glm::min(glm::ivec3(place), cells - 1);
+    const glm::vec3 part = place - glm::vec3(low);
+    const auto alongX = [&](int y, int z) {
+        const std::size_t from = samples.at(low.x, low.y + y, low.z + z);
+        return glm::mix(gains[from], gains[from + 1], part.x);
+    };
+    return glm::mix(glm::mix(alongX(0, 0), alongX(1, 0), part.y), glm::mix(alongX(0, 1), alongX(1, 1), part.y), part.z);
+}
+
+bool BrickSampler::fillFromCorners(std::size_t order, TipAsker& ask, Grids& grids) {
     const glm::ivec3 brick = field_.brickOf(fine_[order]);
-    SampleGrid two(2), three(3), five(5);
-    for (int i = 0; i < 8; ++i)
-        two.set(static_cast<std::size_t>(i),
-                corners_[field_.cornerAt(brick + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2))]);
+    for (int i = 0; i < 8; ++i) {
+        const glm::ivec3 at{i & 1, (i >> 1) & 1, i >> 2};
+        grids.two.set(at, corners_[field_.cornerAt(brick + at)]);
+    }
     const auto spacing = static_cast<float>(field_.spacing);
     LineCheck check;
     check.floor = static_cast<float>(deep_);
-    refine(two, three, 8.0F * spacing, check);
-    refine(three, five, 4.0F * spacing, check);
-    refine(five, nine, 2.0F * spacing, check);
+    refine(grids.two.samples, grids.middle, 8.0F * spacing, check);
+    refine(grids.middle, grids.fine, 4.0F * spacing, check);
+    refine(grids.fine, grids.nine, 2.0F * spacing, check);
     if (!isSmooth(check, mostBendOfCorners)) return false;
-    const auto middle = static_cast<double>(nine.values[0][BrickField::sampleAt(glm::ivec3(4))]);
-    const auto asked = static_cast<double>(ask.ask(place(order, glm::ivec3(4))).distance);
-    if (std::abs(asked - middle) > (asked < deep_ ? 0.25 : mostDifference) * request_.voxel) return false;
-    pack(order, nine);
+    const float middle = grids.nine.values[0][BrickField::sampleAt(glm::ivec3(4))];
+    const float asked = ask.ask(place(order, glm::ivec3(4))).straightened().distance;
+    const float most = asked < check.floor ? mostDifferenceInDepth : mostDifference;
+    if (!(std::abs(asked - middle) <= most * static_cast<float>(request_.voxel))) return false;
+    pack(order, grids.two, grids.nine);
     return true;
 }
 
 /// Those of the corners and of a coarser level are known.
 void BrickSampler::own(std::size_t order, Level& level, const Level* coarser, TipAsker& ask) const {
-    PartSample* const first = level.samples.data() + static_cast<std::size_t>(level.place[order]) * level.owned();
+    TipSample* const first = level.samples.data() + static_cast<std::size_t>(level.place[order]) * level.owned();
     const int along = level.along();
     toAndFro(along, [&](const glm::ivec3& at) {
-        PartSample& sample = first[placeIn(at, along)];
+        TipSample& sample = first[placeIn(at, along)];
         if (at == glm::ivec3(0))
             sample = corners_[field_.cornerAt(field_.brickOf(fine_[order]))];
         else if (coarser != nullptr && at % 2 == glm::ivec3(0))
@@ -134,56 +147,48 @@ void BrickSampler::own(std::size_t order, Level& level, const Level* coarser, Ti
 }
 
 /// Its own, the next bricks', and where these have none, asked for.
-void BrickSampler::gather(std::size_t order, const Level& level, TipAsker& ask, SampleGrid& all) const {
+void BrickSampler::gather(std::size_t order, const Level& level, TipAsker& ask, Grid& all) const {
     const glm::ivec3 brick = field_.brickOf(fine_[order]);
     const int along = level.along();
     toAndFro(along + 1, [&](const glm::ivec3& at) {
         const glm::ivec3 step = at / along, owner = brick + step, in = at - step * along;
-        PartSample sample;
         const bool outside = glm::any(glm::greaterThanEqual(owner, field_.bricks));
         const std::int32_t number = outside ? BrickField::coarse : field_.place[field_.brickAt(owner)];
-        const std::int32_t known =
-            number == BrickField::coarse ? none : level.place[static_cast<std::size_t>(number)];
+        const std::int32_t known = number == BrickField::coarse ? none : level.place[static_cast<std::size_t>(number)];
         if (in == glm::ivec3(0))
-            sample = corners_[field_.cornerAt(owner)];
+            all.set(at, corners_[field_.cornerAt(owner)]);
         else if (known != none)
-            sample = level.samples[static_cast<std::size_t>(known) * level.owned() + placeIn(in, along)];
+            all.set(at, level.samples[static_cast<std::size_t>(known) * level.owned() + placeIn(in, along)]);
         else
-            sample = ask.ask(place(order, level.step * at));
-        all.set(all.at(at.x, at.y, at.z), sample);
+            all.set(at, ask.ask(place(order, level.step * at)));
     });
 }
 
-bool BrickSampler::fillFromFours(std::size_t order, TipAsker& ask, SampleGrid& nine) {
-    SampleGrid three(3), five(5);
-    gather(order, fours_, ask, three);
+bool BrickSampler::fillFromFours(std::size_t order, TipAsker& ask, Grids& grids) {
+    gather(order, fours_, ask, grids.three);
     const auto spacing = static_cast<float>(field_.spacing);
     LineCheck check;
     check.floor = static_cast<float>(deep_);
-    refine(three, five, 4.0F * spacing, check);
-    refine(five, nine, 2.0F * spacing, check);
+    refine(grids.three.samples, grids.fine, 4.0F * spacing, check);
+    refine(grids.fine, grids.nine, 2.0F * spacing, check);
     if (!isSmooth(check, mostBendOfFours)) return false;
-    pack(order, nine);
+    pack(order, grids.three, grids.nine);
     return true;
 }
 
-void BrickSampler::fillFromTwos(std::size_t order, TipAsker& ask) {
-    SampleGrid five(5);
-    gather(order, twos_, ask, five);
+void BrickSampler::fillFromTwos(std::size_t order, TipAsker& ask, Grids& grids) {
+    gather(order, twos_, ask, grids.five);
     std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
     toAndFro(BrickField::samplesAlong, [&](const glm::ivec3& at) {
-        const glm::ivec3 even = at / 2;
-        double value = static_cast<double>(five.get(five.at(even.x, even.y, even.z)).distance);
-        if (at % 2 != glm::ivec3(0)) {
-            const std::optional<double> smooth = between(five, at);
-            value = smooth ? *smooth : static_cast<double>(ask.ask(place(order, at)).distance);
-        }
+        const std::optional<double> known = between(grids.five, at);
+        const double value = known ? *known : static_cast<double>(ask.ask(place(order, at)).clearance.distance);
         first[BrickField::sampleAt(at)] = packed(value);
     });
 }
 
 /// A sample with odd places lies in the middle of one, two or four lines between even ones.
-std::optional<double> BrickSampler::between(const SampleGrid& twos, const glm::ivec3& sample) const noexcept {
+std::optional<double> BrickSampler::between(const Grid& all, const glm::ivec3& sample) const noexcept {
+    const SampleGrid& twos = all.samples;
     const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
     double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0.0;
     bool deep = false;
@@ -213,13 +218,23 @@ std::optional<double> BrickSampler::between(const SampleGrid& twos, const glm::i
         ++lines;
     }
     if (!deep && most - least > mostSpread * request_.voxel) return std::nullopt;
-    return sum / lines;
+    const float gain = all.gainAt(glm::vec3(sample) / static_cast<float>(BrickField::cells));
+    return static_cast<double>(bentBack(static_cast<float>(sum / lines), gain));
 }
 
-void BrickSampler::pack(std::size_t order, const SampleGrid& nine) {
+void BrickSampler::pack(std::size_t order, const Grid& gains, const SampleGrid& nine) {
     std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
-    for (std::size_t i = 0; i < BrickField::samplesPerBrick; ++i)
-        first[i] = packed(static_cast<double>(nine.values[0][i]));
+    const std::vector<float>& values = nine.values[0];
+    const bool rim = std::ranges::min(gains.gains) < 1.0F;
+    for (int k = 0; k <= BrickField::cells; ++k)
+        for (int j = 0; j <= BrickField::cells; ++j)
+            for (int i = 0; i <= BrickField::cells; ++i) {
+                const std::size_t at = BrickField::sampleAt({i, j, k});
+                float value = values[at];
+                if (rim && value < 0.0F)
+                    value = bentBack(value, gains.gainAt(glm::vec3(i, j, k) / static_cast<float>(BrickField::cells)));
+                first[at] = packed(static_cast<double>(value));
+            }
 }
 
 std::int16_t BrickSampler::packed(double value) const noexcept {

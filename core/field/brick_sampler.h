@@ -12,16 +12,16 @@
 
 namespace burin {
 
-/// Fills the fine bricks of a tool's field. Where the corners of a brick say that the clearance is smooth, and its middle
-/// agrees, its samples follow from them by cubics (Hermite). Elsewhere samples 4 apart are asked of the part, with their
-/// gradients, and where lines between these are not smooth either, every second sample; what lies between those follows
-/// from its own lines, or is asked.
+/// Fills the fine bricks of a tool's field. Where the corners of a brick say that the clearance is smooth, and its
+/// middle agrees, its samples follow from them by cubics (Hermite). Elsewhere samples 4 apart are asked of the part,
+/// with their gradients, and where lines between these are not smooth either, every second sample; what lies between
+/// those follows from its own lines, or is asked.
 class BrickSampler {
 public:
     /// @param fine numbers of the fine bricks, in the order of their samples
     /// @param corners  of the bricks, mm, with their gradients
     BrickSampler(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
-                 BrickField& field, const std::vector<std::uint32_t>& fine, const std::vector<PartSample>& corners);
+                 BrickField& field, const std::vector<std::uint32_t>& fine, const std::vector<TipSample>& corners);
 
     /// Parallel, reported between the fractions.
     void fill(Progress& progress, double from, double to);
@@ -29,25 +29,44 @@ public:
 private:
     /// Samples of a level that a brick owns: all but those on its upper faces.
     struct Level {
-        int step;                       ///< cells between them
+        int step;                        ///< cells between them
         std::vector<std::int32_t> place; ///< per fine brick, where its samples are, or none
-        std::vector<PartSample> samples;
+        std::vector<TipSample> samples;
         int along() const noexcept { return BrickField::cells / step; } ///< owned, along an axis
         std::size_t owned() const noexcept { return static_cast<std::size_t>(along() * along() * along()); }
         void lay(const std::vector<std::uint8_t>& wanted);
     };
     static constexpr std::int32_t none = -1;
 
+    /// A brick's samples of a level, straightened, and their gains.
+    struct Grid {
+        explicit Grid(int along) : samples(along), gains(samples.values[0].size()) {}
+        SampleGrid samples;
+        std::vector<float> gains;
+        void set(const glm::ivec3& at, const TipSample& sample) noexcept {
+            const std::size_t place = samples.at(at.x, at.y, at.z);
+            samples.set(place, sample.straightened());
+            gains[place] = sample.gain;
+        }
+        /// Between its own. @param share  of the brick, along each axis
+        float gainAt(const glm::vec3& share) const noexcept;
+    };
+    /// Room to work in. One thread each.
+    struct Grids {
+        Grid two{2}, three{3}, five{5};
+        SampleGrid middle{3}, fine{5}, nine{9};
+    };
+
     TipAsker asker() const;
     glm::dvec3 place(std::size_t order, const glm::ivec3& sample) const noexcept;
-    bool fillFromCorners(std::size_t order, TipAsker& ask, SampleGrid& nine);
+    bool fillFromCorners(std::size_t order, TipAsker& ask, Grids& grids);
     void own(std::size_t order, Level& level, const Level* coarser, TipAsker& ask) const;
-    bool fillFromFours(std::size_t order, TipAsker& ask, SampleGrid& nine);
-    void fillFromTwos(std::size_t order, TipAsker& ask);
-    void gather(std::size_t order, const Level& level, TipAsker& ask, SampleGrid& all) const;
+    bool fillFromFours(std::size_t order, TipAsker& ask, Grids& grids);
+    void fillFromTwos(std::size_t order, TipAsker& ask, Grids& grids);
+    void gather(std::size_t order, const Level& level, TipAsker& ask, Grid& all) const;
     bool isSmooth(const LineCheck& check, float mostBend) const noexcept;
-    std::optional<double> between(const SampleGrid& twos, const glm::ivec3& sample) const noexcept;
-    void pack(std::size_t order, const SampleGrid& nine);
+    std::optional<double> between(const Grid& twos, const glm::ivec3& sample) const noexcept;
+    void pack(std::size_t order, const Grid& gains, const SampleGrid& nine);
     std::int16_t packed(double value) const noexcept;
 
     const MeshDistance& part_;
@@ -55,7 +74,7 @@ private:
     const FieldResolution resolution_;
     BrickField& field_;
     const std::vector<std::uint32_t>& fine_;
-    const std::vector<PartSample>& corners_;
+    const std::vector<TipSample>& corners_;
     const double deep_; ///< mm: clearances below only have to lead out
     Level fours_{4, {}, {}}, twos_{2, {}, {}};
 };

@@ -3,7 +3,6 @@
 #include "core/field/tip_corners.h"
 
 #include "core/field/spread.h"
-#include "core/field/tip_asker.h"
 
 #include <limits>
 #include <numbers>
@@ -27,8 +26,8 @@ glm::ivec3 cornerOf(int i) noexcept {
     return {i & 1, (i >> 1) & 1, i >> 2};
 }
 
-/// By how much a value between a cube's corners may exceed the clearance: this changes no faster than the tip moves, nor
-/// bends more than a ball's.
+/// By how much a value between a cube's corners may exceed the clearance: this changes no faster than the tip moves,
+/// nor bends more than a ball's.
 double interpolationExcess(double least, double edge) noexcept {
     const double reach = halfDiagonal * edge, away = least - reach;
     return away > 0.0 ? std::min(reach, 0.375 * edge * edge / away) : reach;
@@ -50,7 +49,7 @@ void TipCorners::sample(Progress& progress, double from, double to) {
     sampleAt(2, farApart, progress, at(0.2), at(0.5));
     sampleAt(1, 2, progress, at(0.5), to);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const auto distance = static_cast<double>(samples_[i].distance);
+        const auto distance = static_cast<double>(samples_[i].clearance.distance);
         field_.corners[i] = roundedDown(distance - tolerance * request_.voxel - 1e-6 - 1.2e-7 * std::abs(distance));
     }
     boundCoarseBricks();
@@ -74,13 +73,14 @@ void TipCorners::sampleAt(int step, int above, Progress& progress, double from, 
             for (int i = 0; i <= field_.bricks.x; ++i) {
                 const glm::ivec3 corner(i, static_cast<int>(row) % rows, static_cast<int>(row) / rows);
                 if (!isAt(corner, step) || (above > 0 && isAt(corner, above))) continue;
-                PartSample& sample = samples_[field_.cornerAt(corner)];
+                TipSample& sample = samples_[field_.cornerAt(corner)];
                 if (const auto safe = above > 0 ? safeValue(corner, above) : std::nullopt) {
-                    sample = {static_cast<float>(*safe), notAsked};
+                    sample = {{static_cast<float>(*safe), notAsked}, 1.0F};
                     continue;
                 }
                 sample = asker.ask(field_.brickLow(corner));
-                if (static_cast<double>(sample.distance) < deep) sample.distance -= static_cast<float>(request_.voxel);
+                float& distance = sample.clearance.distance;
+                if (static_cast<double>(distance) < deep) distance -= static_cast<float>(request_.voxel);
             }
     });
 }
@@ -105,9 +105,9 @@ std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, int step) 
     return value;
 }
 
-/// None when the cube may hold the band. A tip with the band's clearance lies so near to a place where the tool touches,
-/// and that place no nearer to a corner than half a face's diagonal tells; no tip is less deep than a corner is, less the
-/// way to it. Where a corner was not asked, the larger cube around told so.
+/// None when the cube may hold the band. A tip with the band's clearance lies so near to a place where the tool
+/// touches, and that place no nearer to a corner than half a face's diagonal tells; no tip is less deep than a corner
+/// is, less the way to it. Where a corner was not asked, the larger cube around told so.
 std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, const Cube& cube) const noexcept {
     const glm::ivec3 size = cube.high - cube.low;
     const double edge = field_.brickEdge() * std::max({size.x, size.y, size.z});
@@ -115,7 +115,7 @@ std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, const Cube
     bool asked = true;
     for (int i = 0; i < 8; ++i) {
         const glm::ivec3 at = cube.low + size * cornerOf(i);
-        const PartSample& sample = samples_[field_.cornerAt(at)];
+        const PartSample& sample = samples_[field_.cornerAt(at)].clearance;
         const auto distance = static_cast<double>(sample.distance);
         const glm::dvec3 share = glm::abs(glm::dvec3(corner - at)) / glm::dvec3(size);
         asked = asked && !std::isinf(sample.gradient.x);
@@ -143,14 +143,15 @@ bool TipCorners::mayHoldBand(const glm::ivec3& brick, TipAsker& asker) const {
     const double edge = field_.brickEdge(), radius = halfDiagonal * edge;
     double least = farthestClearance, most = -farthestClearance;
     for (int i = 0; i < 8; ++i) {
-        const PartSample& corner = samples_[field_.cornerAt(brick + cornerOf(i))];
+        const PartSample& corner = samples_[field_.cornerAt(brick + cornerOf(i))].clearance;
         if (std::isinf(corner.gradient.x)) return false; // far, or deep
         least = std::min(least, static_cast<double>(corner.distance));
         most = std::max(most, static_cast<double>(corner.distance));
     }
     if (least > nearEnough(resolution_, edge) || most + request_.voxel + radius < resolution_.low) return false;
     if (most >= resolution_.low) return true;
-    return static_cast<double>(asker.ask(field_.brickLow(brick) + 0.5 * edge).distance) + radius >= resolution_.low;
+    return static_cast<double>(asker.ask(field_.brickLow(brick) + 0.5 * edge).clearance.distance) + radius >=
+           resolution_.low;
 }
 
 } // namespace burin

@@ -5,13 +5,11 @@
 #include "core/base/progress.h"
 #include "core/field/brick_field.h"
 #include "core/field/field_builder.h"
-#include "core/field/part_sample.h"
+#include "core/field/tip_asker.h"
 
 #include <optional>
 
 namespace burin {
-
-class TipAsker;
 
 /// Clearances at the corners of all bricks of a tool's field: asked of the part where the fine band may be near, and at
 /// corners farther apart elsewhere, between which the others get a value that they have for certain.
@@ -24,7 +22,7 @@ public:
     void sample(Progress& progress, double from, double to);
 
     /// By corner, mm, with their gradients.
-    const std::vector<PartSample>& samples() const noexcept { return samples_; }
+    const std::vector<TipSample>& samples() const noexcept { return samples_; }
     /// Whether some tip in a brick may be in the band. @param asker  for the middle of a doubtful one
     bool mayHoldBand(const glm::ivec3& brick, TipAsker& asker) const;
 
@@ -45,7 +43,7 @@ private:
     const ToolFieldRequest& request_;
     const FieldResolution resolution_;
     BrickField& field_;
-    std::vector<PartSample> samples_;
+    std::vector<TipSample> samples_;
 };
 
 } // namespace burin

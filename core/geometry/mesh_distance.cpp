@@ -41,8 +41,8 @@ struct AxisPoint {
     ClosestPoint nearest;  ///< of the mesh
     bool any = false;      ///< it was asked
 
-    /// Whether it is certainly no deeper in the solid than so much: its depth changes no faster than it moves, nor is it
-    /// deeper than any point of the mesh is away.
+    /// Whether it is certainly no deeper in the solid than so much: its depth changes no faster than it moves, nor is
+    /// it deeper than any point of the mesh is away.
     bool isShallower(const glm::dvec3& point, double depth) const noexcept {
         if (!any) return false;
         return nearest.signedDistance - glm::length(point - place) >= -depth ||
@@ -50,11 +50,17 @@ struct AxisPoint {
     }
 };
 
+/// No point of the mesh was nearer to a piece, and none is by more than the tip has moved since.
+struct PieceBound {
+    double atLeast = -std::numeric_limits<double>::infinity(); ///< mm, may be negative
+    glm::dvec3 tip{0.0};
+};
+
 struct ClearanceMemory {
     std::array<Found, 4> met{}; ///< the last, of as many pieces
     std::vector<AxisPoint> axis;
-
-    void keep(const Found& found) noexcept { met[found.piece % met.size()] = found; }
+    std::vector<PieceBound> pieces;
+    bool axisFirst = false; ///< the last answer was the depth of a point of the axis
 };
 
 namespace {
@@ -93,21 +99,27 @@ public:
     std::span<const Triangle> triangles() const noexcept { return tree_.triangles(); }
     std::size_t triangleOf(std::size_t slot) const noexcept { return places_[tree_.order()[slot]]; }
 
-    Found nearest(const glm::dvec3& point, double within) const noexcept {
+    /// @param passed  takes a distance: but for what was found nothing is nearer
+    Found nearest(const glm::dvec3& point, double within, double* passed = nullptr) const noexcept {
         Found found;
         double leastSquared = within < 1e150 ? within * within : 1e300;
         NearPoint near(tree_, point);
         near.limit(leastSquared);
-        walk(tree_, near, [&](std::size_t slot) noexcept {
+        double missed = std::numeric_limits<double>::infinity();
+        const float nodes = walk(tree_, near, [&](std::size_t slot) noexcept {
             const TrianglePoint candidate = closestOnTriangle(tree_.triangles()[slot], point);
             const glm::dvec3 way = candidate.point - point;
             const double squared = glm::dot(way, way);
-            if (!(squared < leastSquared)) return;
+            if (!(squared < leastSquared)) {
+                missed = std::min(missed, squared);
+                return;
+            }
             leastSquared = squared;
             near.limit(squared);
             found = {slot, candidate.point, candidate.feature, 0.0, 0, true};
         });
         found.distance = std::sqrt(leastSquared);
+        if (passed != nullptr) *passed = std::sqrt(std::min(missed, static_cast<double>(nodes) * (1.0 - 4e-6)));
         return found;
     }
 
@@ -154,26 +166,27 @@ public:
         if (empty() || tool.empty()) return free;
         pose.axis = unitOr(pose.axis, {0.0, 0.0, 1.0});
 
-        const Found found = deepest(tool, pose, std::max(within, 0.0), tie, memory);
         ToolClearance answer = free;
+        answer.clearance = 0.0;
+        if (memory != nullptr && memory->axisFirst) answer = deeper(answer, tool, pose, tie, memory);
+        const bool inside = answer.clearance < 0.0;
+        if (!inside) answer.clearance = std::max(within, 0.0);
+        const Found found = deepest(tool, pose, answer.clearance, tie, memory);
         if (found.any) {
             const PlacedPiece::Value there = PlacedPiece(tool[found.piece], pose).at(found.point);
             const glm::dvec3 gradient = unitOr(there.gradient, anyAcross(pose.axis));
             answer = {found.distance, found.point, -gradient, found.piece, normalAt(found)};
-            if (memory != nullptr) memory->keep(found);
+            if (memory != nullptr) memory->met[found.piece % memory->met.size()] = found;
             // Apart, the whole tool is on one side.
             if (found.distance > 0.0 && glm::dot(gradient, answer.outward) <= 0.0) return answer;
-        } else if (reachesOutside(tool, pose)) {
+        } else if (!inside && reachesOutside(tool, pose)) {
             return free;
         }
-        answer.clearance = std::min(answer.clearance, 0.0);
-        if (memory != nullptr)
-            for (AxisPoint& point : memory->axis) answer = deeper(answer, pose, tie, point);
-        else
-            visitAxis(tool, [&](double height, std::size_t piece) {
-                AxisPoint point{height, piece, {}, {}, false};
-                answer = deeper(answer, pose, tie, point);
-            });
+        if (!inside) {
+            answer.clearance = std::min(answer.clearance, 0.0);
+            answer = deeper(answer, tool, pose, tie, memory);
+        }
+        if (memory != nullptr) memory->axisFirst = answer.outward == glm::dvec3(0.0);
         return answer.clearance < within ? answer : free;
     }
 
@@ -215,20 +228,37 @@ private:
 
     /// The point of the mesh where the signed distance to a piece is least, below `within`.
     Found deepest(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within,
-                  const ClearanceTolerance& tie, const ClearanceMemory* memory) const noexcept {
+                  const ClearanceTolerance& tie, ClearanceMemory* memory) const noexcept {
         Found found;
         found.distance = within;
-        if (memory != nullptr) startFrom(*memory, tool, pose, tie, found);
-        for (std::size_t i = 0; i < tool.size(); ++i) {
-            const PlacedPiece piece(tool[i], pose);
-            double floor = piece.piece().bottom;
-            if (piece.ballEnd() && piece.piece().top >= floor + 2.0 * piece.piece().cornerRadius) {
-                floor += piece.piece().cornerRadius;
-                meetBall(piece, i, tie, found);
-            }
-            PieceSearch(tree_, normals_, piece, i, floor, tie, found).run();
+        if (memory == nullptr) {
+            for (std::size_t i = 0; i < tool.size(); ++i) meet(PlacedPiece(tool[i], pose), i, tie, found);
+            return found;
+        }
+        startFrom(*memory, tool, pose, tie, found);
+        const std::size_t first = found.any ? found.piece : 0; // the one that is likely to be nearest
+        for (std::size_t n = 0; n < tool.size(); ++n) {
+            const std::size_t i = (first + n) % tool.size();
+            PieceBound& bound = memory->pieces[i];
+            if (bound.atLeast - glm::length(pose.tip - bound.tip) >= found.distance) continue;
+            bound = {meet(PlacedPiece(tool[i], pose), i, tie, found), pose.tip};
         }
         return found;
+    }
+
+    /// @return mm: but for what was found nothing is nearer to the piece than so
+    double meet(const PlacedPiece& piece, std::size_t number, const ClearanceTolerance& tie,
+                Found& found) const noexcept {
+        const double deepest =
+            -std::min(piece.piece().widestRadius(), 0.5 * (piece.piece().top - piece.piece().bottom));
+        if (worthwhile(found.distance, tie) <= deepest) return deepest; // no point is deeper in the piece
+        double floor = piece.piece().bottom, passed = std::numeric_limits<double>::infinity();
+        if (piece.ballEnd() && piece.piece().top >= floor + 2.0 * piece.piece().cornerRadius) {
+            floor += piece.piece().cornerRadius;
+            passed = meetBall(piece, number, tie, found);
+        }
+        passed = std::min(passed, PieceSearch(tree_, normals_, piece, number, floor, tie, found).run());
+        return found.piece == number ? std::min(passed, found.distance) : passed;
     }
 
     /// What was nearest to a tip nearby, and what is near that and nearer to this one.
@@ -248,16 +278,18 @@ private:
 
     /// What lies below a ball's centre is as near to the ball as it is to the centre, which is quicker to ask. What
     /// lies above is not nearer to the ball than to the piece: it is left to the piece.
-    void meetBall(const PlacedPiece& piece, std::size_t number, const ClearanceTolerance& tie,
-                  Found& found) const noexcept {
+    double meetBall(const PlacedPiece& piece, std::size_t number, const ClearanceTolerance& tie,
+                    Found& found) const noexcept {
         const double radius = piece.piece().cornerRadius;
         const double reach = worthwhile(found.distance, tie) + radius;
-        if (!(reach > 0.0)) return;
-        Found ball = nearest(piece.pose().tip + (piece.piece().bottom + radius) * piece.pose().axis, reach);
-        if (!ball.any) return;
+        if (!(reach > 0.0)) return -radius;
+        double passed = 0.0;
+        Found ball = nearest(piece.pose().tip + (piece.piece().bottom + radius) * piece.pose().axis, reach, &passed);
+        if (!ball.any) return passed - radius;
         ball.distance = piece.at(ball.point).distance;
         ball.piece = number;
         if (ball.distance < worthwhile(found.distance, tie)) found = ball;
+        return std::min(passed - radius, ball.distance);
     }
 
     /// Whether some point of the tool's axis lies outside the mesh's box, or else outside the mesh.
@@ -269,6 +301,21 @@ private:
     }
 
     /// `answer`, or the depth of a point of the tool's axis in the solid where that is greater.
+    ToolClearance deeper(ToolClearance answer, std::span<const RevolvedPiece> tool, const ToolPose& pose,
+                         const ClearanceTolerance& tie, ClearanceMemory* memory) const noexcept {
+        if (memory != nullptr)
+            for (AxisPoint& point : memory->axis) {
+                const double before = answer.clearance;
+                answer = deeper(answer, pose, tie, point);
+                if (answer.clearance < before) std::swap(point, memory->axis.front()); // it is likely to be so again
+            }
+        else
+            visitAxis(tool, [&](double height, std::size_t piece) {
+                AxisPoint point{height, piece, {}, {}, false};
+                answer = deeper(answer, pose, tie, point);
+            });
+        return answer;
+    }
     ToolClearance deeper(const ToolClearance& answer, const ToolPose& pose, const ClearanceTolerance& tie,
                          AxisPoint& point) const noexcept {
         const glm::dvec3 place = pose.tip + point.height * pose.axis;
@@ -320,9 +367,8 @@ std::span<const Triangle> MeshDistance::triangles() const noexcept {
 
 ClearanceAsker::ClearanceAsker(const MeshDistance& part, std::span<const RevolvedPiece> tool, const glm::dvec3& axis)
     : part_(part), tool_(tool), axis_(axis), memory_(std::make_unique<ClearanceMemory>()) {
-    visitAxis(tool, [&](double height, std::size_t piece) {
-        memory_->axis.push_back({height, piece, {}, {}, false});
-    });
+    visitAxis(tool, [&](double height, std::size_t piece) { memory_->axis.push_back({height, piece, {}, {}, false}); });
+    memory_->pieces.resize(tool.size());
 }
 ClearanceAsker::~ClearanceAsker() = default;
 

@@ -32,8 +32,8 @@ struct ToolClearance {
     glm::dvec3 meshPoint{0.0};      ///< mm, the nearest or deepest point of the mesh, same frame as the mesh
     glm::dvec3 away{0.0, 0.0, 1.0}; ///< unit vector along which the tool has to move to gain clearance fastest
     std::size_t piece = 0;          ///< which piece of the tool
-    glm::dvec3 outward{0.0};        ///< the mesh's pseudo-normal at meshPoint, not of unit length; zero where the answer
-                                    ///< is the depth of a point of the tool, or none
+    glm::dvec3 outward{0.0}; ///< the mesh's pseudo-normal at meshPoint, not of unit length; zero where the answer
+                             ///< is the depth of a point of the tool, or none
 };
 
 /// By how much a clearance may be answered too great, mm, which is quicker where much of the mesh is equally near or
@@ -88,9 +88,9 @@ private:
     std::unique_ptr<const Tree> tree_;
 };
 
-/// Asks for the clearance of one tool with one axis, one tip after the other: as MeshDistance::clearance, and faster where
-/// a tip is near the last ones, whose nearest and deepest points of the mesh bound what there is to be found. One thread
-/// each; the mesh and the tool must outlive it.
+/// Asks for the clearance of one tool with one axis, one tip after the other: as MeshDistance::clearance, and faster
+/// where a tip is near the last ones, whose nearest and deepest points of the mesh bound what there is to be found. One
+/// thread each; the mesh and the tool must outlive it.
 class ClearanceAsker {
 public:
     ClearanceAsker(const MeshDistance& part, std::span<const RevolvedPiece> tool, const glm::dvec3& axis);

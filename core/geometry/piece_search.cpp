@@ -83,22 +83,27 @@ void PieceSearch::layPlane() noexcept {
     near_.stayAbove(AbovePlane(tree_, plane_));
 }
 
-bool PieceSearch::staysAbove(const Triangle& of) const noexcept {
-    if (!hasPlane_) return false;
-    const double least = std::min({glm::dot(plane_.slope, of[0] - plane_.at), glm::dot(plane_.slope, of[1] - plane_.at),
-                                   glm::dot(plane_.slope, of[2] - plane_.at)});
-    return plane_.value + least >= wanted();
+double PieceSearch::abovePlane(const Triangle& of) const noexcept {
+    if (!hasPlane_) return -std::numeric_limits<double>::infinity();
+    return plane_.value +
+           std::min({glm::dot(plane_.slope, of[0] - plane_.at), glm::dot(plane_.slope, of[1] - plane_.at),
+                     glm::dot(plane_.slope, of[2] - plane_.at)});
 }
 
 /// One look at each triangle first: most drop out before a minimum over a triangle has to be found.
 void PieceSearch::meet(std::size_t slot) noexcept {
-    if (staysAbove(triangle(slot))) return;
+    const auto dropsOut = [this](double below) noexcept {
+        const bool drops = below >= wanted();
+        if (drops) passed_ = std::min(passed_, below);
+        return drops;
+    };
+    if (dropsOut(abovePlane(triangle(slot)))) return;
     const TriangleBounds bounds = boundsOverTriangle(piece_, triangle(slot));
-    if (bounds.below >= wanted()) return;
+    if (dropsOut(bounds.below)) return;
     if (bounds.above < wanted()) take({slot, bounds.centroid, TriangleFeature::face, bounds.above, number_, true});
     if (count_ == candidates_.size()) { // some will have dropped out by now
         const auto end = std::remove_if(candidates_.begin(), candidates_.end(),
-                                        [&](const Candidate& c) { return c.below >= wanted(); });
+                                        [&](const Candidate& c) { return dropsOut(c.below); });
         count_ = static_cast<std::size_t>(end - candidates_.begin());
     }
     if (count_ < candidates_.size())
@@ -107,15 +112,18 @@ void PieceSearch::meet(std::size_t slot) noexcept {
         layPlane();
 }
 
-void PieceSearch::run() noexcept {
+double PieceSearch::run() noexcept {
     layPlane();
-    walk(tree_, near_, [this](std::size_t slot) noexcept { meet(slot); });
+    const float nodes = walk(tree_, near_, [this](std::size_t slot) noexcept { meet(slot); });
     const auto end = candidates_.begin() + static_cast<std::ptrdiff_t>(count_);
     std::sort(candidates_.begin(), end, [](const Candidate& a, const Candidate& b) { return a.below < b.below; });
     for (auto candidate = candidates_.begin(); candidate != end; ++candidate) {
         if (candidate->below >= wanted()) break;
-        if (!staysAbove(triangle(candidate->slot)) && solve(candidate->slot, wanted())) layPlane();
+        if (abovePlane(triangle(candidate->slot)) < wanted() && solve(candidate->slot, wanted())) layPlane();
     }
+    // A candidate that was solved or left has nothing below what is wanted now.
+    const double passed = std::min(passed_, static_cast<double>(nodes));
+    return count_ > 0 ? std::min(passed, wanted()) : passed;
 }
 
 } // namespace burin

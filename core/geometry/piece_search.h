@@ -37,8 +37,8 @@ public:
 
     /// From what this piece has found for a place nearby, from triangle to triangle as long as it gets less.
     void descend() noexcept;
-    /// The whole mesh.
-    void run() noexcept;
+    /// The whole mesh, above the floor. @return mm: but for what was found nothing is nearer than so
+    double run() noexcept;
 
 private:
     struct Candidate {
@@ -53,7 +53,7 @@ private:
     bool solve(std::size_t slot, double below) noexcept;
     void layPlane() noexcept;
     void meet(std::size_t slot) noexcept;
-    bool staysAbove(const Triangle& of) const noexcept;
+    double abovePlane(const Triangle& of) const noexcept;
 
     const TriangleTree& tree_;
     const SurfaceNormals& normals_;
@@ -66,6 +66,7 @@ private:
     bool hasPlane_ = false;
     std::array<Candidate, 64> candidates_;
     std::size_t count_ = 0;
+    double passed_ = std::numeric_limits<double>::infinity(); ///< least bound of the triangles that dropped out
 };
 
 } // namespace burin

@@ -26,7 +26,8 @@ public:
                                  TriangleFeature feature) const noexcept;
 
     static constexpr std::uint32_t none = 0xFFFFFFFFU;
-    /// Slots of the triangles beyond the edges ab, bc, ca of the one in a slot; `none` where no ordinary surface goes on.
+    /// Slots of the triangles beyond the edges ab, bc, ca of the one in a slot; `none` where no ordinary surface goes
+    /// on.
     const std::array<std::uint32_t, 3>& neighbours(std::size_t slot) const noexcept { return neighbours_[slot]; }
 
 private:

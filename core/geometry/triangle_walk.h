@@ -18,20 +18,25 @@ namespace burin {
 using ChildBounds = std::array<float, TreeNode::width>;
 
 /// Depth-first, nearest child first. @param bounds  has `of(node)` and `stillBelow(bound)`, and may become stricter
-/// while triangles are met. @param meet  takes the slot of a triangle. No allocation.
+/// while triangles are met. @param meet  takes the slot of a triangle. No allocation. @return the least bound of what
+/// was not visited
 template <class Bounds, class Meet>
-void walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noexcept {
+float walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noexcept {
     struct Open {
         float bound;
         std::uint32_t first, count;
     };
-    if (tree.empty()) return;
+    float passed = std::numeric_limits<float>::infinity();
+    if (tree.empty()) return passed;
     std::array<Open, TriangleTree::stackSize> stack;
     std::size_t open = 0;
     stack[open++] = {-std::numeric_limits<float>::infinity(), 0, 0};
     while (open > 0) {
         const Open top = stack[--open];
-        if (!bounds.stillBelow(top.bound)) continue;
+        if (!bounds.stillBelow(top.bound)) {
+            passed = std::min(passed, top.bound);
+            continue;
+        }
         if (top.count > 0) {
             for (std::uint32_t slot = top.first; slot < top.first + top.count; ++slot) meet(slot);
             continue;
@@ -40,12 +45,16 @@ void walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noex
         const ChildBounds of = bounds.of(node);
         const std::size_t base = open;
         for (std::size_t child = 0; child < TreeNode::width; ++child) {
-            if (!bounds.stillBelow(of[child])) continue;
+            if (!bounds.stillBelow(of[child])) {
+                passed = std::min(passed, of[child]);
+                continue;
+            }
             std::size_t place = open++;
             for (; place > base && stack[place - 1].bound < of[child]; --place) stack[place] = stack[place - 1];
             stack[place] = {of[child], node.first[child], node.count[child]};
         }
     }
+    return passed;
 }
 
 /// Middle of a child's box, relative to the tree's origin.
@@ -190,9 +199,9 @@ public:
         const FourFloats zero{};
         FourFloats squared{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const FourFloats gap = greater(greater(fourAt(node.low[axis].data()) - high_[axis],
-                                                   low_[axis] - fourAt(node.high[axis].data())),
-                                           zero);
+            const FourFloats gap = greater(
+                greater(fourAt(node.low[axis].data()) - high_[axis], low_[axis] - fourAt(node.high[axis].data())),
+                zero);
             squared += gap * gap;
         }
         ChildBounds bounds, boxes;
@@ -203,7 +212,7 @@ public:
             bounds.fill(-std::numeric_limits<float>::infinity());
         for (std::size_t child = 0; child < TreeNode::width; ++child) {
             if (!(boxes[child] < squared_))
-                bounds[child] = std::numeric_limits<float>::infinity();
+                bounds[child] = std::max(bounds[child], std::sqrt(boxes[child]) * (1.0F - 1e-6F));
             else if (stillBelow(bounds[child]))
                 bounds[child] = std::max(bounds[child], tangentBound(node, child));
         }
