@@ -107,8 +107,7 @@ public:
         const FourFloats slack = slack_ + 1e-6F * spread;
         const FourFloats beyond =
             greater(greater(along - fourAt(node.above.data()), fourAt(node.below.data()) - along) - slack, zero);
-        FourFloats across = greater(squared * (1.0F - 2e-6F) - along * along, zero);
-        for (int child = 0; child < 4; ++child) across[child] = std::sqrt(across[child]);
+        const FourFloats across = rootsOf(greater(squared * (1.0F - 2e-6F) - along * along, zero));
         const FourFloats beside = greater(across - fourAt(node.radius.data()) - slack, zero);
         const FourFloats bound = greater(box, beyond * beyond + beside * beside);
         ChildBounds bounds;
@@ -147,8 +146,7 @@ public:
             spread += absolute(way);
             along += slope_[axis] * fourAt(node.normal[axis].data());
         }
-        FourFloats across = greater(square_ - along * along, FourFloats{}) + 1e-6F;
-        for (int child = 0; child < 4; ++child) across[child] = std::sqrt(across[child]);
+        const FourFloats across = rootsOf(greater(square_ - along * along, FourFloats{}) + 1e-6F);
         const FourFloats thickness = along > 0.0F ? fourAt(node.below.data()) : fourAt(node.above.data());
         const FourFloats radius = fourAt(node.radius.data());
         const FourFloats overPlate = across * radius - along * thickness;
