@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/window_cutter.h"
 
+#include "core/cutting/pose_steps.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +15,6 @@ namespace {
 /// What a tick may cost, in groups of eight lines: half a millisecond on the machine of the README's figures.
 constexpr double tickBudget = 50000.0;
 constexpr double costOfReading = 5.0; // of a line of the volume, in groups
-constexpr double turnTolerance = 0.1; // voxels, that a point of the piece moves in a turn that one step stands for
 
 RevolvedPiece inVoxels(const RevolvedPiece& piece, double edge) noexcept {
     RevolvedPiece scaled;
@@ -32,13 +33,6 @@ double windowReach(const SpanRows& spans, double radius) noexcept {
     return std::max(upright, std::min(0.5 * (spans.reach() + radius) + upright - radius, affordable));
 }
 
-/// A unit vector on the arc between two others, so far from the first.
-glm::dvec3 turned(const glm::dvec3& from, const glm::dvec3& to, double by, double angle) noexcept {
-    const double whole = std::sin(angle);
-    if (!(whole > 1e-9)) return to; // next to none, or opposite: then any way is as good
-    return glm::normalize((from * std::sin(angle - by) + to * std::sin(by)) / whole);
-}
-
 } // namespace
 
 WindowCutter::WindowCutter(const RevolvedPiece& piece, const Grid& grid)
@@ -46,7 +40,7 @@ WindowCutter::WindowCutter(const RevolvedPiece& piece, const Grid& grid)
     , radius_(piece.bottomRadius / grid.edge())
     , spans_(inVoxels(piece, grid.edge()), static_cast<std::int32_t>(grid.lineEnd()))
     , window_(grid, windowReach(spans_, radius_))
-    , low_(static_cast<std::size_t>(grid.lineCountU()) / 8 + 2)
+    , low_((static_cast<std::size_t>(grid.lineCountU()) / 8 + 2) * SpanRows::rowsAtOnce)
     , high_(low_.size()) {}
 
 LinePose WindowCutter::inLines(const ToolPose& pose) const noexcept {
@@ -69,18 +63,28 @@ bool WindowCutter::fits(const LineStretch& rows, const LineStretch& groups) cons
     return (rows.last >> 3) - (rows.first >> 3) < window_.side() && groups.last - groups.first < window_.side();
 }
 
-/// One row of the present way. @return its cost, in groups
-double WindowCutter::takeRow(RunVolume& workpiece, std::int32_t v, bool covered, RemovedUnits& removed) noexcept {
-    const LineStretch groups = groupsOf(spans_.row(v));
+/// Some rows of one brick, of the present way. @return their cost, in groups
+double WindowCutter::takeRows(RunVolume& workpiece, std::int32_t first, std::int32_t end, const LineStretch& groups,
+                              RemovedUnits& removed) noexcept {
+    const auto count = static_cast<std::size_t>(
+        spans_.stretches(first, end - first, groups, low_.data(), high_.data(), rowSpans_.data()));
+    const std::span<const RowSpans> rows = std::span(rowSpans_).first(count);
+    spans_.spans(rows);
+    double cost = costOfReading * window_.take(workpiece, rows, removed);
+    for (const RowSpans& row : rows) cost += row.groups;
+    return cost;
+}
+
+/// One row that is wider than the window, which is moved along it. @return its cost, in groups
+double WindowCutter::takeWideRow(RunVolume& workpiece, std::int32_t v, LineStretch groups,
+                                 RemovedUnits& removed) noexcept {
     double cost = 0.0;
-    for (std::int32_t first = groups.first; first <= groups.last && !removed.outOfMemory; first += window_.side()) {
-        const std::int32_t last = std::min(groups.last, first + window_.side() - 1), count = last - first + 1;
-        if (!covered && !window_.cover(workpiece, v, v, first, last)) {
+    for (; groups.first <= groups.last && !removed.outOfMemory; groups.first += window_.side()) {
+        const std::int32_t last = std::min(groups.last, groups.first + window_.side() - 1);
+        if (window_.cover(workpiece, v, v, groups.first, last))
+            cost += takeRows(workpiece, v, v + 1, {groups.first, last}, removed);
+        else
             removed.outOfMemory = true;
-            break;
-        }
-        spans_.spans(v, first, count, low_.data(), high_.data());
-        cost += count + costOfReading * window_.take(workpiece, v, first, count, low_.data(), high_.data(), removed);
     }
     return cost;
 }
@@ -96,12 +100,14 @@ double WindowCutter::advance(RunVolume& workpiece, double budget, RemovedUnits& 
             removed.outOfMemory = true;
             return budget;
         }
-        for (std::int32_t v = std::max(rows.first, step.nextRow); v <= rows.last; ++v) {
-            budget -= takeRow(workpiece, v, covered, removed);
-            step.nextRow = v; // again, should memory have run out within
-            if (removed.outOfMemory) return budget;
-            step.nextRow = v + 1;
-            if (budget < 0.0 && v < rows.last) return budget;
+        std::int32_t v = std::max(rows.first, step.nextRow);
+        while (v <= rows.last) {
+            const std::int32_t end = covered ? std::min(rows.last, v | 7) + 1 : v + 1;
+            budget -=
+                covered ? takeRows(workpiece, v, end, groups, removed) : takeWideRow(workpiece, v, groups, removed);
+            if (removed.outOfMemory) return budget; // the same rows again, next time
+            step.nextRow = v = end;
+            if (budget < 0.0 && v <= rows.last) return budget;
         }
     }
     firstStep_ = (firstStep_ + 1) % mostSteps;
@@ -123,7 +129,7 @@ bool WindowCutter::add(RunVolume& workpiece, const Step& step, RemovedUnits& rem
 std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                                  RemovedUnits& removed) noexcept {
     const int parts =
-        std::max(1, static_cast<int>(std::ceil(glm::length(to - from.tip) / spans_.longestWay(from.axis))));
+        std::max(1, static_cast<int>(std::ceil(glm::length(to - from.tip) / spans_.longestWay(from.axis) - 1e-9)));
     std::size_t added = 0;
     glm::dvec3 tip = from.tip;
     for (int i = 1; i <= parts; ++i) {
@@ -138,27 +144,30 @@ std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, con
     return added;
 }
 
+/// Adds the way of a piece whose axis turns, in steps with a standing axis. The gaps hold what the piece covered where
+/// the last way ended with the axis that it had there, and with no other.
+std::size_t WindowCutter::addTurn(RunVolume& workpiece, const LinePose& from, const LinePose& to, bool withStart,
+                                  RemovedUnits& removed) noexcept {
+    const double angle = std::atan2(glm::length(glm::cross(from.axis, to.axis)), glm::dot(from.axis, to.axis));
+    std::size_t added = 0;
+    if (angle * spans_.reach() <= turnTolerance) { // the last axis stands for all of them
+        if (withStart) added += addWay(workpiece, from, from.tip, true, removed);
+        return added + addWay(workpiece, {from.tip, to.axis}, to.tip, from.tip == to.tip, removed);
+    }
+    const PoseSteps steps({from.tip, from.axis}, {to.tip, to.axis}, spans_.reach(), turnTolerance);
+    for (std::int32_t k = 0; k < steps.count() && !removed.outOfMemory; ++k) {
+        const PoseStep step = steps.step(k);
+        added += addWay(workpiece, {step.fromTip, step.axis}, step.toTip, withStart || k > 0, removed);
+    }
+    return added;
+}
+
 bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to, RemovedUnits& removed) noexcept {
     const LinePose start = inLines(from), end = inLines(to);
     const bool connected = hasArrived_ && arrived_.tip == start.tip && arrived_.axis == start.axis;
     hasArrived_ = false;
-    std::size_t added = 0;
-    const double angle = std::atan2(glm::length(glm::cross(start.axis, end.axis)), glm::dot(start.axis, end.axis));
-    if (start.axis == end.axis) {
-        added = addWay(workpiece, start, end.tip, !connected, removed);
-    } else {
-        if (!connected) added = addWay(workpiece, start, start.tip, true, removed);
-        const int turns = std::max(1, static_cast<int>(std::ceil(angle * spans_.reach() / turnTolerance)));
-        glm::dvec3 tip = start.tip;
-        for (int i = 1; i <= turns && !removed.outOfMemory; ++i) {
-            const double part = static_cast<double>(i) / turns;
-            const glm::dvec3 next = i == turns ? end.tip : glm::mix(start.tip, end.tip, part);
-            const glm::dvec3 axis = i == turns ? end.axis : turned(start.axis, end.axis, part * angle, angle);
-            // The pose that the step ends at, and what it passes; where it begins, the axis was another one.
-            added += addWay(workpiece, {tip, axis}, next, next == tip, removed);
-            tip = next;
-        }
-    }
+    const std::size_t added = start.axis == end.axis ? addWay(workpiece, start, end.tip, !connected, removed)
+                                                     : addTurn(workpiece, start, end, !connected, removed);
     double budget = tickBudget;
     while (stepCount_ > 0 && budget > 0.0 && !removed.outOfMemory) budget = advance(workpiece, budget, removed);
     window_.collect(removed);
@@ -183,11 +192,9 @@ void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept
     if (!covered) return;
     double budget = tickBudget;
     for (std::int32_t v = rows.first; v <= rows.last && budget > 0.0; ++v) {
-        const LineStretch groups = groupsOf(spans_.row(v));
-        if (groups.last < groups.first) continue;
-        const std::int32_t count = groups.last - groups.first + 1;
-        spans_.spans(v, groups.first, count, low_.data(), high_.data());
-        budget -= count + costOfReading * window_.look(workpiece, v, groups.first, count, low_.data(), high_.data());
+        if (spans_.stretches(v, 1, all, low_.data(), high_.data(), rowSpans_.data()) == 0) continue;
+        spans_.spans({rowSpans_.data(), 1});
+        budget -= rowSpans_[0].groups + costOfReading * window_.look(workpiece, rowSpans_[0]);
     }
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/span_rows_kernels.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace burin::kernels {
 
 namespace {
@@ -10,7 +13,10 @@ using Linear = TiltedPiece::Linear;
 using End = TiltedPiece::End;
 using Rounding = TiltedPiece::Rounding;
 
-constexpr int roundingSteps = 6;
+// Of the search for a bull nose's rounding: it ends once no line's end moves by more than this in a step, and none that
+// has not met the rounding yet by more than that, which but for axes that are nearly level takes three or four steps.
+constexpr float nearEnough = 1.0F / 256.0F, nearlyStill = 1.0F / 16384.0F; // voxels
+constexpr int mostSteps = 64;
 
 /// Heights of eight lines, units from a tip; low > high where there is none.
 struct Heights {
@@ -29,170 +35,144 @@ struct RowSlab {
     RowLinear middle;
     float half;
     BURIN_INLINE RowSlab(const TiltedPiece::Slab& slab, double y) noexcept : middle(slab.middle, y), half(slab.half) {}
-    BURIN_INLINE void narrow(Floats x, Heights& heights) const noexcept {
-        const Floats place = middle.at(x);
-        heights.low = most(heights.low, place - half);
-        heights.high = least(heights.high, place + half);
-    }
 };
 
 struct RowCylinder {
     RowLinear aside, middle;
     RowSlab slab;
     float radius, stretch;
-    bool present;
     BURIN_INLINE RowCylinder(const TiltedPiece::Cylinder& cylinder, double y) noexcept
         : aside(cylinder.aside, y)
         , middle(cylinder.middle, y)
         , slab(cylinder.slab, y)
         , radius(cylinder.radius)
-        , stretch(cylinder.stretch)
-        , present(cylinder.present) {}
-    /// Without the slab; the result says which lines meet it.
-    BURIN_INLINE Integers infinite(Floats x, Heights& heights) const noexcept {
-        const Floats off = aside.at(x), inside = (radius - off) * (radius + off);
-        const Floats place = middle.at(x), half = stretch * rootsOf(inside);
-        heights.low = place - half;
-        heights.high = place + half;
-        return inside > Floats{};
-    }
-    BURIN_INLINE void add(Floats x, Heights& all) const noexcept {
-        if (!present) return;
-        Heights own;
-        const Integers meets = infinite(x, own);
-        slab.narrow(x, own);
-        const Integers valid = meets & (own.low < own.high);
-        all.low = valid ? least(all.low, own.low) : all.low;
-        all.high = valid ? most(all.high, own.high) : all.high;
+        , stretch(cylinder.stretch) {}
+
+    /// Eight lines that meet it.
+    struct Met {
+        Heights heights;
+        Floats inside;           ///< square voxels of half chord across the axis; none of it where not above 0
+        Floats place, slabPlace; ///< of the axis and of the slab's middle
+    };
+    BURIN_INLINE Met at(Floats x) const noexcept {
+        const Floats off = aside.at(x);
+        Met met;
+        met.inside = (radius - off) * (radius + off);
+        met.place = middle.at(x);
+        met.slabPlace = slab.middle.at(x);
+        const Floats half = stretch * rootsOf(met.inside);
+        met.heights.low = most(met.place - half, met.slabPlace - slab.half);
+        met.heights.high = least(met.place + half, met.slabPlace + slab.half);
+        return met;
     }
 };
 
-/// From a place outside of a bull nose (but within its outline) along the line to its surface: Newton's steps on the
-/// distance from what the rounding is rolled over, which is convex, so that no step goes too far.
-/// @param z voxels from the rounding's middle. @return place; `meets` loses the lines that miss.
-BURIN_INLINE Floats reachRounding(const TiltedPiece& piece, Floats x, float y, Floats z, float sign,
-                                  Integers& meets) noexcept {
+/// Of an axis that is nearly level: the place on the line where the piece is as wide as at the height of another one.
+BURIN_INLINE Floats atHeightOf(const TiltedPiece& piece, Floats flatSquare, Floats flatAlong, Floats z,
+                               float side) noexcept {
+    const Floats along = least(flatAlong + z * piece.axisZ, Floats{});
+    const Floats wide = piece.flatRadius + rootsOf(piece.cornerRadius * piece.cornerRadius - along * along);
+    const float perSquare = 1.0F / (1.0F - piece.axisZ * piece.axisZ);
+    const Floats middle = flatAlong * (piece.axisZ * perSquare);
+    return middle - side * rootsOf(middle * middle - (flatSquare - flatAlong * flatAlong - wide * wide) * perSquare);
+}
+
+/// One end of a line's stretch within a bull nose's outline, moved on to the rounding. The rounding is what balls about
+/// the places of a circle fill: each step takes the ball that lies out from the axis in the direction of the place
+/// before it. No step leaves the piece, and as the circle is smooth, what a step is short of goes with the square of
+/// what its direction is off.
+/// @param z    voxels from the rounding's middle @param side 1: lower end, -1: upper end
+/// @param outs lines whose end lies off the rounding; loses those that miss it
+BURIN_INLINE Floats reachRounding(const TiltedPiece& piece, Floats x, float y, Floats z, float side,
+                                  Integers& outs) noexcept {
     const Floats flatSquare = x * x + y * y, flatAlong = x * piece.axisX + y * piece.axisY;
-    const Floats tiny = floats(1e-6F);
-    for (int step = 0; step < roundingSteps; ++step) {
+    const Floats square = floats(piece.cornerRadius * piece.cornerRadius), tiny = floats(1e-12F);
+    if (piece.nearlyLevel) z = atHeightOf(piece, flatSquare, flatAlong, z, side);
+    Integers meets = outs;
+    for (int step = 0; step < mostSteps; ++step) {
         const Floats along = flatAlong + z * piece.axisZ;
-        const Floats radius = rootsOf(flatSquare + z * z - along * along);
-        const Floats over = most(radius - piece.flatRadius, Floats{}), under = least(along, Floats{});
-        const Floats distance = rootsOf(over * over + under * under);
-        const Floats excess = distance - piece.cornerRadius;
-        const Floats outward = (z - along * piece.axisZ) / most(radius, tiny);
-        const Floats slope = sign * (under * piece.axisZ + over * outward) / most(distance, tiny);
-        const Integers outside = excess > floats(1e-5F);
-        const Integers nears = slope < floats(-1e-4F);
-        meets = meets & ~(outside & ~nears);
-        const Floats length = outside & nears ? -excess / slope : Floats{};
-        z += sign * length;
-        if (bitsOf(outside & meets) == 0) break;
+        const Floats share = piece.flatRadius / rootsOf(most(flatSquare + z * z - along * along, tiny));
+        const Floats aside = x - share * (x - along * piece.axisX), beside = y - share * (y - along * piece.axisY);
+        const Floats inside = square - (aside * aside + beside * beside);
+        const Floats next = share * (z - along * piece.axisZ) - side * rootsOf(inside);
+        const Floats moved = next - z;
+        meets = outs & (inside > Floats{});
+        z = outs ? next : z;
+        const Floats still = meets ? floats(nearEnough) : floats(nearlyStill);
+        if (bitsOf(outs & ((moved > still) | (moved < -still))) == 0) break;
     }
+    outs = meets;
     return z;
 }
 
-/// What the piece covers at one end of its way.
+/// What the piece covers where it stands.
 template <Rounding rounding>
-struct RowEnd {
+struct RowPiece {
     const TiltedPiece& piece;
     RowCylinder standing;
     RowSlab hemisphere;
     float y; ///< of the rounding's middle
 
-    BURIN_INLINE RowEnd(const TiltedPiece& itsPiece, double fromTip) noexcept
-        : piece(itsPiece), standing(itsPiece.standing, fromTip)
+    BURIN_INLINE RowPiece(const TiltedPiece& itsPiece, double fromTip) noexcept
+        : piece(itsPiece)
+        , standing(itsPiece.standing, fromTip)
         , hemisphere(itsPiece.hemisphere, fromTip)
-        , y(static_cast<float>(fromTip - itsPiece.middleYExact)) {}
+        , y(static_cast<float>(fromTip - itsPiece.middleY)) {}
 
-    BURIN_INLINE Heights at(Floats fromTip) const noexcept {
-        Heights all;
-        if constexpr (rounding == Rounding::bullNose) {
-            Integers meets = standing.infinite(fromTip, all);
-            standing.slab.narrow(fromTip, all);
-            meets = meets & (all.low < all.high);
-            if (bitsOf(meets) != 0) {
-                const Floats x = fromTip - piece.middleX;
-                const Floats low = (all.low - piece.middleZ) / unitsAVoxel, high = (all.high - piece.middleZ) / unitsAVoxel;
-                Integers met = meets;
-                const Floats reachedLow = reachRounding(piece, x, y, meets ? low : Floats{}, 1.0F, met);
-                const Floats reachedHigh = reachRounding(piece, x, y, meets ? high : Floats{}, -1.0F, met);
-                meets = met;
-                all.low = reachedLow > low ? reachedLow * unitsAVoxel + piece.middleZ : all.low;
-                all.high = reachedHigh < high ? reachedHigh * unitsAVoxel + piece.middleZ : all.high;
-                meets = meets & (all.low < all.high);
-            }
-            all.low = meets ? all.low : floats(nowhere);
-            all.high = meets ? all.high : floats(-nowhere);
-            return all;
-        }
-        standing.add(fromTip, all);
-        if constexpr (rounding == Rounding::ball) {
-            const Floats x = fromTip - piece.middleX;
-            const Floats inside = piece.radius * piece.radius - (x * x + y * y);
-            const Floats half = unitsAVoxel * rootsOf(inside);
-            Heights own{piece.middleZ - half, piece.middleZ + half};
-            hemisphere.narrow(fromTip, own);
-            const Integers meets = (inside > Floats{}) & (own.low < own.high);
-            all.low = meets ? least(all.low, own.low) : all.low;
-            all.high = meets ? most(all.high, own.high) : all.high;
-        }
+    /// @param rims lines that a rim passes on the way
+    BURIN_INLINE Heights at(Floats fromTip, Integers& rims) const noexcept {
+        const RowCylinder::Met met = standing.at(fromTip);
+        rims = rimAt(met, piece.rimHeights[1]);
+        if constexpr (rounding == Rounding::none) rims = rims | rimAt(met, piece.rimHeights[0]);
+        Heights all = met.heights;
+        Integers meets = (met.inside > Floats{}) & (all.low < all.high);
+        if constexpr (rounding == Rounding::bullNose) addRounding(fromTip, all, meets);
+        all.low = meets ? all.low : floats(nowhere);
+        all.high = meets ? all.high : floats(-nowhere);
+        if constexpr (rounding == Rounding::ball) addHemisphere(fromTip, all);
         return all;
     }
-};
 
-/// What it covers between the ends, seen from the start.
-template <Rounding rounding>
-struct RowWay {
-    const TiltedPiece& piece;
-    std::array<RowCylinder, 2> faces;
-    std::array<RowSlab, 3> box;
-    float ahead, aside, wayX, wayY; ///< of a ball's middle
-    float y;
-
-    BURIN_INLINE RowWay(const TiltedPiece& itsPiece, double fromTip) noexcept
-        : piece(itsPiece)
-        , faces{RowCylinder(itsPiece.faces[0], fromTip), RowCylinder(itsPiece.faces[1], fromTip)}
-        , box{RowSlab(itsPiece.box[0], fromTip), RowSlab(itsPiece.box[1], fromTip), RowSlab(itsPiece.box[2], fromTip)}
-        , ahead(static_cast<float>((fromTip - itsPiece.middleYExact) * itsPiece.wayY))
-        , aside(static_cast<float>((fromTip - itsPiece.middleYExact) * itsPiece.wayX))
-        , wayX(static_cast<float>(itsPiece.wayX))
-        , wayY(static_cast<float>(itsPiece.wayY))
-        , y(static_cast<float>(fromTip)) {}
-
-    BURIN_INLINE Heights at(Floats fromTip) const noexcept {
-        Heights all;
-        if constexpr (rounding != Rounding::ball) faces[0].add(fromTip, all);
-        faces[1].add(fromTip, all);
-        if (piece.hasBox) {
-            Heights own{floats(-nowhere), floats(nowhere)};
-            for (const RowSlab& slab : box) slab.narrow(fromTip, own);
-            const Integers valid = own.low < own.high;
-            all.low = valid ? least(all.low, own.low) : all.low;
-            all.high = valid ? most(all.high, own.high) : all.high;
+private:
+    /// Where a line meets the plane of a face, its distance² from the axis is radius² by little more or less.
+    BURIN_INLINE Integers rimAt(const RowCylinder::Met& met, float height) const noexcept {
+        const Floats along = (met.slabPlace + height - met.place) * piece.perStretch;
+        const Floats beyond = met.inside - along * along;
+        return (beyond < piece.rimReach) & (beyond > -piece.rimReach);
+    }
+    BURIN_INLINE void addHemisphere(Floats fromTip, Heights& all) const noexcept {
+        const Floats x = fromTip - piece.middleX;
+        const Floats inside = piece.radius * piece.radius - (x * x + y * y);
+        const Floats half = unitsAVoxel * rootsOf(inside), place = hemisphere.middle.at(fromTip);
+        const Floats low = most(piece.middleZ - half, place - hemisphere.half);
+        const Floats high = least(piece.middleZ + half, place + hemisphere.half);
+        const Integers meets = (inside > Floats{}) & (low < high);
+        all.low = meets ? least(all.low, low) : all.low;
+        all.high = meets ? most(all.high, high) : all.high;
+    }
+    /// An end in the corner that the rounding takes off lies below its circle and out from it.
+    BURIN_INLINE Integers offRounding(Floats x, Floats z) const noexcept {
+        const Floats along = x * piece.axisX + y * piece.axisY + z * piece.axisZ;
+        const Floats across = x * x + y * y + z * z - along * along;
+        return (along < Floats{}) & (across > piece.flatRadius * piece.flatRadius);
+    }
+    BURIN_INLINE void addRounding(Floats fromTip, Heights& all, Integers& meets) const noexcept {
+        const Floats x = fromTip - piece.middleX;
+        const Floats low = (all.low - piece.middleZ) / unitsAVoxel, high = (all.high - piece.middleZ) / unitsAVoxel;
+        const Integers offLow = meets & offRounding(x, low), offHigh = meets & offRounding(x, high);
+        if (bitsOf(offLow) != 0) {
+            Integers met = offLow;
+            const Floats reached = reachRounding(piece, x, y, offLow ? low : Floats{}, 1.0F, met);
+            all.low = met ? most(all.low, reached * unitsAVoxel + piece.middleZ) : all.low;
+            meets = meets & (met | ~offLow);
         }
-        if constexpr (rounding == Rounding::ball) {
-            if (!piece.hasCapsule) return all;
-            const Floats x = fromTip - piece.middleX, off = aside - x * wayY;
-            const Floats inside = (piece.radius - off) * (piece.radius + off), chord = rootsOf(inside);
-            const Floats along = x * wayX + ahead, zero{}, one = floats(1.0F);
-            const Floats first = (along - piece.sine * chord) * piece.perReach;
-            const Floats last = (along + piece.sine * chord) * piece.perReach;
-            const Floats half = (unitsAVoxel * piece.cosine) * chord;
-            const Floats low = piece.rise * first - half + piece.middleZ, high = piece.rise * last + half + piece.middleZ;
-            const Integers meets = inside > zero;
-            // Only what the ball's own half touches: beyond its flat side is the straight part, or nothing.
-            const Floats side = fromTip * piece.axisX + y * piece.axisY - piece.hemisphereTop;
-            const Floats rise = floats(piece.axisZ / unitsAVoxel);
-            const Integers lows = meets & (first > zero) & (first < one) & (side + rise * low <= piece.axialWay * first);
-            const Integers highs = meets & (last > zero) & (last < one) & (side + rise * high <= piece.axialWay * last);
-            // Either is a place of the solid, so that it counts for both ends of the span.
-            all.low = lows ? least(all.low, low) : all.low;
-            all.high = lows ? most(all.high, low) : all.high;
-            all.low = highs ? least(all.low, high) : all.low;
-            all.high = highs ? most(all.high, high) : all.high;
+        if (bitsOf(offHigh) != 0) {
+            Integers met = offHigh;
+            const Floats reached = reachRounding(piece, x, y, offHigh ? high : Floats{}, -1.0F, met);
+            all.high = met ? least(all.high, reached * unitsAVoxel + piece.middleZ) : all.high;
+            meets = meets & (met | ~offHigh);
         }
-        return all;
+        meets = meets & (all.low < all.high);
     }
 };
 
@@ -203,19 +183,59 @@ BURIN_INLINE void addRounded(const Heights& heights, const End& end, Integers& l
     high = valid ? most(high, wholeOf((valid ? heights.high : zero) + end.middle) + end.base) : high;
 }
 
+/// What lies between the ends of the way: the wall that a rim leaves, seen from the start.
+struct RowRim {
+    RowCylinder wall;
+    RowLinear lift;
+    float scale;
+    bool present;
+    BURIN_INLINE RowRim(const TiltedPiece::Rim& rim, double fromTip) noexcept
+        : wall(rim.wall, fromTip), lift(rim.lift, fromTip), scale(rim.scale), present(rim.wall.present) {}
+
+    BURIN_INLINE void add(Floats fromTip, const End& from, Integers& low, Integers& high) const noexcept {
+        if (!present) return;
+        const RowCylinder::Met met = wall.at(fromTip);
+        const Integers meets = (met.inside > Floats{}) & (met.heights.low < met.heights.high);
+        const Floats level = lift.at(fromTip);
+        const Heights heights{meets ? level + scale * met.heights.low : floats(nowhere),
+                              meets ? level + scale * met.heights.high : floats(-nowhere)};
+        addRounded(heights, from, low, high);
+    }
+};
+
+BURIN_INLINE Floats linesFrom(const End& end, std::int32_t group) noexcept {
+    return floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (group * lanes - end.wholeX)) - end.partX;
+}
+
 template <Rounding rounding>
 BURIN_INLINE void coverRow(const TiltedPiece& piece, const Stretch& stretch) noexcept {
-    const RowEnd<rounding> end(piece, stretch.v - piece.to.y), start(piece, stretch.v - piece.from.y);
-    const RowWay<rounding> way(piece, stretch.v - piece.from.y);
-    const Integers first = Integers{0, 1, 2, 3, 4, 5, 6, 7} + stretch.firstGroup * lanes;
-    Floats toU = floatsOf(first - piece.to.wholeX), fromU = floatsOf(first - piece.from.wholeX);
-    for (std::int32_t group = 0; group < stretch.groups; ++group, toU += lanes, fromU += lanes) {
-        Integers low = integers(SpanRows::none), high = integers(-SpanRows::none);
-        addRounded(end.at(toU - piece.to.partX), piece.to, low, high);
-        if (stretch.withStart) addRounded(start.at(fromU - piece.from.partX), piece.from, low, high);
-        if (stretch.moves) addRounded(way.at(fromU - piece.from.partX), piece.from, low, high);
-        store(most(low, Integers{}), stretch.low[group]);
-        store(least(high, integers(piece.lineEnd)), stretch.high[group]);
+    constexpr std::int32_t most64 = 64; // groups whose rims one word tells
+    const RowPiece<rounding> end(piece, stretch.v - piece.to.y), start(piece, stretch.v - piece.from.y);
+    const RowRim lower(piece.rims[0], stretch.v - piece.from.y), upper(piece.rims[1], stretch.v - piece.from.y);
+    const std::uint64_t always = stretch.moves && (stretch.withStart || piece.rimsEverywhere) ? ~std::uint64_t{0} : 0;
+    for (std::int32_t first = 0; first < stretch.groups; first += most64) {
+        const std::int32_t count = std::min(stretch.groups - first, most64);
+        std::uint64_t passed = 0;
+        Floats toU = linesFrom(piece.to, stretch.firstGroup + first);
+        for (std::int32_t i = 0; i < count; ++i, toU += lanes) {
+            Integers low = integers(SpanRows::none), high = integers(-SpanRows::none), near;
+            addRounded(end.at(toU, near), piece.to, low, high);
+            passed |= std::uint64_t{bitsOf(near) != 0} << i;
+            store(most(low, Integers{}), stretch.low[first + i]);
+            store(least(high, integers(piece.lineEnd)), stretch.high[first + i]);
+        }
+        if (!stretch.moves) continue;
+        passed = (passed | always) & ~std::uint64_t{0} >> (most64 - count);
+        for (; passed != 0; passed &= passed - 1) {
+            const std::int32_t group = first + std::countr_zero(passed);
+            Integers low = load(stretch.low[group]), high = load(stretch.high[group]), near;
+            const Floats fromU = linesFrom(piece.from, stretch.firstGroup + group);
+            addRounded(start.at(fromU, near), piece.from, low, high);
+            lower.add(fromU, piece.from, low, high);
+            upper.add(fromU, piece.from, low, high);
+            store(most(low, Integers{}), stretch.low[group]);
+            store(least(high, integers(piece.lineEnd)), stretch.high[group]);
+        }
     }
 }
 

@@ -17,6 +17,9 @@ Grid sceneGrid(std::int32_t side, RunAxis axis = RunAxis::z);
 /// runs a line.
 RunVolume layeredBlock(std::int32_t side, RunAxis axis = RunAxis::z);
 
+/// The lower half of such a block, stretched to the full height of the grid: stock that is milled from above.
+RunVolume halfBlock(std::int32_t side);
+
 /// Another such block that overlaps it: moved by a tenth of its side or so, each way by its own amount.
 RunVolume shiftedBlock(std::int32_t side);
 /// What the two blocks fill, whatever the material, mm.
