@@ -3,20 +3,18 @@
 #include "core/volume/surface_faces.h"
 
 #include "core/base/vectorised.h"
+#include "core/geometry/four_floats.h"
 #include "core/volume/surface_crossings.h"
 
 namespace burin {
 
 namespace {
 
-using FourFloats = float __attribute__((vector_size(16)));
 using FourWords = std::uint32_t __attribute__((vector_size(16)));
 
 /// A point, and one number more that means nothing.
 BURIN_INLINE FourFloats four(const glm::vec3* point) noexcept {
-    FourFloats numbers;
-    __builtin_memcpy(&numbers, point, sizeof numbers);
-    return numbers;
+    return fourAt(&point->x);
 }
 
 /// All bits where the first diagonal is longer than the second.

@@ -3,13 +3,13 @@
 #include "core/volume/surface_points.h"
 
 #include "core/base/vectorised.h"
+#include "core/geometry/four_floats.h"
 #include "core/volume/surface_crossings.h"
 
 namespace burin {
 
 namespace {
 
-using FourFloats = float __attribute__((vector_size(16)));
 static_assert(SurfaceFrame::spare >= lanes && SurfaceCrossings::spare >= lanes);
 
 /// Numbers along u, v and the runs, of eight cubes.
@@ -110,16 +110,14 @@ BURIN_INLINE Triple outwards(const Corners& corners, const Triple& place) noexce
 /// Writes eight vectors; the last one four numbers wide.
 BURIN_INLINE void storeVectors(const EightFloats (&axes)[3], glm::vec3* to) noexcept {
     for (int first = 0; first < lanes; first += 4) {
-        FourFloats x, y, z;
-        __builtin_memcpy(&x, axes[0].lane + first, sizeof x);
-        __builtin_memcpy(&y, axes[1].lane + first, sizeof y);
-        __builtin_memcpy(&z, axes[2].lane + first, sizeof z);
+        const FourFloats x = fourAt(axes[0].lane + first), y = fourAt(axes[1].lane + first),
+                         z = fourAt(axes[2].lane + first);
         const FourFloats low = __builtin_shufflevector(x, y, 0, 4, 1, 5),
                          high = __builtin_shufflevector(x, y, 2, 6, 3, 7);
         const FourFloats vectors[4]{
             __builtin_shufflevector(low, z, 0, 1, 4, 4), __builtin_shufflevector(low, z, 2, 3, 5, 5),
             __builtin_shufflevector(high, z, 0, 1, 6, 6), __builtin_shufflevector(high, z, 2, 3, 7, 7)};
-        for (int i = 0; i < 4; ++i) __builtin_memcpy(&to[first + i].x, &vectors[i], sizeof vectors[i]);
+        for (int i = 0; i < 4; ++i) put(vectors[i], &to[first + i].x);
     }
 }
 

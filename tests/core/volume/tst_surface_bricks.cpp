@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface.h"
-#include "tests/core/volume/surfaces.h"
-#include "tests/core/volume/volumes.h"
-#include "tests/oracles/surface_net.h"
+#include "tests/core/volume/random_surfaces.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -12,38 +10,6 @@ using namespace burin;
 using namespace burin::test;
 
 namespace {
-
-constexpr double voxel = 0.25;
-
-Grid gridOf(glm::ivec3 count) {
-    return *Grid::make({-3.0, 5.0, 1.0}, voxel, count, static_cast<RunAxis>(*rc::gen::inRange(0, 3)));
-}
-
-/// Stock with splinters, and balls of any material or none.
-void fillAtRandom(RunVolume& volume) {
-    const Grid& grid = volume.grid();
-    RC_ASSERT(volume.fillBlock({0, 0}, {grid.lineCountU(), grid.lineCountV()}, *rc::gen::inRange<RunPosition>(0, 9000),
-                               grid.lineEnd(), wax));
-    RunAmounts removed;
-    for (int i = *rc::gen::inRange(0, 40); i > 0; --i) {
-        const LineIndex line{*rc::gen::inRange(0, grid.lineCountU()), *rc::gen::inRange(0, grid.lineCountV())};
-        const auto from = *rc::gen::inRange<RunPosition>(0, grid.lineEnd());
-        (void)volume.removeSpan(line, from, from + *rc::gen::inRange<RunPosition>(0, 20000), removed);
-    }
-    for (int i = *rc::gen::inRange(1, 6); i > 0; --i) {
-        const glm::dvec3 share(*rc::gen::inRange(0, 100), *rc::gen::inRange(0, 100), *rc::gen::inRange(0, 100));
-        fillSphere(volume, *rc::gen::inRange<PropertyIndex>(0, 4), grid.box().low + share / 100.0 * grid.box().size(),
-                   voxel * *rc::gen::inRange(1, 30));
-    }
-}
-
-template <class Visit>
-void eachBrick(const Grid& grid, Visit visit) {
-    const glm::ivec2 tiles = surfaceTiles(grid);
-    for (int v = 0; v < tiles.y; ++v)
-        for (int u = 0; u < tiles.x; ++u)
-            for (int n = 0; n * linesPerSurfaceTile < grid.voxelsPerLine(); ++n) visit(SurfaceBrick{u, v, n});
-}
 
 using Corner = std::array<float, 6>;
 using Face = std::array<std::pair<Corner, PropertyIndex>, 3>;
@@ -67,7 +33,6 @@ class TestSurfaceBricks : public QObject {
 
 private slots:
     void bricksAreTheTile();
-    void bricksAreTheDenseNet();
     void changedBricksAreAllThatChanged();
     void changesAreFoundAlongTheRuns();
     void slantedPlanesAreFlat_data();
@@ -76,7 +41,7 @@ private slots:
 
 void TestSurfaceBricks::bricksAreTheTile() {
     QVERIFY(rc::check("bricks together: the points, normals, materials and triangles of their tile, bit for bit", [] {
-        const Grid grid = gridOf({70, 66, 97});
+        const Grid grid = randomlyTurnedGrid({70, 66, 97});
         RunVolume volume = emptyVolume(grid);
         fillAtRandom(volume);
         const VolumeSnapshot workpiece = volume.snapshot();
@@ -99,61 +64,9 @@ void TestSurfaceBricks::bricksAreTheTile() {
     }));
 }
 
-void TestSurfaceBricks::bricksAreTheDenseNet() {
-    QVERIFY(rc::check("the faces and points of a dense net of doubles, closed and turned outwards", [] {
-        const Grid grid = gridOf({34, 33, 41});
-        RunVolume volume = emptyVolume(grid);
-        fillAtRandom(volume);
-        const VolumeSnapshot workpiece = volume.snapshot();
-        const DenseSurfaceNet dense(workpiece);
-        const glm::ivec3 axes(grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns());
-        const auto inLines = [&](const glm::dvec3& way) { return glm::dvec3(way[axes.x], way[axes.y], way[axes.z]); };
-        SurfaceExtractor extractor;
-        SurfaceMesh piece, whole;
-        std::multiset<std::array<DenseSurfaceNet::Cube, 4>> faces;
-        eachBrick(grid, [&](SurfaceBrick brick) {
-            extractor.extractBrick(workpiece, brick, piece);
-            RC_ASSERT(piece.normals.size() == piece.points.size() && piece.properties.size() == piece.points.size());
-            std::vector<DenseSurfaceNet::Cube> cubes;
-            for (std::size_t i = 0; i < piece.points.size(); ++i) {
-                const glm::dvec3 place = inLines(glm::dvec3(piece.points[i]) - grid.low()) / voxel;
-                const std::vector<DenseSurfaceNet::Cube> at = dense.cubesAt(place, 1e-4);
-                RC_ASSERT(!at.empty());
-                cubes.push_back(at.front());
-                const glm::dvec3 normal = inLines(glm::dvec3(piece.normals[i]));
-                RC_ASSERT(std::abs(glm::length(normal) - 1.0) < 1e-5);
-                RC_ASSERT(std::ranges::any_of(at, [&](const DenseSurfaceNet::Cube& cube) {
-                    const glm::dvec3 exact = dense.points().at(cube).gradient;
-                    return glm::length(exact) < 0.01 || glm::dot(normal, glm::normalize(exact)) > 0.9999;
-                }));
-            }
-            for (std::size_t i = 0; i < piece.triangles.size(); i += 6) { // two triangles a face: a b c, a c d
-                const std::uint32_t* corner = piece.triangles.data() + i;
-                std::array face{cubes[corner[0]], cubes[corner[1]], cubes[corner[2]], cubes[corner[5]]};
-                RC_ASSERT(corner[0] == corner[3] && corner[2] == corner[4]);
-                std::ranges::sort(face);
-                faces.insert(face);
-            }
-            const auto first = static_cast<std::uint32_t>(whole.points.size());
-            whole.points.insert(whole.points.end(), piece.points.begin(), piece.points.end());
-            for (const std::uint32_t corner : piece.triangles) whole.triangles.push_back(first + corner);
-        });
-        std::multiset<std::array<DenseSurfaceNet::Cube, 4>> expected;
-        for (std::array<DenseSurfaceNet::Cube, 4> face : dense.faces()) {
-            for (DenseSurfaceNet::Cube& cube : face) cube = dense.cubesAt(dense.points().at(cube).place, 1e-4).front();
-            std::ranges::sort(face);
-            expected.insert(face);
-        }
-        RC_ASSERT(faces == expected);
-        const TriangleMesh mesh = triangleMesh(whole);
-        RC_ASSERT(countGaps(mesh) == std::size_t{0});
-        RC_ASSERT(mesh.triangles.empty() || signedVolume(mesh) > 0.0);
-    }));
-}
-
 void TestSurfaceBricks::changedBricksAreAllThatChanged() {
     QVERIFY(rc::check("what changedSurfaceBricks does not name is meshed alike", [] {
-        const Grid grid = gridOf({80, 70, 130});
+        const Grid grid = randomlyTurnedGrid({80, 70, 130});
         RunVolume volume = emptyVolume(grid);
         fillAtRandom(volume);
         const VolumeSnapshot before = volume.snapshot();
@@ -194,7 +107,7 @@ void TestSurfaceBricks::changedBricksAreAllThatChanged() {
 }
 
 void TestSurfaceBricks::changesAreFoundAlongTheRuns() {
-    const Grid grid = cubeGrid({96, 96, 256}, RunAxis::z, voxel);
+    const Grid grid = cubeGrid({96, 96, 256}, RunAxis::z, 0.25);
     RunVolume volume = emptyVolume(grid);
     QVERIFY(volume.fillBlock({0, 0}, {96, 96}, 0, grid.lineEnd(), wax));
     QVERIFY(volume.fillBlock({0, 0}, {96, 96}, 150 * unitsPerVoxel, grid.lineEnd(), aluminium));
