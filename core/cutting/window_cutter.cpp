@@ -144,15 +144,18 @@ std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, con
     return added;
 }
 
-/// Adds the way of a piece whose axis turns, in steps with a standing axis. The gaps hold what the piece covered where
-/// the last way ended with the axis that it had there, and with no other.
+/// Adds the way of a piece whose axis turns, in steps with a standing axis. What a step's axis covers at the step's
+/// start is asked for: the gaps hold what another axis covered there.
 std::size_t WindowCutter::addTurn(RunVolume& workpiece, const LinePose& from, const LinePose& to, bool withStart,
                                   RemovedUnits& removed) noexcept {
     const double angle = std::atan2(glm::length(glm::cross(from.axis, to.axis)), glm::dot(from.axis, to.axis));
     std::size_t added = 0;
-    if (angle * spans_.reach() <= turnTolerance) { // the last axis stands for all of them
+    if (angle * spans_.reach() <= turnTolerance) {
+        // The last axis stands for all of them. The first one's start is within the tolerance of its own, and where a
+        // rim could make more of that, the spans of leaning pieces look at the start anyway.
         if (withStart) added += addWay(workpiece, from, from.tip, true, removed);
-        return added + addWay(workpiece, {from.tip, to.axis}, to.tip, from.tip == to.tip, removed);
+        const bool asksForStart = from.tip == to.tip || spans_.isUpright(to.axis);
+        return added + addWay(workpiece, {from.tip, to.axis}, to.tip, asksForStart, removed);
     }
     const PoseSteps steps({from.tip, from.axis}, {to.tip, to.axis}, spans_.reach(), turnTolerance);
     for (std::int32_t k = 0; k < steps.count() && !removed.outOfMemory; ++k) {

@@ -59,6 +59,8 @@ public:
     /// @param lineEnd of the scanlines, run units
     SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept;
 
+    /// Whether the piece with such an axis counts as upright.
+    bool isUpright(const glm::dvec3& axis) const noexcept;
     /// Longest way that may be swept at once, voxels; longer ones are to be cut up, which loses nothing.
     double longestWay(const glm::dvec3& axis) const noexcept;
     /// Farthest that any of the piece lies from its tip, voxels.
@@ -130,7 +132,6 @@ public:
     };
 
 private:
-    bool isUpright(const glm::dvec3& axis) const noexcept;
     LineStretch tiltedRow(std::int32_t v) const noexcept;
     template <class Kernel>
     void eachRow(Kernel kernel, std::span<const RowSpans> stretches) const noexcept;

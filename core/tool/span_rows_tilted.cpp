@@ -18,7 +18,7 @@ using Rounding = TiltedPiece::Rounding;
 constexpr float nearEnough = 1.0F / 256.0F, nearlyStill = 1.0F / 16384.0F; // voxels
 constexpr int mostSteps = 64;
 
-/// Heights of eight lines, units from a tip; low > high where there is none.
+/// Heights of eight lines, units from an end's base; low > high where there is none.
 struct Heights {
     Floats low = floats(nowhere), high = floats(-nowhere);
 };
@@ -26,25 +26,26 @@ struct Heights {
 /// A linear number along one row.
 struct RowLinear {
     float origin, x;
-    BURIN_INLINE RowLinear(const Linear& number, double y) noexcept
-        : origin(static_cast<float>(number.origin + number.y * y)), x(static_cast<float>(number.x)) {}
+    BURIN_INLINE RowLinear(const Linear& number, double y, float more = 0.0F) noexcept
+        : origin(static_cast<float>(number.origin + number.y * y) + more), x(static_cast<float>(number.x)) {}
     BURIN_INLINE Floats at(Floats place) const noexcept { return origin + x * place; }
 };
 
 struct RowSlab {
     RowLinear middle;
     float half;
-    BURIN_INLINE RowSlab(const TiltedPiece::Slab& slab, double y) noexcept : middle(slab.middle, y), half(slab.half) {}
+    BURIN_INLINE RowSlab(const TiltedPiece::Slab& slab, double y, float more = 0.0F) noexcept
+        : middle(slab.middle, y, more), half(slab.half) {}
 };
 
 struct RowCylinder {
     RowLinear aside, middle;
     RowSlab slab;
     float radius, stretch;
-    BURIN_INLINE RowCylinder(const TiltedPiece::Cylinder& cylinder, double y) noexcept
+    BURIN_INLINE RowCylinder(const TiltedPiece::Cylinder& cylinder, double y, float more = 0.0F) noexcept
         : aside(cylinder.aside, y)
-        , middle(cylinder.middle, y)
-        , slab(cylinder.slab, y)
+        , middle(cylinder.middle, y, more)
+        , slab(cylinder.slab, y, more)
         , radius(cylinder.radius)
         , stretch(cylinder.stretch) {}
 
@@ -77,110 +78,179 @@ BURIN_INLINE Floats atHeightOf(const TiltedPiece& piece, Floats flatSquare, Floa
     return middle - side * rootsOf(middle * middle - (flatSquare - flatAlong * flatAlong - wide * wide) * perSquare);
 }
 
-/// One end of a line's stretch within a bull nose's outline, moved on to the rounding. The rounding is what balls about
-/// the places of a circle fill: each step takes the ball that lies out from the axis in the direction of the place
-/// before it. No step leaves the piece, and as the circle is smooth, what a step is short of goes with the square of
-/// what its direction is off.
-/// @param z    voxels from the rounding's middle @param side 1: lower end, -1: upper end
-/// @param outs lines whose end lies off the rounding; loses those that miss it
-BURIN_INLINE Floats reachRounding(const TiltedPiece& piece, Floats x, float y, Floats z, float side,
-                                  Integers& outs) noexcept {
-    const Floats flatSquare = x * x + y * y, flatAlong = x * piece.axisX + y * piece.axisY;
+/// Ends of some lines' stretches within a bull nose's outline, eight lines at a time, of one row.
+template <std::size_t count>
+struct CornerEnds {
+    Floats x[count];      ///< voxels from the rounding's middle
+    Floats z[count];      ///< the same; the ends
+    Integers outs[count]; ///< lines whose end lies off the rounding
+};
+
+/// Moves ends on to the rounding. That is what balls about the places of a circle fill: each step takes the ball that
+/// lies out from the axis in the direction of the place before it. No step leaves the piece, and as the circle is
+/// smooth, what a step is short of goes with the square of what its direction is off.
+/// Several at a time: a step is a chain of roots and a division, in which others find room.
+/// @param side 1: lower ends, -1: upper ends @param ends `outs` loses the lines that miss the rounding
+template <std::size_t count>
+BURIN_INLINE void reachRounding(const TiltedPiece& piece, float y, float side, CornerEnds<count>& ends) noexcept {
     const Floats square = floats(piece.cornerRadius * piece.cornerRadius), tiny = floats(1e-12F);
-    if (piece.nearlyLevel) z = atHeightOf(piece, flatSquare, flatAlong, z, side);
-    Integers meets = outs;
-    for (int step = 0; step < mostSteps; ++step) {
-        const Floats along = flatAlong + z * piece.axisZ;
-        const Floats share = piece.flatRadius / rootsOf(most(flatSquare + z * z - along * along, tiny));
-        const Floats aside = x - share * (x - along * piece.axisX), beside = y - share * (y - along * piece.axisY);
-        const Floats inside = square - (aside * aside + beside * beside);
-        const Floats next = share * (z - along * piece.axisZ) - side * rootsOf(inside);
-        const Floats moved = next - z;
-        meets = outs & (inside > Floats{});
-        z = outs ? next : z;
-        const Floats still = meets ? floats(nearEnough) : floats(nearlyStill);
-        if (bitsOf(outs & ((moved > still) | (moved < -still))) == 0) break;
+    Floats flatSquare[count], flatAlong[count];
+    Integers meets[count];
+    for (std::size_t i = 0; i < count; ++i) {
+        flatSquare[i] = ends.x[i] * ends.x[i] + y * y;
+        flatAlong[i] = ends.x[i] * piece.axisX + y * piece.axisY;
+        if (piece.nearlyLevel) ends.z[i] = atHeightOf(piece, flatSquare[i], flatAlong[i], ends.z[i], side);
     }
-    outs = meets;
-    return z;
+    for (int step = 0; step < mostSteps; ++step) {
+        Integers moves = integers(0);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Floats x = ends.x[i], z = ends.z[i];
+            const Floats along = flatAlong[i] + z * piece.axisZ;
+            const Floats share = piece.flatRadius / rootsOf(most(flatSquare[i] + z * z - along * along, tiny));
+            const Floats aside = x - share * (x - along * piece.axisX), beside = y - share * (y - along * piece.axisY);
+            const Floats inside = square - (aside * aside + beside * beside);
+            const Floats next = share * (z - along * piece.axisZ) - side * rootsOf(inside), moved = next - z;
+            meets[i] = inside > Floats{};
+            ends.z[i] = ends.outs[i] ? next : z;
+            const Floats still = meets[i] ? floats(nearEnough) : floats(nearlyStill);
+            moves = moves | (ends.outs[i] & ((moved > still) | (moved < -still)));
+        }
+        if (!anyOf(moves)) break;
+    }
+    for (std::size_t i = 0; i < count; ++i) ends.outs[i] = ends.outs[i] & meets[i];
 }
 
-/// What the piece covers where it stands.
+/// What the piece covers where it stands, in units from an end's base, + 1/2. Of a bull nose without its rounding.
 template <Rounding rounding>
 struct RowPiece {
     const TiltedPiece& piece;
     RowCylinder standing;
     RowSlab hemisphere;
-    float y; ///< of the rounding's middle
+    float y;       ///< voxels, from the rounding's middle
+    float middleZ; ///< units, of the rounding's middle from the end's base, + 1/2
+    // As in the piece: what a loop stores could be any of it, for all that the compiler knows.
+    float middleX, squareRadius, perStretch, rimAlong, rimReach;
 
-    BURIN_INLINE RowPiece(const TiltedPiece& itsPiece, double fromTip) noexcept
+    BURIN_INLINE RowPiece(const TiltedPiece& itsPiece, const End& end, std::int32_t v) noexcept
         : piece(itsPiece)
-        , standing(itsPiece.standing, fromTip)
-        , hemisphere(itsPiece.hemisphere, fromTip)
-        , y(static_cast<float>(fromTip - itsPiece.middleY)) {}
+        , standing(itsPiece.standing, v - end.y, end.middle)
+        , hemisphere(itsPiece.hemisphere, v - end.y, end.middle)
+        , y(static_cast<float>(v - end.y - itsPiece.middleY))
+        , middleZ(itsPiece.middleZ + end.middle)
+        , middleX(itsPiece.middleX)
+        , squareRadius(itsPiece.radius * itsPiece.radius)
+        , perStretch(itsPiece.perStretch)
+        , rimAlong(itsPiece.rimAlong)
+        , rimReach(itsPiece.rimReach) {}
 
     /// @param rims lines that a rim passes on the way
     BURIN_INLINE Heights at(Floats fromTip, Integers& rims) const noexcept {
         const RowCylinder::Met met = standing.at(fromTip);
-        rims = rimAt(met, piece.rimHeights[1]);
-        if constexpr (rounding == Rounding::none) rims = rims | rimAt(met, piece.rimHeights[0]);
-        Heights all = met.heights;
-        Integers meets = (met.inside > Floats{}) & (all.low < all.high);
-        if constexpr (rounding == Rounding::bullNose) addRounding(fromTip, all, meets);
-        all.low = meets ? all.low : floats(nowhere);
-        all.high = meets ? all.high : floats(-nowhere);
+        rims = rimsAt(met);
+        const Integers meets = (met.inside > Floats{}) & (met.heights.low < met.heights.high);
+        Heights all{meets ? met.heights.low : floats(nowhere), meets ? met.heights.high : floats(-nowhere)};
         if constexpr (rounding == Rounding::ball) addHemisphere(fromTip, all);
         return all;
     }
-
-private:
-    /// Where a line meets the plane of a face, its distance² from the axis is radius² by little more or less.
-    BURIN_INLINE Integers rimAt(const RowCylinder::Met& met, float height) const noexcept {
-        const Floats along = (met.slabPlace + height - met.place) * piece.perStretch;
-        const Floats beyond = met.inside - along * along;
-        return (beyond < piece.rimReach) & (beyond > -piece.rimReach);
-    }
-    BURIN_INLINE void addHemisphere(Floats fromTip, Heights& all) const noexcept {
-        const Floats x = fromTip - piece.middleX;
-        const Floats inside = piece.radius * piece.radius - (x * x + y * y);
-        const Floats half = unitsAVoxel * rootsOf(inside), place = hemisphere.middle.at(fromTip);
-        const Floats low = most(piece.middleZ - half, place - hemisphere.half);
-        const Floats high = least(piece.middleZ + half, place + hemisphere.half);
-        const Integers meets = (inside > Floats{}) & (low < high);
-        all.low = meets ? least(all.low, low) : all.low;
-        all.high = meets ? most(all.high, high) : all.high;
-    }
-    /// An end in the corner that the rounding takes off lies below its circle and out from it.
+    /// An end in the corner that a bull nose's rounding takes off lies below its circle and out from it.
     BURIN_INLINE Integers offRounding(Floats x, Floats z) const noexcept {
         const Floats along = x * piece.axisX + y * piece.axisY + z * piece.axisZ;
         const Floats across = x * x + y * y + z * z - along * along;
         return (along < Floats{}) & (across > piece.flatRadius * piece.flatRadius);
     }
-    BURIN_INLINE void addRounding(Floats fromTip, Heights& all, Integers& meets) const noexcept {
-        const Floats x = fromTip - piece.middleX;
-        const Floats low = (all.low - piece.middleZ) / unitsAVoxel, high = (all.high - piece.middleZ) / unitsAVoxel;
-        const Integers offLow = meets & offRounding(x, low), offHigh = meets & offRounding(x, high);
-        if (bitsOf(offLow) != 0) {
-            Integers met = offLow;
-            const Floats reached = reachRounding(piece, x, y, offLow ? low : Floats{}, 1.0F, met);
-            all.low = met ? most(all.low, reached * unitsAVoxel + piece.middleZ) : all.low;
-            meets = meets & (met | ~offLow);
+
+private:
+    /// Where a line meets the plane of a face, its distance² from the axis is radius² by little more or less.
+    BURIN_INLINE Integers rimsAt(const RowCylinder::Met& met) const noexcept {
+        const Floats along = (met.slabPlace - met.place) * perStretch;
+        if constexpr (rounding == Rounding::none) { // the same of both faces, which lie as far from the middle
+            const Floats even = met.inside - rimAlong * rimAlong - along * along;
+            return magnitudes(magnitudes(even) - magnitudes((2.0F * rimAlong) * along)) < rimReach;
         }
-        if (bitsOf(offHigh) != 0) {
-            Integers met = offHigh;
-            const Floats reached = reachRounding(piece, x, y, offHigh ? high : Floats{}, -1.0F, met);
-            all.high = met ? least(all.high, reached * unitsAVoxel + piece.middleZ) : all.high;
-            meets = meets & (met | ~offHigh);
-        }
-        meets = meets & (all.low < all.high);
+        const Floats upper = along + rimAlong;
+        return magnitudes(met.inside - upper * upper) < rimReach;
+    }
+    BURIN_INLINE void addHemisphere(Floats fromTip, Heights& all) const noexcept {
+        const Floats x = fromTip - middleX;
+        const Floats inside = squareRadius - (x * x + y * y);
+        const Floats half = unitsAVoxel * rootsOf(inside), place = hemisphere.middle.at(fromTip);
+        const Floats low = most(middleZ - half, place - hemisphere.half);
+        const Floats high = least(middleZ + half, place + hemisphere.half);
+        const Integers meets = (inside > Floats{}) & (low < high);
+        all.low = meets ? least(all.low, low) : all.low;
+        all.high = meets ? most(all.high, high) : all.high;
     }
 };
 
-BURIN_INLINE void addRounded(const Heights& heights, const End& end, Integers& low, Integers& high) noexcept {
-    const Integers valid = heights.low <= heights.high;
-    const Floats zero{};
-    low = valid ? least(low, wholeOf((valid ? heights.low : zero) + end.middle) + end.base) : low;
-    high = valid ? most(high, wholeOf((valid ? heights.high : zero) + end.middle) + end.base) : high;
+/// Heights of some groups of a row.
+struct Part {
+    static constexpr std::int32_t mostGroups = 64; ///< which one word tells
+    EightFloats low[mostGroups], high[mostGroups];
+};
+
+/// Groups of a part, a bit each.
+struct Marked {
+    std::uint64_t rims = 0;                ///< that a rim passes on the way
+    std::uint64_t offLow = 0, offHigh = 0; ///< with ends that a bull nose's rounding takes off
+};
+
+/// Ends in the corners that the rounding of a bull nose takes off, moved on to it; `count` groups at a time, the last
+/// one with itself.
+template <std::size_t count>
+BURIN_INLINE void takeCorners(const RowPiece<Rounding::bullNose>& row, Floats firstU, float side, std::uint64_t groups,
+                              Part& part) noexcept {
+    while (groups != 0) {
+        CornerEnds<count> ends;
+        std::int32_t places[count];
+        Integers offs[count];
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::int32_t place = places[i] = std::countr_zero(groups);
+            if (i == count - 1 || (groups & (groups - 1)) != 0) groups &= groups - 1;
+            const Floats low = load(part.low[place]), high = load(part.high[place]);
+            const Floats z = ((side > 0.0F ? low : high) - row.middleZ) / unitsAVoxel;
+            ends.x[i] = firstU + static_cast<float>(place * lanes) - row.middleX;
+            ends.outs[i] = offs[i] = (low < high) & row.offRounding(ends.x[i], z);
+            ends.z[i] = ends.outs[i] ? z : Floats{};
+        }
+        reachRounding(row.piece, row.y, side, ends);
+        for (std::size_t i = 0; i < count; ++i) {
+            Floats low = load(part.low[places[i]]), high = load(part.high[places[i]]);
+            const Floats reached = ends.z[i] * unitsAVoxel + row.middleZ;
+            if (side > 0.0F)
+                low = ends.outs[i] ? most(low, reached) : low;
+            else
+                high = ends.outs[i] ? least(high, reached) : high;
+            const Integers none = (offs[i] & ~ends.outs[i]) | (low >= high);
+            store(none ? floats(nowhere) : low, part.low[places[i]]);
+            store(none ? floats(-nowhere) : high, part.high[places[i]]);
+        }
+    }
+}
+
+template <Rounding rounding>
+BURIN_INLINE void coverGroup(const RowPiece<rounding>& row, Floats u, std::int32_t place, Part& part,
+                             Marked& marked) noexcept {
+    Integers rims;
+    const Heights all = row.at(u, rims);
+    store(all.low, part.low[place]);
+    store(all.high, part.high[place]);
+    marked.rims |= std::uint64_t{anyOf(rims)} << place;
+    if constexpr (rounding == Rounding::bullNose) {
+        const Integers meets = all.low < all.high;
+        const Floats x = u - row.middleX;
+        const Floats low = (all.low - row.middleZ) / unitsAVoxel, high = (all.high - row.middleZ) / unitsAVoxel;
+        marked.offLow |= std::uint64_t{anyOf(meets & row.offRounding(x, low))} << place;
+        marked.offHigh |= std::uint64_t{anyOf(meets & row.offRounding(x, high))} << place;
+    }
+}
+
+template <Rounding rounding>
+BURIN_INLINE void coverCorners(const RowPiece<rounding>& row, Floats firstU, const Marked& marked,
+                               Part& part) noexcept {
+    if constexpr (rounding == Rounding::bullNose) {
+        takeCorners<2>(row, firstU, 1.0F, marked.offLow, part);
+        takeCorners<2>(row, firstU, -1.0F, marked.offHigh, part);
+    }
 }
 
 /// What lies between the ends of the way: the wall that a rim leaves, seen from the start.
@@ -189,17 +259,19 @@ struct RowRim {
     RowLinear lift;
     float scale;
     bool present;
-    BURIN_INLINE RowRim(const TiltedPiece::Rim& rim, double fromTip) noexcept
-        : wall(rim.wall, fromTip), lift(rim.lift, fromTip), scale(rim.scale), present(rim.wall.present) {}
+    BURIN_INLINE RowRim(const TiltedPiece::Rim& rim, const End& from, std::int32_t v) noexcept
+        : wall(rim.wall, v - from.y)
+        , lift(rim.lift, v - from.y, from.middle)
+        , scale(rim.scale)
+        , present(rim.wall.present) {}
 
-    BURIN_INLINE void add(Floats fromTip, const End& from, Integers& low, Integers& high) const noexcept {
+    BURIN_INLINE void add(Floats fromTip, Heights& all) const noexcept {
         if (!present) return;
         const RowCylinder::Met met = wall.at(fromTip);
         const Integers meets = (met.inside > Floats{}) & (met.heights.low < met.heights.high);
         const Floats level = lift.at(fromTip);
-        const Heights heights{meets ? level + scale * met.heights.low : floats(nowhere),
-                              meets ? level + scale * met.heights.high : floats(-nowhere)};
-        addRounded(heights, from, low, high);
+        all.low = meets ? least(all.low, level + scale * met.heights.low) : all.low;
+        all.high = meets ? most(all.high, level + scale * met.heights.high) : all.high;
     }
 };
 
@@ -207,35 +279,82 @@ BURIN_INLINE Floats linesFrom(const End& end, std::int32_t group) noexcept {
     return floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (group * lanes - end.wholeX)) - end.partX;
 }
 
+/// Where the spans of a part of a row go.
+struct Kept {
+    EightIntegers *low, *high;
+    Integers base, lineEnd;
+    BURIN_INLINE Kept(const TiltedPiece& piece, const End& end, const Stretch& stretch, std::int32_t first) noexcept
+        : low(stretch.low + first)
+        , high(stretch.high + first)
+        , base(integers(end.base))
+        , lineEnd(integers(piece.lineEnd)) {}
+    BURIN_INLINE void keep(const Heights& all, std::int32_t group) const noexcept {
+        store(most(wholeOf(all.low) + base, Integers{}), low[group]);
+        store(least(wholeOf(all.high) + base, lineEnd), high[group]);
+    }
+    BURIN_INLINE void add(const Heights& all, std::int32_t group) const noexcept {
+        store(most(least(load(low[group]), wholeOf(all.low) + base), Integers{}), low[group]);
+        store(least(most(load(high[group]), wholeOf(all.high) + base), lineEnd), high[group]);
+    }
+};
+
+/// What the piece covers at the end of its way.
+/// @return groups that a rim passes on the way
+template <Rounding rounding>
+BURIN_INLINE std::uint64_t coverEnd(const TiltedPiece& piece, const Stretch& stretch, std::int32_t first,
+                                    std::int32_t count, Part& part) noexcept {
+    const RowPiece<rounding> row(piece, piece.to, stretch.v);
+    const Floats firstU = linesFrom(piece.to, stretch.firstGroup + first);
+    const Kept kept(piece, piece.to, stretch, first);
+    Marked marked;
+    Floats u = firstU;
+    if constexpr (rounding == Rounding::bullNose) {
+        for (std::int32_t i = 0; i < count; ++i, u += lanes) coverGroup(row, u, i, part, marked);
+        coverCorners(row, firstU, marked, part);
+        for (std::int32_t i = 0; i < count; ++i) kept.keep({load(part.low[i]), load(part.high[i])}, i);
+    } else {
+        for (std::int32_t i = 0; i < count; ++i, u += lanes) {
+            Integers rims;
+            kept.keep(row.at(u, rims), i);
+            marked.rims |= std::uint64_t{anyOf(rims)} << i;
+        }
+    }
+    return marked.rims;
+}
+
+/// Adds what it covers at the start, and the walls of its rims between, to some groups.
+template <Rounding rounding>
+BURIN_INLINE void addWay(const TiltedPiece& piece, const Stretch& stretch, std::int32_t first, std::uint64_t groups,
+                         Part& part) noexcept {
+    const RowPiece<rounding> row(piece, piece.from, stretch.v);
+    const RowRim lower(piece.rims[0], piece.from, stretch.v), upper(piece.rims[1], piece.from, stretch.v);
+    const Floats firstU = linesFrom(piece.from, stretch.firstGroup + first);
+    const Kept kept(piece, piece.from, stretch, first);
+    Marked marked;
+    for (std::uint64_t rest = groups; rest != 0; rest &= rest - 1) {
+        const std::int32_t i = std::countr_zero(rest);
+        coverGroup(row, firstU + static_cast<float>(i * lanes), i, part, marked);
+    }
+    coverCorners(row, firstU, marked, part);
+    for (; groups != 0; groups &= groups - 1) {
+        const std::int32_t i = std::countr_zero(groups);
+        Heights all{load(part.low[i]), load(part.high[i])};
+        const Floats u = firstU + static_cast<float>(i * lanes);
+        lower.add(u, all);
+        upper.add(u, all);
+        kept.add(all, i);
+    }
+}
+
 template <Rounding rounding>
 BURIN_INLINE void coverRow(const TiltedPiece& piece, const Stretch& stretch) noexcept {
-    constexpr std::int32_t most64 = 64; // groups whose rims one word tells
-    const RowPiece<rounding> end(piece, stretch.v - piece.to.y), start(piece, stretch.v - piece.from.y);
-    const RowRim lower(piece.rims[0], stretch.v - piece.from.y), upper(piece.rims[1], stretch.v - piece.from.y);
-    const std::uint64_t always = stretch.moves && (stretch.withStart || piece.rimsEverywhere) ? ~std::uint64_t{0} : 0;
-    for (std::int32_t first = 0; first < stretch.groups; first += most64) {
-        const std::int32_t count = std::min(stretch.groups - first, most64);
-        std::uint64_t passed = 0;
-        Floats toU = linesFrom(piece.to, stretch.firstGroup + first);
-        for (std::int32_t i = 0; i < count; ++i, toU += lanes) {
-            Integers low = integers(SpanRows::none), high = integers(-SpanRows::none), near;
-            addRounded(end.at(toU, near), piece.to, low, high);
-            passed |= std::uint64_t{bitsOf(near) != 0} << i;
-            store(most(low, Integers{}), stretch.low[first + i]);
-            store(least(high, integers(piece.lineEnd)), stretch.high[first + i]);
-        }
-        if (!stretch.moves) continue;
-        passed = (passed | always) & ~std::uint64_t{0} >> (most64 - count);
-        for (; passed != 0; passed &= passed - 1) {
-            const std::int32_t group = first + std::countr_zero(passed);
-            Integers low = load(stretch.low[group]), high = load(stretch.high[group]), near;
-            const Floats fromU = linesFrom(piece.from, stretch.firstGroup + group);
-            addRounded(start.at(fromU, near), piece.from, low, high);
-            lower.add(fromU, piece.from, low, high);
-            upper.add(fromU, piece.from, low, high);
-            store(most(low, Integers{}), stretch.low[group]);
-            store(least(high, integers(piece.lineEnd)), stretch.high[group]);
-        }
+    const std::uint64_t always = stretch.withStart || piece.rimsEverywhere ? ~std::uint64_t{0} : 0;
+    Part part;
+    for (std::int32_t first = 0; first < stretch.groups; first += Part::mostGroups) {
+        const std::int32_t count = std::min(stretch.groups - first, Part::mostGroups);
+        const std::uint64_t rims = coverEnd<rounding>(piece, stretch, first, count, part) | always;
+        const std::uint64_t groups = rims & ~std::uint64_t{0} >> (Part::mostGroups - count);
+        if (stretch.moves && groups != 0) addWay<rounding>(piece, stretch, first, groups, part);
     }
 }
 

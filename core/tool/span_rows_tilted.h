@@ -62,8 +62,9 @@ struct TiltedPiece {
     bool nearlyLevel = false; ///< where the search for a bull nose's rounding is slow unless it begins near by
 
     std::array<Rim, 2> rims; ///< of the lower and the upper face, on the way
-    /// Run units from the middle of the straight part's slab, of the faces whose rims are there.
-    std::array<float, 2> rimHeights{};
+    /// Voxels along the axis' shadow, of the line's nearest place to the axis: from the middle of the straight part's
+    /// slab to its upper face.
+    float rimAlong = 0.0F;
     float perStretch = 0.0F; ///< of the straight part
     /// Square voxels by which radius² and the distance² from the axis differ, in the plane of a face at the end of the
     /// way, on a line that its rim passes.

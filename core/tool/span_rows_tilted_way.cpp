@@ -138,8 +138,7 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     standing.middle = {0.0, heading.x * axis.z / sine * unitsAVoxel, heading.y * axis.z / sine * unitsAVoxel};
     standing.slab = slabOf(axis, piece.bottom + (ball ? corner : 0.0), piece.top);
     tilted.perStretch = static_cast<float>(sine / unitsAVoxel);
-    const float upper = axis.z < 0.0 ? -standing.slab.half : standing.slab.half;
-    tilted.rimHeights = {tilted.rounding == TiltedPiece::Rounding::none ? -upper : upper, upper};
+    tilted.rimAlong = std::copysign(standing.slab.half * tilted.perStretch, tilted.axisZ);
     tilted.hemisphere = slabOf(axis, piece.bottom - corner, piece.bottom + corner);
 }
 

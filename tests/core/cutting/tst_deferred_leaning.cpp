@@ -178,7 +178,9 @@ private slots:
             const Cutter cutter = anyCutter(fine.edge() * real(1.5, 10.0));
             const RevolvedPiece piece = flutes(cutter);
             const double reach = reachOf({{piece}}), step = *rc::gen::element(0.05, 0.3, 1.0, 5.0, 20.0, 40.0);
-            ToolPose pose{placeIn(fine), anyAxis()};
+            const glm::dvec3 upright = inSetupFrame(fine, {0.0, 0.0, 1.0});
+            const bool rocks = *rc::gen::inRange(0, 4) == 0; // about upright
+            ToolPose pose{placeIn(fine), rocks ? glm::normalize(upright + 0.003 * anyAxis()) : anyAxis()};
             RunVolume workpiece = block(fine);
             MaterialRemoval removal(cutter, fine, Writing::deferred);
             std::vector<ToolPose> poses;
@@ -186,7 +188,8 @@ private slots:
             constexpr double spacing = 0.1; // voxels, that no point of the tool moves farther between two samples
             for (int tick = 0; tick < 3; ++tick) {
                 const double turn = *rc::gen::element(0.0, 0.001, 0.05, 0.5);
-                const glm::dvec3 axis = glm::normalize(pose.axis + turn * anyAxis());
+                const glm::dvec3 turned = glm::normalize(pose.axis + turn * anyAxis());
+                const glm::dvec3 axis = rocks && tick != 1 ? upright : turned;
                 const glm::dvec3 way = anyWay(axis);
                 const ToolPose next{pose.tip + way * (step * fine.edge() / std::max(glm::length(way), 0.1)), axis};
                 const CutResult cut = removal.cut(workpiece, pose, next);
