@@ -3,6 +3,7 @@
 #include "core/device/resampled_stylus.h"
 #include "plugins/devices/open_stylus/driver.h"
 #include "plugins/devices/open_stylus/open_stylus.h"
+#include "tests/oracles/allocation_count.h"
 #include "tests/plugins/comes_true.h"
 #include "tests/plugins/running_board.h"
 #include "tests/plugins/scripted_bus.h"
@@ -52,6 +53,52 @@ public:
 
 private:
     std::shared_ptr<Wire> wire_;
+};
+
+/// A port that allocates nothing itself: plays what a board sent once, and swallows what it is sent.
+class PlayedPort final : public hid::Port {
+public:
+    PlayedPort() {
+        std::vector<Board::Report> sent;
+        Board source([&sent](const Board::Report& report) {
+            sent.push_back(report);
+            return true;
+        });
+        for (std::uint16_t number = 1; number <= reports_.size(); ++number) {
+            const auto wrench = encodeOutput({number, 0, number > 1, {}});
+            source.receive({wrench.begin(), wrench.end()});
+            source.step();
+            std::ranges::copy(sent.back(), reports_[number - 1U].begin());
+        }
+    }
+    int read(std::span<std::uint8_t> bytes, int milliseconds) noexcept override {
+        if (milliseconds == 0) return 0; // one at a time
+        if (next_ == reports_.size()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+            return 0;
+        }
+        std::ranges::copy(reports_[next_++], bytes.begin());
+        return static_cast<int>(inputSize);
+    }
+    bool write(std::span<const std::uint8_t>) noexcept override { return true; }
+    int feature(std::span<std::uint8_t>) noexcept override { return -1; }
+
+private:
+    std::array<std::array<std::uint8_t, inputSize>, 500> reports_{};
+    std::size_t next_ = 0;
+};
+
+/// Notes how often the program has allocated, at some of its ticks.
+class Counter final : public StylusClient {
+public:
+    Wrench tick(const StylusState& state) noexcept override {
+        if (state.valid) ++valid;
+        if (valid == 100) early = allocationCount.load();
+        if (valid == 400) late = allocationCount.load();
+        return {{1.0, 0.0, 0.0}, {}};
+    }
+    std::atomic<int> valid{0};
+    std::atomic<std::size_t> early{0}, late{0};
 };
 
 struct Fixture {
@@ -232,6 +279,20 @@ private slots:
         QCOMPARE(driver->make("1209:0001:0001", {}).error().code, ErrorCode::deviceFault);
         QCOMPARE(driver->make("1209:0001:0002", {}).error().code, ErrorCode::deviceNotFound);
         QCOMPARE(driver->make("1209:0001:0001", "fast").error().code, ErrorCode::nameUnknown);
+    }
+
+    void aConnectionAllocatesNothing() {
+        ScriptedBus bus;
+        Board source([](const Board::Report&) { return true; });
+        Identity identity;
+        QCOMPARE(decodeFeature(source.feature(), identity), IdentityFault::none);
+        OpenStylus stylus(bus, std::make_unique<PlayedPort>(), identity, "played", "played");
+        Counter counter;
+        QVERIFY(stylus.start(counter));
+        QVERIFY(comesTrue([&] { return counter.valid >= 400; }));
+        stylus.stop();
+        QVERIFY(counter.early > 0U);
+        QCOMPARE(counter.late.load(), counter.early.load());
     }
 
     void aLoopWithItsOwnClockCanDriveItToo() {

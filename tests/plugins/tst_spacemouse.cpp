@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/spacemouse/driver.h"
 #include "plugins/devices/spacemouse/space_mouse.h"
+#include "tests/oracles/allocation_count.h"
 #include "tests/plugins/comes_true.h"
 #include "tests/plugins/scripted_bus.h"
 
@@ -139,6 +140,20 @@ private slots:
         test.stylus->close();
         for (const auto& report : test.wire->takeOutputs()) sent.push_back(report);
         QCOMPARE(sent, (std::vector<Wire::Report>{{0x04, 0x01}, {0x04, 0x00}}));
+    }
+
+    void readingAllocatesNothing() {
+        Fixture test;
+        QVERIFY(test.stylus->open());
+        test.wire->send(pushedRight);
+        QVERIFY(test.readings(1));
+        const std::size_t before = allocationCount.load();
+        for (int i = 0; i < 1000; ++i) {
+            test.read();
+            test.stylus->write({{1.0, 0.0, 0.0}, {}});
+            (void)test.stylus->health();
+        }
+        QCOMPARE(allocationCount.load(), before);
     }
 
     void itsBatteryIsTold() {
