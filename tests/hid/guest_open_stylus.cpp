@@ -78,8 +78,8 @@ void tellsItsLimits() {
 void theHandFeelsTheWall() {
     DeviceRegistry registry;
     PluggedBoard board;
+    Wall wall; // outlives the stylus, which calls it
     const auto stylus = made(registry);
-    Wall wall;
     BURIN_EXPECT(stylus->open() && stylus->start(wall));
     board.x = -10.0;
     BURIN_EXPECT(comesTrue([&] { return board.force.load() == 1.0; }));
@@ -103,8 +103,8 @@ void theHandFeelsTheWall() {
 void unpluggedInMidStroke() {
     DeviceRegistry registry;
     auto board = std::make_unique<PluggedBoard>();
+    Wall wall; // outlives the stylus, which calls it
     const auto stylus = made(registry);
-    Wall wall;
     board->x = -10.0;
     BURIN_EXPECT(stylus->start(wall));
     BURIN_EXPECT(comesTrue([&] { return board->force.load() > 0.0; }));
@@ -126,8 +126,8 @@ void theWatchdogCutsTheMotorsOfAHostThatDied() {
     const pid_t host = fork(); // its thread is its own: the child uses nothing that was made before
     if (host == 0) {
         DeviceRegistry registry;
+        Wall wall; // outlives the stylus, which calls it
         const auto stylus = made(registry);
-        Wall wall;
         if (!stylus->start(wall)) _exit(1);
         for (;;) pause();
     }
@@ -147,8 +147,8 @@ void hostileReportsDoNoHarm() {
     constexpr std::size_t inputSize = OPEN_STYLUS_INPUT_SIZE;
     DeviceRegistry registry;
     PluggedBoard board;
+    Wall wall; // outlives the stylus, which calls it
     const auto stylus = made(registry);
-    Wall wall;
     board.x = -25.0; // the wall answers 2.5 N; what it answers to readings that are not valid would be 1732 N
     BURIN_EXPECT(stylus->start(wall));
     BURIN_EXPECT(comesTrue([&] { return board.force.load() > 0.0; }));

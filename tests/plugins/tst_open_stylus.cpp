@@ -160,8 +160,8 @@ private slots:
 
     void theHandFeelsTheWall() {
         Fixture test;
+        Wall wall; // outlives the stylus, which calls it
         const auto stylus = test.make();
-        Wall wall;
         QVERIFY(stylus->open());
         QVERIFY(stylus->start(wall));
         QVERIFY(!stylus->start(wall)); // once
@@ -179,8 +179,8 @@ private slots:
 
     void unpluggedInMidStrokeItSaysSoAndGoesOnWhenItIsBack() {
         Fixture test;
+        Wall wall; // outlives the stylus, which calls it
         const auto stylus = test.make();
-        Wall wall;
         test.plugged->x = -10.0;
         QVERIFY(stylus->start(wall));
         QVERIFY(comesTrue([&] { return test.plugged->force.load() > 0.0; }));
@@ -200,8 +200,8 @@ private slots:
 
     void anotherDeviceIsNotTakenForIt() {
         Fixture test;
+        Wall wall; // outlives the stylus, which calls it
         const auto stylus = test.make();
-        Wall wall;
         QVERIFY(stylus->start(wall));
         QVERIFY(comesTrue([&] { return wall.valid > 0; }));
         test.bus().unplugAll();
@@ -215,8 +215,8 @@ private slots:
 
     void aDeviceThatFallsSilentIsAFaultAndComesBack() {
         Fixture test;
+        Wall wall; // outlives the stylus, which calls it
         const auto stylus = test.make();
-        Wall wall;
         QVERIFY(stylus->start(wall));
         QVERIFY(comesTrue([&] { return wall.valid > 0; }));
         codesOf(*stylus);
@@ -232,8 +232,8 @@ private slots:
 
     void itsMotorsGoOffWhenItIsLetGo() {
         Fixture test;
+        Wall wall; // outlives the stylus, which calls it
         auto stylus = test.make();
-        Wall wall;
         QVERIFY(stylus->start(wall));
         QVERIFY(comesTrue([&] { return test.plugged->motors.load(); }));
         const int before = test.plugged->offs;
