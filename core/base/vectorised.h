@@ -67,10 +67,12 @@ BURIN_INLINE void store(const Lanes& values, Eight<Number>& to) noexcept {
 }
 
 BURIN_INLINE Floats floats(float value) noexcept {
-    return Floats{} + value;
+    return value - Floats{}; // as a sum it would keep -0 from becoming +0, which costs an addition
 }
 BURIN_INLINE Integers integers(std::int32_t value) noexcept {
-    return Integers{} + value;
+    // One move and one shuffle; Integers{} + value becomes an insertion for each lane.
+    const std::int32_t __attribute__((vector_size(16))) first{value, 0, 0, 0};
+    return __builtin_shufflevector(first, first, 0, 0, 0, 0, 0, 0, 0, 0);
 }
 BURIN_INLINE Floats least(Floats a, Floats b) noexcept {
     return a < b ? a : b;

@@ -45,10 +45,7 @@ GapWindow::GapWindow(const Grid& grid, double reach) : lineCountU_(grid.lineCoun
     mostRows_ = std::max(1, static_cast<int>((std::int64_t{1} << 31) - 1) /
                                 static_cast<int>(std::min<std::int64_t>(
                                     static_cast<std::int64_t>(side_) * grid.lineEnd(), (std::int64_t{1} << 31) - 1)));
-    hits_.resize(side_ + 1);
-    open_.resize(side_ + 1);
-    openLanes_.resize(side_ + 1);
-    cutLanes_.resize(side_ + 1);
+    open_.resize((side_ + 1) * SpanRows::rowsAtOnce);
 }
 
 /// Gives a brick's place to other lines, of which nothing is known yet.
@@ -93,7 +90,9 @@ bool GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t 
 /// Before lines of a brick are cut: memory to write them, and a place in the queue.
 bool GapWindow::expectCuts(RunVolume& workpiece, Brick& brick) noexcept {
     if (brick.room.empty() && !workpiece.setAside({brick.u * lanes, brick.v * lanes}, brick.room)) return false;
-    return brick.queued || enqueue(workpiece, static_cast<std::uint32_t>(&brick - bricks_.data()));
+    if (!brick.queued && !enqueue(workpiece, static_cast<std::uint32_t>(&brick - bricks_.data()))) return false;
+    brick.ready = true;
+    return true;
 }
 
 bool GapWindow::enqueue(RunVolume& workpiece, std::uint32_t place) noexcept {
@@ -102,14 +101,16 @@ bool GapWindow::enqueue(RunVolume& workpiece, std::uint32_t place) noexcept {
     brick.queued = true;
     brick.due = static_cast<std::uint8_t>((tick_ + longestDelay - 1) % longestDelay);
     ++dueCounts_[brick.due];
+    ++pendingBricks_;
     queue_[(queueFirst_ + queueCount_++) % queue_.size()] = {place, brick.stamp};
     return true;
 }
 
 void GapWindow::unqueue(Brick& brick) noexcept {
-    brick.queued = false;
+    brick.queued = brick.ready = false;
     ++brick.stamp;
     --dueCounts_[brick.due];
+    --pendingBricks_;
 }
 
 bool GapWindow::write(RunVolume& workpiece, Brick& brick) noexcept {
@@ -123,7 +124,7 @@ bool GapWindow::write(RunVolume& workpiece, Brick& brick) noexcept {
     }
     if (!workpiece.clear({brick.u * 8, brick.v * 8}, spans, brick.room)) return false;
     brick.owing = 0;
-    --owingBricks_;
+    brick.ready = false; // its room went into the volume
     return true;
 }
 
@@ -165,60 +166,56 @@ void GapWindow::forget() noexcept {
     for (Brick& brick : bricks_) {
         brick.u = brick.v = -1;
         brick.owing = 0;
-        brick.queued = false;
+        brick.queued = brick.ready = false;
         brick.room = {};
     }
-    owingBricks_ = queueCount_ = 0;
+    pendingBricks_ = queueCount_ = 0;
     dueCounts_ = {};
     coveredLastRow_ = -1;
 }
 
-int GapWindow::take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
-                    const EightIntegers* low, const EightIntegers* high, RemovedUnits& removed) noexcept {
-    const auto mask = static_cast<std::uint32_t>(mask_);
-    const Row row{&gaps_[gapAt(v, 0)], mask, v, firstGroup, groups, low, high};
-    std::int32_t count = kernels::findHits(row, hits_.data());
-    if (count == 0) return 0;
-    Brick* const bricks = &bricks_[brickAt(0, v >> 3)];
-    const auto brickOf = [&](std::int32_t hit) -> Brick& {
-        return bricks[static_cast<std::uint32_t>(firstGroup + hits_[static_cast<std::size_t>(hit)]) & mask];
-    };
-    for (std::int32_t i = 0; i < count; ++i) {
-        // A brick that `widen` wrote early waits in the queue without room when there was none for it again.
-        Brick& brick = brickOf(i);
-        if (brick.queued && !brick.room.empty()) continue;
-        if (expectCuts(workpiece, brick)) continue;
-        removed.outOfMemory = true;
-        count = i;
+int GapWindow::take(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept {
+    int read = 0;
+    while (!rows.empty() && !removed.outOfMemory) {
+        const auto now = rows.first(std::min(rows.size(), static_cast<std::size_t>(mostRows_ - sums_.rows)));
+        read += takeSome(workpiece, now, removed);
+        if (sums_.rows == mostRows_) collect(removed);
+        rows = rows.subspan(now.size());
     }
-    if (sums_.rows++ == 0) {
-        sums_.originU = firstGroup * lanes;
-        sums_.originV = v;
-        sums_.alongOrigin = low[hits_[0]][0] < far ? 2 * low[hits_[0]][0] : 0;
-    }
-    kernels::Growth growth{cutLanes_.data(), open_.data(), openLanes_.data(), 0};
-    kernels::growGaps(row, hits_.data(), count, sums_, growth);
-    const int shift = (v & 7) * 8;
-    for (std::int32_t i = 0; i < count; ++i) {
-        const std::uint64_t cut = cutLanes_[static_cast<std::size_t>(i)];
-        Brick& brick = brickOf(i);
-        owingBricks_ += brick.owing == 0 && cut != 0 ? 1 : 0;
-        brick.owing |= cut << shift;
-    }
-    if (sums_.rows == mostRows_) collect(removed);
-    return growth.openCount == 0 ? 0 : takeOpen(workpiece, row, growth.openCount, removed);
+    return read;
 }
 
-/// The lines of a row that arithmetic could not serve.
-int GapWindow::takeOpen(RunVolume& workpiece, const Row& row, std::int32_t count, RemovedUnits& removed) noexcept {
+int GapWindow::takeSome(RunVolume& workpiece, std::span<const RowSpans> spans, RemovedUnits& removed) noexcept {
+    const std::int32_t firstRow = spans.front().v;
+    Brick* const bricks = &bricks_[brickAt(0, firstRow >> 3)];
+    const Rows rows{&gaps_[gapAt(firstRow & ~7, 0)], side_ + 1, bricks, static_cast<std::uint32_t>(mask_), spans};
+    if (sums_.rows == 0) {
+        const RowSpans& row = spans[spans.size() / 2];
+        sums_.originU = row.firstGroup * lanes;
+        sums_.originV = row.v;
+        const std::int32_t low = row.low[row.groups / 2][0];
+        sums_.alongOrigin = low < far ? 2 * low : 0;
+    }
+    sums_.rows += static_cast<int>(spans.size());
+    kernels::Growth growth{open_.data()};
+    while (!kernels::growGaps(rows, sums_, growth))
+        if (!expectCuts(workpiece, bricks[(spans[growth.row].firstGroup + growth.group) & mask_])) {
+            removed.outOfMemory = true;
+            break;
+        }
+    return takeOpen(workpiece, spans, std::span(open_).first(growth.openCount), removed);
+}
+
+/// The lines that arithmetic could not serve.
+int GapWindow::takeOpen(RunVolume& workpiece, std::span<const RowSpans> rows, std::span<const Open> open,
+                        RemovedUnits& removed) noexcept {
     int read = 0;
-    for (std::int32_t i = 0; i < count; ++i) {
-        const auto entry = static_cast<std::size_t>(i);
-        const std::int32_t group = hits_[static_cast<std::size_t>(open_[entry])];
-        for (std::uint32_t lanesLeft = openLanes_[entry]; lanesLeft != 0; lanesLeft &= lanesLeft - 1) {
-            const int lane = std::countr_zero(lanesLeft);
-            const LineIndex line{(row.firstGroup + group) * lanes + lane, row.v};
-            if (!widen(workpiece, line, row.low[group][lane], row.high[group][lane], removed)) {
+    for (const Open& one : open) {
+        const RowSpans& row = rows[one.row];
+        for (std::uint32_t left = one.lanesOf; left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            const LineIndex line{(row.firstGroup + one.group) * lanes + lane, row.v};
+            if (!widen(workpiece, line, row.low[one.group][lane], row.high[one.group][lane], removed)) {
                 removed.outOfMemory = true;
                 return read;
             }
@@ -308,34 +305,31 @@ bool GapWindow::widen(RunVolume& workpiece, LineIndex line, std::int32_t low, st
     const Gap& gap = gaps_[gapAt(line.v, line.u >> 3)];
     Bounds around{gap.low[line.u & 7], gap.high[line.u & 7]};
     if (around.low > around.high || low > around.high || high < around.low) {
-        if ((brick.owing >> bitOf(line) & 1) != 0) {
-            if (!write(workpiece, brick)) return false;
-            if (!workpiece.setAside({line.u & ~7, line.v & ~7}, brick.room)) return false;
-        }
+        if ((brick.owing >> bitOf(line) & 1) != 0 && !write(workpiece, brick)) return false;
         around = {low, low};
     }
+    if (!brick.ready && !expectCuts(workpiece, brick)) return false;
     const Found found = lookAround(workpiece, line, around, low, high, removed);
     keep(line, found);
     if (found.taken == 0) return true;
     removed.total += found.taken;
     removed.momentU += static_cast<double>(found.taken) * line.u;
     removed.momentV += static_cast<double>(found.taken) * line.v;
-    if (brick.owing == 0) ++owingBricks_;
     brick.owing |= std::uint64_t{1} << bitOf(line);
     return true;
 }
 
-int GapWindow::look(const RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
-                    const EightIntegers* low, const EightIntegers* high) noexcept {
+int GapWindow::look(const RunVolume& workpiece, const RowSpans& row) noexcept {
     int read = 0;
     RemovedUnits nothing;
-    for (std::int32_t group = 0; group < groups; ++group) {
-        const Gap& gap = gaps_[gapAt(v, firstGroup + group)];
-        std::uint32_t unknown = bitsOf((load(gap.low) > load(gap.high)) & (load(low[group]) < load(high[group])));
+    for (std::int32_t group = 0; group < row.groups; ++group) {
+        const EightIntegers &low = row.low[group], &high = row.high[group];
+        const Gap& gap = gaps_[gapAt(row.v, row.firstGroup + group)];
+        std::uint32_t unknown = bitsOf((load(gap.low) > load(gap.high)) & (load(low) < load(high)));
         for (; unknown != 0; unknown &= unknown - 1, ++read) {
             const int lane = std::countr_zero(unknown);
-            const std::int32_t middle = low[group][lane] + (high[group][lane] - low[group][lane]) / 2;
-            const LineIndex line{(firstGroup + group) * 8 + lane, v};
+            const std::int32_t middle = low[lane] + (high[lane] - low[lane]) / 2;
+            const LineIndex line{(row.firstGroup + group) * lanes + lane, row.v};
             keep(line, lookAround(workpiece, line, {middle, middle}, middle, middle, nothing));
         }
     }

@@ -4,10 +4,12 @@
 
 #include "core/base/vectorised.h"
 #include "core/cutting/removed_units.h"
+#include "core/tool/span_rows.h"
 #include "core/volume/run_volume.h"
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -30,22 +32,19 @@ public:
     /// places they take is written. False: out of reserved memory; nothing is lost.
     bool cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
                std::int32_t lastGroup) noexcept;
-    /// Takes the spans of some lines of a row. Stops at a brick for which no memory is left: see RemovedUnits.
-    /// @param low, high spans of `groups` groups of eight lines, run units; none where low > high
+    /// Takes spans out of rows that share their bricks. Stops at a brick for which no memory is left: see RemovedUnits.
     /// @return lines for which the volume was read
-    int take(RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
-             const EightIntegers* low, const EightIntegers* high, RemovedUnits& removed) noexcept;
+    int take(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept;
     /// Adds what `take` has summed up so far; to be called after its last row.
     void collect(RemovedUnits& removed) noexcept;
-    /// Gets lines ready of which a cut may ask soon. Parameters and result as `take`.
-    int look(const RunVolume& workpiece, std::int32_t v, std::int32_t firstGroup, std::int32_t groups,
-             const EightIntegers* low, const EightIntegers* high) noexcept;
+    /// Gets lines ready of which a cut may ask soon. @return lines for which the volume was read
+    int look(const RunVolume& workpiece, const RowSpans& row) noexcept;
 
     /// To be called once a tick: writes what has to be, at an even pace. False: out of reserved memory.
     bool writeDue(RunVolume& workpiece) noexcept;
     /// Writes all that is owed. False: out of reserved memory; the rest is still owed.
     bool writeAll(RunVolume& workpiece) noexcept;
-    bool owesNothing() const noexcept { return owingBricks_ == 0; }
+    bool owesNothing() const noexcept { return pendingBricks_ == 0; }
     /// Forgets all lines, and what is owed with them.
     void forget() noexcept;
 
@@ -76,24 +75,32 @@ public:
         std::int32_t alongOrigin = 0;                             ///< run units, doubled
         int rows = 0;                                             ///< that are in the sums
     };
-    /// A row of the window.
-    struct Row {
-        Gap* gaps = nullptr;
-        std::uint32_t mask = 0; ///< of a group's place in the row
-        std::int32_t v = 0, firstGroup = 0, groups = 0;
-        const EightIntegers* low = nullptr;
-        const EightIntegers* high = nullptr;
-    };
-
-private:
-    struct Brick {
+    /// 8 × 8 lines.
+    struct alignas(64) Brick {
         std::int32_t u = -1, v = -1;
         std::uint64_t owing = 0; ///< a bit for each line
         BrickRoom room;
         std::uint32_t stamp = 0; ///< an entry of the queue with another one is void
         std::uint8_t due = 0;    ///< tick, of 16
         bool queued = false;
+        bool ready = false; ///< for cuts: queued, and with room
     };
+    /// Rows of the window that share their bricks.
+    struct Rows {
+        Gap* gaps = nullptr;      ///< of the bricks' first row
+        std::size_t rowPitch = 0; ///< from a row to the next
+        Brick* bricks = nullptr;
+        std::uint32_t mask = 0; ///< of a group's place in the row
+        std::span<const RowSpans> spans;
+    };
+    /// A group with lines that need the volume.
+    struct Open {
+        std::uint16_t row = 0; ///< of Rows::spans
+        std::uint16_t group = 0;
+        std::uint32_t lanesOf = 0; ///< bits of those lines
+    };
+
+private:
     struct Entry {
         std::uint32_t brick = 0, stamp = 0;
     };
@@ -116,7 +123,9 @@ private:
     }
     void claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept;
     bool expectCuts(RunVolume& workpiece, Brick& brick) noexcept;
-    int takeOpen(RunVolume& workpiece, const Row& row, std::int32_t count, RemovedUnits& removed) noexcept;
+    int takeSome(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept;
+    int takeOpen(RunVolume& workpiece, std::span<const RowSpans> rows, std::span<const Open> open,
+                 RemovedUnits& removed) noexcept;
     bool enqueue(RunVolume& workpiece, std::uint32_t brick) noexcept;
     void unqueue(Brick& brick) noexcept;
     bool write(RunVolume& workpiece, Brick& brick) noexcept;
@@ -132,7 +141,7 @@ private:
     std::int32_t mask_ = 0, rowMask_ = 0; ///< of a brick's place, of a row's
     std::vector<Gap> gaps_;
     std::vector<Brick> bricks_;
-    std::size_t owingBricks_ = 0;
+    std::size_t pendingBricks_ = 0; ///< in the queue: no others owe anything
     std::int32_t coveredFirstRow_ = 0, coveredLastRow_ = -1, coveredFirstGroup_ = 0, coveredLastGroup_ = -1;
 
     std::vector<Entry> queue_; ///< a ring
@@ -140,10 +149,7 @@ private:
     std::array<std::uint32_t, longestDelay> dueCounts_{}; ///< bricks by the tick that they are due in
     std::uint32_t tick_ = 0;
 
-    std::vector<std::int32_t> hits_;
-    std::vector<std::int32_t> open_;       ///< groups with lines that need the volume …
-    std::vector<std::uint32_t> openLanes_; ///< … and which those are
-    std::vector<std::uint32_t> cutLanes_;  ///< by hit: the lines of it that were cut
+    std::vector<Open> open_; ///< of the rows that are taken
     Sums sums_;
     int mostRows_ = 1; ///< before the sums could overflow
 };

@@ -8,85 +8,116 @@ namespace burin::kernels {
 
 namespace {
 
-BURIN_INLINE GapWindow::Gap& gapOf(const GapWindow::Row& row, std::int32_t group) noexcept {
-    return row.gaps[static_cast<std::uint32_t>(row.firstGroup + group) & row.mask];
-}
-
-/// Sums over some gaps, lane by lane.
-struct Lanes {
-    Floats units, momentU, momentV, momentAlong;
+/// What one side of a row's gaps lost, lane by lane. Neighbours of one property are the rule: their units stay in a
+/// register until another one comes.
+struct Side {
+    Integers property{}; ///< of `units`, the same in every lane
+    Integers units{};    ///< run units
+    Floats momentAlong{};
 };
 
-/// Adds what one side of eight gaps lost. `middle`: of it, doubled, run units.
-BURIN_INLINE void addSide(Integers taken, std::uint32_t which, Words neighbour, Integers middle, Floats u, float v,
-                          GapWindow::Sums& sums, Lanes& all) noexcept {
+BURIN_INLINE void flush(GapWindow::Sums& sums, Side& lost) noexcept {
+    const auto place = static_cast<std::size_t>(lost.property[0]);
+    store(load(sums.byProperty[place]) + lost.units, sums.byProperty[place]);
+    sums.used[place / 64] |= std::uint64_t{1} << (place % 64);
+    lost.units = Integers{};
+}
+
+/// Adds what eight gaps lost. `middle`: of it, doubled, run units from the origin. @return units as floats
+BURIN_INLINE Floats addSide(Integers taken, Words neighbour, Integers middle, GapWindow::Sums& sums,
+                            Side& lost) noexcept {
     const auto property = reinterpret_cast<Integers>(neighbour & 255U);
-    do {
-        const std::int32_t one = property[std::countr_zero(which)];
-        const Integers same = property == one;
-        const auto place = static_cast<std::size_t>(one);
-        store(load(sums.byProperty[place]) + (taken & same), sums.byProperty[place]);
-        sums.used[place / 64] |= std::uint64_t{1} << (place % 64);
-        which &= ~bitsOf(same);
-    } while (which != 0);
+    const Integers others = (property != lost.property) & (taken > Integers{});
+    if (std::uint32_t left = bitsOf(others); left == 0) {
+        lost.units += taken;
+    } else {
+        lost.units += taken & ~others;
+        do {
+            flush(sums, lost);
+            lost.property = integers(property[std::countr_zero(left)]);
+            const Integers same = (property == lost.property) & others;
+            lost.units = taken & same;
+            left &= ~bitsOf(same);
+        } while (left != 0);
+    }
     const Floats units = floatsOf(taken);
-    all.units += units;
-    all.momentU += units * u;
-    all.momentV += units * v;
-    all.momentAlong += units * floatsOf(middle - sums.alongOrigin);
+    lost.momentAlong += units * floatsOf(middle);
+    return units;
+}
+
+/// What rows lost, from the sums' origins.
+struct Lost {
+    Side below, above;
+    Floats units{}, momentU{}, momentV{}; ///< momentU without the lanes' own places
+};
+
+/// Goes on with a row. @return the first group that it did not come to
+BURIN_INLINE std::int32_t growRow(const GapWindow::Rows& rows, const RowSpans& row, GapWindow::Sums& sums, Lost& lost,
+                                  Growth& growth) noexcept {
+    // What the stores below can't change, as far as the compiler knows.
+    const EightIntegers *const lows = row.low, *const highs = row.high;
+    GapWindow::Gap* const gaps = rows.gaps + rows.rowPitch * static_cast<std::size_t>(row.v & 7);
+    GapWindow::Brick* const bricks = rows.bricks;
+    const std::uint32_t firstGroup = static_cast<std::uint32_t>(row.firstGroup), mask = rows.mask;
+    const std::int32_t groups = row.groups, originU = row.firstGroup * lanes - sums.originU;
+    const Integers alongOrigin = integers(sums.alongOrigin);
+    const int shift = (row.v & 7) * 8;
+    Floats rowUnits{};
+    std::int32_t group = growth.group;
+    for (; group < groups; ++group) {
+        const std::uint32_t place = (firstGroup + static_cast<std::uint32_t>(group)) & mask;
+        GapWindow::Gap& gap = gaps[place];
+        const Integers low = load(lows[group]), high = load(highs[group]);
+        const Integers oldLow = load(gap.low), oldHigh = load(gap.high);
+        const Integers hit = ((oldLow > low) | (high > oldHigh)) & (high > low);
+        const std::uint32_t hits = bitsOf(hit);
+        if (hits == 0) continue;
+        GapWindow::Brick& brick = bricks[place];
+        if (!brick.ready) break;
+        const Words left = load(gap.left), right = load(gap.right);
+        const Integers apart = (low > oldHigh) | (oldLow > high) |
+                               (high > most(oldHigh, reinterpret_cast<Integers>(right >> 8))) |
+                               (least(oldLow, reinterpret_cast<Integers>(left >> 8)) > low);
+        const Integers grows = hit & ~apart;
+        const Integers newLow = grows ? least(low, oldLow) : oldLow, newHigh = grows ? most(high, oldHigh) : oldHigh;
+        store(newLow, gap.low);
+        store(newHigh, gap.high);
+        const Floats units = addSide(oldLow - newLow, left, oldLow + newLow - alongOrigin, sums, lost.below) +
+                             addSide(newHigh - oldHigh, right, oldHigh + newHigh - alongOrigin, sums, lost.above);
+        rowUnits += units;
+        lost.momentU += units * static_cast<float>(group * lanes + originU);
+        const std::uint32_t open = bitsOf(hit & apart);
+        brick.owing |= static_cast<std::uint64_t>(hits & ~open) << shift;
+        if (open != 0)
+            growth.open[growth.openCount++] = {static_cast<std::uint16_t>(growth.row),
+                                               static_cast<std::uint16_t>(group), open};
+    }
+    lost.units += rowUnits;
+    lost.momentV += rowUnits * static_cast<float>(row.v - sums.originV);
+    return group;
+}
+
+BURIN_INLINE void addTo(GapWindow::Sums& sums, Lost& lost) noexcept {
+    flush(sums, lost.below);
+    flush(sums, lost.above);
+    const Floats lane{0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F};
+    store(load(sums.units) + lost.units, sums.units);
+    store(load(sums.momentU) + lost.momentU + lost.units * lane, sums.momentU);
+    store(load(sums.momentV) + lost.momentV, sums.momentV);
+    store(load(sums.momentAlong) + lost.below.momentAlong + lost.above.momentAlong, sums.momentAlong);
 }
 
 } // namespace
 
-BURIN_VECTORISED std::int32_t findHits(const GapWindow::Row& row, std::int32_t* hits) noexcept {
-    std::int32_t count = 0;
-    for (std::int32_t group = 0; group < row.groups; ++group) {
-        const GapWindow::Gap& gap = gapOf(row, group);
-        const Integers low = load(row.low[group]), high = load(row.high[group]);
-        const Integers hit = ((low < load(gap.low)) | (high > load(gap.high))) & (low < high);
-        hits[count] = group;
-        count += bitsOf(hit) != 0 ? 1 : 0;
+BURIN_VECTORISED bool growGaps(const GapWindow::Rows& rows, GapWindow::Sums& sums, Growth& growth) noexcept {
+    Lost lost;
+    for (; growth.row < rows.spans.size(); ++growth.row, growth.group = 0) {
+        const RowSpans& row = rows.spans[growth.row];
+        growth.group = growRow(rows, row, sums, lost, growth);
+        if (growth.group < row.groups) break;
     }
-    return count;
-}
-
-BURIN_VECTORISED void growGaps(const GapWindow::Row& row, const std::int32_t* hits, std::int32_t hitCount,
-                               GapWindow::Sums& sums, Growth& growth) noexcept {
-    std::int32_t open = 0;
-    Lanes all{load(sums.units), load(sums.momentU), load(sums.momentV), load(sums.momentAlong)};
-    const auto v = static_cast<float>(row.v - sums.originV);
-    for (std::int32_t i = 0; i < hitCount; ++i) {
-        const std::int32_t group = hits[i];
-        GapWindow::Gap& gap = gapOf(row, group);
-        const Integers low = load(row.low[group]), high = load(row.high[group]);
-        const Integers oldLow = load(gap.low), oldHigh = load(gap.high);
-        const Words left = load(gap.left), right = load(gap.right);
-        const Integers hit = ((low < oldLow) | (high > oldHigh)) & (low < high);
-        const Integers within = (high <= most(oldHigh, reinterpret_cast<Integers>(right >> 8))) &
-                                (low >= least(oldLow, reinterpret_cast<Integers>(left >> 8))) & (low <= oldHigh) &
-                                (high >= oldLow);
-        const Integers grows = hit & within;
-        const Integers downs = grows & (low < oldLow), ups = grows & (high > oldHigh);
-        const Floats u = floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + ((row.firstGroup + group) * lanes - sums.originU));
-        const std::uint32_t down = bitsOf(downs), up = bitsOf(ups);
-        if (down != 0) {
-            addSide((oldLow - low) & downs, down, left, oldLow + low, u, v, sums, all);
-            store(downs ? low : oldLow, gap.low);
-        }
-        if (up != 0) {
-            addSide((high - oldHigh) & ups, up, right, oldHigh + high, u, v, sums, all);
-            store(ups ? high : oldHigh, gap.high);
-        }
-        growth.cutLanes[i] = down | up;
-        growth.open[open] = i;
-        growth.openLanes[open] = bitsOf(hit & ~within);
-        open += growth.openLanes[open] != 0 ? 1 : 0;
-    }
-    growth.openCount = open;
-    store(all.units, sums.units);
-    store(all.momentU, sums.momentU);
-    store(all.momentV, sums.momentV);
-    store(all.momentAlong, sums.momentAlong);
+    addTo(sums, lost);
+    return growth.row == rows.spans.size();
 }
 
 } // namespace burin::kernels

@@ -46,7 +46,7 @@ WindowCutter::WindowCutter(const RevolvedPiece& piece, const Grid& grid)
     , radius_(piece.bottomRadius / grid.edge())
     , spans_(inVoxels(piece, grid.edge()), static_cast<std::int32_t>(grid.lineEnd()))
     , window_(grid, windowReach(spans_, radius_))
-    , low_(static_cast<std::size_t>(grid.lineCountU()) / 8 + 2)
+    , low_((static_cast<std::size_t>(grid.lineCountU()) / 8 + 2) * SpanRows::rowsAtOnce)
     , high_(low_.size()) {}
 
 LinePose WindowCutter::inLines(const ToolPose& pose) const noexcept {
@@ -69,18 +69,28 @@ bool WindowCutter::fits(const LineStretch& rows, const LineStretch& groups) cons
     return (rows.last >> 3) - (rows.first >> 3) < window_.side() && groups.last - groups.first < window_.side();
 }
 
-/// One row of the present way. @return its cost, in groups
-double WindowCutter::takeRow(RunVolume& workpiece, std::int32_t v, bool covered, RemovedUnits& removed) noexcept {
-    const LineStretch groups = groupsOf(spans_.row(v));
+/// Some rows of one brick, of the present way. @return their cost, in groups
+double WindowCutter::takeRows(RunVolume& workpiece, std::int32_t first, std::int32_t end, const LineStretch& groups,
+                              RemovedUnits& removed) noexcept {
+    const auto count = static_cast<std::size_t>(
+        spans_.stretches(first, end - first, groups, low_.data(), high_.data(), rowSpans_.data()));
+    const std::span<const RowSpans> rows = std::span(rowSpans_).first(count);
+    spans_.spans(rows);
+    double cost = costOfReading * window_.take(workpiece, rows, removed);
+    for (const RowSpans& row : rows) cost += row.groups;
+    return cost;
+}
+
+/// One row that is wider than the window, which is moved along it. @return its cost, in groups
+double WindowCutter::takeWideRow(RunVolume& workpiece, std::int32_t v, LineStretch groups,
+                                 RemovedUnits& removed) noexcept {
     double cost = 0.0;
-    for (std::int32_t first = groups.first; first <= groups.last && !removed.outOfMemory; first += window_.side()) {
-        const std::int32_t last = std::min(groups.last, first + window_.side() - 1), count = last - first + 1;
-        if (!covered && !window_.cover(workpiece, v, v, first, last)) {
+    for (; groups.first <= groups.last && !removed.outOfMemory; groups.first += window_.side()) {
+        const std::int32_t last = std::min(groups.last, groups.first + window_.side() - 1);
+        if (window_.cover(workpiece, v, v, groups.first, last))
+            cost += takeRows(workpiece, v, v + 1, {groups.first, last}, removed);
+        else
             removed.outOfMemory = true;
-            break;
-        }
-        spans_.spans(v, first, count, low_.data(), high_.data());
-        cost += count + costOfReading * window_.take(workpiece, v, first, count, low_.data(), high_.data(), removed);
     }
     return cost;
 }
@@ -96,12 +106,14 @@ double WindowCutter::advance(RunVolume& workpiece, double budget, RemovedUnits& 
             removed.outOfMemory = true;
             return budget;
         }
-        for (std::int32_t v = std::max(rows.first, step.nextRow); v <= rows.last; ++v) {
-            budget -= takeRow(workpiece, v, covered, removed);
-            step.nextRow = v; // again, should memory have run out within
-            if (removed.outOfMemory) return budget;
-            step.nextRow = v + 1;
-            if (budget < 0.0 && v < rows.last) return budget;
+        std::int32_t v = std::max(rows.first, step.nextRow);
+        while (v <= rows.last) {
+            const std::int32_t end = covered ? std::min(rows.last, v | 7) + 1 : v + 1;
+            budget -=
+                covered ? takeRows(workpiece, v, end, groups, removed) : takeWideRow(workpiece, v, groups, removed);
+            if (removed.outOfMemory) return budget; // the same rows again, next time
+            step.nextRow = v = end;
+            if (budget < 0.0 && v <= rows.last) return budget;
         }
     }
     firstStep_ = (firstStep_ + 1) % mostSteps;
@@ -183,11 +195,9 @@ void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept
     if (!covered) return;
     double budget = tickBudget;
     for (std::int32_t v = rows.first; v <= rows.last && budget > 0.0; ++v) {
-        const LineStretch groups = groupsOf(spans_.row(v));
-        if (groups.last < groups.first) continue;
-        const std::int32_t count = groups.last - groups.first + 1;
-        spans_.spans(v, groups.first, count, low_.data(), high_.data());
-        budget -= count + costOfReading * window_.look(workpiece, v, groups.first, count, low_.data(), high_.data());
+        if (spans_.stretches(v, 1, all, low_.data(), high_.data(), rowSpans_.data()) == 0) continue;
+        spans_.spans({rowSpans_.data(), 1});
+        budget -= rowSpans_[0].groups + costOfReading * window_.look(workpiece, rowSpans_[0]);
     }
 }
 

@@ -48,13 +48,16 @@ private:
     LineStretch groupsOf(const LineStretch& lines) const noexcept;
     LineStretch rowsOf(const LineStretch& rows) const noexcept;
     bool fits(const LineStretch& rows, const LineStretch& groups) const noexcept;
-    double takeRow(RunVolume& workpiece, std::int32_t v, bool covered, RemovedUnits& removed) noexcept;
+    double takeRows(RunVolume& workpiece, std::int32_t first, std::int32_t end, const LineStretch& groups,
+                    RemovedUnits& removed) noexcept;
+    double takeWideRow(RunVolume& workpiece, std::int32_t v, LineStretch groups, RemovedUnits& removed) noexcept;
 
     Grid grid_;
     double radius_;
     SpanRows spans_;
     GapWindow window_;
-    std::vector<EightIntegers> low_, high_; ///< of one row
+    std::vector<EightIntegers> low_, high_; ///< of the rows that are taken at once
+    std::array<RowSpans, SpanRows::rowsAtOnce> rowSpans_;
 
     std::array<Step, mostSteps> steps_; ///< a ring
     std::size_t firstStep_ = 0, stepCount_ = 0;

@@ -16,8 +16,6 @@ constexpr double unitsAVoxel = 256.0;
 // A way that is shorter across the runs counts as one along them.
 constexpr double leastReach = 1e-9; // voxels
 constexpr double shortWay = 8.0;    // voxels
-// Lines that are left out lie so far behind those that can have more: roundings don't decide about any.
-constexpr double clipMargin = 1.0; // voxels
 
 /// Nearest run unit, held within what an int can say.
 std::int32_t unitOf(double voxels) noexcept {
@@ -26,7 +24,9 @@ std::int32_t unitOf(double voxels) noexcept {
 }
 
 std::int32_t wholeOf(double voxels) noexcept {
-    return static_cast<std::int32_t>(std::floor(std::clamp(voxels, -1e9, 1e9)));
+    const double held = std::clamp(voxels, -1e9, 1e9);
+    const auto whole = static_cast<std::int32_t>(held); // std::floor is a call where SSE4 is not given
+    return whole - (held < whole ? 1 : 0);
 }
 
 struct Extent {
@@ -79,10 +79,10 @@ bool SpanRows::isUpright(const glm::dvec3& axis) const noexcept {
 }
 
 void SpanRows::beginEnd(End& end, const glm::dvec3& tip) const noexcept {
-    end.x = tip.x;
-    end.y = tip.y;
     end.wholeX = wholeOf(tip.x);
+    end.wholeY = wholeOf(tip.y);
     end.partX = static_cast<float>(tip.x - end.wholeX);
+    end.partY = static_cast<float>(tip.y - end.wholeY);
     end.top = unitOf(tip.z + piece_.top);
     const double middle = std::clamp((tip.z + piece_.bottom + piece_.cornerRadius) * unitsAVoxel, -1e9, 1e9);
     const double whole = std::floor(middle);
@@ -99,8 +99,8 @@ void SpanRows::beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept {
     if (!moves_) return;
     Upright& piece = upright_;
     const double length = std::hypot(reach, rise);
-    piece.wayX = wayX / reach;
-    piece.wayY = wayY / reach;
+    piece.wayX = static_cast<float>(wayX / reach);
+    piece.wayY = static_cast<float>(wayY / reach);
     piece.reach = static_cast<float>(reach);
     piece.perReach = static_cast<float>(1.0 / reach);
     piece.rise = static_cast<float>(rise * unitsAVoxel);
@@ -116,6 +116,7 @@ void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withSta
     withStart_ = withStart;
     axis_ = from.axis;
     tilts_ = !isUpright(axis_);
+    rowsOfUpright_.first = std::numeric_limits<std::int32_t>::min() / 2; // none of this way yet
     if (tilts_) return beginTilted(from, toTip);
     beginEnd(upright_.from, from.tip);
     beginEnd(upright_.to, toTip);
@@ -125,9 +126,12 @@ void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withSta
     upright_.joins = std::abs(toTip.z - from.tip.z) < piece_.top - piece_.bottom - piece_.cornerRadius;
     upright_.topRises = std::min(upright_.from.top, upright_.lineEnd) != upright_.levelTop;
     const double rise = toTip.z - from.tip.z;
-    const bool topStays = rise <= 0.0 || std::min(upright_.from.top, upright_.lineEnd) == upright_.levelTop;
-    clips_ = !withStart && moves_ && topStays && (rise >= 0.0 || shape_ == Shape::ball);
-    behind_ = clips_ ? std::max(0.0, -rise) / static_cast<double>(upright_.reach) : 0.0;
+    const bool topStays = rise <= 0.0 || !upright_.topRises;
+    upright_.withStart = withStart;
+    upright_.moves = moves_;
+    upright_.clipsLow = !withStart && moves_ && (rise >= 0.0 || shape_ == Shape::ball);
+    upright_.clips = upright_.clipsLow && topStays;
+    upright_.behind = upright_.clipsLow ? std::max(0.0F, -static_cast<float>(rise)) * upright_.perReach : 0.0F;
     rows_ = {wholeOf(std::min(from.tip.y, toTip.y) - radius_), wholeOf(std::max(from.tip.y, toTip.y) + radius_) + 1};
     columns_ = {wholeOf(std::min(from.tip.x, toTip.x) - radius_), wholeOf(std::max(from.tip.x, toTip.x) + radius_) + 1};
 }
@@ -161,50 +165,56 @@ LineStretch SpanRows::tiltedRow(std::int32_t v) const noexcept {
     return {wholeOf(extent.low), wholeOf(extent.high) + 1};
 }
 
-LineStretch SpanRows::row(std::int32_t v) const noexcept {
+LineStretch SpanRows::row(std::int32_t v) noexcept {
     if (tilts_) return tiltedRow(v);
-    const End &from = upright_.from, &to = upright_.to;
-    Extent extent;
-    includeCircle(extent, to.x, v - to.y, radius_);
-    if (withStart_ || moves_) includeCircle(extent, from.x, v - from.y, radius_);
-    if (moves_) {
-        // The two straight sides between the circles, where this row meets them.
-        const double rise = to.y - from.y;
-        for (const double side : {-radius_, radius_}) {
-            if (rise == 0.0) break; // the circles say it all
-            const double part = (v - (from.y + side * upright_.wayX)) / rise;
-            if (part >= 0.0 && part <= 1.0) extent.include(from.x - side * upright_.wayY + part * (to.x - from.x));
+    kernels::planRows(upright_, v, rowsOfUpright_);
+    return {lanes * rowsOfUpright_.begin[0], lanes * rowsOfUpright_.end[0] - 1};
+}
+
+int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups, EightIntegers* low,
+                        EightIntegers* high, RowSpans* stretches) noexcept {
+    if (!tilts_) kernels::planRows(upright_, first, rowsOfUpright_);
+    int count = 0;
+    for (int i = 0; i < rows; ++i) {
+        LineStretch met;
+        if (tilts_) {
+            const LineStretch lines = tiltedRow(first + i);
+            if (lines.last >= lines.first) met = {lines.first >> 3, lines.last >> 3};
+        } else {
+            met = {rowsOfUpright_.begin[i], rowsOfUpright_.end[i] - 1};
         }
+        const std::int32_t begin = std::max(met.first, groups.first), end = std::min(met.last, groups.last) + 1;
+        if (end <= begin) continue;
+        stretches[count++] = {first + i, begin, end - begin, low, high};
+        low += end - begin;
+        high += end - begin;
     }
-    if (!(extent.low <= extent.high)) return {};
-    const LineStretch lines{wholeOf(extent.low), wholeOf(extent.high) + 1};
-    return clips_ ? inFront(lines, v - from.y) : lines;
+    return count;
 }
 
-/// Lines that can have more than at the start of the way. The height of the piece over a line is convex along the way:
-/// where it does not fall at the start, it never does. Behind the axis a piece that does not sink never falls, and a
-/// ball that sinks does not from behind_ · (half its chord) on.
-/// @param y voxels, of the row from the axis at the start
-LineStretch SpanRows::inFront(const LineStretch& lines, double y) const noexcept {
-    const double chord = std::sqrt(std::max(0.0, (radius_ - y) * (radius_ + y)));
-    const double ahead = -clipMargin - behind_ * chord - y * upright_.wayY; // of x · wayX, at least
-    const double wayX = upright_.wayX, x = upright_.from.x;
-    if (std::abs(wayX) * (radius_ + upright_.reach) < clipMargin)
-        return ahead > clipMargin ? LineStretch{} : lines; // the row lies across the way
-    if (wayX > 0.0) return {std::max(lines.first, wholeOf(x + ahead / wayX)), lines.last};
-    return {lines.first, std::min(lines.last, wholeOf(x + ahead / wayX) + 1)};
+template <class Kernel>
+void SpanRows::eachRow(Kernel kernel, std::span<const RowSpans> stretches) const noexcept {
+    for (const RowSpans& row : stretches)
+        kernel(tilted_, {row.v, row.firstGroup, row.groups, row.low, row.high, withStart_, moves_});
 }
 
-void SpanRows::spans(std::int32_t v, std::int32_t firstGroup, std::int32_t groups, EightIntegers* low,
-                     EightIntegers* high) const noexcept {
-    const kernels::Stretch stretch{v, firstGroup, groups, low, high, withStart_, moves_};
+void SpanRows::spans(std::span<const RowSpans> stretches) noexcept {
+    if (stretches.empty()) return;
+    if (!tilts_) {
+        const std::int32_t from = stretches.front().v - rowsOfUpright_.first,
+                           to = stretches.back().v - rowsOfUpright_.first;
+        if (from < 0 || to >= rowsAtOnce) kernels::planRows(upright_, stretches.front().v, rowsOfUpright_);
+    }
     switch (shape_) {
     case Shape::ball:
-        return tilts_ ? kernels::tiltedBall(tilted_, stretch) : kernels::uprightBall(upright_, stretch);
+        return tilts_ ? eachRow(kernels::tiltedBall, stretches)
+                      : kernels::uprightBall(upright_, rowsOfUpright_, stretches);
     case Shape::flat:
-        return tilts_ ? kernels::tiltedFlat(tilted_, stretch) : kernels::uprightFlat(upright_, stretch);
+        return tilts_ ? eachRow(kernels::tiltedFlat, stretches)
+                      : kernels::uprightFlat(upright_, rowsOfUpright_, stretches);
     case Shape::bullNose:
-        return tilts_ ? kernels::tiltedBullNose(tilted_, stretch) : kernels::uprightBullNose(upright_, stretch);
+        return tilts_ ? eachRow(kernels::tiltedBullNose, stretches)
+                      : kernels::uprightBullNose(upright_, rowsOfUpright_, stretches);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <span>
 
 namespace burin {
 
@@ -22,6 +23,13 @@ struct LinePose {
 /// Places first … last along an axis of lines; none when last < first.
 struct LineStretch {
     std::int32_t first = 0, last = -1;
+};
+
+/// Spans of some groups of eight lines of a row, in run units: lines 8 × firstGroup … at u.
+struct RowSpans {
+    std::int32_t v = 0, firstGroup = 0, groups = 0;
+    EightIntegers* low = nullptr; ///< `groups` entries
+    EightIntegers* high = nullptr;
 };
 
 /// Spans of a ball-ended, flat or bull-nosed piece on whole rows of scanlines, eight lines at a time: what it sweeps
@@ -41,6 +49,7 @@ public:
     /// Voxels that a piece may lean over its length and still count as upright.
     static constexpr double uprightError = 1.0 / 512.0;
     static constexpr std::int32_t none = 1 << 30;
+    static constexpr int rowsAtOnce = 8;
 
     /// @param piece in voxels. True: this class knows its shape.
     static bool serves(const RevolvedPiece& piece) noexcept;
@@ -62,23 +71,28 @@ public:
     LineStretch rows() const noexcept { return rows_; }
     /// Lines of any row that the swept piece can meet.
     LineStretch columns() const noexcept { return columns_; }
-    /// Lines of a row that the swept piece can meet.
-    LineStretch row(std::int32_t v) const noexcept;
-    /// Spans of the lines 8 × firstGroup … of a row; where there is none, low > high. Held within the lines' ends.
-    /// @param low, high `groups` entries
-    void spans(std::int32_t v, std::int32_t firstGroup, std::int32_t groups, EightIntegers* low,
-               EightIntegers* high) const noexcept;
+    /// Lines of a row that the swept piece can meet, rounded to groups of eight where the piece stands upright.
+    LineStretch row(std::int32_t v) noexcept;
+    /// Finds the stretches of some rows that the swept piece can meet.
+    /// @param rows    at most `rowsAtOnce`, from `first` on
+    /// @param groups  of eight lines that may be asked for; low, high: room for those of all these rows
+    /// @param stretches where they go, rows without any left out; their spans lie one after the other
+    /// @return how many
+    int stretches(std::int32_t first, int rows, const LineStretch& groups, EightIntegers* low, EightIntegers* high,
+                  RowSpans* stretches) noexcept;
+    /// Fills in the spans of stretches that lie within `rowsAtOnce` rows of each other; where there is none, low >
+    /// high. Held within the lines' ends.
+    void spans(std::span<const RowSpans> stretches) noexcept;
 
     enum class Shape : std::uint8_t { ball, flat, bullNose };
     /// One end of an upright piece's way.
     struct End {
-        double x = 0.0, y = 0.0; ///< voxels
-        std::int32_t wholeX = 0; ///< of x
-        float partX = 0.0F;      ///< the rest
-        std::int32_t top = 0;    ///< units, of the upper face
-        std::int32_t base = 0;   ///< units, that heights count from
-        float middle = 0.0F;     ///< units from base, of the rounding's middle, + 1/2
-        float flatHeight = 0.0F; ///< units over that, of the flat middle
+        std::int32_t wholeX = 0, wholeY = 0; ///< voxels
+        float partX = 0.0F, partY = 0.0F;    ///< the rest
+        std::int32_t top = 0;                ///< units, of the upper face
+        std::int32_t base = 0;               ///< units, that heights count from
+        float middle = 0.0F;                 ///< units from base, of the rounding's middle, + 1/2
+        float flatHeight = 0.0F;             ///< units over that, of the flat middle
     };
     /// An upright piece on its way.
     struct Upright {
@@ -90,18 +104,35 @@ public:
         std::int32_t highestTop = 0; ///< units
         bool joins = true;           ///< what is covered at both ends overlaps, or touches, on every line
         // The way between: direction and length across the runs, rise along them.
-        double wayX = 1.0, wayY = 0.0;       ///< unit
+        float wayX = 1.0F, wayY = 0.0F;      ///< unit
         float reach = 0.0F, perReach = 0.0F; ///< voxels, its inverse
         float rise = 0.0F, riseSign = 0.0F;  ///< units
         float sine = 0.0F, cosine = 1.0F;    ///< of the way's slope
         std::int32_t topBase = 0;            ///< units, that the upper face counts from between the ends
         float topMiddle = 0.0F;              ///< units from there, of the upper face at the end, + 1/2
+        // What of the way is asked for.
+        bool withStart = true, moves = false;
+        bool clipsLow = false; ///< lines behind the piece can't be lower than at the start
+        bool clips = false;    ///< lines behind the piece can't have more
+        float behind = 0.0F;   ///< slope of the way downwards: how far behind its axis a ball still goes deeper
+    };
+    /// Rows of lines that an upright piece meets, a lane each. Groups are those of eight lines, counted from the
+    /// grid's.
+    struct UprightRows {
+        std::int32_t first = 0;           ///< row
+        EightFloats fromSquare, toSquare; ///< R² - y² at both ends, voxels²
+        EightFloats ahead, aside;         ///< voxels, of the line at the start's x, seen from the start along the way
+        EightIntegers begin, end;         ///< groups that the piece can meet
+        EightIntegers coveredBegin, coveredEnd; ///< groups with every line covered at both ends
+        EightIntegers deeperBegin, deeperEnd;   ///< groups that hold all lines which can be lower than at the start
+        EightIntegers betweenBegin, betweenEnd; ///< groups that hold all lines where a ball is lowest between the ends
     };
 
 private:
     bool isUpright(const glm::dvec3& axis) const noexcept;
-    LineStretch inFront(const LineStretch& lines, double y) const noexcept;
     LineStretch tiltedRow(std::int32_t v) const noexcept;
+    template <class Kernel>
+    void eachRow(Kernel kernel, std::span<const RowSpans> stretches) const noexcept;
     void beginTilted(const LinePose& from, const glm::dvec3& toTip) noexcept;
     void beginEnd(End& end, const glm::dvec3& tip) const noexcept;
     void beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept;
@@ -111,8 +142,9 @@ private:
     double radius_ = 0.0, longestWay_ = 0.0;
     double depth_ = 0.0; ///< units, below a rounding's middle that heights count from
     bool withStart_ = true, moves_ = false;
-    bool clips_ = false;  ///< lines behind the piece can't have more
-    double behind_ = 0.0; ///< slope of the way downwards: how far behind its axis a ball still goes deeper
+    bool clipsLow_ = false; ///< lines behind the piece can't be lower than at the start
+    bool clips_ = false;    ///< lines behind the piece can't have more
+    double behind_ = 0.0;   ///< slope of the way downwards: how far behind its axis a ball still goes deeper
     LineStretch rows_, columns_;
     bool tilts_ = false;
     double reach_ = 0.0;
@@ -120,6 +152,7 @@ private:
     glm::dvec2 foot_{0.0}, head_{0.0}; ///< voxels, ends of a leaning piece's axis at the end of its way
     double width_ = 0.0;               ///< voxels about them that the piece reaches, its way counted in
     Upright upright_;
+    UprightRows rowsOfUpright_;
     TiltedPiece tilted_;
 };
 

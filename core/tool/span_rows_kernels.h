@@ -18,9 +18,11 @@ struct Stretch {
     bool withStart = true, moves = false;
 };
 
-void uprightBall(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
-void uprightFlat(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
-void uprightBullNose(const SpanRows::Upright& piece, const Stretch& stretch) noexcept;
+void planRows(const SpanRows::Upright& piece, std::int32_t firstRow, SpanRows::UprightRows& rows) noexcept;
+using Stretches = std::span<const RowSpans>;
+void uprightBall(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
+void uprightFlat(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
+void uprightBullNose(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
 
 void tiltedBall(const TiltedPiece& piece, const Stretch& stretch) noexcept;
 void tiltedFlat(const TiltedPiece& piece, const Stretch& stretch) noexcept;

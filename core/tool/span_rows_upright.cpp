@@ -9,6 +9,7 @@ namespace {
 using Shape = SpanRows::Shape;
 using Upright = SpanRows::Upright;
 using End = SpanRows::End;
+using Rows = SpanRows::UprightRows;
 
 constexpr int cornerSteps = 10;
 
@@ -99,8 +100,7 @@ BURIN_INLINE Floats lowBetween(const Upright& piece, const FromWay& line) noexce
     const Floats part = (line.ahead - offset) * piece.perReach;
     const Integers valid = line.meets & (first <= last) & (passes | ((part > zero) & (part < one)));
     const Floats inside = piece.radius * piece.radius - line.asideSquare - offset * offset;
-    const Floats height =
-        piece.rise * (least(most(part, zero), one) - one) - unitsAVoxel * drop<shape>(piece, inside);
+    const Floats height = piece.rise * (least(most(part, zero), one) - one) - unitsAVoxel * drop<shape>(piece, inside);
     return valid ? height : floats(nowhere);
 }
 
@@ -116,119 +116,167 @@ BURIN_INLINE Integers highBetween(const Upright& piece, const FromWay& line) noe
 
 /// What depends on the row alone.
 struct Row {
-    float fromSquare, toSquare;     ///< R² - y² at both ends, voxels²
-    float ahead, aside, wayX, wayY; ///< of the line at x = 0, seen from the start
+    float fromSquare, toSquare; ///< R² - y² at both ends, voxels²
+    float ahead, aside;         ///< of the line at the start's x, seen from the start
+};
+
+/// Groups of a stretch, counted from its first.
+struct Groups {
+    std::int32_t first = 0, end = 0;
+    /// Those of other ones that are among these.
+    BURIN_INLINE Groups held(std::int32_t otherFirst, std::int32_t otherEnd) const noexcept {
+        const auto within = [&](std::int32_t group) { return group < first ? first : group < end ? group : end; };
+        return {within(otherFirst), within(otherEnd)};
+    }
 };
 
 /// The upper face is at one height wherever the lower one is, or both its heights count.
 enum class Top : bool { level, rises };
 
-/// @param firstGroup, end of the groups, counted from the stretch's first
+/// Goes along a row, group by group.
+struct Cursor {
+    Floats u; ///< whole lines from the end of the way
+    EightIntegers* low;
+    EightIntegers* high;
+
+    BURIN_INLINE static Cursor at(const End& end, const RowSpans& stretch) noexcept {
+        const Integers first = Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup * lanes - end.wholeX);
+        return {floatsOf(first), stretch.low, stretch.high};
+    }
+    BURIN_INLINE void put(Integers lowEnd, Integers highEnd) noexcept {
+        store(lowEnd, *low++);
+        store(highEnd, *high++);
+        u += lanes;
+    }
+};
+
+BURIN_INLINE std::int32_t lesser(std::int32_t a, std::int32_t b) noexcept {
+    return a < b ? a : b;
+}
+
+/// Lines that the piece covers at the end of the way, and no lower between: all but the upper end follows from that.
+template <Shape shape>
+BURIN_INLINE void coverEnd(const Upright& piece, const Row& row, Cursor& cursor, std::int32_t groups,
+                           std::int32_t top) noexcept {
+    if (groups <= 0) return;
+    const Floats part = floats(piece.to.partX), square = floats(row.toSquare), middle = floats(piece.to.middle);
+    const Integers base = integers(piece.to.base), high = integers(lesser(top, piece.lineEnd));
+    const Upright shapeOnly = piece; // which the stores can't change
+    const End end = piece.to;
+    for (; groups > 0; --groups) {
+        const Floats x = cursor.u - part;
+        const Floats height = lowAtEnd<shape>(shapeOnly, end, square - x * x);
+        cursor.put(most(wholeOf(height + middle) + base, Integers{}), high);
+    }
+}
+
+/// Lines behind the axis of a piece that rises: only its upper face moves there.
+BURIN_INLINE void coverTop(const Upright& piece, Cursor& cursor, std::int32_t groups) noexcept {
+    if (groups <= 0) return;
+    const Integers low = integers(piece.from.top > 0 ? piece.from.top : 0);
+    const Integers high = integers(lesser(piece.to.top, piece.lineEnd));
+    for (; groups > 0; --groups) cursor.put(low, high);
+}
+
 template <Shape shape, bool withStart, bool moves, Top top>
-BURIN_INLINE void cover(const Upright& piece, const Row& row, const Stretch& stretch, std::int32_t firstGroup,
-                        std::int32_t end) noexcept {
-    const Integers first = Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup + firstGroup) * lanes;
-    Floats toU = floatsOf(first - piece.to.wholeX), fromU = floatsOf(first - piece.from.wholeX);
-    for (std::int32_t group = firstGroup; group < end; ++group, toU += lanes, fromU += lanes) {
-        const Floats toX = toU - piece.to.partX, fromX = fromU - piece.from.partX;
+BURIN_INLINE void cover(const Upright& piece, const Row& row, Cursor& cursor, std::int32_t groups,
+                        std::int32_t levelTop) noexcept {
+    if (groups <= 0) return;
+    const Upright own = piece; // which the stores can't change
+    const Integers level = integers(lesser(levelTop, own.lineEnd));
+    const auto between = static_cast<float>(own.to.wholeX - own.from.wholeX);
+    for (; groups > 0; --groups) {
+        const Floats toX = cursor.u - own.to.partX, fromX = (cursor.u + between) - own.from.partX;
         const Floats toInside = row.toSquare - toX * toX, fromInside = row.fromSquare - fromX * fromX;
         FromWay line{};
-        Floats height = lowAtEnd<shape>(piece, piece.to, toInside);
+        Floats height = lowAtEnd<shape>(own, own.to, toInside);
         if constexpr (moves) {
-            const Floats aside = row.aside - fromX * row.wayY;
-            const Floats inside = (piece.radius - aside) * (piece.radius + aside);
-            line = {fromX * row.wayX + row.ahead, rootsOf(inside), aside * aside, inside > Floats{}};
-            height = least(height, lowBetween<shape>(piece, line));
+            const Floats aside = row.aside - fromX * own.wayY;
+            const Floats inside = (own.radius - aside) * (own.radius + aside);
+            line = {fromX * own.wayX + row.ahead, rootsOf(inside), aside * aside, inside > Floats{}};
+            height = least(height, lowBetween<shape>(own, line));
         }
-        Integers low = wholeOf(height + piece.to.middle) + piece.to.base;
-        Integers high = integers(piece.levelTop);
+        Integers low = wholeOf(height + own.to.middle) + own.to.base;
+        Integers high = level;
         if constexpr (withStart) {
-            const Floats start = lowAtEnd<shape>(piece, piece.from, fromInside);
-            low = least(low, wholeOf(start + piece.from.middle) + piece.from.base);
+            const Floats start = lowAtEnd<shape>(own, own.from, fromInside);
+            low = least(low, wholeOf(start + own.from.middle) + own.from.base);
         }
-        if (top == Top::rises && bitsOf((toInside > Floats{}) & (fromInside > Floats{})) == 255U && piece.joins) {
-            high = integers(piece.highestTop);
-        } else if constexpr (top == Top::rises) {
-            high = toInside > Floats{} ? integers(piece.to.top) : integers(-SpanRows::none);
-            if constexpr (moves) high = most(high, highBetween(piece, line));
+        if constexpr (top == Top::rises) {
+            high = toInside > Floats{} ? integers(own.to.top) : integers(-SpanRows::none);
+            // No higher than at the ends, roundings or not: lines that are covered there agree on it.
+            if constexpr (moves) high = most(high, least(highBetween(own, line), integers(own.highestTop)));
             // What was left behind at the start joins on to what is beyond it.
             const Integers started = fromInside > Floats{};
-            low = started ? least(low, integers(piece.from.top)) : low;
-            high = started ? most(high, integers(piece.from.top)) : high;
+            low = started ? least(low, integers(own.from.top)) : low;
+            high = least(started ? most(high, integers(own.from.top)) : high, integers(own.lineEnd));
         }
-        store(most(low, Integers{}), stretch.low[group]);
-        store(least(high, integers(piece.lineEnd)), stretch.high[group]);
+        cursor.put(most(low, Integers{}), high);
     }
 }
 
-/// Groups between which a ball can be lowest on the way, not at an end: between its axis at the start and at the end, as
-/// far as a sloping way shifts that.
-BURIN_INLINE void findBetween(const Upright& piece, const Row& row, const Stretch& stretch, std::int32_t& first,
-                              std::int32_t& end) noexcept {
-    constexpr float slack = 1.0F; // voxels
-    const float shift = piece.sine * piece.radius;
-    const float low = (shift < 0.0F ? shift : 0.0F) - slack, high = piece.reach + (shift > 0.0F ? shift : 0.0F) + slack;
-    first = 0;
-    end = stretch.groups;
-    if (row.wayX < 1e-3F && row.wayX > -1e-3F) {
-        constexpr float across = 1e-3F * 4096.0F; // lines of a row differ by no more
-        if (row.ahead + across < low || row.ahead - across > high) end = 0;
-        return;
-    }
-    const float one = (low - row.ahead) / row.wayX, other = (high - row.ahead) / row.wayX;
-    const auto origin = static_cast<float>(piece.from.wholeX - stretch.firstGroup * lanes);
-    const float start = (one < other ? one : other) + origin, stop = (one < other ? other : one) + origin;
-    if (start > 0.0F) first = start < 8.0F * static_cast<float>(end) ? static_cast<std::int32_t>(start) / lanes : end;
-    if (stop < 8.0F * static_cast<float>(end)) end = stop < 0.0F ? first : static_cast<std::int32_t>(stop) / lanes + 1;
-    if (end < first) end = first;
+/// A piece that moves below an upper face at one height. @param between where a ball can be lowest between the ends
+template <Shape shape, bool withStart>
+BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, Cursor& cursor, Groups groups, Groups between,
+                              std::int32_t top) noexcept {
+    between = shape == Shape::ball && !withStart ? groups.held(between.first, between.end) : groups;
+    coverEnd<shape>(piece, row, cursor, between.first - groups.first, top);
+    cover<shape, withStart, true, Top::level>(piece, row, cursor, between.end - between.first, top);
+    coverEnd<shape>(piece, row, cursor, groups.end - between.end, top);
 }
 
-template <Shape shape, bool withStart, Top top>
-BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, const Stretch& stretch) noexcept {
-    std::int32_t first = 0, end = stretch.groups;
-    if constexpr (shape == Shape::ball && top == Top::level) {
-        findBetween(piece, row, stretch, first, end);
-        cover<shape, withStart, false, top>(piece, row, stretch, 0, first);
-        cover<shape, withStart, false, top>(piece, row, stretch, end, stretch.groups);
-    }
-    cover<shape, withStart, true, top>(piece, row, stretch, first, end);
-}
-
-template <Shape shape, Top top>
-BURIN_INLINE void choose(const Upright& piece, const Row& row, const Stretch& stretch) noexcept {
-    if (stretch.withStart)
-        stretch.moves ? coverMoving<shape, true, top>(piece, row, stretch)
-                      : cover<shape, true, false, top>(piece, row, stretch, 0, stretch.groups);
-    else
-        stretch.moves ? coverMoving<shape, false, top>(piece, row, stretch)
-                      : cover<shape, false, false, top>(piece, row, stretch, 0, stretch.groups);
+/// A piece that goes on from where it was, its upper face at two heights within the stock. On lines that it covers all
+/// the way that face counts with the higher one; where it rises, nothing else is new behind its axis.
+template <Shape shape>
+BURIN_INLINE void coverGoingOn(const Upright& piece, const Row& row, Cursor& cursor, Groups all, Groups covered,
+                               Groups deeper, Groups between) noexcept {
+    deeper = covered.held(deeper.first, deeper.end);
+    cover<shape, false, true, Top::rises>(piece, row, cursor, covered.first, 0);
+    coverTop(piece, cursor, deeper.first - covered.first);
+    coverMoving<shape, false>(piece, row, cursor, deeper, between, piece.highestTop);
+    coverTop(piece, cursor, covered.end - deeper.end);
+    cover<shape, false, true, Top::rises>(piece, row, cursor, all.end - covered.end, 0);
 }
 
 template <Shape shape>
-BURIN_INLINE void coverRow(const Upright& piece, const Stretch& stretch) noexcept {
-    const double radius = piece.radius;
-    const double fromY = stretch.v - piece.from.y, toY = stretch.v - piece.to.y;
-    const Row row{static_cast<float>((radius - fromY) * (radius + fromY)),
-                  static_cast<float>((radius - toY) * (radius + toY)),
-                  static_cast<float>(fromY * piece.wayY),
-                  static_cast<float>(fromY * piece.wayX),
-                  static_cast<float>(piece.wayX),
-                  static_cast<float>(piece.wayY)};
-    piece.topRises ? choose<shape, Top::rises>(piece, row, stretch) : choose<shape, Top::level>(piece, row, stretch);
+BURIN_INLINE void coverRow(const Upright& piece, const Rows& rows, const RowSpans& stretch) noexcept {
+    const std::int32_t lane = stretch.v - rows.first, origin = stretch.firstGroup;
+    const Row row{rows.fromSquare[lane], rows.toSquare[lane], rows.ahead[lane], rows.aside[lane]};
+    const Groups all{0, stretch.groups};
+    const Groups between{rows.betweenBegin[lane] - origin, rows.betweenEnd[lane] - origin};
+    Cursor cursor = Cursor::at(piece.to, stretch);
+    if (piece.topRises) {
+        if (piece.withStart)
+            piece.moves ? cover<shape, true, true, Top::rises>(piece, row, cursor, all.end, 0)
+                        : cover<shape, true, false, Top::rises>(piece, row, cursor, all.end, 0);
+        else if (!piece.moves)
+            cover<shape, false, false, Top::rises>(piece, row, cursor, all.end, 0);
+        else
+            coverGoingOn<shape>(piece, row, cursor, all,
+                                piece.joins ? all.held(rows.coveredBegin[lane] - origin, rows.coveredEnd[lane] - origin)
+                                            : Groups{},
+                                {rows.deeperBegin[lane] - origin, rows.deeperEnd[lane] - origin}, between);
+    } else if (piece.withStart) {
+        piece.moves ? coverMoving<shape, true>(piece, row, cursor, all, between, piece.levelTop)
+                    : cover<shape, true, false, Top::level>(piece, row, cursor, all.end, piece.levelTop);
+    } else {
+        piece.moves ? coverMoving<shape, false>(piece, row, cursor, all, between, piece.levelTop)
+                    : coverEnd<shape>(piece, row, cursor, all.end, piece.levelTop);
+    }
 }
 
 } // namespace
 
-BURIN_VECTORISED void uprightBall(const SpanRows::Upright& piece, const Stretch& stretch) noexcept {
-    coverRow<Shape::ball>(piece, stretch);
+BURIN_VECTORISED void uprightBall(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Shape::ball>(piece, rows, stretch);
 }
 
-BURIN_VECTORISED void uprightFlat(const SpanRows::Upright& piece, const Stretch& stretch) noexcept {
-    coverRow<Shape::flat>(piece, stretch);
+BURIN_VECTORISED void uprightFlat(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Shape::flat>(piece, rows, stretch);
 }
 
-BURIN_VECTORISED void uprightBullNose(const SpanRows::Upright& piece, const Stretch& stretch) noexcept {
-    coverRow<Shape::bullNose>(piece, stretch);
+BURIN_VECTORISED void uprightBullNose(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Shape::bullNose>(piece, rows, stretch);
 }
 
 } // namespace burin::kernels

@@ -62,7 +62,10 @@ public:
         for (int line = 0; line < linesPerTile; ++line) segments()[line] = segment;
     }
     void copyFrom(const Tile& other) const noexcept {
-        for (int line = 0; line <= linesPerTile; ++line) setOffset(line, other.offset(line));
+        if (header_->wide || other.header_->wide)
+            for (int line = 0; line <= linesPerTile; ++line) setOffset(line, other.offset(line));
+        else
+            std::memcpy(narrowOffsets(), other.narrowOffsets(), (linesPerTile + 1) * sizeof(std::uint16_t));
         std::memcpy(segments(), other.segments(), other.segmentCount() * sizeof(Segment));
     }
     void copyFrom(const BrickLines& lines) const noexcept {

@@ -21,12 +21,12 @@ using Limit = std::optional<double>;
 struct PeerWish {
     std::string name;   ///< as it is shown
     std::string suffix; ///< of the figure's name
-    std::unique_ptr<CuttingPeer> (*make)(const VolumeSnapshot&, const LineBlock&, double radius);
+    std::unique_ptr<CuttingPeer> (*make)(const VolumeSnapshot&, const LineBlock&, const EndMill&);
     Limit ratioAtLeast;
 };
 
-std::unique_ptr<CuttingPeer> makeOpenVdb(const VolumeSnapshot& workpiece, const LineBlock&, double radius) {
-    return openVdbCutter(workpiece, radius);
+std::unique_ptr<CuttingPeer> makeOpenVdb(const VolumeSnapshot& workpiece, const LineBlock&, const EndMill& tool) {
+    return openVdbCutter(workpiece, tool);
 }
 
 PeerWish paper(Limit ratio) {
@@ -61,8 +61,8 @@ struct Measured {
 double peerMedian(const CutCase& task, const PeerWish& wish, const VolumeSnapshot& workpiece) {
     std::vector<glm::dvec3> tips;
     for (const ToolPose& pose : task.path) tips.push_back(pose.tip);
-    const double radius = task.cutter.radius();
-    const auto peer = wish.make(workpiece, blockOf(tips, radius, workpiece.grid()), radius);
+    const auto peer =
+        wish.make(workpiece, blockOf(tips, task.cutter.radius(), workpiece.grid()), endMillOf(task.cutter));
     if (!peer) return 0.0;
     VoxelCounts removed{};
     const auto restart = [&] {
@@ -118,8 +118,14 @@ std::function<RunVolume()> block(std::int32_t side) {
 
 CutCase ballWalk(const std::string& name, std::int32_t side, double radius, double step, std::size_t ticks, Limit p50,
                  Limit p999, std::vector<PeerWish> peers) {
-    return {name, block(side),     cutterOf(CutterType::ball, radius), upright(walk(side, radius, step, ticks)), p50,
-            p999, std::move(peers)};
+    const double top = 0.5 + (stockAboveMiddle - 1.0) * radius / side;
+    return {name,
+            [side, top] { return layeredBlock(side, RunAxis::z, top); },
+            cutterOf(CutterType::ball, radius, fluteLengthFromAbove),
+            upright(walkFromAbove(side, radius, step, ticks)),
+            p50,
+            p999,
+            std::move(peers)};
 }
 
 /// Cost must not grow with the grid.
@@ -131,13 +137,20 @@ void walksAtOneVoxel(Session& session) {
     const auto small = r50(512, {paper(7.5)});
     if (small && session.wants("cut.ball.r50.m1.512.p50.against_csg_difference")) {
         session.stage("cut.ball.r50.m1.512, OpenVDB csgDifference");
-        const auto times = csgDifferenceTimes(512.0, 50.0, walk(512.0, 50.0, 1.0, 60));
+        const auto times = csgDifferenceTimes(512.0, 50.0, walkFromAbove(512.0, 50.0, 1.0, 60));
         if (times)
             session.add(against(figure("cut.ball.r50.m1.512.p50.against_csg_difference", small->p50, "us"),
                                 "OpenVDB level set, csgDifference", percentile(*times, 0.5), 1000.0));
     }
     (void)r50(1024, {paper(7.5), openVdb(), bytes(), bits()});
     const auto large = r50(2048, {paper(7.5)});
+    (void)measure(session, {"cut.ball.r50.m1.1024.immersed",
+                            block(1024),
+                            cutterOf(CutterType::ball, 50.0),
+                            upright(walk(1024.0, 50.0, 1.0, 2000)),
+                            nullopt,
+                            nullopt,
+                            {paper(nullopt)}});
     if (small && large) session.add(figure("cut.ball.r50.m1.2048_over_512", large->p50 / small->p50, "1", 1.2));
     (void)measure(session,
                   ballWalk("cut.ball.r100.m1.2048", 2048, 100.0, 1.0, 1500, 60.0, 100.0, {paper(9.5), openVdb()}));

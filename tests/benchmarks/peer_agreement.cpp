@@ -123,8 +123,10 @@ void peersAgree(Session& session) {
     const LineBlock block{{0, 0}, {side - 1, side - 1}};
     const std::vector<glm::dvec3> tips = walk(side, radius, 1.0, 400);
 
+    const EndMill tool = endMillOf(cutterOf(CutterType::ball, radius));
+
     VoxelCounts removedByPaper{};
-    const auto paper = milledBy(*paperCutter(start, block, radius), tips, removedByPaper);
+    const auto paper = milledBy(*paperCutter(start, block, tool), tips, removedByPaper);
     const auto agrees = [&](std::unique_ptr<CuttingPeer> peer, const std::string& name, bool materials) {
         if (!peer) return;
         VoxelCounts removed{};
@@ -142,9 +144,9 @@ void peersAgree(Session& session) {
         }
         session.check(sum == paperSum, name + " counts what it takes");
     };
-    agrees(denseByteCutter(start, block, radius), "dense bytes", true);
-    agrees(denseBitCutter(start, block, radius), "dense bits", false);
-    agrees(openVdbCutter(start, radius), "OpenVDB", true);
+    agrees(denseByteCutter(start, block, tool), "dense bytes", true);
+    agrees(denseBitCutter(start, block, tool), "dense bits", false);
+    agrees(openVdbCutter(start, tool), "OpenVDB", true);
 
     const auto ours = milledByUs(session, workpiece, tips);
     std::size_t removed = 0, different = 0;

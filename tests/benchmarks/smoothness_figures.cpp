@@ -95,8 +95,7 @@ void millSlot(Session& session, CutterType type, const Slot& slot, RunAxis axis,
 void millVoxels(CutterType type, const Slot& slot, Ripple& worst) {
     RunVolume workpiece = slotStock(slot.stock(1.0, RunAxis::z));
     const LineBlock all{{0, 0}, {extent.x - 1, extent.y - 1}};
-    const double corner = cutterOf(type, radiusVoxels).cornerRadius;
-    const auto peer = denseByteCutter(workpiece.snapshot(), all, radiusVoxels, corner);
+    const auto peer = denseByteCutter(workpiece.snapshot(), all, endMillOf(cutterOf(type, radiusVoxels)));
     VoxelCounts removed{};
     peer->restart();
     peer->cut(slot.tip(0), slot.tip(0), removed);

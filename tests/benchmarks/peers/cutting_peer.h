@@ -40,13 +40,12 @@ LineBlock blockOf(std::span<const glm::dvec3> tips, double radius, const Grid& g
 
 /// The paper's way: union of the voxelised tool at all poses as a list of runs for each line, its intersection with
 /// the workpiece's runs, and their removal; runs of a line in a vector of its own.
-std::unique_ptr<CuttingPeer> paperCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius);
+std::unique_ptr<CuttingPeer> paperCutter(const VolumeSnapshot& workpiece, const LineBlock& block, const EndMill& tool);
 /// A byte a voxel, lines along z; only what the pose before did not reach is looked at.
-/// @param corner radius of the end's rounding, where it is no ball
-std::unique_ptr<CuttingPeer> denseByteCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius);
-std::unique_ptr<CuttingPeer> denseByteCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius,
-                                             double corner);
+std::unique_ptr<CuttingPeer> denseByteCutter(const VolumeSnapshot& workpiece, const LineBlock& block,
+                                             const EndMill& tool);
 /// A bit a voxel, 64 at a time, likewise. Knows no materials: everything counts as property 1.
-std::unique_ptr<CuttingPeer> denseBitCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius);
+std::unique_ptr<CuttingPeer> denseBitCutter(const VolumeSnapshot& workpiece, const LineBlock& block,
+                                            const EndMill& tool);
 
 } // namespace burin::benchmarks

@@ -42,8 +42,8 @@ private:
 template <class Storage>
 class DeltaCutter final : public CuttingPeer {
 public:
-    DeltaCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius, double corner)
-        : grid_(workpiece.grid()), tool_(radius, corner, grid_), storage_(workpiece, block) {}
+    DeltaCutter(const VolumeSnapshot& workpiece, const LineBlock& block, const EndMill& tool)
+        : grid_(workpiece.grid()), tool_(tool, grid_), storage_(workpiece, block) {}
 
     void restart() override {
         storage_.restart();
@@ -137,17 +137,14 @@ private:
 
 } // namespace
 
-std::unique_ptr<CuttingPeer> denseByteCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius) {
-    return denseByteCutter(workpiece, block, radius, radius);
+std::unique_ptr<CuttingPeer> denseByteCutter(const VolumeSnapshot& workpiece, const LineBlock& block,
+                                             const EndMill& tool) {
+    return std::make_unique<DeltaCutter<Bytes>>(workpiece, block, tool);
 }
 
-std::unique_ptr<CuttingPeer> denseByteCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius,
-                                             double corner) {
-    return std::make_unique<DeltaCutter<Bytes>>(workpiece, block, radius, corner);
-}
-
-std::unique_ptr<CuttingPeer> denseBitCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius) {
-    return std::make_unique<DeltaCutter<Bits>>(workpiece, block, radius, radius);
+std::unique_ptr<CuttingPeer> denseBitCutter(const VolumeSnapshot& workpiece, const LineBlock& block,
+                                            const EndMill& tool) {
+    return std::make_unique<DeltaCutter<Bits>>(workpiece, block, tool);
 }
 
 } // namespace burin::benchmarks

@@ -20,7 +20,7 @@ std::optional<std::uint64_t> openVdbBytes(const VolumeSnapshot& volume);
 
 /// Such a tree, milled by writing to its leaves what the pose before did not reach, each leaf looked up once a column
 /// of 8 × 8 lines. Null without OpenVDB.
-std::unique_ptr<CuttingPeer> openVdbCutter(const VolumeSnapshot& workpiece, double radius);
+std::unique_ptr<CuttingPeer> openVdbCutter(const VolumeSnapshot& workpiece, const EndMill& tool);
 
 /// µs of each move: a level-set sphere at its end, taken from a level-set block of side voxels by csgDifference. Half
 /// bandwidth 3.

@@ -11,7 +11,7 @@ bool hasOpenVdb() noexcept {
 std::optional<std::uint64_t> openVdbBytes(const VolumeSnapshot&) {
     return std::nullopt;
 }
-std::unique_ptr<CuttingPeer> openVdbCutter(const VolumeSnapshot&, double) {
+std::unique_ptr<CuttingPeer> openVdbCutter(const VolumeSnapshot&, const EndMill&) {
     return nullptr;
 }
 std::optional<std::vector<double>> csgDifferenceTimes(double, double, const std::vector<glm::dvec3>&) {

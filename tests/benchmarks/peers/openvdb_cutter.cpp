@@ -11,9 +11,9 @@ using Leaf = PropertyTree::LeafNodeType;
 
 class OpenVdbCutter final : public CuttingPeer {
 public:
-    OpenVdbCutter(const VolumeSnapshot& workpiece, double radius)
+    OpenVdbCutter(const VolumeSnapshot& workpiece, const EndMill& tool)
         : grid_(workpiece.grid())
-        , tool_(radius, radius, grid_)
+        , tool_(tool, grid_)
         , start_(propertyTree(workpiece))
         , leaves_(static_cast<std::size_t>(grid_.voxelsPerLine()) / 8) {}
 
@@ -97,8 +97,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<CuttingPeer> openVdbCutter(const VolumeSnapshot& workpiece, double radius) {
-    return std::make_unique<OpenVdbCutter>(workpiece, radius);
+std::unique_ptr<CuttingPeer> openVdbCutter(const VolumeSnapshot& workpiece, const EndMill& tool) {
+    return std::make_unique<OpenVdbCutter>(workpiece, tool);
 }
 
 } // namespace burin::benchmarks

@@ -14,10 +14,10 @@ using RunList = std::vector<Run>;
 
 class PaperCutter final : public CuttingPeer {
 public:
-    PaperCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius)
+    PaperCutter(const VolumeSnapshot& workpiece, const LineBlock& block, const EndMill& tool)
         : grid_(workpiece.grid())
         , block_(block)
-        , tool_(radius, radius, grid_)
+        , tool_(tool, grid_)
         , lines_(static_cast<std::size_t>(grid_.lineCountU()) * static_cast<std::size_t>(grid_.lineCountV()))
         , swept_(lines_.size()) {
         for (std::int32_t v = 0; v < grid_.lineCountV(); ++v)
@@ -116,8 +116,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<CuttingPeer> paperCutter(const VolumeSnapshot& workpiece, const LineBlock& block, double radius) {
-    return std::make_unique<PaperCutter>(workpiece, block, radius);
+std::unique_ptr<CuttingPeer> paperCutter(const VolumeSnapshot& workpiece, const LineBlock& block, const EndMill& tool) {
+    return std::make_unique<PaperCutter>(workpiece, block, tool);
 }
 
 LineBlock blockOf(std::span<const glm::dvec3> tips, double radius, const Grid& grid) {

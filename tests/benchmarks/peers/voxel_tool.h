@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/tool/tool.h"
 #include "core/volume/run_volume.h"
 
 #include <algorithm>
@@ -15,14 +16,24 @@ struct VoxelSpan {
     bool empty() const noexcept { return end <= first; }
 };
 
-/// A cutter whose flutes are twice its radius long, with a ball, flat or bull-nosed end, as whole voxels of 1 mm at any
-/// pose with axis +Z. A voxel belongs to it when its centre lies inside.
+/// Flutes of a tool, voxels of 1 mm.
+struct EndMill {
+    double radius = 0.0;
+    double length = 0.0;
+    double corner = 0.0; ///< radius of the end's rounding: `radius` for a ball, 0 for a flat end
+};
+inline EndMill endMillOf(const Cutter& cutter) {
+    return {cutter.radius(), cutter.fluteLength, cutter.cornerRadius};
+}
+
+/// A cutter with a ball, flat or bull-nosed end as whole voxels of 1 mm at any pose with axis +Z. A voxel belongs to it
+/// when its centre lies inside.
 class VoxelTool {
 public:
-    /// @param corner radius of the end's rounding: `radius` for a ball, 0 for a flat end
-    VoxelTool(double radius, double corner, const Grid& grid)
-        : radius_(radius)
-        , corner_(corner)
+    VoxelTool(const EndMill& tool, const Grid& grid)
+        : radius_(tool.radius)
+        , corner_(tool.corner)
+        , fluteLength_(tool.length)
         , countU_(grid.lineCountU())
         , countV_(grid.lineCountV())
         , length_(grid.voxelsPerLine()) {}
@@ -53,7 +64,7 @@ private:
     /// @param square half chord of the outline at the line, squared
     VoxelSpan along(const glm::dvec3& tip, double square) const noexcept {
         if (square <= 0.0) return {};
-        const double low = tip.z + endHeight(square), high = tip.z + 2.0 * radius_;
+        const double low = tip.z + endHeight(square), high = tip.z + fluteLength_;
         return {std::max(0, up(low)), std::min(length_, up(high))};
     }
     double endHeight(double square) const noexcept {
@@ -67,7 +78,7 @@ private:
     /// The first voxel whose centre is not below a place: half-open, so that a tie is decided once.
     static std::int32_t up(double place) noexcept { return static_cast<std::int32_t>(std::ceil(place - 0.5)); }
 
-    double radius_, corner_;
+    double radius_, corner_, fluteLength_;
     std::int32_t countU_, countV_, length_;
 };
 

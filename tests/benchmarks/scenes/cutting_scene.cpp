@@ -124,9 +124,9 @@ Grid sceneGrid(std::int32_t side, RunAxis axis) {
     return require(Grid::make(glm::dvec3(0.0), 1.0, glm::ivec3(side), axis), "a benchmark's grid");
 }
 
-RunVolume layeredBlock(std::int32_t side, RunAxis axis) {
+RunVolume layeredBlock(std::int32_t side, RunAxis axis, double top) {
     return volumeOfLines(sceneGrid(side, axis), 0,
-                         [](double x, double y, LineMaker& line) { layeredLine(x, y, 1.0, line); });
+                         [top](double x, double y, LineMaker& line) { layeredLine(x, y, top, line); });
 }
 
 RunVolume shiftedBlock(std::int32_t side) {

@@ -18,22 +18,24 @@ double draw(std::mt19937& random) {
 
 } // namespace
 
-Cutter cutterOf(CutterType type, double radius) {
+Cutter cutterOf(CutterType type, double radius, double length) {
     Cutter cutter;
     cutter.type = type;
     cutter.diameter = 2.0 * radius;
     cutter.cornerRadius = type == CutterType::ball ? radius : type == CutterType::flat ? 0.0 : 0.25 * radius;
-    cutter.fluteLength = 2.0 * radius;
+    cutter.fluteLength = length * radius;
     cutter.shankDiameter = 1.9 * radius;
-    cutter.stickOut = 5.0 * radius;
+    cutter.stickOut = (length + 3.0) * radius;
     cutter.holder = {{3.0 * radius, 3.0 * radius, 2.0 * radius}};
     return cutter;
 }
 
-std::vector<glm::dvec3> walk(double side, double reach, double step, std::size_t ticks, unsigned seed) {
+namespace {
+
+/// @param room about the middle
+std::vector<glm::dvec3> walkIn(const glm::dvec3& middle, const glm::dvec3& room, double reach, double step,
+                               std::size_t ticks, unsigned seed) {
     std::mt19937 random(seed);
-    const glm::dvec3 middle = glm::dvec3(0.5 * side) - glm::dvec3(0.0, 0.0, reach); // the tool stands on its tip
-    const double room = std::max(0.5 * side - reach, 0.1 * side);
     glm::dvec3 place = middle + 0.3 * room * glm::dvec3(draw(random), draw(random), draw(random));
     glm::dvec3 heading = glm::normalize(glm::dvec3(draw(random), draw(random), 0.5 * draw(random)));
     glm::dvec3 turning(0.0);
@@ -50,6 +52,25 @@ std::vector<glm::dvec3> walk(double side, double reach, double step, std::size_t
         tips.push_back(place);
     }
     return tips;
+}
+
+/// Of the tips: the tool stands on them.
+glm::dvec3 middleOf(double side, double reach) {
+    return glm::dvec3(0.5 * side) - glm::dvec3(0.0, 0.0, reach);
+}
+double roomOf(double side, double reach) {
+    return std::max(0.5 * side - reach, 0.1 * side);
+}
+
+} // namespace
+
+std::vector<glm::dvec3> walk(double side, double reach, double step, std::size_t ticks, unsigned seed) {
+    return walkIn(middleOf(side, reach), glm::dvec3(roomOf(side, reach)), reach, step, ticks, seed);
+}
+
+std::vector<glm::dvec3> walkFromAbove(double side, double radius, double step, std::size_t ticks) {
+    const double room = roomOf(side, radius);
+    return walkIn(middleOf(side, radius), {room, room, 0.7 * radius}, radius, step, ticks, 1);
 }
 
 std::vector<glm::dvec3> raster(double side, double radius, double step, std::size_t ticks) {

@@ -10,6 +10,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <string>
@@ -92,7 +93,7 @@ public:
 private:
     void takeGroup(RunVolume& volume, LineIndex first, RunAmounts& removed) {
         EightIntegers low, high;
-        spans_.spans(first.v, first.u / 8, 1, &low, &high);
+        spans_.spans(std::array{RowSpans{first.v, first.u / 8, 1, &low, &high}});
         for (int lane = 0; lane < 8 && first.u + lane < grid_.lineCountU(); ++lane)
             if (low[lane] < high[lane])
                 RC_ASSERT(volume.removeSpan({first.u + lane, first.v}, RunPosition(low[lane]), RunPosition(high[lane]),

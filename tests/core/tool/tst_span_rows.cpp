@@ -4,6 +4,7 @@
 #include "core/tool/swept_span.h"
 
 #include <QtTest>
+#include <array>
 #include <rapidcheck.h>
 
 using namespace burin;
@@ -52,7 +53,7 @@ private slots:
             const int first = int(std::floor((std::min(from.x, to.x) - radius) / 8.0)) - 1;
             const int groups = int((2.0 * radius + glm::length(way)) / 8.0) + 4;
             std::vector<EightIntegers> low(static_cast<std::size_t>(groups)), high(low.size());
-            rows.spans(v, first, groups, low.data(), high.data());
+            rows.spans(std::array{RowSpans{v, first, groups, low.data(), high.data()}});
             const LineStretch reach = rows.row(v);
             for (int i = 0; i < groups * 8; ++i) {
                 const int u = first * 8 + i;
@@ -100,14 +101,15 @@ private slots:
             };
             const double bound = SpanRows::outlineError * (rows.reach() + length) * 4.0 +
                                  (SpanRows::endError + 0.5) / 256.0 + length / 50.0;
-            const double rounding =
-                piece.cornerRadius > 0.0 && piece.cornerRadius < piece.bottomRadius ? SpanRows::leaningRoundingError : 0.0;
+            const double rounding = piece.cornerRadius > 0.0 && piece.cornerRadius < piece.bottomRadius
+                                        ? SpanRows::leaningRoundingError
+                                        : 0.0;
             for (int sample = 0; sample < 20; ++sample) {
                 const glm::dvec3 middle = from + axis * real(piece.bottom, piece.top);
                 const int v = int(std::floor(middle.y + real(-1.1, 1.1) * piece.bottomRadius));
                 const int u = int(std::floor(middle.x + real(-1.1, 1.1) * piece.bottomRadius));
                 EightIntegers low, high;
-                rows.spans(v, u >> 3, 1, &low, &high);
+                rows.spans(std::array{RowSpans{v, u >> 3, 1, &low, &high}});
                 const double foundLow = low[u & 7] / 256.0, foundHigh = high[u & 7] / 256.0;
                 if (foundLow < foundHigh) {
                     RC_ASSERT(rows.row(v).first <= u && u <= rows.row(v).last);

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tool/span_rows_kernels.h"
+
+namespace burin::kernels {
+
+namespace {
+
+using Upright = SpanRows::Upright;
+using End = SpanRows::End;
+using Rows = SpanRows::UprightRows;
+
+constexpr float far = 1e6F; // voxels, beyond every line
+// Lines that are left out lie so far behind those that can have more: roundings don't decide about any.
+constexpr float clipMargin = 1.0F; // voxels
+
+/// Whole part of numbers, downwards.
+BURIN_INLINE Integers floorsOf(Floats numbers) noexcept {
+    const Integers whole = wholeOf(numbers);
+    return whole + (floatsOf(whole) > numbers); // a comparison that holds is -1
+}
+
+/// Places along u, voxels from a line with a whole number of groups before it.
+struct Across {
+    std::int32_t group = 0;       ///< of that line
+    float from = 0.0F, to = 0.0F; ///< ends of the way
+    BURIN_INLINE Integers groupsOf(Integers lines) const noexcept { return (lines >> 3) + group; }
+};
+
+struct Extent {
+    Floats low = floats(far), high = floats(-far);
+    BURIN_INLINE void include(Floats x, Integers where) noexcept {
+        low = where ? least(low, x) : low;
+        high = where ? most(high, x) : high;
+    }
+    BURIN_INLINE void includeCircle(float middle, Floats square) noexcept {
+        const Floats half = rootsOf(square);
+        include(middle - half, square > Floats{});
+        include(middle + half, square > Floats{});
+    }
+};
+
+/// What the swept disc meets of each row.
+BURIN_INLINE Extent extentOf(const Upright& piece, const Across& across, Floats fromY, Floats fromSquare,
+                             Floats toSquare) noexcept {
+    Extent extent;
+    extent.includeCircle(across.to, toSquare);
+    if (piece.withStart || piece.moves) extent.includeCircle(across.from, fromSquare);
+    const float rise = piece.reach * piece.wayY; // the way's share across the rows
+    if (!piece.moves || rise == 0.0F) return extent;
+    // The two straight sides between the circles, where a row meets them.
+    for (const float side : {-piece.radius, piece.radius}) {
+        const Floats part = (fromY - side * piece.wayX) / rise;
+        extent.include(across.from - side * piece.wayY + part * (piece.reach * piece.wayX),
+                       (part >= Floats{}) & (part <= floats(1.0F)));
+    }
+    return extent;
+}
+
+/// First and last line of each row that can be lower than at the start of the way. The height of the piece over a line
+/// is convex along the way: where it does not fall at the start, it never does. Behind the axis a piece that does not
+/// sink never falls, and a ball that sinks does not from `behind` · (half its chord) on.
+BURIN_INLINE void findDeeper(const Upright& piece, const Across& across, Floats ahead, Floats fromSquare,
+                             Extent& deeper) noexcept {
+    deeper.low = floats(-far);
+    deeper.high = floats(far);
+    if (!piece.clipsLow) return;
+    const Floats least = -clipMargin - piece.behind * rootsOf(fromSquare) - ahead; // of x · wayX
+    const float slant = piece.wayX < 0.0F ? -piece.wayX : piece.wayX;
+    if (slant * (piece.radius + piece.reach) < clipMargin) { // the rows lie across the way
+        deeper.high = least > floats(clipMargin) ? floats(-far) : floats(far);
+        return;
+    }
+    const Floats edge = across.from + least / piece.wayX;
+    const Floats held = edge < floats(-far) ? floats(-far) : edge > floats(far) ? floats(far) : edge;
+    (piece.wayX > 0.0F ? deeper.low : deeper.high) = held;
+}
+
+/// Between which places a ball can be lowest between the ends of the way: between its axis at the start and at the end,
+/// as far as a sloping way shifts that.
+BURIN_INLINE Extent betweenOf(const Upright& piece, const Across& across, Floats ahead) noexcept {
+    constexpr float slack = 1.0F; // voxels
+    const float shift = piece.sine * piece.radius;
+    const float low = (shift < 0.0F ? shift : 0.0F) - slack, high = piece.reach + (shift > 0.0F ? shift : 0.0F) + slack;
+    Extent between;
+    if (piece.wayX < 1e-3F && piece.wayX > -1e-3F) {
+        constexpr float apart = 1e-3F * 4096.0F; // lines of a row differ by no more
+        const Integers none = (ahead + apart < floats(low)) | (ahead - apart > floats(high));
+        between.low = floats(-far);
+        between.high = none ? floats(-far) : floats(far);
+        return between;
+    }
+    const Floats one = (low - ahead) / piece.wayX, other = (high - ahead) / piece.wayX;
+    between.low = most(least(one, other) + across.from, floats(-far));
+    between.high = least(most(one, other) + across.from, floats(far));
+    return between;
+}
+
+/// Places that the disc covers at both ends of the way, roundings aside.
+BURIN_INLINE Extent coveredOf(const Across& across, Floats fromSquare, Floats toSquare) noexcept {
+    constexpr float slack = 1.0F / 16.0F; // voxels
+    const Floats fromHalf = rootsOf(fromSquare) - slack, toHalf = rootsOf(toSquare) - slack;
+    Extent covered;
+    covered.low = most(across.from - fromHalf, across.to - toHalf);
+    covered.high = least(across.from + fromHalf, across.to + toHalf);
+    return covered;
+}
+
+BURIN_INLINE void keep(const Across& across, Integers firstLine, Integers endLine, EightIntegers& begin,
+                       EightIntegers& end) noexcept {
+    const Integers first = across.groupsOf(firstLine), last = across.groupsOf(endLine);
+    store(first, begin);
+    store(most(first, last), end);
+}
+
+} // namespace
+
+BURIN_VECTORISED void planRows(const Upright& piece, std::int32_t firstRow, Rows& rows) noexcept {
+    rows.first = firstRow;
+    const Integers v = Integers{0, 1, 2, 3, 4, 5, 6, 7} + firstRow;
+    const Floats fromY = floatsOf(v - piece.from.wholeY) - piece.from.partY;
+    const Floats toY = floatsOf(v - piece.to.wholeY) - piece.to.partY;
+    const Floats fromSquare = (piece.radius - fromY) * (piece.radius + fromY);
+    const Floats toSquare = (piece.radius - toY) * (piece.radius + toY);
+    const Floats ahead = fromY * piece.wayY;
+    store(fromSquare, rows.fromSquare);
+    store(toSquare, rows.toSquare);
+    store(ahead, rows.ahead);
+    store(fromY * piece.wayX, rows.aside);
+    const std::int32_t origin = piece.to.wholeX & ~7;
+    const Across across{origin >> 3, static_cast<float>(piece.from.wholeX - origin) + piece.from.partX,
+                        static_cast<float>(piece.to.wholeX - origin) + piece.to.partX};
+
+    Extent met = extentOf(piece, across, fromY, fromSquare, toSquare), deeper;
+    findDeeper(piece, across, ahead, fromSquare, deeper);
+    const Integers deeperFirst = floorsOf(deeper.low), deeperEnd = floorsOf(deeper.high) + 2;
+    Integers first = floorsOf(met.low), end = floorsOf(met.high) + 2;
+    keep(across, deeperFirst, deeperEnd + 7, rows.deeperBegin, rows.deeperEnd);
+    if (piece.clips) {
+        first = most(first, deeperFirst);
+        end = least(end, deeperEnd);
+    }
+    keep(across, first, (end > first) ? end + 7 : first, rows.begin, rows.end);
+    const Extent between = betweenOf(piece, across, ahead), covered = coveredOf(across, fromSquare, toSquare);
+    keep(across, floorsOf(between.low), floorsOf(between.high) + 8, rows.betweenBegin, rows.betweenEnd);
+    keep(across, floorsOf(covered.low) + 8, floorsOf(covered.high) + 1, rows.coveredBegin, rows.coveredEnd);
+}
+
+} // namespace burin::kernels
