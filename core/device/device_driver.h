@@ -45,8 +45,7 @@ public:
     virtual ~DeviceDriver() = default;
     /// Those that are plugged in now, also those that may not be opened.
     virtual std::vector<FoundDevice> find() = 0;
-    /// A stylus for a device, connected (its description is its own) but not open yet. The device may be found and made
-    /// again only after that stylus is gone.
+    /// A stylus for a device, connected (its description is its own) but not open yet. One for a device at a time.
     /// @param mode id of one of its modes; empty: the usual one.
     /// Errors: deviceNotFound, deviceNotAllowed, deviceIncompatible, deviceFault, nameUnknown (the mode).
     virtual Result<AnyStylus> make(const std::string& id, const std::string& mode) = 0;

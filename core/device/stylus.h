@@ -65,6 +65,7 @@ struct DeviceHealth {
     std::uint64_t readings = 0;      ///< that arrived whole
     std::uint64_t lost = 0;          ///< that the device numbered but that never came
     std::uint64_t damaged = 0;       ///< that failed their check
+    std::uint64_t repeated = 0;      ///< that had come before, or came too late
     std::uint64_t overtaken = 0;     ///< that a newer one had followed before they were looked at
     double roundTrip = 0.0;          ///< s from the newest wrench that was sent to its echo; 0: the device echoes none
     std::optional<double> motorHeat; ///< share of what the motors bear, 0 … 1

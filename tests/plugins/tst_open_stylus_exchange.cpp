@@ -220,6 +220,7 @@ private slots:
         QCOMPARE(line.exchange.health().lost, std::uint64_t{5});
         QCOMPARE(line.exchange.health().readings, before + 1);
         QCOMPARE(line.exchange.take(line.pending, line.now), Exchange::Outcome::old); // twice
+        QCOMPARE(line.exchange.health().repeated, std::uint64_t{1});
         QCOMPARE(line.exchange.health().lost, std::uint64_t{5});
     }
 
@@ -302,6 +303,11 @@ private slots:
         int silent = 0;
         for (; silent < 300 && !deaf(); ++silent) line.period({}, true, false);
         QVERIFY(silent >= 100 && silent <= 103);
+        for (int i = 0; i < 300; ++i) line.period({}, true, false);
+        QVERIFY(!deaf()); // once
+        line.begin();
+        for (int i = 0; i < 300; ++i) line.period({}, true, false);
+        QVERIFY(deaf()); // it had heard again
     }
 
     void theRoundTripIsMeasured() {

@@ -45,7 +45,10 @@ Exchange::Outcome Exchange::take(Bytes report, double now) noexcept {
         return Outcome::damaged;
     }
     damagedRun_ = 0;
-    if (!number(*reading)) return Outcome::old;
+    if (!number(*reading)) {
+        repeated_.fetch_add(1, std::memory_order_relaxed);
+        return Outcome::old;
+    }
     readings_.fetch_add(1, std::memory_order_relaxed);
     advanceTime(*reading, now);
     hearEcho(*reading, now);
@@ -91,14 +94,16 @@ void Exchange::hearEcho(const Reading& reading, double now) noexcept {
     if (!known_) {
         lastEcho_ = now;
         echo_ = reading.echo;
+        deafTold_ = false;
     } else if (reading.heard && reading.echo != echo_) {
         echo_ = reading.echo;
         lastEcho_ = now;
+        deafTold_ = false;
         const double roundTrip = now - sentAt_[echo_ & 0xffU];
         if (roundTrip >= 0.0 && roundTrip < longestRoundTrip) roundTrip_.store(roundTrip, std::memory_order_relaxed);
-    } else if (now - lastEcho_ > deafSeconds) {
+    } else if (!deafTold_ && now - lastEcho_ > deafSeconds) {
+        deafTold_ = true;
         faults_.raise(DeviceFault::deaf);
-        lastEcho_ = now;
     }
 }
 
@@ -146,6 +151,7 @@ DeviceHealth Exchange::health() const noexcept {
     health.readings = readings_.load(std::memory_order_relaxed);
     health.lost = lost_.load(std::memory_order_relaxed);
     health.damaged = damaged_.load(std::memory_order_relaxed);
+    health.repeated = repeated_.load(std::memory_order_relaxed);
     health.overtaken = overtaken_.load(std::memory_order_relaxed);
     health.roundTrip = roundTrip_.load(std::memory_order_relaxed);
     if (const double heat = motorHeat_.load(std::memory_order_relaxed); heat >= 0.0) health.motorHeat = heat;

@@ -72,13 +72,14 @@ private:
     std::uint32_t microseconds_ = 0;
     double lastTaken_ = 0.0; ///< s, of the clock of `now`
     double lastEcho_ = 0.0;  ///< s
+    bool deafTold_ = false;
     bool clockHeld_ = false; ///< the device's clock told the last step of time
     int arming_ = armingReports;
     int damagedRun_ = 0, backwardsRun_ = 0;
     bool motorsOn_ = false;
     std::array<double, 256> sentAt_{}; ///< s, by the low byte of the number
     FaultBox faults_;
-    std::atomic<std::uint64_t> readings_{0}, lost_{0}, damaged_{0}, overtaken_{0};
+    std::atomic<std::uint64_t> readings_{0}, lost_{0}, damaged_{0}, repeated_{0}, overtaken_{0};
     std::atomic<double> roundTrip_{0.0}, motorHeat_{-1.0};
 };
 
