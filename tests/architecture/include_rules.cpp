@@ -57,6 +57,9 @@ constexpr std::array<std::string_view, 14> pluginInterface{
     "core/geometry/box.h",        "core/geometry/pose.h", "core/machine/machine_profile.h",
     "core/nc/dialect.h",          "core/nc/program.h"};
 
+/// What others take as it is, without our tree: its files name each other by their names alone.
+constexpr std::array<std::string_view, 1> handedOut{"plugins/devices/open_stylus/firmware"};
+
 /// What the plugins of one kind share, and build into each of them.
 constexpr std::array<std::string_view, 1> sharedByPlugins{"plugins/devices/hid"};
 
@@ -159,6 +162,9 @@ std::string faultOf(const std::string& source, const std::string& include) {
     const std::string library = libraryOf(source), header = include.substr(1);
     if (include.starts_with('<')) return thirdPartyFault(library, header);
     if (header.ends_with(".moc")) return {};
+    const fs::path folder = fs::path(source).parent_path();
+    if (std::ranges::find(handedOut, folder.generic_string()) != handedOut.end())
+        return header.find('/') == std::string::npos ? std::string() : "what is handed out stands alone";
     if (!isOurs(header)) return "our headers are named from the root";
     return allowed(library, header, source) ? std::string() : library + " may not use " + libraryOf(header);
 }

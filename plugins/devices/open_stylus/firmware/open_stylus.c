@@ -1,6 +1,6 @@
 /* SPDX-FileCopyrightText: 2026 The Burin authors
  * SPDX-License-Identifier: Apache-2.0 */
-#include "plugins/devices/open_stylus/firmware/open_stylus.h"
+#include "open_stylus.h"
 
 #include <string.h>
 
@@ -37,7 +37,7 @@ _Static_assert(sizeof open_stylus_descriptor == OPEN_STYLUS_DESCRIPTOR_SIZE, "as
 uint16_t open_stylus_crc(const uint8_t* bytes, size_t size) {
     uint16_t crc = 0xffff;
     for (size_t i = 0; i < size; ++i) {
-        crc = (uint16_t)(crc ^ (uint16_t)(bytes[i] << 8));
+        crc = (uint16_t)(crc ^ (uint16_t)((uint16_t)bytes[i] << 8));
         for (int bit = 0; bit < 8; ++bit) crc = (uint16_t)((crc & 0x8000) ? (crc << 1) ^ 0x1021 : crc << 1);
     }
     return crc;
@@ -54,7 +54,7 @@ static void put32(uint8_t* to, uint32_t value) {
 }
 
 static uint16_t get16(const uint8_t* from) {
-    return (uint16_t)(from[0] | (uint16_t)(from[1] << 8));
+    return (uint16_t)(from[0] | (uint16_t)((uint16_t)from[1] << 8));
 }
 
 static uint32_t get32(const uint8_t* from) {
@@ -180,7 +180,7 @@ static void send(open_stylus* stylus, const open_stylus_reading* reading, uint32
 }
 
 void open_stylus_step(open_stylus* stylus) {
-    open_stylus_reading reading = {{0, 0, 0}, {1 << 30, 0, 0, 0}, 0, 0, OPEN_STYLUS_HEAT_UNKNOWN};
+    open_stylus_reading reading = {{0, 0, 0}, {INT32_C(1) << 30, 0, 0, 0}, 0, 0, OPEN_STYLUS_HEAT_UNKNOWN};
     const uint32_t now = stylus->port.microseconds(stylus->port.context);
     stylus->port.measure(stylus->port.context, &reading);
     judge(stylus, &reading, now);
