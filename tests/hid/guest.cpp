@@ -29,8 +29,9 @@ bool run(const GuestCheck& check) {
 } // namespace
 } // namespace burin::test
 
-int main() {
+int main(int count, char** arguments) {
     using namespace burin::test;
+    if (count > 1) return runAs(arguments[1]);
     bool good = true;
     for (const auto& checks : {spaceMouseChecks(), openStylusChecks()})
         for (const GuestCheck& check : checks) good = run(check) && good;

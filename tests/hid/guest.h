@@ -22,6 +22,9 @@ public:
 /// What the program writes: "hid figure NAME VALUE UNIT".
 void tellFigure(const std::string& name, double value, const std::string& unit);
 
+/// What a second process of this program does, started as "program ROLE". Its exit status.
+int runAs(const std::string& role);
+
 std::vector<GuestCheck> openStylusChecks();
 std::vector<GuestCheck> spaceMouseChecks();
 

@@ -18,6 +18,8 @@ namespace {
 
 constexpr const char* id = "open_stylus:1209:0001:0001";
 constexpr uid_t nobody = 65534;
+constexpr const char* hostRole = "host";
+constexpr const char* userRole = "user";
 
 UhidIdentity identity() {
     return {"Open Stylus mine", "0001", 0x1209, 0x0001,
@@ -121,16 +123,19 @@ void unpluggedInMidStroke() {
     BURIN_EXPECT(board->largestForceSquared() <= mostForceSquared());
 }
 
+/// This program again, in a process of its own.
+pid_t started(const char* role) {
+    const pid_t process = fork();
+    if (process == 0) {
+        execl("/proc/self/exe", "program", role, nullptr);
+        _exit(127);
+    }
+    return process;
+}
+
 void theWatchdogCutsTheMotorsOfAHostThatDied() {
     PluggedBoard board;
-    const pid_t host = fork(); // its thread is its own: the child uses nothing that was made before
-    if (host == 0) {
-        DeviceRegistry registry;
-        Wall wall; // outlives the stylus, which calls it
-        const auto stylus = made(registry);
-        if (!stylus->start(wall)) _exit(1);
-        for (;;) pause();
-    }
+    const pid_t host = started(hostRole);
     board.x = -10.0;
     BURIN_EXPECT(comesTrue([&] { return board.force.load() == 1.0; }));
     const auto killed = std::chrono::steady_clock::now();
@@ -200,16 +205,7 @@ void whoHasNoRightIsTold() {
         DeviceRegistry registry;
         BURIN_EXPECT(isThere(registry));
     }
-    const pid_t user = fork();
-    if (user == 0) {
-        if (setgid(nobody) != 0 || setuid(nobody) != 0) _exit(2);
-        DeviceRegistry registry;
-        const auto refused = registry.make(id);
-        _exit(!refused && refused.error().code == ErrorCode::deviceNotAllowed &&
-                      refused.error().place.starts_with("/dev/hidraw")
-                  ? 0
-                  : 1);
-    }
+    const pid_t user = started(userRole);
     int status = 0;
     waitpid(user, &status, 0);
     BURIN_EXPECT(WIFEXITED(status) && WEXITSTATUS(status) == 0);
@@ -248,6 +244,20 @@ void anotherVersionIsRefused() {
 }
 
 } // namespace
+
+int runAs(const std::string& role) {
+    if (role == userRole && (setgid(nobody) != 0 || setuid(nobody) != 0)) return 2;
+    DeviceRegistry registry;
+    if (role == userRole) {
+        const auto refused = registry.make(id);
+        const bool told = !refused && refused.error().code == ErrorCode::deviceNotAllowed;
+        return told && refused.error().place.starts_with("/dev/hidraw") ? 0 : 1;
+    }
+    Wall wall;
+    const auto stylus = made(registry);
+    if (!stylus->start(wall)) return 1;
+    for (;;) pause(); // until it is killed
+}
 
 std::vector<GuestCheck> openStylusChecks() {
     return {{"an open stylus tells its limits", tellsItsLimits},
