@@ -28,7 +28,8 @@ namespace burin {
 
 /// Eight numbers side by side (GCC vector extension, which clang knows too): +, -, *, /, comparisons (all bits or none)
 /// and `condition ? a : b` work lane by lane.
-/// For values in registers alone: their alignment depends on what a function is compiled for. In memory they are `Eight`.
+/// For values in registers alone: their alignment depends on what a function is compiled for. In memory they are
+/// `Eight`.
 using Floats = float __attribute__((vector_size(32)));
 using Integers = std::int32_t __attribute__((vector_size(32)));
 using Words = std::uint32_t __attribute__((vector_size(32)));
@@ -112,6 +113,21 @@ BURIN_INLINE std::uint32_t bitsOf(Integers condition) noexcept {
     for (int i = 0; i < lanes; ++i) bits |= static_cast<std::uint32_t>(condition[i] & 1 << i);
     return bits;
 #endif
+}
+
+/// True where a comparison holds in any lane.
+BURIN_INLINE bool anyOf(Integers condition) noexcept {
+#ifdef __SSE2__
+    const auto low = __builtin_shufflevector(condition, condition, 0, 1, 2, 3);
+    const auto high = __builtin_shufflevector(condition, condition, 4, 5, 6, 7);
+    return _mm_movemask_ps(reinterpret_cast<__m128>(low | high)) != 0;
+#else
+    return bitsOf(condition) != 0;
+#endif
+}
+/// Numbers without their signs.
+BURIN_INLINE Floats magnitudes(Floats numbers) noexcept {
+    return reinterpret_cast<Floats>(reinterpret_cast<Integers>(numbers) & integers(0x7fffffff));
 }
 
 } // namespace burin

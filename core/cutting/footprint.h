@@ -70,10 +70,11 @@ void forEachPiece(std::span<const Segment> segments, RunPosition from, RunPositi
     }
 }
 
-/// The same of a line of which a window may owe some.
+/// The same of a line of which a window may owe some. Protected pieces may be left out.
 template <class Visit>
 void forEachPieceLeft(const RunVolume& workpiece, const GapWindow* window, LineIndex line, RunPosition from,
                       RunPosition to, Visit&& visit) noexcept {
+    if (window != nullptr && window->visitAround(line, from, to, visit)) return;
     const GapWindow::Owed owed = window != nullptr ? window->owed(line) : GapWindow::Owed{};
     forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
         if (owed.from >= owed.to || workpiece.properties().isProtected(property)) {

@@ -60,6 +60,24 @@ public:
         return {static_cast<RunPosition>(gap.low[line.u & 7]), static_cast<RunPosition>(gap.high[line.u & 7])};
     }
 
+    /// Calls `visit(property, start, end)` for what is left machinable of a line between two places, if the line's gap
+    /// and what borders it tell all of that. False: they do not.
+    template <class Visit>
+    bool visitAround(LineIndex line, RunPosition from, RunPosition to, Visit&& visit) const noexcept {
+        const Brick& brick = bricks_[brickAt(line.u >> 3, line.v >> 3)];
+        if (brick.u != line.u >> 3 || brick.v != line.v >> 3) return false;
+        const Gap& gap = gaps_[gapAt(line.v, line.u >> 3)];
+        const int lane = line.u & 7;
+        if (gap.low[lane] > gap.high[lane]) return false;
+        const auto low = static_cast<RunPosition>(gap.low[lane]), high = static_cast<RunPosition>(gap.high[lane]);
+        const std::uint32_t left = gap.left[lane], right = gap.right[lane];
+        if (from < (left != 0 ? left >> 8 : low) || to > (right != 0 ? right >> 8 : high)) return false;
+        const auto property = [](std::uint32_t neighbour) { return static_cast<PropertyIndex>(neighbour & 255U); };
+        if (from < low) visit(property(left), from, to < low ? to : low);
+        if (to > high) visit(property(right), from > high ? from : high, to);
+        return true;
+    }
+
     /// Gaps of eight lines beside each other, run units, and the machinable segments that border them.
     struct alignas(64) Gap {
         EightIntegers low, high; ///< low > high: not known yet

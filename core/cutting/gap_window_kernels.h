@@ -18,4 +18,9 @@ struct Growth {
 /// False: the brick of the row and group to go on with is not ready for cuts.
 bool growGaps(const GapWindow::Rows& rows, GapWindow::Sums& sums, Growth& growth) noexcept;
 
+/// The same for processors without AVX-512; to the last bit, which a test asks of it.
+namespace any_processor {
+bool grow(const GapWindow::Rows& rows, GapWindow::Sums& sums, Growth& growth) noexcept;
+}
+
 } // namespace burin::kernels

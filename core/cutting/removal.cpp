@@ -34,13 +34,13 @@ double dueOf(double pending, double flux) noexcept {
 } // namespace
 
 MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing)
-    : sweep_(flutePieces(cutter), grid.edge()), surface_(flutePieces(cutter).front(), grid.edge()) {
+    : sweep_(flutePieces(cutter), grid.edge()), surface_(flutePieces(cutter), grid.edge()) {
     const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
     const RevolvedPiece& first = flutes.front();
     const bool known = flutes.size() == 1 && WindowCutter::serves(first);
     const bool isBall = known && first.cornerRadius == first.bottomRadius;
-    reportsFlux_ = known && (!isBall || first.bottomRadius <= largestFluxBall * grid.edge());
-    reach_ = std::hypot(first.top, first.bottomRadius);
+    reportsFlux_ = !isBall || first.bottomRadius <= largestFluxBall * grid.edge();
+    for (const RevolvedPiece& piece : flutes) reach_ = std::max(reach_, std::hypot(piece.top, piece.widestRadius()));
     if (known && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
 }
 
@@ -103,6 +103,14 @@ CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
     CutResult result = account(workpiece, removed);
     for (MaterialVolume& material : result.removed) pending_[material.property] += material.volume;
     return result;
+}
+
+Engagement MaterialRemoval::engagement(const RunVolume& workpiece, const ToolPose& from,
+                                       const ToolPose& to) const noexcept {
+    SurfaceFlux::Flux flux;
+    const bool known = isFinite(from.tip) && isFinite(to.tip) && isFinite(from.axis) && isFinite(to.axis);
+    if (known && (from.tip != to.tip || from.axis != to.axis)) surface_.measure(workpiece, window(), from, to, flux);
+    return flux.engagement;
 }
 
 const GapWindow* MaterialRemoval::window() const noexcept {

@@ -36,9 +36,8 @@ struct CutResult {
     glm::dvec3 centroid{0.0}; ///< mm, of what was removed, setup frame; meaningless when volume is 0
     /// mm, of what is reported, setup frame, from tick to tick as smooth as that; meaningless when `reported` is 0.
     glm::dvec3 reportedCentroid{0.0};
-    /// How the flutes stood in material at the end of the move. Known where the flux is reported
-    /// (`MaterialRemoval::cut`): all 0 for moves from 0.3 voxel on, balls above 30 voxels of radius, flutes of several
-    /// pieces or whose sides are not straight and parallel to the axis, and a tool that stands still.
+    /// How the flutes stand in material at the end of the move: `MaterialRemoval::engagement`, where the flux is
+    /// reported and so known anyway (`MaterialRemoval::cut`); else all 0.
     Engagement engagement;
     bool outOfMemory = false; ///< reserved memory of the volume is used up; lines from there on are uncut
     /// Part of the way is put off to bound the tick's work: the next cuts, or `settle`, take it and count it then.
@@ -77,14 +76,19 @@ public:
     /// Gets ready, within a tick's bounds, for a cut that may begin at this pose, so that the first contact of a large
     /// tool is not dear. Cuts nothing. For every tick in which the tool moves without cutting.
     void approach(RunVolume& workpiece, const ToolPose& pose) noexcept;
-    /// Writes all that is pending to the workpiece and takes what was put off, which alone its result counts. Gives back
-    /// the memory that was set aside for more, which is lost to the workpiece when the object goes or is reset without.
-    /// Cost: up to that of a first contact.
+    /// Writes all that is pending to the workpiece and takes what was put off, which alone its result counts. Gives
+    /// back the memory that was set aside for more, which is lost to the workpiece when the object goes or is reset
+    /// without. Cost: up to that of a first contact.
     CutResult settle(RunVolume& workpiece) noexcept;
     /// True when the workpiece's runs show every cut.
     bool settled() const noexcept;
     /// Forgets the workpiece, what is pending and what is still to be reported: it was changed by other means.
     void reset() noexcept;
+
+    /// How the flutes stand, at the end of a move, in the material that the same motion pushes them into next. Any
+    /// cutter and axes; moves of any length; all 0 for a tool that stands still. Cost: a look at some hundreds of
+    /// scanlines, up to tens of microseconds, which a tick that reports the exact volume does not pay.
+    Engagement engagement(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) const noexcept;
 
     /// What the workpiece is owed, for tests of contact between cuts; nothing: nothing ever is.
     const GapWindow* window() const noexcept;

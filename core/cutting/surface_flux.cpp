@@ -65,29 +65,69 @@ struct SurfaceFlux::Sum {
     }
 };
 
-SurfaceFlux::SurfaceFlux(const RevolvedPiece& flutes, double edge) : edge_(edge) {
-    const double radius = flutes.bottomRadius, corner = flutes.cornerRadius, flat = radius - corner;
-    const PatchBounds& most = radius <= largestFineRadius * edge ? fine : coarse;
-    const double spacing = std::max(edge, radius * std::sqrt(2.0 * pi / most.hemisphere));
-    const auto addEnd = [&](const Ring& ring) {
-        addRing(ring, countOf(pi * (ring.innerRadius + ring.outerRadius), spacing), end_);
-    };
-    const int discs = flat > 0.0 ? countOf(flat, spacing) : 0;
-    for (int i = 0; i < discs; ++i) addEnd({flat * i / discs, flat * (i + 1) / discs, flutes.bottom, flutes.bottom});
-    const int arcs = corner > 0.0 ? countOf(0.5 * pi * corner, spacing) : 0;
-    for (int i = 0; i < arcs; ++i) {
-        const double low = 0.5 * pi * i / arcs, high = 0.5 * pi * (i + 1) / arcs;
-        addEnd({flat + corner * std::sin(low), flat + corner * std::sin(high),
-                flutes.bottom + corner * (1.0 - std::cos(low)), flutes.bottom + corner * (1.0 - std::cos(high))});
+SurfaceFlux::SurfaceFlux(std::span<const RevolvedPiece> flutes, double edge) : edge_(edge) {
+    double radius = 0.0; // that the pieces so far end with
+    for (const RevolvedPiece& piece : flutes) {
+        addPiece(piece, radius);
+        radius = piece.topRadius;
     }
-    const double around = 2.0 * pi * radius, foot = flutes.bottom + corner;
-    if (flutes.top > foot)
-        addRing({radius, radius, foot, flutes.top}, countOf(around, std::max(0.5 * edge, around / most.strips)),
-                strips_);
-    for (double low = foot; low < flutes.top;) {
-        const double step = std::max(edge, lowestRing * radius) + ringGrowth * (low - foot);
-        const double high = low + 1.5 * step < flutes.top ? low + step : flutes.top;
-        addRing({radius, radius, low, high}, countOf(around, std::max(edge, around / most.sectors)), wall_);
+}
+
+/// @param innerRadius mm, of the bottom that is covered by the piece before
+void SurfaceFlux::addPiece(const RevolvedPiece& piece, double innerRadius) {
+    const double radius = piece.widestRadius(), flat = piece.bottomRadius - piece.cornerRadius;
+    const PatchBounds& most = radius <= largestFineRadius * edge_ ? fine : coarse;
+    const double around = 2.0 * pi * radius;
+    const Fineness fineness{std::max(edge_, radius * std::sqrt(2.0 * pi / most.hemisphere)),
+                            std::max(0.5 * edge_, around / most.strips), std::max(edge_, around / most.sectors)};
+    const int discs = flat > innerRadius ? countOf(flat - innerRadius, fineness.spacing) : 0;
+    for (int i = 0; i < discs; ++i) {
+        const double inner = innerRadius + (flat - innerRadius) * i / discs;
+        const double outer = innerRadius + (flat - innerRadius) * (i + 1) / discs;
+        addRing({inner, outer, piece.bottom, piece.bottom}, countOf(pi * (inner + outer), fineness.spacing), end_);
+    }
+    if (piece.bulges()) {
+        const double up = 1.0 / piece.bulgeRadius;
+        addArc(piece, {piece.bulgeCentreRadius, piece.bulgeCentreHeight}, piece.bulgeRadius,
+               std::asin(std::clamp((piece.bottom - piece.bulgeCentreHeight) * up, -1.0, 1.0)),
+               std::asin(std::clamp((piece.top - piece.bulgeCentreHeight) * up, -1.0, 1.0)), fineness.spacing);
+        return;
+    }
+    if (piece.cornerRadius > 0.0)
+        addArc(piece, {flat, piece.bottom + piece.cornerRadius}, piece.cornerRadius, -0.5 * pi, 0.0, fineness.spacing);
+    addSide(piece, fineness);
+}
+
+/// @param centre of the arc: from the axis, above the tip; from, to: rad above the plane across the axis
+void SurfaceFlux::addArc(const RevolvedPiece& piece, const glm::dvec2& centre, double radius, double from, double to,
+                         double spacing) {
+    const int arcs = countOf((to - from) * radius, spacing);
+    const auto at = [&](int i) {
+        const double angle = from + (to - from) * i / arcs;
+        return glm::dvec2(std::max(0.0, centre.x + radius * std::cos(angle)), centre.y + radius * std::sin(angle));
+    };
+    for (int i = 0; i < arcs; ++i) {
+        const glm::dvec2 low = at(i),
+                         high = i + 1 == arcs && piece.bulges() ? glm::dvec2(piece.topRadius, piece.top) : at(i + 1);
+        addRing({low.x, high.x, low.y, high.y}, countOf(pi * (low.x + high.x), spacing), end_);
+    }
+}
+
+/// The straight side over a corner, if any: rings that are the higher the farther they are from the tip.
+void SurfaceFlux::addSide(const RevolvedPiece& piece, const Fineness& fineness) {
+    const double foot = piece.bottom + piece.cornerRadius, radius = piece.widestRadius();
+    if (!(piece.top > foot)) return;
+    const bool parallel = piece.bottomRadius == piece.topRadius;
+    if (parallel) addRing({radius, radius, foot, piece.top}, countOf(2.0 * pi * radius, fineness.strip), strips_);
+    const double slope = (piece.topRadius - piece.bottomRadius) / (piece.top - piece.bottom);
+    // A cone's ring is no wider than its patches look ahead, or they would look over the stock that its foot meets.
+    const double mostStep = parallel ? piece.top - piece.bottom : lookAhead * edge_ / std::abs(slope);
+    for (double low = foot; low < piece.top;) {
+        const double step = std::min(std::max(edge_, lowestRing * radius) + ringGrowth * (low - foot), mostStep);
+        const double high = low + 1.5 * step < piece.top ? low + step : piece.top;
+        const double inner = piece.bottomRadius + slope * (low - piece.bottom);
+        const double outer = high == piece.top ? piece.topRadius : piece.bottomRadius + slope * (high - piece.bottom);
+        addRing({inner, outer, low, high}, countOf(pi * (inner + outer), fineness.sector), parallel ? wall_ : end_);
         low = high;
     }
 }
@@ -127,8 +167,11 @@ void SurfaceFlux::measure(const RunVolume& workpiece, const GapWindow* window, c
     const Grid& grid = workpiece.grid();
     const ToolPose start = inLineFrame(grid, from), end = inLineFrame(grid, to);
     const glm::dmat3 turn = turnTo(end.axis), back = glm::transpose(turn);
-    const Stand stand{turn, end.tip, back * (end.tip - start.tip), back * glm::cross(start.axis, end.axis),
-                      lookAhead * edge_};
+    Stand stand{
+        turn,   end.tip, back * (end.tip - start.tip), back * glm::cross(start.axis, end.axis), lookAhead * edge_,
+        end.tip};
+    if (const double length = glm::length(end.tip - start.tip); length > 0.0)
+        stand.probe += (end.tip - start.tip) * (stand.lookAhead / length);
     Sum sum{workpiece, window, flux, inLineFrame(grid, grid.low())};
     const bool alongRuns = start.axis == end.axis && end.axis.x == 0.0 && end.axis.y == 0.0;
     if (alongRuns) {
@@ -151,7 +194,7 @@ void SurfaceFlux::measureAlongRuns(const Patch& patch, const Stand& stand, Sum& 
     if (swept <= 0.0) return;          // turned away from the motion
     const double up = stand.turn[2].z; // 1 or -1
     const Grid& grid = sum.workpiece.grid();
-    const glm::dvec3 probe = stand.tip + stand.turn * (stand.motion * (stand.lookAhead / glm::length(stand.motion)));
+    const glm::dvec3& probe = stand.probe;
     const glm::dvec3 side = stand.turn * glm::dvec3(patch.place.x, patch.place.y, 0.0);
     const double u = (probe.x + side.x - sum.gridLow.x) / edge_, v = (probe.y + side.y - sum.gridLow.y) / edge_;
     if (!(u >= 0.0 && v >= 0.0 && u < grid.lineCountU() && v < grid.lineCountV())) return;

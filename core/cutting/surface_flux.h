@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -20,7 +21,7 @@ class GapWindow;
 struct Engagement {
     /// rad, 0 … 2 pi: directions about the tool axis, taken together, in which the flutes meet material (slot: pi; half
     /// immersion: pi/2; plunge into solid stock: 2 pi). Right to a patch's width and to where the flutes slide along
-    /// the stock within half a voxel: for 15 voxels of radius, 0.3 rad.
+    /// the stock within half a voxel: for 15 voxels of radius 0.4 rad, from 30 voxels on 0.5 rad.
     double arc = 0.0;
     /// mm along the tool axis, from the lowest to the highest place at which they do. Right to a patch's height.
     double depth = 0.0;
@@ -44,9 +45,10 @@ struct Engagement {
 /// passed by one patch after another and not by a whole ring at once.
 class SurfaceFlux {
 public:
-    /// @param edge of a voxel, mm. Allocates; some two thousand patches at most, a quarter of that above 30 voxels
-    /// of radius.
-    SurfaceFlux(const RevolvedPiece& flutes, double edge);
+    /// @param flutes from the tip up, mm
+    /// @param edge   of a voxel, mm. Allocates; some two thousand patches a piece at most, a quarter of that above 30
+    ///               voxels of radius.
+    SurfaceFlux(std::span<const RevolvedPiece> flutes, double edge);
 
     struct Flux {
         std::array<double, 256> volume{}; ///< mm³ by property; protected ones and air stay 0
@@ -79,16 +81,27 @@ private:
         glm::dvec3 motion{0.0};  ///< mm, of the tip, tool frame
         glm::dvec3 turning{0.0}; ///< rad, about the tip, tool frame
         double lookAhead = 0.0;  ///< mm
+        glm::dvec3 probe{0.0};   ///< mm, frame of the lines: the tip, so far ahead
     };
     struct Sum;
 
+    /// How finely a piece is cut up.
+    struct Fineness {
+        double spacing = 0.0; ///< mm, of patches of its ends and arcs
+        double strip = 0.0;   ///< mm, width of the wall's strips
+        double sector = 0.0;  ///< mm, width of the patches of the wall's rings
+    };
+    void addPiece(const RevolvedPiece& piece, double innerRadius);
+    void addArc(const RevolvedPiece& piece, const glm::dvec2& centre, double radius, double from, double to,
+                double spacing);
+    void addSide(const RevolvedPiece& piece, const Fineness& fineness);
     void addRing(const Ring& ring, int sectors, std::vector<Patch>& patches) const;
     void measureAlongRuns(const Patch& patch, const Stand& stand, Sum& sum) const noexcept;
     void measureAtPlace(const Patch& patch, const Stand& stand, Sum& sum) const noexcept;
 
-    std::vector<Patch> end_;    ///< bottom and corner
-    std::vector<Patch> strips_; ///< of the wall, over all its height
-    std::vector<Patch> wall_;   ///< in rings
+    std::vector<Patch> end_;    ///< bottom, corners, arcs and cones
+    std::vector<Patch> strips_; ///< of walls parallel to the axis, over all their height
+    std::vector<Patch> wall_;   ///< of the same in rings
     double edge_ = 0.0;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/window_cutter.h"
 
+#include "core/cutting/pose_steps.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +15,6 @@ namespace {
 /// What a tick may cost, in groups of eight lines: half a millisecond on the machine of the README's figures.
 constexpr double tickBudget = 50000.0;
 constexpr double costOfReading = 5.0; // of a line of the volume, in groups
-constexpr double turnTolerance = 0.1; // voxels, that a point of the piece moves in a turn that one step stands for
 
 RevolvedPiece inVoxels(const RevolvedPiece& piece, double edge) noexcept {
     RevolvedPiece scaled;
@@ -30,13 +31,6 @@ double windowReach(const SpanRows& spans, double radius) noexcept {
     constexpr double affordable = 250.0;
     const double upright = radius + 0.5 * spans.longestWay({0.0, 0.0, 1.0}) + 1.0;
     return std::max(upright, std::min(0.5 * (spans.reach() + radius) + upright - radius, affordable));
-}
-
-/// A unit vector on the arc between two others, so far from the first.
-glm::dvec3 turned(const glm::dvec3& from, const glm::dvec3& to, double by, double angle) noexcept {
-    const double whole = std::sin(angle);
-    if (!(whole > 1e-9)) return to; // next to none, or opposite: then any way is as good
-    return glm::normalize((from * std::sin(angle - by) + to * std::sin(by)) / whole);
 }
 
 } // namespace
@@ -135,7 +129,7 @@ bool WindowCutter::add(RunVolume& workpiece, const Step& step, RemovedUnits& rem
 std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                                  RemovedUnits& removed) noexcept {
     const int parts =
-        std::max(1, static_cast<int>(std::ceil(glm::length(to - from.tip) / spans_.longestWay(from.axis))));
+        std::max(1, static_cast<int>(std::ceil(glm::length(to - from.tip) / spans_.longestWay(from.axis) - 1e-9)));
     std::size_t added = 0;
     glm::dvec3 tip = from.tip;
     for (int i = 1; i <= parts; ++i) {
@@ -150,27 +144,33 @@ std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, con
     return added;
 }
 
+/// Adds the way of a piece whose axis turns, in steps with a standing axis. What a step's axis covers at the step's
+/// start is asked for: the gaps hold what another axis covered there.
+std::size_t WindowCutter::addTurn(RunVolume& workpiece, const LinePose& from, const LinePose& to, bool withStart,
+                                  RemovedUnits& removed) noexcept {
+    const double angle = std::atan2(glm::length(glm::cross(from.axis, to.axis)), glm::dot(from.axis, to.axis));
+    std::size_t added = 0;
+    if (angle * spans_.reach() <= turnTolerance) {
+        // The last axis stands for all of them. The first one's start is within the tolerance of its own, and where a
+        // rim could make more of that, the spans of leaning pieces look at the start anyway.
+        if (withStart) added += addWay(workpiece, from, from.tip, true, removed);
+        const bool asksForStart = from.tip == to.tip || spans_.isUpright(to.axis);
+        return added + addWay(workpiece, {from.tip, to.axis}, to.tip, asksForStart, removed);
+    }
+    const PoseSteps steps({from.tip, from.axis}, {to.tip, to.axis}, spans_.reach(), turnTolerance);
+    for (std::int32_t k = 0; k < steps.count() && !removed.outOfMemory; ++k) {
+        const PoseStep step = steps.step(k);
+        added += addWay(workpiece, {step.fromTip, step.axis}, step.toTip, withStart || k > 0, removed);
+    }
+    return added;
+}
+
 bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to, RemovedUnits& removed) noexcept {
     const LinePose start = inLines(from), end = inLines(to);
     const bool connected = hasArrived_ && arrived_.tip == start.tip && arrived_.axis == start.axis;
     hasArrived_ = false;
-    std::size_t added = 0;
-    const double angle = std::atan2(glm::length(glm::cross(start.axis, end.axis)), glm::dot(start.axis, end.axis));
-    if (start.axis == end.axis) {
-        added = addWay(workpiece, start, end.tip, !connected, removed);
-    } else {
-        if (!connected) added = addWay(workpiece, start, start.tip, true, removed);
-        const int turns = std::max(1, static_cast<int>(std::ceil(angle * spans_.reach() / turnTolerance)));
-        glm::dvec3 tip = start.tip;
-        for (int i = 1; i <= turns && !removed.outOfMemory; ++i) {
-            const double part = static_cast<double>(i) / turns;
-            const glm::dvec3 next = i == turns ? end.tip : glm::mix(start.tip, end.tip, part);
-            const glm::dvec3 axis = i == turns ? end.axis : turned(start.axis, end.axis, part * angle, angle);
-            // The pose that the step ends at, and what it passes; where it begins, the axis was another one.
-            added += addWay(workpiece, {tip, axis}, next, next == tip, removed);
-            tip = next;
-        }
-    }
+    const std::size_t added = start.axis == end.axis ? addWay(workpiece, start, end.tip, !connected, removed)
+                                                     : addTurn(workpiece, start, end, !connected, removed);
     double budget = tickBudget;
     while (stepCount_ > 0 && budget > 0.0 && !removed.outOfMemory) budget = advance(workpiece, budget, removed);
     window_.collect(removed);

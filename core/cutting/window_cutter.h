@@ -15,6 +15,8 @@ namespace burin {
 /// has no time for (a large tool's first contact) is put off and taken by the next ones, oldest first.
 class WindowCutter {
 public:
+    /// Voxels that a point of a piece may be off its place while the axis turns.
+    static constexpr double turnTolerance = 0.1;
     /// @param piece mm; one that `serves`. Allocates.
     WindowCutter(const RevolvedPiece& piece, const Grid& grid);
     static bool serves(const RevolvedPiece& piece) noexcept { return SpanRows::serves(piece); }
@@ -43,6 +45,8 @@ private:
     LinePose inLines(const ToolPose& pose) const noexcept;
     std::size_t addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                        RemovedUnits& removed) noexcept;
+    std::size_t addTurn(RunVolume& workpiece, const LinePose& from, const LinePose& to, bool withStart,
+                        RemovedUnits& removed) noexcept;
     bool add(RunVolume& workpiece, const Step& step, RemovedUnits& removed) noexcept;
     double advance(RunVolume& workpiece, double budget, RemovedUnits& removed) noexcept;
     LineStretch groupsOf(const LineStretch& lines) const noexcept;

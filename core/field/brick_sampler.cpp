@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/brick_sampler.h"
 
+#include "core/field/spread.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -9,151 +11,205 @@ namespace burin {
 
 namespace {
 
-constexpr double slack = 1e-6; // mm, over what the Lipschitz bound allows: rounding
+// In voxels; what these allow is explained in README.md.
+constexpr float mostBendOfCorners = 0.06F, mostBendOfFours = 0.1F, mostResidual = 0.03F;
+constexpr float mostDifference = 0.01F, mostDifferenceInDepth = 0.25F; // between a brick's middle and lines through it
+constexpr double mostBend = 0.1, mostResidualOfTwos = 0.06, mostSpread = 0.03;
+constexpr double tolerance = 0.004, toleranceInDepth = 0.1; // of samples
 
-std::size_t cubeAt(const glm::ivec3& i, int along) noexcept {
+/// Calls `visit` for each place of a grid, to and fro: a step each.
+template <class Visit>
+void toAndFro(int along, const Visit& visit) {
+    for (int k = 0; k < along; ++k)
+        for (int row = 0; row < along; ++row)
+            for (int column = 0; column < along; ++column)
+                visit(glm::ivec3((row + k * along) % 2 == 0 ? column : along - 1 - column,
+                                 k % 2 == 0 ? row : along - 1 - row, k));
+}
+
+std::size_t placeIn(const glm::ivec3& i, int along) noexcept {
     return static_cast<std::size_t>(i.x + along * (i.y + along * i.z));
 }
 
 } // namespace
 
-ClearanceSample clearanceAt(const MeshDistance& part, const ToolFieldRequest& request, const glm::dvec3& tip,
-                            double within, double tolerance) {
-    const ToolClearance found = part.clearance(request.tool, {tip, {0.0, 0.0, 1.0}}, within, tolerance);
-    if (found.clearance < within) return {std::min(found.clearance, farthestClearance), found.away};
-    return {std::min(within, farthestClearance), glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
-}
-
 BrickSampler::BrickSampler(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
                            BrickField& field, const std::vector<std::uint32_t>& fine,
-                           const std::vector<PartSample>& corners)
+                           const std::vector<TipSample>& corners)
     : part_(part)
     , request_(request)
     , resolution_(resolution)
     , field_(field)
     , fine_(fine)
     , corners_(corners)
-    , smooth_(fine.size(), 0)
-    , even_(fine.size() * evens * evens * evens) {}
+    , deep_(-1.25 * request.voxel - field.spacing) {}
 
-ClearanceSample BrickSampler::ask(const glm::dvec3& tip, double within) const {
-    // Deep in the part, below what the band's cells look at, a bound will do.
-    if (within < resolution_.low - 2.0 * field_.spacing)
-        return {within, glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
-    return clearanceAt(part_, request_, tip, within, 0.2 * resolution_.interpolationBound);
+void BrickSampler::Level::lay(const std::vector<std::uint8_t>& wanted) {
+    std::int32_t count = 0;
+    for (const std::uint8_t one : wanted) place.push_back(one != 0 ? count++ : none);
+    samples.resize(static_cast<std::size_t>(count) * owned());
+}
+
+void BrickSampler::fill(Progress& progress, double from, double to) {
+    const auto at = [&](double share) { return from + share * (to - from); };
+    std::vector<std::uint8_t> left(fine_.size(), 1); // not filled yet
+    const auto bricks = [&](double begin, double end, const auto& work) {
+        spreadStretches(fine_.size(), at(begin), at(end), progress, [&](std::size_t first, std::size_t last) {
+            TipAsker ask = asker();
+            Grids grids;
+            for (std::size_t order = first; order < last && !progress.cancelled(); ++order)
+                if (left[order] != 0) work(order, ask, grids);
+        });
+    };
+    // What a tool's clearance has of features is as wide as the tool: samples farther apart could miss one.
+    const double width = 2.0 * request_.tool.front().bottomRadius;
+    if (width >= field_.brickEdge())
+        bricks(0.0, 0.1, [&](std::size_t order, TipAsker& ask, Grids& grids) {
+            left[order] = fillFromCorners(order, ask, grids) ? 0 : 1;
+        });
+    const bool wideEnough = width >= fours_.step * field_.spacing;
+    if (wideEnough) {
+        fours_.lay(left);
+        bricks(0.1, 0.3, [&](std::size_t order, TipAsker& ask, Grids&) { own(order, fours_, nullptr, ask); });
+        bricks(0.3, 0.4, [&](std::size_t order, TipAsker& ask, Grids& grids) {
+            left[order] = fillFromFours(order, ask, grids) ? 0 : 1;
+        });
+    }
+    twos_.lay(left);
+    bricks(0.4, 0.7,
+           [&](std::size_t order, TipAsker& ask, Grids&) { own(order, twos_, wideEnough ? &fours_ : nullptr, ask); });
+    bricks(0.7, 1.0, [&](std::size_t order, TipAsker& ask, Grids& grids) { fillFromTwos(order, ask, grids); });
+}
+
+/// The bound that is subtracted from samples covers the tolerance; in depth only those count that no line outside
+/// meets.
+TipAsker BrickSampler::asker() const {
+    const double deepBelow = deep_ - BrickField::cells / 2 * field_.spacing;
+    return {part_, request_, {tolerance * request_.voxel, deepBelow, toleranceInDepth * request_.voxel}};
 }
 
 glm::dvec3 BrickSampler::place(std::size_t order, const glm::ivec3& sample) const noexcept {
     return field_.brickLow(field_.brickOf(fine_[order])) + glm::dvec3(sample) * field_.spacing;
 }
 
-/// The samples between the corners, when lines between these are smooth all over the brick.
-bool BrickSampler::cornersAgree(std::size_t order, SampleGrid& nine) const {
+bool BrickSampler::isSmooth(const LineCheck& check, float most) const noexcept {
+    const auto voxel = static_cast<float>(request_.voxel);
+    return check.bend <= most * voxel && check.residual <= mostResidual * voxel;
+}
+
+float BrickSampler::Grid::gainAt(const glm::vec3& share) const noexcept {
+    const int cells = samples.side - 1;
+    const glm::vec3 place = share * static_cast<float>(cells);
+    const glm::ivec3 low = glm::min(glm::ivec3(place), cells - 1);
+    const glm::vec3 part = place - glm::vec3(low);
+    const auto alongX = [&](int y, int z) {
+        const std::size_t from = samples.at(low.x, low.y + y, low.z + z);
+        return glm::mix(gains[from], gains[from + 1], part.x);
+    };
+    return glm::mix(glm::mix(alongX(0, 0), alongX(1, 0), part.y), glm::mix(alongX(0, 1), alongX(1, 1), part.y), part.z);
+}
+
+bool BrickSampler::fillFromCorners(std::size_t order, TipAsker& ask, Grids& grids) {
     const glm::ivec3 brick = field_.brickOf(fine_[order]);
-    SampleGrid two(2), three(3), five(5);
     for (int i = 0; i < 8; ++i) {
-        const glm::ivec3 at{i & 1, (i >> 1) & 1, (i >> 2) & 1};
-        const PartSample& corner = corners_[field_.cornerAt(brick + at)];
-        if (!std::isfinite(corner.gradient.x)) return false;
-        two.set(static_cast<std::size_t>(i), corner);
+        const glm::ivec3 at{i & 1, (i >> 1) & 1, i >> 2};
+        grids.two.set(at, corners_[field_.cornerAt(brick + at)]);
     }
     const auto spacing = static_cast<float>(field_.spacing);
     LineCheck check;
-    refine(two, three, 8.0F * spacing, check);
-    refine(three, five, 4.0F * spacing, check);
-    refine(five, nine, 2.0F * spacing, check);
-    const auto voxel = static_cast<float>(request_.voxel);
-    return check.bend <= 0.06F * voxel && check.residual <= 0.03F * voxel;
+    check.floor = static_cast<float>(deep_);
+    refine(grids.two.samples, grids.middle, 8.0F * spacing, check);
+    refine(grids.middle, grids.fine, 4.0F * spacing, check);
+    refine(grids.fine, grids.nine, 2.0F * spacing, check);
+    if (!isSmooth(check, mostBendOfCorners)) return false;
+    const float middle = grids.nine.values[0][BrickField::sampleAt(glm::ivec3(4))];
+    const float asked = ask.ask(place(order, glm::ivec3(4))).straightened().distance;
+    const float most = asked < check.floor ? mostDifferenceInDepth : mostDifference;
+    if (!(std::abs(asked - middle) <= most * static_cast<float>(request_.voxel))) return false;
+    pack(order, grids.two, grids.nine);
+    return true;
 }
 
-void BrickSampler::look(std::size_t order) {
-    // What a tool's clearance has of features is as wide as the tool: corners farther apart could miss one.
-    if (2.0 * request_.tool.front().bottomRadius < field_.brickEdge()) return;
-    SampleGrid nine(BrickField::samplesAlong);
-    if (!cornersAgree(order, nine)) return;
-    const auto middle = static_cast<double>(nine.values[0][BrickField::sampleAt(glm::ivec3(4))]);
-    const double asked = clearanceAt(part_, request_, place(order, glm::ivec3(4)), middle + request_.voxel).value;
-    if (std::abs(asked - middle) <= 0.01 * request_.voxel) smooth_[order] = 1;
+/// Those of the corners and of a coarser level are known.
+void BrickSampler::own(std::size_t order, Level& level, const Level* coarser, TipAsker& ask) const {
+    TipSample* const first = level.samples.data() + static_cast<std::size_t>(level.place[order]) * level.owned();
+    const int along = level.along();
+    toAndFro(along, [&](const glm::ivec3& at) {
+        TipSample& sample = first[placeIn(at, along)];
+        if (at == glm::ivec3(0))
+            sample = corners_[field_.cornerAt(field_.brickOf(fine_[order]))];
+        else if (coarser != nullptr && at % 2 == glm::ivec3(0))
+            sample = coarser->samples[static_cast<std::size_t>(coarser->place[order]) * coarser->owned() +
+                                      placeIn(at / 2, coarser->along())];
+        else
+            sample = ask.ask(place(order, level.step * at));
+    });
 }
 
-void BrickSampler::fillSmooth(std::size_t order) {
-    SampleGrid nine(BrickField::samplesAlong);
-    cornersAgree(order, nine);
-    std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
-    for (std::size_t i = 0; i < BrickField::samplesPerBrick; ++i)
-        first[i] = packed(static_cast<double>(nine.values[0][i]));
-}
-
-void BrickSampler::sampleEven(std::size_t order) {
-    if (smooth_[order] != 0) return;
-    Even* const first = even_.data() + order * evens * evens * evens;
-    double bound = farthestClearance; // no tip has more than another one has, and the way between
-    glm::ivec3 last{0};
-    for (int k = 0; k < evens; ++k)
-        for (int row = 0; row < evens; ++row)
-            for (int column = 0; column < evens; ++column) {
-                const int j = k % 2 == 0 ? row : evens - 1 - row; // to and fro: the way is always one step
-                const int i = (row + k * evens) % 2 == 0 ? column : evens - 1 - column;
-                const glm::ivec3 at{i, j, k};
-                const double way = 2.0 * field_.spacing * glm::length(glm::dvec3(at - last));
-                const ClearanceSample found = ask(place(order, 2 * at), bound + way);
-                first[cubeAt(at, evens)] = {static_cast<float>(found.value), glm::vec3(found.gradient)};
-                bound = found.value + slack;
-                last = at;
-            }
-}
-
-/// Its own, the next bricks', and where the next brick is coarse, asked again.
-BrickSampler::Evens BrickSampler::gather(std::size_t order) const {
+/// Its own, the next bricks', and where these have none, asked for.
+void BrickSampler::gather(std::size_t order, const Level& level, TipAsker& ask, Grid& all) const {
     const glm::ivec3 brick = field_.brickOf(fine_[order]);
-    Evens all;
-    double bound = farthestClearance;
-    glm::ivec3 last{0};
-    for (int k = 0; k < evensAlong; ++k)
-        for (int j = 0; j < evensAlong; ++j)
-            for (int i = 0; i < evensAlong; ++i) {
-                const glm::ivec3 at{i, j, k}, step = at / evens, owner = brick + step;
-                ClearanceSample& sample = all[cubeAt(at, evensAlong)];
-                const bool outside =
-                    owner.x >= field_.bricks.x || owner.y >= field_.bricks.y || owner.z >= field_.bricks.z;
-                const std::int32_t number = outside ? BrickField::coarse : field_.place[field_.brickAt(owner)];
-                if (number != BrickField::coarse && smooth_[static_cast<std::size_t>(number)] == 0) {
-                    const Even& known = even_[static_cast<std::size_t>(number) * evens * evens * evens +
-                                              cubeAt(at - step * evens, evens)];
-                    sample = {static_cast<double>(known.value), glm::dvec3(known.gradient)};
-                } else {
-                    const double way = 2.0 * field_.spacing * glm::length(glm::dvec3(at - last));
-                    sample = ask(place(order, 2 * at), bound + way);
-                }
-                bound = sample.value + slack;
-                last = at;
-            }
-    return all;
+    const int along = level.along();
+    toAndFro(along + 1, [&](const glm::ivec3& at) {
+        const glm::ivec3 step = at / along, owner = brick + step, in = at - step * along;
+        const bool outside = glm::any(glm::greaterThanEqual(owner, field_.bricks));
+        const std::int32_t number = outside ? BrickField::coarse : field_.place[field_.brickAt(owner)];
+        const std::int32_t known = number == BrickField::coarse ? none : level.place[static_cast<std::size_t>(number)];
+        if (in == glm::ivec3(0))
+            all.set(at, corners_[field_.cornerAt(owner)]);
+        else if (known != none)
+            all.set(at, level.samples[static_cast<std::size_t>(known) * level.owned() + placeIn(in, along)]);
+        else
+            all.set(at, ask.ask(place(order, level.step * at)));
+    });
+}
+
+bool BrickSampler::fillFromFours(std::size_t order, TipAsker& ask, Grids& grids) {
+    gather(order, fours_, ask, grids.three);
+    const auto spacing = static_cast<float>(field_.spacing);
+    LineCheck check;
+    check.floor = static_cast<float>(deep_);
+    refine(grids.three.samples, grids.fine, 4.0F * spacing, check);
+    refine(grids.fine, grids.nine, 2.0F * spacing, check);
+    if (!isSmooth(check, mostBendOfFours)) return false;
+    pack(order, grids.three, grids.nine);
+    return true;
+}
+
+void BrickSampler::fillFromTwos(std::size_t order, TipAsker& ask, Grids& grids) {
+    gather(order, twos_, ask, grids.five);
+    std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
+    toAndFro(BrickField::samplesAlong, [&](const glm::ivec3& at) {
+        const std::optional<double> known = between(grids.five, at);
+        const double value = known ? *known : static_cast<double>(ask.ask(place(order, at)).clearance.distance);
+        first[BrickField::sampleAt(at)] = packed(value);
+    });
 }
 
 /// A sample with odd places lies in the middle of one, two or four lines between even ones.
-std::optional<double> BrickSampler::between(const Evens& all, const glm::ivec3& sample) const noexcept {
-    // What these allow is explained in README.md.
-    const double mostBend = 0.1 * request_.voxel, mostResidual = 0.06 * request_.voxel;
-    const double mostSpread = 0.03 * request_.voxel;
+std::optional<double> BrickSampler::between(const Grid& all, const glm::ivec3& sample) const noexcept {
+    const SampleGrid& twos = all.samples;
     const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
-    // More than a voxel inside nothing but the way out is asked for: straight lines will do.
-    const double mean = 0.5 * (all[cubeAt(low, evensAlong)].value + all[cubeAt(low + odd, evensAlong)].value);
-    const bool deep = mean < -1.25 * request_.voxel - field_.spacing;
     double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0.0;
+    bool deep = false;
     int lines = 0;
     for (int signs = 0; signs < 8; ++signs) {
         const glm::ivec3 up = glm::ivec3(signs & 1, (signs >> 1) & 1, signs >> 2);
         if (up.x > odd.x || up.y > odd.y || up.z > odd.z) continue;
         if (signs > 7 - signs && odd == glm::ivec3(1)) continue;
-        const ClearanceSample& from = all[cubeAt(low + up, evensAlong)];
-        const ClearanceSample& to = all[cubeAt(low + odd - up, evensAlong)];
+        const glm::ivec3 a = low + up, b = low + odd - up;
+        const PartSample from = twos.get(twos.at(a.x, a.y, a.z)), to = twos.get(twos.at(b.x, b.y, b.z));
         const glm::dvec3 way = 2.0 * field_.spacing * glm::dvec3(odd - 2 * up);
-        double estimate = 0.5 * (from.value + to.value);
+        const auto start = static_cast<double>(from.distance), end = static_cast<double>(to.distance);
+        double estimate = 0.5 * (start + end);
+        // In depth nothing but the way out is asked for: straight lines will do.
+        deep = deep || estimate < deep_;
         if (!deep) {
-            const double bend = glm::dot(from.gradient - to.gradient, way) / 8.0;
-            const double residual = to.value - from.value - 0.5 * glm::dot(from.gradient + to.gradient, way);
-            if (!(std::abs(bend) <= mostBend) || !(std::abs(residual) <= mostResidual)) return std::nullopt;
+            const double bend = glm::dot(glm::dvec3(from.gradient - to.gradient), way) / 8.0;
+            const double residual = end - start - 0.5 * glm::dot(glm::dvec3(from.gradient + to.gradient), way);
+            if (!(std::abs(bend) <= mostBend * request_.voxel) ||
+                !(std::abs(residual) <= mostResidualOfTwos * request_.voxel))
+                return std::nullopt;
             estimate += bend;
         }
         least = std::min(least, estimate);
@@ -161,27 +217,23 @@ std::optional<double> BrickSampler::between(const Evens& all, const glm::ivec3& 
         sum += estimate;
         ++lines;
     }
-    if (!deep && most - least > mostSpread) return std::nullopt;
-    return sum / lines;
+    if (!deep && most - least > mostSpread * request_.voxel) return std::nullopt;
+    const float gain = all.gainAt(glm::vec3(sample) / static_cast<float>(BrickField::cells));
+    return static_cast<double>(bentBack(static_cast<float>(sum / lines), gain));
 }
 
-void BrickSampler::fill(std::size_t order) {
-    if (smooth_[order] != 0) return fillSmooth(order);
-    const Evens all = gather(order);
+void BrickSampler::pack(std::size_t order, const Grid& gains, const SampleGrid& nine) {
     std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
+    const std::vector<float>& values = nine.values[0];
+    const bool rim = std::ranges::min(gains.gains) < 1.0F;
     for (int k = 0; k <= BrickField::cells; ++k)
         for (int j = 0; j <= BrickField::cells; ++j)
             for (int i = 0; i <= BrickField::cells; ++i) {
-                const glm::ivec3 at{i, j, k};
-                const ClearanceSample& near = all[cubeAt(at / 2, evensAlong)];
-                const glm::ivec3 odd = at % 2;
-                double value = near.value;
-                if (odd != glm::ivec3(0)) {
-                    const std::optional<double> smooth = between(all, at);
-                    const double way = field_.spacing * glm::length(glm::dvec3(odd));
-                    value = smooth ? *smooth : ask(place(order, at), near.value + way + slack).value;
-                }
-                first[BrickField::sampleAt(at)] = packed(value);
+                const std::size_t at = BrickField::sampleAt({i, j, k});
+                float value = values[at];
+                if (rim && value < 0.0F)
+                    value = bentBack(value, gains.gainAt(glm::vec3(i, j, k) / static_cast<float>(BrickField::cells)));
+                first[at] = packed(static_cast<double>(value));
             }
 }
 

@@ -2,70 +2,81 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/field/brick_field.h"
 #include "core/field/field_builder.h"
 #include "core/field/part_sample.h"
+#include "core/field/tip_asker.h"
 
 #include <optional>
 
 namespace burin {
 
-inline constexpr double farthestClearance = 1e6; ///< mm: what an empty part answers
-
-/// Clearance and its gradient with the tip at a place.
-struct ClearanceSample {
-    double value = 0.0;       ///< mm
-    glm::dvec3 gradient{0.0}; ///< not a number where the clearance was not found within the limit
-};
-
-/// @param within mm; more is answered as this  @param tolerance mm, by which it may be too great
-ClearanceSample clearanceAt(const MeshDistance& part, const ToolFieldRequest& request, const glm::dvec3& tip,
-                            double within, double tolerance = 1e-8);
-
-/// Fills the fine bricks of a field. Where the corners of a brick say that the clearance is smooth, and its middle
-/// agrees, its samples follow from them by cubics (Hermite). Elsewhere every second sample along each axis is asked of
-/// the mesh, with its gradient; what lies between follows from those two in the same way, or is asked of the mesh.
+/// Fills the fine bricks of a tool's field. Where the corners of a brick say that the clearance is smooth, and its
+/// middle agrees, its samples follow from them by cubics (Hermite). Elsewhere samples 4 apart are asked of the part,
+/// with their gradients, and where lines between these are not smooth either, every second sample; what lies between
+/// those follows from its own lines, or is asked.
 class BrickSampler {
 public:
     /// @param fine numbers of the fine bricks, in the order of their samples
-    /// @param corners  of the bricks, as the field's, with their gradients
+    /// @param corners  of the bricks, mm, with their gradients
     BrickSampler(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
-                 BrickField& field, const std::vector<std::uint32_t>& fine, const std::vector<PartSample>& corners);
+                 BrickField& field, const std::vector<std::uint32_t>& fine, const std::vector<TipSample>& corners);
 
-    /// Whether a brick's corners tell all its samples. Any thread, each brick once, before the others.
-    void look(std::size_t order);
-
-    /// The even samples that a brick owns: all but those on its upper faces. Any thread, each brick once.
-    void sampleEven(std::size_t order);
-    /// All of a brick's samples. Any thread, each brick once, when all bricks have their even ones.
-    void fill(std::size_t order);
+    /// Parallel, reported between the fractions.
+    void fill(Progress& progress, double from, double to);
 
 private:
-    static constexpr int evens = BrickField::cells / 2; ///< owned, along an axis
-    static constexpr int evensAlong = evens + 1;
-
-    struct Even {
-        float value = 0.0F;
-        glm::vec3 gradient{0.0F};
+    /// Samples of a level that a brick owns: all but those on its upper faces.
+    struct Level {
+        int step;                        ///< cells between them
+        std::vector<std::int32_t> place; ///< per fine brick, where its samples are, or none
+        std::vector<TipSample> samples;
+        int along() const noexcept { return BrickField::cells / step; } ///< owned, along an axis
+        std::size_t owned() const noexcept { return static_cast<std::size_t>(along() * along() * along()); }
+        void lay(const std::vector<std::uint8_t>& wanted);
     };
-    using Evens = std::array<ClearanceSample, evensAlong * evensAlong * evensAlong>;
+    static constexpr std::int32_t none = -1;
 
-    ClearanceSample ask(const glm::dvec3& tip, double within) const;
+    /// A brick's samples of a level, straightened, and their gains.
+    struct Grid {
+        explicit Grid(int along) : samples(along), gains(samples.values[0].size()) {}
+        SampleGrid samples;
+        std::vector<float> gains;
+        void set(const glm::ivec3& at, const TipSample& sample) noexcept {
+            const std::size_t place = samples.at(at.x, at.y, at.z);
+            samples.set(place, sample.straightened());
+            gains[place] = sample.gain;
+        }
+        /// Between its own. @param share  of the brick, along each axis
+        float gainAt(const glm::vec3& share) const noexcept;
+    };
+    /// Room to work in. One thread each.
+    struct Grids {
+        Grid two{2}, three{3}, five{5};
+        SampleGrid middle{3}, fine{5}, nine{9};
+    };
+
+    TipAsker asker() const;
     glm::dvec3 place(std::size_t order, const glm::ivec3& sample) const noexcept;
-    Evens gather(std::size_t order) const;
-    std::optional<double> between(const Evens& all, const glm::ivec3& sample) const noexcept;
+    bool fillFromCorners(std::size_t order, TipAsker& ask, Grids& grids);
+    void own(std::size_t order, Level& level, const Level* coarser, TipAsker& ask) const;
+    bool fillFromFours(std::size_t order, TipAsker& ask, Grids& grids);
+    void fillFromTwos(std::size_t order, TipAsker& ask, Grids& grids);
+    void gather(std::size_t order, const Level& level, TipAsker& ask, Grid& all) const;
+    bool isSmooth(const LineCheck& check, float mostBend) const noexcept;
+    std::optional<double> between(const Grid& twos, const glm::ivec3& sample) const noexcept;
+    void pack(std::size_t order, const Grid& gains, const SampleGrid& nine);
     std::int16_t packed(double value) const noexcept;
-    bool cornersAgree(std::size_t order, SampleGrid& nine) const;
-    void fillSmooth(std::size_t order);
 
     const MeshDistance& part_;
     const ToolFieldRequest& request_;
     const FieldResolution resolution_;
     BrickField& field_;
     const std::vector<std::uint32_t>& fine_;
-    const std::vector<PartSample>& corners_;
-    std::vector<std::uint8_t> smooth_; ///< 1: the corners do
-    std::vector<Even> even_;
+    const std::vector<TipSample>& corners_;
+    const double deep_; ///< mm: clearances below only have to lead out
+    Level fours_{4, {}, {}}, twos_{2, {}, {}};
 };
 
 } // namespace burin

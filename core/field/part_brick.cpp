@@ -277,6 +277,42 @@ bool isExactIn(const MadeBrick& made, const glm::vec3& place) noexcept {
     return ((made.exactMask[static_cast<std::size_t>(cell.z)] >> (cell.x + 8 * cell.y)) & 1U) != 0;
 }
 
+namespace {
+
+using Face = std::array<float, CellGrid::along * CellGrid::along>;
+
+/// The samples of a brick on a face across an axis. @param at  0 or 8 along it
+Face faceOf(const MadeBrick& made, int axis, int at) noexcept {
+    constexpr std::array<int, 3> step{1, CellGrid::along, CellGrid::along * CellGrid::along};
+    const auto a = static_cast<std::size_t>(axis), u = (a + 1) % 3, v = (a + 2) % 3;
+    const FineBrick& header = made.header;
+    const float base = header.base + header.slope[a] * static_cast<float>(at);
+    Face face;
+    const auto fill = [&](const auto* samples) noexcept {
+        std::size_t place = 0;
+        for (int j = 0; j < CellGrid::along; ++j) {
+            const float row = base + header.slope[v] * static_cast<float>(j);
+            for (int i = 0; i < CellGrid::along; ++i)
+                face[place++] = row + header.slope[u] * static_cast<float>(i) +
+                                header.quantum * static_cast<float>(samples[at * step[a] + i * step[u] + j * step[v]]);
+        }
+    };
+    if (header.wide != 0)
+        fill(made.wide.data());
+    else
+        fill(made.narrow.data());
+    return face;
+}
+
+} // namespace
+
+float disagreement(const MadeBrick& first, const MadeBrick& second, int axis) noexcept {
+    const Face end = faceOf(first, axis, CellGrid::cells), begin = faceOf(second, axis, 0);
+    float most = 0.0F;
+    for (std::size_t i = 0; i < end.size(); ++i) most = std::max(most, std::abs(end[i] - begin[i]));
+    return most;
+}
+
 void BrickMaker::pack(MadeBrick& made) const {
     const std::vector<float>& f = nine_.values[0];
     std::array<double, 4> sums{}; // of the values, and of them times the place from the middle
@@ -328,13 +364,16 @@ void BrickMaker::packResiduals(MadeBrick& made, const std::array<float, CellGrid
     made.header.quantum = quantum * static_cast<float>(voxel_);
     made.header.wide = narrow ? 0 : 1;
     made.wide.clear();
+    const float perQuantum = 1.0F / quantum;
+    const auto units = [&](std::size_t i) noexcept { // the nearest
+        const float unit = residuals[i] * perQuantum;
+        return static_cast<std::int32_t>(unit + (unit < 0.0F ? -0.5F : 0.5F));
+    };
     if (narrow) {
-        for (std::size_t i = 0; i < residuals.size(); ++i)
-            made.narrow[i] = static_cast<std::int8_t>(std::lrint(residuals[i] / quantum));
+        for (std::size_t i = 0; i < residuals.size(); ++i) made.narrow[i] = static_cast<std::int8_t>(units(i));
     } else {
         made.wide.resize(residuals.size());
-        for (std::size_t i = 0; i < residuals.size(); ++i)
-            made.wide[i] = static_cast<std::int16_t>(std::lrint(residuals[i] / quantum));
+        for (std::size_t i = 0; i < residuals.size(); ++i) made.wide[i] = static_cast<std::int16_t>(units(i));
     }
 }
 

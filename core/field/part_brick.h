@@ -26,6 +26,10 @@ float distanceIn(const MadeBrick& made, const glm::vec3& place) noexcept;
 /// Whether the place is in an exact cell.
 bool isExactIn(const MadeBrick& made, const glm::vec3& place) noexcept;
 
+/// The largest difference, mm, between the samples that two bricks share. @param axis  along which the second is the
+/// next
+float disagreement(const MadeBrick& first, const MadeBrick& second, int axis) noexcept;
+
 /// Whether lines are so smooth that cubics between their ends do.
 bool isSmooth(const LineCheck& check) noexcept;
 

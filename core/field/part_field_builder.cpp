@@ -5,10 +5,9 @@
 #include "core/field/block_corners.h"
 #include "core/field/coarse_bound.h"
 #include "core/field/spread.h"
-#include "core/field/surface_points.h"
+#include "core/field/surface_check.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace burin {
@@ -47,13 +46,6 @@ public:
     static constexpr const char* subject = "distance field of a part";
 
 private:
-    struct Candidate {
-        glm::ivec3 brick; ///< counted from the origin
-        std::size_t block;
-        bool smooth = false; ///< its corners tell what lies between
-        bool fine = false;
-    };
-
     PartAsker asker() const { return {part_, layers_->origin, voxel()}; }
     double voxel() const noexcept { return layers_->request.voxel; }
 
@@ -146,7 +138,7 @@ private:
             PartAsker ask = asker();
             SampleGrid corners(2), third(3);
             for (std::size_t i = first; i < end; ++i) {
-                Candidate& candidate = candidates_[i];
+                FieldCandidate& candidate = candidates_[i];
                 candidate.smooth = isSmooth(refineCorners(candidate, corners, third));
                 if (candidate.smooth) continue;
                 fours_[i * 8] = corners.get(0);
@@ -157,7 +149,7 @@ private:
         });
     }
 
-    LineCheck refineCorners(const Candidate& candidate, SampleGrid& corners, SampleGrid& third) const {
+    LineCheck refineCorners(const FieldCandidate& candidate, SampleGrid& corners, SampleGrid& third) const {
         const std::array<PartSample, 8> samples = corners_->brickCorners(candidate.block, candidate.brick & 7);
         for (std::size_t corner = 0; corner < 8; ++corner) corners.set(corner, samples[corner]);
         LineCheck eight;
@@ -165,18 +157,11 @@ private:
         return eight;
     }
 
-    std::int32_t candidateAt(const glm::ivec3& brick) const noexcept {
-        const std::int32_t block = layers_->blockNumberAt(brick >> 3);
-        if (block == coarse) return coarse;
-        const glm::ivec3 in = brick & 7;
-        return layers_->divided[static_cast<std::size_t>(block)].fine[CellGrid::cellAt(in.x, in.y, in.z)];
-    }
-
     /// The 27 samples of a candidate: its own, the next ones', and where these are none, asked for.
     /// @return their largest error, voxels
     float gather(std::size_t number, SampleGrid& third) const {
         PartAsker ask = asker();
-        const Candidate& candidate = candidates_[number];
+        const FieldCandidate& candidate = candidates_[number];
         SampleGrid corners(2);
         if (candidate.smooth) {
             return interpolationError(refineCorners(candidate, corners, third));
@@ -185,7 +170,7 @@ private:
             for (int y = 0; y < 3; ++y)
                 for (int x = 0; x < 3; ++x) {
                     const glm::ivec3 local{x, y, z}, step = local / 2, in = local - 2 * step;
-                    const std::int32_t owner = candidateAt(candidate.brick + step);
+                    const std::int32_t owner = candidateAt(*layers_, candidate.brick + step);
                     if (owner != coarse && !candidates_[static_cast<std::size_t>(owner)].smooth)
                         third.set(third.at(x, y, z), fours_[static_cast<std::size_t>(owner) * 8 +
                                                             static_cast<std::size_t>(in.x + 2 * in.y + 4 * in.z)]);
@@ -225,48 +210,16 @@ private:
         });
     }
 
-    /// Every point of the mesh is a bound of the distances around it, which finds what lies between samples: bricks
-    /// that contradict one are made again, sample by sample.
+    /// Bricks that a point of the mesh contradicts are made again, sample by sample.
     void checkSurface() {
-        std::vector<std::uint8_t> wrong(candidates_.size(), 0);
-        const std::span<const Triangle> triangles = part_.triangles();
-        spreadStretches(triangles.size(), 0.85, 0.92, progress_, [&](std::size_t first, std::size_t end) {
-            SurfacePoints points;
-            for (std::size_t i = first; i < end; ++i)
-                points.of(triangles[i], 1.5 * voxel(), [&](const glm::dvec3& point) { check(point, wrong); });
-        });
-        std::vector<std::size_t> again;
-        for (std::size_t i = 0; i < wrong.size(); ++i)
-            if (wrong[i] != 0) again.push_back(i);
+        const std::vector<std::size_t> again =
+            SurfaceCheck(part_, *layers_, candidates_, made_).contradicted(progress_);
         spread(again.size(), 0.92, 0.95, progress_, [&](std::size_t i) {
             BrickMaker maker(part_, layers_->origin, voxel());
             const std::size_t number = again[i];
             candidates_[number].fine = true;
             maker.make(brickVoxels * candidates_[number].brick, made_[number]);
         });
-    }
-
-    void check(const glm::dvec3& point, std::vector<std::uint8_t>& wrong) const {
-        const glm::dvec3 place = (point - layers_->origin) / voxel();
-        const glm::ivec3 home = glm::ivec3(place) >> 3;
-        const glm::ivec3 side =
-            glm::mix(glm::ivec3(-1), glm::ivec3(1), glm::greaterThan(place - 8.0 * glm::dvec3(home), glm::dvec3(4.0)));
-        for (int i = 0; i < 8; ++i) {
-            const glm::ivec3 brick = home + side * cornerOf(i);
-            const std::int32_t number = candidateAt(brick);
-            if (number == coarse) continue;
-            const glm::vec3 local(place - 8.0 * glm::dvec3(brick)), inside = glm::clamp(local, 0.0F, 8.0F);
-            const float away = glm::length(local - inside);
-            if (away <= BrickMaker::bandVoxels && contradicts(static_cast<std::size_t>(number), inside, away))
-                std::atomic_ref(wrong[static_cast<std::size_t>(number)]).store(1, std::memory_order_relaxed);
-        }
-    }
-
-    bool contradicts(std::size_t number, const glm::vec3& inside, float away) const noexcept {
-        if (!candidates_[number].fine) return true;
-        const MadeBrick& made = made_[number];
-        const float allowed = inMillimetres(away) + made.bound;
-        return std::abs(distanceIn(made, inside)) > allowed && !isExactIn(made, inside);
     }
 
     /// Where corners lie between asked ones, a value is off by the error there, and once more by its own.
@@ -360,7 +313,7 @@ private:
     std::vector<PartSample> top_;
     std::vector<glm::ivec3> places_; ///< of the divided blocks
     std::optional<BlockCorners> corners_;
-    std::vector<Candidate> candidates_;
+    std::vector<FieldCandidate> candidates_;
     std::vector<PartSample> fours_;
     std::vector<MadeBrick> made_;
 };

@@ -21,6 +21,9 @@ struct CellGrid {
     static std::size_t sampleAt(int x, int y, int z) noexcept {
         return static_cast<std::size_t>(x + along * (y + along * z));
     }
+    static glm::ivec3 cellOf(int sample) noexcept {
+        return {sample % along, sample / along % along, sample / (along * along)};
+    }
     static std::size_t cellAt(int x, int y, int z) noexcept {
         return static_cast<std::size_t>(x + cells * (y + cells * z));
     }

@@ -18,6 +18,7 @@ void refineAxis(const std::array<const float*, 4>& from, const std::array<float*
                 std::size_t axis, float spacing, LineCheck& check) noexcept {
     const std::size_t along = axis + 1, across = 1 + (axis + 1) % 3, other = 1 + (axis + 2) % 3;
     const auto [run, count, repeats] = layout;
+    const float floor = check.floor;
     float bendSquared = 0.0F, residualSquared = 0.0F;
     for (std::size_t repeat = 0; repeat < repeats; ++repeat)
         for (std::size_t i = 0; i < count; ++i) {
@@ -31,8 +32,9 @@ void refineAxis(const std::array<const float*, 4>& from, const std::array<float*
                 const float bend = (fromSlope - toSlope) * (spacing * 0.125F);
                 const float mean = 0.5F * (fromSlope + toSlope), rise = high - low;
                 const float residual = rise - mean * spacing;
-                bendSquared = std::max(bendSquared, bend * bend);
-                residualSquared = std::max(residualSquared, residual * residual);
+                const float counts = std::max(low, high) >= floor ? 1.0F : 0.0F;
+                bendSquared = std::max(bendSquared, counts * bend * bend);
+                residualSquared = std::max(residualSquared, counts * residual * residual);
                 to[0][middle + k] = 0.5F * (low + high) + bend;
                 to[along][middle + k] = 1.5F * rise / spacing - 0.5F * mean;
                 to[across][middle + k] = 0.5F * (from[across][a + k] + from[across][b + k]);

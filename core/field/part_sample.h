@@ -52,8 +52,9 @@ struct SampleGrid {
 
 /// How far lines between samples are from being smooth, voxels.
 struct LineCheck {
-    float bend = 0.0F;     ///< how far the middle lies from the chord
-    float residual = 0.0F; ///< by how much the mean slope misses the other end
+    float bend = 0.0F;                                     ///< how far the middle lies from the chord
+    float residual = 0.0F;                                 ///< by how much the mean slope misses the other end
+    float floor = -std::numeric_limits<float>::infinity(); ///< lines that lie below it altogether do not count
 };
 
 /// The grid with samples in between: 2 n - 1 along each axis, by cubics (Hermite) along x, y and z in turn.

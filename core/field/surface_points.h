@@ -24,9 +24,9 @@ public:
             if (isNew(corner)) take(corner);
         std::size_t base = 0; // the longest edge begins here
         for (std::size_t i = 1; i < 3; ++i)
-            if (edgeLength(triangle, i) > edgeLength(triangle, base)) base = i;
-        const double longest = edgeLength(triangle, base);
-        if (!(longest > spacing)) return;
+            if (squaredEdge(triangle, i) > squaredEdge(triangle, base)) base = i;
+        if (!(squaredEdge(triangle, base) > spacing * spacing)) return;
+        const double longest = std::sqrt(squaredEdge(triangle, base));
         const glm::dvec3 &from = triangle[base], &to = triangle[(base + 1) % 3], &top = triangle[(base + 2) % 3];
         const double height = glm::length(areaNormal(triangle)) / longest;
         const int rows = std::max(1, static_cast<int>(std::ceil(height / spacing)));
@@ -40,8 +40,9 @@ public:
     }
 
 private:
-    static double edgeLength(const Triangle& triangle, std::size_t edge) noexcept {
-        return glm::length(triangle[(edge + 1) % 3] - triangle[edge]);
+    static double squaredEdge(const Triangle& triangle, std::size_t edge) noexcept {
+        const glm::dvec3 way = triangle[(edge + 1) % 3] - triangle[edge];
+        return glm::dot(way, way);
     }
     bool isNew(const glm::dvec3& corner) noexcept {
         const auto mixed = std::bit_cast<std::uint64_t>(corner.x) * 3 + std::bit_cast<std::uint64_t>(corner.y) * 5 +

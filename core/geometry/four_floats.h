@@ -3,7 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace burin {
 
@@ -24,6 +28,13 @@ inline FourFloats greater(const FourFloats& a, const FourFloats& b) noexcept {
 }
 inline FourFloats absolute(const FourFloats& a) noexcept {
     return greater(a, -a);
+}
+inline FourFloats rootsOf(const FourFloats& a) noexcept {
+#ifdef __SSE2__ // as every x86-64 has; the compiler does not find it by itself
+    return _mm_sqrt_ps(a);
+#else
+    return FourFloats{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+#endif
 }
 inline float greatest(const FourFloats& a) noexcept {
     return std::max(std::max(a[0], a[1]), std::max(a[2], a[3]));

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/mesh_distance.h"
 
-#include "core/geometry/piece_minimum.h"
-#include "core/geometry/surface_normals.h"
-#include "core/geometry/triangle_tree.h"
-#include "core/geometry/triangle_walk.h"
+#include "core/geometry/piece_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,15 +31,51 @@ std::vector<Triangle> trianglesOf(const TriangleMesh& mesh, const std::vector<st
     return triangles;
 }
 
-/// A point of the mesh that a walk has found.
-struct Found {
-    std::size_t slot = 0;
-    glm::dvec3 point{0.0};
-    TriangleFeature feature = TriangleFeature::face;
-    double distance = 0.0;
+} // namespace
+
+/// A point of a tool's axis, and what was asked of the mesh for it last.
+struct AxisPoint {
+    double height = 0.0; ///< mm above the tip
     std::size_t piece = 0;
-    bool any = false;
+    glm::dvec3 place{0.0}; ///< where it was
+    ClosestPoint nearest;  ///< of the mesh
+    bool any = false;      ///< it was asked
+
+    /// Whether it is certainly no deeper in the solid than so much: its depth changes no faster than it moves, nor is
+    /// it deeper than any point of the mesh is away.
+    bool isShallower(const glm::dvec3& point, double depth) const noexcept {
+        if (!any) return false;
+        return nearest.signedDistance - glm::length(point - place) >= -depth ||
+               glm::length(point - nearest.point) <= depth;
+    }
 };
+
+/// No point of the mesh was nearer to a piece, and none is by more than the tip has moved since.
+struct PieceBound {
+    double atLeast = -std::numeric_limits<double>::infinity(); ///< mm, may be negative
+    glm::dvec3 tip{0.0};
+};
+
+struct ClearanceMemory {
+    std::array<Found, 4> met{}; ///< the last, of as many pieces
+    std::vector<AxisPoint> axis;
+    std::vector<PieceBound> pieces;
+    bool axisFirst = false; ///< the last answer was the depth of a point of the axis
+};
+
+namespace {
+
+/// Heights of the points of the axis whose depth counts: the pieces' ends and the centres of their roundings.
+template <class Visit>
+void visitAxis(std::span<const RevolvedPiece> tool, const Visit& visit) {
+    double last = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < tool.size(); ++i)
+        for (const double height : {tool[i].bottom, tool[i].bottom + tool[i].cornerRadius, tool[i].top}) {
+            if (height <= last) continue; // the last piece's
+            visit(height, i);
+            last = height;
+        }
+}
 
 glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) noexcept {
     const double length = glm::length(v);
@@ -66,21 +99,27 @@ public:
     std::span<const Triangle> triangles() const noexcept { return tree_.triangles(); }
     std::size_t triangleOf(std::size_t slot) const noexcept { return places_[tree_.order()[slot]]; }
 
-    Found nearest(const glm::dvec3& point, double within) const noexcept {
+    /// @param passed  takes a distance: but for what was found nothing is nearer
+    Found nearest(const glm::dvec3& point, double within, double* passed = nullptr) const noexcept {
         Found found;
         double leastSquared = within < 1e150 ? within * within : 1e300;
         NearPoint near(tree_, point);
         near.limit(leastSquared);
-        walk(tree_, near, [&](std::size_t slot) noexcept {
+        double missed = std::numeric_limits<double>::infinity();
+        const float nodes = walk(tree_, near, [&](std::size_t slot) noexcept {
             const TrianglePoint candidate = closestOnTriangle(tree_.triangles()[slot], point);
             const glm::dvec3 way = candidate.point - point;
             const double squared = glm::dot(way, way);
-            if (!(squared < leastSquared)) return;
+            if (!(squared < leastSquared)) {
+                missed = std::min(missed, squared);
+                return;
+            }
             leastSquared = squared;
             near.limit(squared);
             found = {slot, candidate.point, candidate.feature, 0.0, 0, true};
         });
         found.distance = std::sqrt(leastSquared);
+        if (passed != nullptr) *passed = std::sqrt(std::min(missed, static_cast<double>(nodes) * (1.0 - 4e-6)));
         return found;
     }
 
@@ -120,24 +159,34 @@ public:
     }
 
     /// @param tie  a mesh has many points that are equally near to a flat: one of them will do, mm
+    /// @param memory  none, or of a tip nearby
     ToolClearance clearance(std::span<const RevolvedPiece> tool, ToolPose pose, double within,
-                            double tie) const noexcept {
-        const ToolClearance free{within, pose.tip, pose.axis, 0};
+                            const ClearanceTolerance& tie, ClearanceMemory* memory) const noexcept {
+        const ToolClearance free{within, pose.tip, pose.axis, 0, glm::dvec3(0.0)};
         if (empty() || tool.empty()) return free;
         pose.axis = unitOr(pose.axis, {0.0, 0.0, 1.0});
 
-        const Found found = deepest(tool, pose, std::max(within, 0.0), tie);
         ToolClearance answer = free;
-        if (!found.any) {
-            if (!reachesOutside(tool, pose)) answer = whollyInside(tool, pose, free);
-        } else {
+        answer.clearance = 0.0;
+        if (memory != nullptr && memory->axisFirst) answer = deeper(answer, tool, pose, tie, memory);
+        const bool inside = answer.clearance < 0.0;
+        if (!inside) answer.clearance = std::max(within, 0.0);
+        const Found found = deepest(tool, pose, answer.clearance, tie, memory);
+        if (found.any) {
             const PlacedPiece::Value there = PlacedPiece(tool[found.piece], pose).at(found.point);
             const glm::dvec3 gradient = unitOr(there.gradient, anyAcross(pose.axis));
-            answer = {found.distance, found.point, -gradient, found.piece};
-            if (found.distance > 0.0 && glm::dot(gradient, normalAt(found)) > 0.0)
-                answer = whollyInside(tool, pose, answer);
-            if (found.distance <= 0.0) answer = deeper(answer, pose.tip, 0);
+            answer = {found.distance, found.point, -gradient, found.piece, normalAt(found)};
+            if (memory != nullptr) memory->met[found.piece % memory->met.size()] = found;
+            // Apart, the whole tool is on one side.
+            if (found.distance > 0.0 && glm::dot(gradient, answer.outward) <= 0.0) return answer;
+        } else if (!inside && reachesOutside(tool, pose)) {
+            return free;
         }
+        if (!inside) {
+            answer.clearance = std::min(answer.clearance, 0.0);
+            answer = deeper(answer, tool, pose, tie, memory);
+        }
+        if (memory != nullptr) memory->axisFirst = answer.outward == glm::dvec3(0.0);
         return answer.clearance < within ? answer : free;
     }
 
@@ -178,74 +227,69 @@ private:
     }
 
     /// The point of the mesh where the signed distance to a piece is least, below `within`.
-    Found deepest(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within, double tie) const noexcept {
+    Found deepest(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within,
+                  const ClearanceTolerance& tie, ClearanceMemory* memory) const noexcept {
         Found found;
         found.distance = within;
-        for (std::size_t i = 0; i < tool.size(); ++i) {
-            const PlacedPiece piece(tool[i], pose);
-            double floor = piece.piece().bottom;
-            if (piece.ballEnd() && piece.piece().top >= floor + 2.0 * piece.piece().cornerRadius) {
-                floor += piece.piece().cornerRadius;
-                meetBall(piece, i, tie, found);
-            }
-            meetPiece(piece, i, floor, tie, found);
+        if (memory == nullptr) {
+            for (std::size_t i = 0; i < tool.size(); ++i) meet(PlacedPiece(tool[i], pose), i, tie, found);
+            return found;
+        }
+        startFrom(*memory, tool, pose, tie, found);
+        const std::size_t first = found.any ? found.piece : 0; // the one that is likely to be nearest
+        for (std::size_t n = 0; n < tool.size(); ++n) {
+            const std::size_t i = (first + n) % tool.size();
+            PieceBound& bound = memory->pieces[i];
+            if (bound.atLeast - glm::length(pose.tip - bound.tip) >= found.distance) continue;
+            bound = {meet(PlacedPiece(tool[i], pose), i, tie, found), pose.tip};
         }
         return found;
     }
 
-    /// One look at each triangle first: most drop out before a minimum over a triangle has to be found.
-    void meetPiece(const PlacedPiece& piece, std::size_t number, double floor, double tie,
-                   Found& found) const noexcept {
-        struct Candidate {
-            double below;
-            std::size_t slot;
-        };
-        std::array<Candidate, 64> candidates;
-        std::size_t count = 0;
-        NearPiece near(tree_, piece, floor);
-        const auto take = [&](const Found& better) noexcept {
-            found = better;
-            near.limit(found.distance - tie);
-        };
-        const auto solve = [&](std::size_t slot) noexcept {
-            if (const auto least = minimumOverTriangle(piece, tree_.triangles()[slot], found.distance - tie))
-                take({slot, least->point, least->feature, least->distance, number, true});
-        };
-        near.limit(found.distance - tie);
-        walk(tree_, near, [&](std::size_t slot) noexcept {
-            const TriangleBounds bounds = boundsOverTriangle(piece, tree_.triangles()[slot]);
-            if (bounds.below >= found.distance - tie) return;
-            if (bounds.above < found.distance - tie)
-                take({slot, bounds.centroid, TriangleFeature::face, bounds.above, number, true});
-            if (count == candidates.size()) { // some will have dropped out by now
-                const auto end = std::remove_if(candidates.begin(), candidates.end(),
-                                                [&](const Candidate& c) { return c.below >= found.distance - tie; });
-                count = static_cast<std::size_t>(end - candidates.begin());
-            }
-            if (count < candidates.size())
-                candidates[count++] = {bounds.below, slot};
-            else
-                solve(slot);
-        });
-        const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(count);
-        std::sort(candidates.begin(), end, [](const Candidate& a, const Candidate& b) { return a.below < b.below; });
-        for (auto candidate = candidates.begin(); candidate != end; ++candidate) {
-            if (candidate->below >= found.distance - tie) break;
-            solve(candidate->slot);
+    /// @return mm: but for what was found nothing is nearer to the piece than so
+    double meet(const PlacedPiece& piece, std::size_t number, const ClearanceTolerance& tie,
+                Found& found) const noexcept {
+        const double deepest =
+            -std::min(piece.piece().widestRadius(), 0.5 * (piece.piece().top - piece.piece().bottom));
+        if (worthwhile(found.distance, tie) <= deepest) return deepest; // no point is deeper in the piece
+        double floor = piece.piece().bottom, passed = std::numeric_limits<double>::infinity();
+        if (piece.ballEnd() && piece.piece().top >= floor + 2.0 * piece.piece().cornerRadius) {
+            floor += piece.piece().cornerRadius;
+            passed = meetBall(piece, number, tie, found);
         }
+        passed = std::min(passed, PieceSearch(tree_, normals_, piece, number, floor, tie, found).run());
+        return found.piece == number ? std::min(passed, found.distance) : passed;
+    }
+
+    /// What was nearest to a tip nearby, and what is near that and nearer to this one.
+    void startFrom(const ClearanceMemory& memory, std::span<const RevolvedPiece> tool, const ToolPose& pose,
+                   const ClearanceTolerance& tie, Found& found) const noexcept {
+        for (const Found& met : memory.met) {
+            if (!met.any) continue;
+            const double distance = PlacedPiece(tool[met.piece], pose).at(met.point).distance;
+            if (!(distance < found.distance)) continue;
+            found = met;
+            found.distance = distance;
+        }
+        if (!found.any) return;
+        const PlacedPiece piece(tool[found.piece], pose);
+        PieceSearch(tree_, normals_, piece, found.piece, piece.piece().bottom, tie, found).descend();
     }
 
     /// What lies below a ball's centre is as near to the ball as it is to the centre, which is quicker to ask. What
     /// lies above is not nearer to the ball than to the piece: it is left to the piece.
-    void meetBall(const PlacedPiece& piece, std::size_t number, double tie, Found& found) const noexcept {
+    double meetBall(const PlacedPiece& piece, std::size_t number, const ClearanceTolerance& tie,
+                    Found& found) const noexcept {
         const double radius = piece.piece().cornerRadius;
-        const double reach = found.distance - tie + radius;
-        if (!(reach > 0.0)) return;
-        Found ball = nearest(piece.pose().tip + (piece.piece().bottom + radius) * piece.pose().axis, reach);
-        if (!ball.any) return;
+        const double reach = worthwhile(found.distance, tie) + radius;
+        if (!(reach > 0.0)) return -radius;
+        double passed = 0.0;
+        Found ball = nearest(piece.pose().tip + (piece.piece().bottom + radius) * piece.pose().axis, reach, &passed);
+        if (!ball.any) return passed - radius;
         ball.distance = piece.at(ball.point).distance;
         ball.piece = number;
-        if (ball.distance < found.distance - tie) found = ball;
+        if (ball.distance < worthwhile(found.distance, tie)) found = ball;
+        return std::min(passed - radius, ball.distance);
     }
 
     /// Whether some point of the tool's axis lies outside the mesh's box, or else outside the mesh.
@@ -256,20 +300,34 @@ private:
         return closest(pose.tip + 0.5 * (tool[0].bottom + tool[0].top) * pose.axis, 1e300).signedDistance >= 0.0;
     }
 
-    ToolClearance whollyInside(std::span<const RevolvedPiece> tool, const ToolPose& pose,
-                               ToolClearance answer) const noexcept {
-        answer.clearance = 0.0;
-        for (std::size_t i = 0; i < tool.size(); ++i)
-            for (const double height : {tool[i].bottom, tool[i].bottom + tool[i].cornerRadius, tool[i].top})
-                answer = deeper(answer, pose.tip + height * pose.axis, i);
+    /// `answer`, or the depth of a point of the tool's axis in the solid where that is greater.
+    ToolClearance deeper(ToolClearance answer, std::span<const RevolvedPiece> tool, const ToolPose& pose,
+                         const ClearanceTolerance& tie, ClearanceMemory* memory) const noexcept {
+        if (memory != nullptr)
+            for (AxisPoint& point : memory->axis) {
+                const double before = answer.clearance;
+                answer = deeper(answer, pose, tie, point);
+                if (answer.clearance < before) std::swap(point, memory->axis.front()); // it is likely to be so again
+            }
+        else
+            visitAxis(tool, [&](double height, std::size_t piece) {
+                AxisPoint point{height, piece, {}, {}, false};
+                answer = deeper(answer, pose, tie, point);
+            });
         return answer;
     }
-
-    /// `answer`, or the depth of a point of the tool where that is greater.
-    ToolClearance deeper(const ToolClearance& answer, const glm::dvec3& toolPoint, std::size_t piece) const noexcept {
-        const ClosestPoint nearest = closest(toolPoint, 1e300);
-        if (nearest.signedDistance >= answer.clearance) return answer;
-        return {nearest.signedDistance, nearest.point, unitOr(nearest.point - toolPoint, answer.away), piece};
+    ToolClearance deeper(const ToolClearance& answer, const ToolPose& pose, const ClearanceTolerance& tie,
+                         AxisPoint& point) const noexcept {
+        const glm::dvec3 place = pose.tip + point.height * pose.axis;
+        if (!bounds().contains(place)) return answer;
+        if (point.isShallower(place, -worthwhile(answer.clearance, tie))) return answer;
+        const double within = point.any ? glm::length(place - point.nearest.point) * (1.0 + 1e-9) + 1e-9 : 1e300;
+        point.nearest = closest(place, within);
+        point.place = place;
+        point.any = true;
+        if (point.nearest.signedDistance >= answer.clearance) return answer;
+        return {point.nearest.signedDistance, point.nearest.point, unitOr(point.nearest.point - place, answer.away),
+                point.piece, glm::dvec3(0.0)};
     }
 
     std::vector<std::uint32_t> places_; ///< the mesh's triangles that are in the tree
@@ -288,7 +346,7 @@ ClosestPoint MeshDistance::closest(const glm::dvec3& point, double within) const
 
 ToolClearance MeshDistance::clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within,
                                       double tolerance) const {
-    return tree_->clearance(tool, pose, within, tolerance);
+    return tree_->clearance(tool, pose, within, {.ordinary = tolerance}, nullptr);
 }
 
 void MeshDistance::trianglesNear(const glm::dvec3& point, double within, std::vector<std::uint32_t>& numbers) const {
@@ -305,6 +363,17 @@ Box MeshDistance::bounds() const noexcept {
 
 std::span<const Triangle> MeshDistance::triangles() const noexcept {
     return tree_->triangles();
+}
+
+ClearanceAsker::ClearanceAsker(const MeshDistance& part, std::span<const RevolvedPiece> tool, const glm::dvec3& axis)
+    : part_(part), tool_(tool), axis_(axis), memory_(std::make_unique<ClearanceMemory>()) {
+    visitAxis(tool, [&](double height, std::size_t piece) { memory_->axis.push_back({height, piece, {}, {}, false}); });
+    memory_->pieces.resize(tool.size());
+}
+ClearanceAsker::~ClearanceAsker() = default;
+
+ToolClearance ClearanceAsker::ask(const glm::dvec3& tip, double within, const ClearanceTolerance& tolerance) {
+    return part_.tree_->clearance(tool_, {tip, axis_}, within, tolerance, memory_.get());
 }
 
 } // namespace burin

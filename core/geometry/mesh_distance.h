@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,7 +32,20 @@ struct ToolClearance {
     glm::dvec3 meshPoint{0.0};      ///< mm, the nearest or deepest point of the mesh, same frame as the mesh
     glm::dvec3 away{0.0, 0.0, 1.0}; ///< unit vector along which the tool has to move to gain clearance fastest
     std::size_t piece = 0;          ///< which piece of the tool
+    glm::dvec3 outward{0.0}; ///< the mesh's pseudo-normal at meshPoint, not of unit length; zero where the answer
+                             ///< is the depth of a point of the tool, or none
 };
+
+/// By how much a clearance may be answered too great, mm, which is quicker where much of the mesh is equally near or
+/// deep.
+struct ClearanceTolerance {
+    double ordinary = 1e-8;
+    double deepBelow = -std::numeric_limits<double>::infinity(); ///< for clearances below this
+    double deep = 1e-8;                                          ///< it is so much
+};
+
+/// What a ClearanceAsker keeps of its last answers.
+struct ClearanceMemory;
 
 /// Distance queries against one triangle mesh, exact for its triangles (Burin's judge of gouges; the mesh is made with
 /// a chord of 0.005 mm or finer). Copies what it needs; immutable after construction, so any number of threads may ask.
@@ -56,8 +70,8 @@ public:
 
     /// Clearance of a tool, given as stacked pieces, at a pose with any axis.
     /// Apart or touching: the distance between tool and mesh. Otherwise minus the greater of two depths: of the mesh's
-    /// deepest point in a piece, and of the tip in the solid. Wholly inside: minus the depth of the deepest of its
-    /// axis' points (tip, ends of the pieces, centre of the rounding). Exact to 1e-6 mm for every piece.
+    /// deepest point in a piece, and in the solid of the deepest of the axis' points (ends of the pieces, centres of
+    /// their roundings). So it changes no faster than the tool moves. Exact to 1e-6 mm for every piece.
     /// Clearances above `within` are answered as `within`; meshPoint is the tip and away the axis then.
     /// @param tolerance  mm: by so much the answer may be too great, which is quicker where much of the mesh is equally
     /// near or deep
@@ -69,8 +83,28 @@ public:
     std::span<const Triangle> triangles() const noexcept;
 
 private:
+    friend class ClearanceAsker;
     class Tree;
     std::unique_ptr<const Tree> tree_;
+};
+
+/// Asks for the clearance of one tool with one axis, one tip after the other: as MeshDistance::clearance, and faster
+/// where a tip is near the last ones, whose nearest and deepest points of the mesh bound what there is to be found. One
+/// thread each; the mesh and the tool must outlive it.
+class ClearanceAsker {
+public:
+    ClearanceAsker(const MeshDistance& part, std::span<const RevolvedPiece> tool, const glm::dvec3& axis);
+    ~ClearanceAsker();
+    ClearanceAsker(const ClearanceAsker&) = delete;
+    ClearanceAsker& operator=(const ClearanceAsker&) = delete;
+
+    ToolClearance ask(const glm::dvec3& tip, double within, const ClearanceTolerance& tolerance);
+
+private:
+    const MeshDistance& part_;
+    std::span<const RevolvedPiece> tool_;
+    glm::dvec3 axis_;
+    std::unique_ptr<ClearanceMemory> memory_;
 };
 
 } // namespace burin

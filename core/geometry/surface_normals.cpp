@@ -16,7 +16,7 @@ double cornerAngle(const Triangle& t, std::size_t corner) noexcept {
     return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-constexpr std::uint32_t none = 0xFFFFFFFFU;
+constexpr std::uint32_t none = SurfaceNormals::none;
 
 /// The triangles around each vertex, one list after the other.
 struct Fans {

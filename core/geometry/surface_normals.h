@@ -25,9 +25,12 @@ public:
     std::optional<glm::dvec3> at(std::span<const Triangle> triangles, std::size_t slot,
                                  TriangleFeature feature) const noexcept;
 
-private:
     static constexpr std::uint32_t none = 0xFFFFFFFFU;
+    /// Slots of the triangles beyond the edges ab, bc, ca of the one in a slot; `none` where no ordinary surface goes
+    /// on.
+    const std::array<std::uint32_t, 3>& neighbours(std::size_t slot) const noexcept { return neighbours_[slot]; }
 
+private:
     std::vector<std::array<std::uint32_t, 3>> corners_;    ///< per slot: vertices, identical ones merged
     std::vector<std::array<std::uint32_t, 3>> neighbours_; ///< per slot: the slot beyond edge ab, bc, ca
     std::vector<glm::dvec3> vertexNormals_;                ///< zero where there is none to trust

@@ -3,8 +3,10 @@
 #include "core/geometry/triangle_tree.h"
 
 #include "core/base/parallel.h"
+#include "core/geometry/four_floats.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -14,17 +16,23 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
+/// x, y, z and a fourth number that has no meaning here.
 struct FloatBox {
-    glm::vec3 low{infinity};
-    glm::vec3 high{-infinity};
+    FourFloats low = FourFloats{} + infinity;
+    FourFloats high = FourFloats{} - infinity;
 
     void include(const FloatBox& other) noexcept {
-        low = glm::min(low, other.low);
-        high = glm::max(high, other.high);
+        low = other.low < low ? other.low : low;
+        high = greater(other.high, high);
     }
+    void include(const FourFloats& point) noexcept {
+        low = point < low ? point : low;
+        high = greater(point, high);
+    }
+    FourFloats size() const noexcept { return high - low; }
     float halfArea() const noexcept {
-        const glm::vec3 size = high - low;
-        return size.x < 0.0F ? 0.0F : size.x * size.y + size.y * size.z + size.z * size.x;
+        const FourFloats edge = size();
+        return edge[0] < 0.0F ? 0.0F : edge[0] * edge[1] + edge[1] * edge[2] + edge[2] * edge[0];
     }
 };
 
@@ -45,17 +53,25 @@ FloatBox boxOf(const Triangle& t, const glm::dvec3& origin) noexcept {
     return box;
 }
 
-/// What building looks at of a triangle, moved about as one.
+/// What building looks at of a triangle, moved about as one: its box, and its number in the fourth place, as an
+/// ordinary float's bits, since others are slow to add.
 struct Entry {
+    static constexpr std::uint32_t ordinary = 0x40000000U;
     FloatBox box;
-    std::uint32_t triangle = 0;
+    Entry() = default;
+    Entry(const FloatBox& around, std::size_t triangle) noexcept : box(around) {
+        box.low[3] = 0.0F;
+        box.high[3] = std::bit_cast<float>(static_cast<std::uint32_t>(triangle) | ordinary);
+    }
+    std::uint32_t triangle() const noexcept { return std::bit_cast<std::uint32_t>(float{box.high[3]}) & ~ordinary; }
+    FourFloats centre() const noexcept { return 0.5F * (box.low + box.high); }
     float centre(int axis) const noexcept { return 0.5F * (box.low[axis] + box.high[axis]); }
 };
 
-/// A run of entries.
+/// A run of entries, the box around them and that around their centres.
 struct Range {
     std::uint32_t begin = 0, end = 0;
-    FloatBox box;
+    FloatBox box, centres;
     std::uint32_t count() const noexcept { return end - begin; }
 };
 
@@ -64,11 +80,7 @@ public:
     Builder(const std::vector<Triangle>& source, const glm::dvec3& origin, std::vector<Entry>& entries)
         : source_(source), origin_(origin), entries_(entries) {}
 
-    Range whole() const {
-        Range range{0, static_cast<std::uint32_t>(entries_.size()), {}};
-        for (const Entry& entry : entries_) range.box.include(entry.box);
-        return range;
-    }
+    Range whole() const { return boxed(0, static_cast<std::uint32_t>(entries_.size())); }
 
     /// Appends the nodes of a range, its own first.
     void build(const Range& range, int depth, std::vector<TreeNode>& nodes) {
@@ -108,13 +120,26 @@ private:
     static constexpr std::uint32_t bent = 512; ///< the surface of larger ranges is no plate: their box will do
 
     struct Bin {
-        FloatBox box;
+        FloatBox box, centres;
         std::uint32_t count = 0;
+
+        void include(const Entry& entry) noexcept {
+            box.include(entry.box);
+            centres.include(entry.centre());
+            ++count;
+        }
+        void include(const Bin& other) noexcept {
+            box.include(other.box);
+            centres.include(other.centres);
+            count += other.count;
+        }
     };
+    using Bins = std::array<Bin, binCount>;
     struct Cut {
         float cost = infinity;
         int axis = 0;
         std::size_t bin = 0; ///< the last one of the lower half
+        Bin below, above;    ///< the halves
     };
 
     /// Nodes that count from their own first are moved behind those that there are.
@@ -137,10 +162,11 @@ private:
     void setPlate(TreeNode& node, std::size_t child, const Range& range) const noexcept {
         glm::dvec3 sum(0.0);
         if (range.count() <= bent)
-            for (std::uint32_t i = range.begin; i < range.end; ++i) sum += areaNormal(source_[entries_[i].triangle]);
+            for (std::uint32_t i = range.begin; i < range.end; ++i) sum += areaNormal(source_[entries_[i].triangle()]);
         const double length = glm::length(sum);
         const glm::vec3 normal(length > 0.0 ? sum / length : glm::dvec3(0.0, 0.0, 1.0));
-        const glm::dvec3 low(range.box.low), high(range.box.high), centre = 0.5 * (low + high);
+        const auto point = [](const FourFloats& v) { return glm::dvec3(v[0], v[1], v[2]); };
+        const glm::dvec3 low = point(range.box.low), high = point(range.box.high), centre = 0.5 * (low + high);
         double below = 0.0, above = 0.0, squared = 0.0;
         const auto include = [&](const glm::dvec3& way) noexcept {
             const double along = glm::dot(glm::dvec3(normal), way);
@@ -153,7 +179,7 @@ private:
             include(high - centre);
         } else {
             for (std::uint32_t i = range.begin; i < range.end; ++i)
-                for (const glm::dvec3& corner : source_[entries_[i].triangle]) include(corner - origin_ - centre);
+                for (const glm::dvec3& corner : source_[entries_[i].triangle()]) include(corner - origin_ - centre);
         }
         node.below[child] = roundedDown(below);
         node.above[child] = roundedUp(above);
@@ -176,81 +202,81 @@ private:
                 }
             }
             if (worst == count) break;
-            const Range old = parts[worst];
-            const std::uint32_t middle = depth < deepest ? splitByArea(old) : splitInHalves(old);
-            parts[worst] = boxed(old.begin, middle);
-            parts[count++] = boxed(middle, old.end);
+            const std::array<Range, 2> halves =
+                depth < deepest ? splitByArea(parts[worst]) : splitInHalves(parts[worst]);
+            parts[worst] = halves[0];
+            parts[count++] = halves[1];
         }
         return count;
     }
 
     Range boxed(std::uint32_t begin, std::uint32_t end) const {
-        Range range{begin, end, {}};
-        for (std::uint32_t i = begin; i < end; ++i) range.box.include(entries_[i].box);
+        Range range{begin, end, {}, {}};
+        for (std::uint32_t i = begin; i < end; ++i) {
+            range.box.include(entries_[i].box);
+            range.centres.include(entries_[i].centre());
+        }
         return range;
     }
 
     auto at(std::uint32_t i) noexcept { return entries_.begin() + static_cast<std::ptrdiff_t>(i); }
 
-    std::uint32_t splitInHalves(const Range& range) {
-        const glm::vec3 size = range.box.high - range.box.low;
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    std::array<Range, 2> splitInHalves(const Range& range) {
+        const FourFloats size = range.box.size();
+        const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
         const std::uint32_t middle = range.begin + range.count() / 2;
         std::nth_element(at(range.begin), at(middle), at(range.end),
                          [axis](const Entry& a, const Entry& b) { return a.centre(axis) < b.centre(axis); });
-        return middle;
+        return {boxed(range.begin, middle), boxed(middle, range.end)};
     }
 
-    std::uint32_t splitByArea(const Range& range) {
-        FloatBox centres;
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            const glm::vec3 c = 0.5F * (entries_[i].box.low + entries_[i].box.high);
-            centres.include({c, c});
-        }
-        const glm::vec3 size = centres.high - centres.low;
+    std::array<Range, 2> splitByArea(const Range& range) {
+        const FourFloats size = range.centres.size();
         const auto binOf = [&](const Entry& entry, int axis) {
-            const float place = (entry.centre(axis) - centres.low[axis]) / size[axis];
+            const float place = (entry.centre(axis) - range.centres.low[axis]) / size[axis];
             return std::min(static_cast<std::size_t>(place * static_cast<float>(binCount)), binCount - 1);
         };
-        std::array<std::array<Bin, binCount>, 3> bins;
-        const float longest = std::max({size.x, size.y, size.z});
-        const auto counts = [&](int axis) noexcept {
-            return size[axis] > 0.0F && (range.count() <= few || size[axis] == longest);
-        };
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!counts(axis)) continue;
-            for (std::uint32_t i = range.begin; i < range.end; ++i) {
-                Bin& bin = bins[static_cast<std::size_t>(axis)][binOf(entries_[i], axis)];
-                bin.box.include(entries_[i].box);
-                ++bin.count;
-            }
-        }
+        const float longest = std::max({size[0], size[1], size[2]});
         Cut best;
-        for (int axis = 0; axis < 3; ++axis)
-            if (counts(axis)) improve(best, axis, bins[static_cast<std::size_t>(axis)]);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(size[axis] > 0.0F) || (range.count() > few && size[axis] != longest)) continue;
+            Bins bins;
+            for (std::uint32_t i = range.begin; i < range.end; ++i) bins[binOf(entries_[i], axis)].include(entries_[i]);
+            improve(best, axis, bins);
+        }
         if (best.cost == infinity) return splitInHalves(range);
-
-        const auto middle = std::partition(at(range.begin), at(range.end),
-                                           [&](const Entry& entry) { return binOf(entry, best.axis) <= best.bin; });
-        return static_cast<std::uint32_t>(middle - entries_.begin());
+        std::partition(at(range.begin), at(range.end),
+                       [&](const Entry& entry) { return binOf(entry, best.axis) <= best.bin; });
+        const std::uint32_t middle = range.begin + best.below.count;
+        return {Range{range.begin, middle, best.below.box, best.below.centres},
+                Range{middle, range.end, best.above.box, best.above.centres}};
     }
 
-    static void improve(Cut& best, int axis, const std::array<Bin, binCount>& bins) {
+    static void improve(Cut& best, int axis, const Bins& bins) {
         std::array<float, binCount> upper{}; // cost of everything above each cut
-        Bin swept;
+        FloatBox box;
+        std::uint32_t count = 0;
         for (std::size_t i = binCount - 1; i > 0; --i) {
-            swept.box.include(bins[i].box);
-            swept.count += bins[i].count;
-            upper[i - 1] = swept.count == 0 ? infinity : swept.box.halfArea() * static_cast<float>(swept.count);
+            box.include(bins[i].box);
+            count += bins[i].count;
+            upper[i - 1] = count == 0 ? infinity : box.halfArea() * static_cast<float>(count);
         }
-        swept = {};
+        box = {};
+        count = 0;
+        const float before = best.cost;
         for (std::size_t i = 0; i + 1 < binCount; ++i) {
-            swept.box.include(bins[i].box);
-            swept.count += bins[i].count;
-            if (swept.count == 0) continue;
-            const float cost = upper[i] + swept.box.halfArea() * static_cast<float>(swept.count);
-            if (cost < best.cost) best = {cost, axis, i};
+            box.include(bins[i].box);
+            count += bins[i].count;
+            if (count == 0) continue;
+            const float cost = upper[i] + box.halfArea() * static_cast<float>(count);
+            if (!(cost < best.cost)) continue;
+            best.cost = cost;
+            best.axis = axis;
+            best.bin = i;
         }
+        if (!(best.cost < before)) return;
+        best.below = best.above = {};
+        for (std::size_t i = 0; i < binCount; ++i) (i <= best.bin ? best.below : best.above).include(bins[i]);
     }
 
     const std::vector<Triangle>& source_;
@@ -268,7 +294,7 @@ TriangleTree::TriangleTree(std::vector<Triangle> source) : order_(source.size())
     constexpr std::size_t grain = 4096;
     std::vector<Entry> entries(source.size());
     parallelStretches(std::size_t{0}, source.size(), grain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) entries[i] = {boxOf(source[i], origin_), static_cast<std::uint32_t>(i)};
+        for (std::size_t i = from; i < to; ++i) entries[i] = {boxOf(source[i], origin_), i};
     });
     Builder builder(source, origin_, entries);
     builder.build(builder.whole(), 0, nodes_);
@@ -276,8 +302,8 @@ TriangleTree::TriangleTree(std::vector<Triangle> source) : order_(source.size())
     triangles_.resize(source.size());
     parallelStretches(std::size_t{0}, source.size(), grain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
-            order_[i] = entries[i].triangle;
-            triangles_[i] = source[entries[i].triangle];
+            order_[i] = entries[i].triangle();
+            triangles_[i] = source[entries[i].triangle()];
         }
     });
 }

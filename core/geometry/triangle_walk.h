@@ -3,13 +3,14 @@
 #pragma once
 
 #include "core/geometry/four_floats.h"
-#include "core/geometry/piece_minimum.h"
+#include "core/geometry/supporting_plane.h"
 #include "core/geometry/triangle_tree.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace burin {
 
@@ -17,20 +18,25 @@ namespace burin {
 using ChildBounds = std::array<float, TreeNode::width>;
 
 /// Depth-first, nearest child first. @param bounds  has `of(node)` and `stillBelow(bound)`, and may become stricter
-/// while triangles are met. @param meet  takes the slot of a triangle. No allocation.
+/// while triangles are met. @param meet  takes the slot of a triangle. No allocation. @return the least bound of what
+/// was not visited
 template <class Bounds, class Meet>
-void walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noexcept {
+float walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noexcept {
     struct Open {
         float bound;
         std::uint32_t first, count;
     };
-    if (tree.empty()) return;
+    float passed = std::numeric_limits<float>::infinity();
+    if (tree.empty()) return passed;
     std::array<Open, TriangleTree::stackSize> stack;
     std::size_t open = 0;
     stack[open++] = {-std::numeric_limits<float>::infinity(), 0, 0};
     while (open > 0) {
         const Open top = stack[--open];
-        if (!bounds.stillBelow(top.bound)) continue;
+        if (!bounds.stillBelow(top.bound)) {
+            passed = std::min(passed, top.bound);
+            continue;
+        }
         if (top.count > 0) {
             for (std::uint32_t slot = top.first; slot < top.first + top.count; ++slot) meet(slot);
             continue;
@@ -39,12 +45,16 @@ void walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noex
         const ChildBounds of = bounds.of(node);
         const std::size_t base = open;
         for (std::size_t child = 0; child < TreeNode::width; ++child) {
-            if (!bounds.stillBelow(of[child])) continue;
+            if (!bounds.stillBelow(of[child])) {
+                passed = std::min(passed, of[child]);
+                continue;
+            }
             std::size_t place = open++;
             for (; place > base && stack[place - 1].bound < of[child]; --place) stack[place] = stack[place - 1];
             stack[place] = {of[child], node.first[child], node.count[child]};
         }
     }
+    return passed;
 }
 
 /// Middle of a child's box, relative to the tree's origin.
@@ -97,8 +107,7 @@ public:
         const FourFloats slack = slack_ + 1e-6F * spread;
         const FourFloats beyond =
             greater(greater(along - fourAt(node.above.data()), fourAt(node.below.data()) - along) - slack, zero);
-        FourFloats across = greater(squared * (1.0F - 2e-6F) - along * along, zero);
-        for (int child = 0; child < 4; ++child) across[child] = std::sqrt(across[child]);
+        const FourFloats across = rootsOf(greater(squared * (1.0F - 2e-6F) - along * along, zero));
         const FourFloats beside = greater(across - fourAt(node.radius.data()) - slack, zero);
         const FourFloats bound = greater(box, beyond * beyond + beside * beside);
         ChildBounds bounds;
@@ -110,6 +119,43 @@ private:
     std::array<FourFloats, 3> at_;
     FourFloats slack_;
     float limit_ = 0.0F;
+};
+
+/// Lower bounds, over boxes and plates, of a function that stays above a plane.
+class AbovePlane {
+public:
+    AbovePlane(const TriangleTree& tree, const SupportingPlane& plane) noexcept {
+        const glm::vec3 at(plane.at - tree.origin()), slope(plane.slope), size = glm::abs(at);
+        value_ = FourFloats{} + static_cast<float>(plane.value);
+        // What rounding may have hidden of the place, the slope and the value.
+        slack_ = FourFloats{} + 2.4e-7F * std::max({size.x, size.y, size.z}) +
+                 1.2e-7F * std::abs(static_cast<float>(plane.value));
+        for (int axis = 0; axis < 3; ++axis) {
+            at_[static_cast<std::size_t>(axis)] = FourFloats{} + at[axis];
+            slope_[static_cast<std::size_t>(axis)] = FourFloats{} + slope[axis];
+        }
+        square_ = FourFloats{} + glm::dot(slope, slope) * (1.0F + 1e-6F);
+    }
+    FourFloats of(const TreeNode& node) const noexcept {
+        FourFloats bound = value_, spread{}, along{}, overBox{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const FourFloats low = fourAt(node.low[axis].data()), high = fourAt(node.high[axis].data());
+            const FourFloats way = 0.5F * (low + high) - at_[axis];
+            bound += slope_[axis] * way;
+            overBox += 0.5F * absolute(slope_[axis]) * (high - low);
+            spread += absolute(way);
+            along += slope_[axis] * fourAt(node.normal[axis].data());
+        }
+        const FourFloats across = rootsOf(greater(square_ - along * along, FourFloats{}) + 1e-6F);
+        const FourFloats thickness = along > 0.0F ? fourAt(node.below.data()) : fourAt(node.above.data());
+        const FourFloats radius = fourAt(node.radius.data());
+        const FourFloats overPlate = across * radius - along * thickness;
+        return bound - (overBox < overPlate ? overBox : overPlate) - slack_ - 1e-6F * (spread + radius);
+    }
+
+private:
+    std::array<FourFloats, 3> at_, slope_;
+    FourFloats value_, slack_, square_;
 };
 
 /// Lower bounds of the signed distance from a piece to the points of boxes, as far as they lie above `floor` (height
@@ -130,8 +176,8 @@ public:
             const double low = std::min(bottom[i] - lower * across, top[i] - upper * across);
             const double high = std::max(bottom[i] + lower * across, top[i] + upper * across);
             const double slack = 1e-9 + 2.4e-7 * std::max(std::abs(low), std::abs(high));
-            low_[i] = static_cast<float>(low - slack);
-            high_[i] = static_cast<float>(high + slack);
+            low_[static_cast<std::size_t>(i)] = FourFloats{} + static_cast<float>(low - slack);
+            high_[static_cast<std::size_t>(i)] = FourFloats{} + static_cast<float>(high + slack);
         }
     }
     /// Only what is nearer counts, mm; negative: deeper inside.
@@ -144,19 +190,30 @@ public:
     }
     bool stillBelow(float bound) const noexcept { return static_cast<double>(bound) < distance_; }
 
+    /// A plane that the signed distance stays above.
+    void stayAbove(const AbovePlane& plane) noexcept { plane_ = plane; }
+
     ChildBounds of(const TreeNode& node) const noexcept {
-        ChildBounds squared{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (std::size_t child = 0; child < TreeNode::width; ++child) {
-                const float below = node.low[axis][child] - high_[static_cast<int>(axis)];
-                const float above = low_[static_cast<int>(axis)] - node.high[axis][child];
-                const float gap = std::max(std::max(below, above), 0.0F);
-                squared[child] += gap * gap;
-            }
-        ChildBounds bounds;
-        for (std::size_t child = 0; child < TreeNode::width; ++child)
-            bounds[child] =
-                squared[child] < squared_ ? tangentBound(node, child) : std::numeric_limits<float>::infinity();
+        const FourFloats zero{};
+        FourFloats squared{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const FourFloats gap = greater(
+                greater(fourAt(node.low[axis].data()) - high_[axis], low_[axis] - fourAt(node.high[axis].data())),
+                zero);
+            squared += gap * gap;
+        }
+        ChildBounds bounds, boxes;
+        put(squared, boxes.data());
+        if (plane_)
+            put(plane_->of(node), bounds.data());
+        else
+            bounds.fill(-std::numeric_limits<float>::infinity());
+        for (std::size_t child = 0; child < TreeNode::width; ++child) {
+            if (!(boxes[child] < squared_))
+                bounds[child] = std::max(bounds[child], std::sqrt(boxes[child]) * (1.0F - 1e-6F));
+            else if (stillBelow(bounds[child]))
+                bounds[child] = std::max(bounds[child], tangentBound(node, child));
+        }
         return bounds;
     }
 
@@ -179,7 +236,8 @@ private:
     const PlacedPiece* placed_;
     glm::dvec3 origin_;
     double floor_;
-    glm::vec3 low_{0.0F}, high_{0.0F};
+    std::array<FourFloats, 3> low_, high_;
+    std::optional<AbovePlane> plane_;
     double distance_ = 0.0;
     float squared_ = 0.0F;
 };

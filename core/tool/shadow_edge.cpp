@@ -16,15 +16,28 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // A disc that is seen from the side within this is a line without width: its neighbours say all there is to say.
 constexpr double leastWidth = 1e-12;
+// Seen from the side within this, a rounding's ring is a line: angles would not tell its places, and with them their
+// depths, from each other. What that moves is less than a millionth of a millimetre a metre from the tip.
+constexpr double leastOpening = 1e-9;
+// Two arcs that meet leave no place between them to rounding.
+constexpr double joint = 1e-12; // mm
+
+/// An axis (unit length) that lies in the view's plane but for rounding is put there.
+glm::dvec3 inView(const glm::dvec3& axis) noexcept {
+    return {axis.x, axis.y, std::abs(axis.z) < leastOpening ? 0.0 : axis.z};
+}
 
 } // namespace
 
 ShadowEdge::ShadowEdge(const PieceProfile& profile, const glm::dvec3& axis) noexcept
-    : profile_(profile), axis_(axis), tilt_(std::hypot(axis.x, axis.y)), width_(std::hypot(axis.y, axis.z)) {
-    if (tilt_ > 0.0) along_ = glm::dvec2(axis) / tilt_;
+    : profile_(profile)
+    , axis_(inView(axis))
+    , tilt_(std::hypot(axis_.x, axis_.y))
+    , width_(std::hypot(axis_.y, axis_.z)) {
+    if (tilt_ > 0.0) along_ = glm::dvec2(axis_) / tilt_;
     if (width_ > leastWidth) {
-        slope_ = glm::dvec2(-axis.x * axis.y, -axis.x * axis.z) / width_;
-        sink_ = glm::dvec2(-std::abs(axis.z), std::copysign(axis.y, axis.y * axis.z)) / width_;
+        slope_ = glm::dvec2(-axis_.x * axis_.y, -axis_.x * axis_.z) / width_;
+        sink_ = glm::dvec2(-std::abs(axis_.z), std::copysign(axis_.y, axis_.y * axis_.z)) / width_;
     }
     if (profile_.side().present) addSides();
     if (profile_.arc().radius > 0.0 && profile_.arc().centreRadius != 0.0) addArcs();
@@ -143,7 +156,7 @@ ShadowEdge::Point ShadowEdge::lowest(double across) const noexcept {
     }
     if (profile_.arc().radius > 0.0 && profile_.arc().centreRadius == 0.0) lowestOnBall(across, best);
     for (std::size_t i = 0; i < arcCount_; ++i) {
-        if (across < arcs_[i].acrossLow || across > arcs_[i].acrossHigh) continue;
+        if (across < arcs_[i].acrossLow - joint || across > arcs_[i].acrossHigh + joint) continue;
         const Point point = lowestOnArc(arcs_[i], across);
         if (point.up < best.up) best = point;
     }

@@ -14,8 +14,9 @@ namespace {
 
 constexpr double unitsAVoxel = 256.0;
 // A way that is shorter across the runs counts as one along them.
-constexpr double leastReach = 1e-9; // voxels
-constexpr double shortWay = 8.0;    // voxels
+constexpr double leastReach = 1e-9;     // voxels
+constexpr double shortWay = 8.0;        // voxels
+constexpr double roundingMargin = 1e-3; // voxels, of the ends of a row
 
 /// Nearest run unit, held within what an int can say.
 std::int32_t unitOf(double voxels) noexcept {
@@ -27,21 +28,6 @@ std::int32_t wholeOf(double voxels) noexcept {
     const double held = std::clamp(voxels, -1e9, 1e9);
     const auto whole = static_cast<std::int32_t>(held); // std::floor is a call where SSE4 is not given
     return whole - (held < whole ? 1 : 0);
-}
-
-struct Extent {
-    double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
-    void include(double x) noexcept {
-        low = std::min(low, x);
-        high = std::max(high, x);
-    }
-};
-
-void includeCircle(Extent& extent, double x, double y, double radius) noexcept {
-    const double square = (radius - y) * (radius + y);
-    if (square <= 0.0) return;
-    extent.include(x - std::sqrt(square));
-    extent.include(x + std::sqrt(square));
 }
 
 } // namespace
@@ -70,8 +56,10 @@ SpanRows::SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept
 }
 
 double SpanRows::longestWay(const glm::dvec3& axis) const noexcept {
-    if (shape_ != Shape::bullNose || isUpright(axis)) return longestWay_;
-    return std::min(longestWay_, std::sqrt(8.0 * piece_.cornerRadius * leaningRoundingError));
+    if (isUpright(axis)) return longestWay_;
+    // Two circles of that radius leave no more than the error of what one sweeps between them.
+    const double roundest = shape_ == Shape::flat ? radius_ : piece_.cornerRadius;
+    return std::min(longestWay_, std::sqrt(8.0 * roundest * leaningWayError));
 }
 
 bool SpanRows::isUpright(const glm::dvec3& axis) const noexcept {
@@ -141,28 +129,15 @@ void SpanRows::beginTilted(const LinePose& from, const glm::dvec3& toTip) noexce
     const double depth = std::ceil((reach_ + longestWay_) * unitsAVoxel) + 2.0;
     setWay(tilted_, piece_, axis_, from.tip, toTip, depth);
     moves_ = from.tip != toTip;
-    foot_ = glm::dvec2(toTip + axis_ * (piece_.bottom + piece_.cornerRadius));
-    head_ = glm::dvec2(toTip + axis_ * piece_.top);
-    width_ = radius_ + (withStart_ || moves_ ? glm::length(glm::dvec2(toTip - from.tip)) : 0.0);
-    const glm::dvec2 low = glm::min(foot_, head_) - width_, high = glm::max(foot_, head_) + width_;
-    columns_ = {wholeOf(low.x), wholeOf(high.x) + 1};
-    rows_ = {wholeOf(low.y), wholeOf(high.y) + 1};
+    shadow_ = TiltedShadow(piece_, axis_, glm::dvec2(toTip), glm::length(glm::dvec2(toTip - from.tip)));
+    columns_ = {wholeOf(shadow_.low().x), wholeOf(shadow_.high().x) + 1};
+    rows_ = {wholeOf(shadow_.low().y), wholeOf(shadow_.high().y) + 1};
 }
 
-/// Of a leaning piece: the shadow of a capsule about its axis.
 LineStretch SpanRows::tiltedRow(std::int32_t v) const noexcept {
-    Extent extent;
-    includeCircle(extent, foot_.x, v - foot_.y, width_);
-    includeCircle(extent, head_.x, v - head_.y, width_);
-    const glm::dvec2 axis = head_ - foot_;
-    const double length = glm::length(axis);
-    if (std::abs(axis.y) > 1e-12)
-        for (const double side : {-width_, width_}) {
-            const double part = (v - (foot_.y + side * axis.x / length)) / axis.y;
-            if (part >= 0.0 && part <= 1.0) extent.include(foot_.x - side * axis.y / length + part * axis.x);
-        }
-    if (!(extent.low <= extent.high)) return {};
-    return {wholeOf(extent.low), wholeOf(extent.high) + 1};
+    const TiltedShadow::Stretch lines = shadow_.row(v);
+    if (!(lines.low <= lines.high)) return {};
+    return {wholeOf(lines.low - roundingMargin) + 1, wholeOf(lines.high + roundingMargin)};
 }
 
 LineStretch SpanRows::row(std::int32_t v) noexcept {

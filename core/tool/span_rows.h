@@ -5,6 +5,7 @@
 #include "core/base/vectorised.h"
 #include "core/geometry/revolved_piece.h"
 #include "core/tool/span_rows_tilted.h"
+#include "core/tool/tilted_shadow.h"
 
 #include <glm/glm.hpp>
 
@@ -44,8 +45,8 @@ class SpanRows {
 public:
     static constexpr double outlineError = 1.0 / (1 << 20);
     static constexpr double endError = 1.0; ///< run units, rounding included
-    /// Voxels that a bull nose's rounding may be short of what it sweeps between two ends of a way, when it leans.
-    static constexpr double leaningRoundingError = 0.01;
+    /// Voxels that the span of a leaning piece may be short of what its smooth sides sweep between the ends of a way.
+    static constexpr double leaningWayError = 0.01;
     /// Voxels that a piece may lean over its length and still count as upright.
     static constexpr double uprightError = 1.0 / 512.0;
     static constexpr std::int32_t none = 1 << 30;
@@ -58,6 +59,8 @@ public:
     /// @param lineEnd of the scanlines, run units
     SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept;
 
+    /// Whether the piece with such an axis counts as upright.
+    bool isUpright(const glm::dvec3& axis) const noexcept;
     /// Longest way that may be swept at once, voxels; longer ones are to be cut up, which loses nothing.
     double longestWay(const glm::dvec3& axis) const noexcept;
     /// Farthest that any of the piece lies from its tip, voxels.
@@ -129,7 +132,6 @@ public:
     };
 
 private:
-    bool isUpright(const glm::dvec3& axis) const noexcept;
     LineStretch tiltedRow(std::int32_t v) const noexcept;
     template <class Kernel>
     void eachRow(Kernel kernel, std::span<const RowSpans> stretches) const noexcept;
@@ -149,8 +151,7 @@ private:
     bool tilts_ = false;
     double reach_ = 0.0;
     glm::dvec3 axis_{0.0, 0.0, 1.0};
-    glm::dvec2 foot_{0.0}, head_{0.0}; ///< voxels, ends of a leaning piece's axis at the end of its way
-    double width_ = 0.0;               ///< voxels about them that the piece reaches, its way counted in
+    TiltedShadow shadow_; ///< of a leaning piece at the end of its way, the way counted in
     Upright upright_;
     UprightRows rowsOfUpright_;
     TiltedPiece tilted_;

@@ -76,23 +76,42 @@ BURIN_INLINE void findDeeper(const Upright& piece, const Across& across, Floats 
     (piece.wayX > 0.0F ? deeper.low : deeper.high) = held;
 }
 
-/// Between which places a ball can be lowest between the ends of the way: between its axis at the start and at the end,
-/// as far as a sloping way shifts that.
-BURIN_INLINE Extent betweenOf(const Upright& piece, const Across& across, Floats ahead) noexcept {
-    constexpr float slack = 1.0F; // voxels
-    const float shift = piece.sine * piece.radius;
-    const float low = (shift < 0.0F ? shift : 0.0F) - slack, high = piece.reach + (shift > 0.0F ? shift : 0.0F) + slack;
-    Extent between;
+/// Places of a row between two distances ahead of the way's start.
+BURIN_INLINE Extent placesAhead(const Upright& piece, const Across& across, Floats ahead, Floats low,
+                                Floats high) noexcept {
+    constexpr float slack = 0.5F; // voxels, for roundings
+    const Floats one = (low - slack - ahead) / piece.wayX, other = (high + slack - ahead) / piece.wayX;
+    Extent places;
+    places.low = most(least(one, other) + across.from, floats(-far));
+    places.high = least(most(one, other) + across.from, floats(far));
+    return places;
+}
+
+/// Between which places a ball can be lowest between the ends of the way: a line is lowest where it lies as far ahead
+/// as the sine of the way's slope times its half chord. Bounds of the half chord over the places found so far give
+/// closer ones, a few times.
+BURIN_INLINE Extent betweenOf(const Upright& piece, const Across& across, Floats ahead, Floats aside) noexcept {
+    const Floats radius = floats(piece.radius);
     if (piece.wayX < 1e-3F && piece.wayX > -1e-3F) {
-        constexpr float apart = 1e-3F * 4096.0F; // lines of a row differ by no more
+        constexpr float apart = 1e-3F * 4096.0F + 1.0F; // lines of a row differ by no more
+        const float shift = piece.sine * piece.radius;
+        const float low = shift < 0.0F ? shift : 0.0F, high = piece.reach + (shift > 0.0F ? shift : 0.0F);
         const Integers none = (ahead + apart < floats(low)) | (ahead - apart > floats(high));
-        between.low = floats(-far);
-        between.high = none ? floats(-far) : floats(far);
-        return between;
+        return {floats(-far), none ? floats(-far) : floats(far)};
     }
-    const Floats one = (low - ahead) / piece.wayX, other = (high - ahead) / piece.wayX;
-    between.low = most(least(one, other) + across.from, floats(-far));
-    between.high = least(most(one, other) + across.from, floats(far));
+    Floats leastChord{}, mostChord = radius;
+    Extent between;
+    for (int closer = 0; closer < 3; ++closer) {
+        const Floats low = piece.sine * (piece.sine < 0.0F ? mostChord : leastChord);
+        const Floats high = piece.sine * (piece.sine < 0.0F ? leastChord : mostChord) + piece.reach;
+        between = placesAhead(piece, across, ahead, low, high);
+        const Floats one = aside - (between.low - across.from) * piece.wayY;
+        const Floats other = aside - (between.high - across.from) * piece.wayY;
+        const Floats oneSquare = one * one, otherSquare = other * other;
+        leastChord = rootsOf(radius * radius - most(oneSquare, otherSquare));
+        mostChord =
+            (one < Floats{}) == (other < Floats{}) ? rootsOf(radius * radius - least(oneSquare, otherSquare)) : radius;
+    }
     return between;
 }
 
@@ -141,7 +160,8 @@ BURIN_VECTORISED void planRows(const Upright& piece, std::int32_t firstRow, Rows
         end = least(end, deeperEnd);
     }
     keep(across, first, (end > first) ? end + 7 : first, rows.begin, rows.end);
-    const Extent between = betweenOf(piece, across, ahead), covered = coveredOf(across, fromSquare, toSquare);
+    const Extent between = betweenOf(piece, across, ahead, fromY * piece.wayX),
+                 covered = coveredOf(across, fromSquare, toSquare);
     keep(across, floorsOf(between.low), floorsOf(between.high) + 8, rows.betweenBegin, rows.betweenEnd);
     keep(across, floorsOf(covered.low) + 8, floorsOf(covered.high) + 1, rows.coveredBegin, rows.coveredEnd);
 }

@@ -12,11 +12,10 @@
 
 namespace burin {
 
-/// A leaning piece on its way, as rows of lines meet it: convex solids that together make up the swept one. With C the
-/// piece's cylinder, any place that it sweeps lies in C at an end of the way, or C enters and leaves it between: through
-/// a flat face (a disc moved along the way: an oblique cylinder) or through its side (a box between the two planes that
-/// touch all cylinders). A ball end adds its capsule, a bull nose its rounding at the end of the way alone.
-/// Lengths: voxels across the runs, run units along them, from the tip.
+/// A leaning piece on its way, as rows of lines meet it: what it covers at both ends, and the walls that the rims of
+/// its faces leave between them (a disc moved along the way: an oblique cylinder). What its smooth sides pass between
+/// the ends of a short way is within both, to SpanRows::leaningWayError. Lengths: voxels across the runs, run units
+/// along them, from the tip.
 struct TiltedPiece {
     /// A number that grows evenly over the lines: value at the tip's line, and a line's share of x and y.
     struct Linear {
@@ -35,6 +34,12 @@ struct TiltedPiece {
         Slab slab;
         bool present = false;
     };
+    /// The wall that a rim leaves. Its heights are `lift` and `scale` times those of the cylinder.
+    struct Rim {
+        Cylinder wall;
+        Linear lift;
+        float scale = 1.0F;
+    };
     struct End {
         double x = 0.0, y = 0.0; ///< voxels, of the tip
         std::int32_t wholeX = 0; ///< of x
@@ -47,21 +52,24 @@ struct TiltedPiece {
     Rounding rounding = Rounding::none;
     End from, to;
     std::int32_t lineEnd = 0;
-    Cylinder standing;                 ///< the piece's straight part at an end; a bull nose's whole outline
-    std::array<Cylinder, 2> faces;     ///< lower and upper flat face on the way
-    std::array<Slab, 3> box;           ///< its side on the way
-    bool hasBox = false;
-    Slab hemisphere;                   ///< what of a ball is not within the straight part
-    float hemisphereTop = 0.0F, axialWay = 0.0F; ///< voxels along the axis, of its flat side from the tip, of the way
+    Cylinder standing; ///< the piece's straight part at an end; a bull nose's whole outline
+    Slab hemisphere;   ///< what of a ball is not within the straight part
     // Ball: its middle from the tip. Bull nose: the middle of its rounding's circle.
-    float middleX = 0.0F, middleY = 0.0F, middleZ = 0.0F; ///< voxels; middleZ run units
-    double middleYExact = 0.0;
+    float middleX = 0.0F, middleZ = 0.0F; ///< voxels; middleZ run units
+    double middleY = 0.0;
     float radius = 0.0F, flatRadius = 0.0F, cornerRadius = 0.0F; ///< voxels
     float axisX = 0.0F, axisY = 0.0F, axisZ = 1.0F;
-    // The ball's way.
-    bool hasCapsule = false;
-    double wayX = 1.0, wayY = 0.0;                             ///< unit, across the runs
-    float perReach = 0.0F, rise = 0.0F, sine = 0.0F, cosine = 1.0F; ///< rise: run units
+    bool nearlyLevel = false; ///< where the search for a bull nose's rounding is slow unless it begins near by
+
+    std::array<Rim, 2> rims; ///< of the lower and the upper face, on the way
+    /// Voxels along the axis' shadow, of the line's nearest place to the axis: from the middle of the straight part's
+    /// slab to its upper face.
+    float rimAlong = 0.0F;
+    float perStretch = 0.0F; ///< of the straight part
+    /// Square voxels by which radius² and the distance² from the axis differ, in the plane of a face at the end of the
+    /// way, on a line that its rim passes.
+    float rimReach = 0.0F;
+    bool rimsEverywhere = false; ///< any line may be one of those
 };
 
 /// @param piece in voxels; @param axis unit, leaning; @param depth run units that heights may lie below a tip

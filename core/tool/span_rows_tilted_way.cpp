@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/span_rows_tilted.h"
 
+#include "core/tool/span_rows.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +13,11 @@ namespace {
 
 constexpr double unitsAVoxel = 256.0;
 using Linear = TiltedPiece::Linear;
+// Voxels about a rim's way in which the start of the way is looked at as well: an axis that turned since the start was
+// taken may have had the rim so far off.
+constexpr double rimMargin = 0.25;
+// A line's place on a disc that moves by less on the whole way stays where it is: the way is along the lines.
+constexpr double leastRun = 1e-6; // voxels
 
 /// A function of x and y that is linear, from its values.
 template <class Function>
@@ -19,9 +26,9 @@ Linear linear(const Function& function) noexcept {
     return {origin, function(1.0, 0.0) - origin, function(0.0, 1.0) - origin};
 }
 
-/// Away from 0: a plane along the runs is met nowhere; one that leans by a millionth says the same.
+/// Away from 0: a plane along the runs is met nowhere; one that leans by next to nothing says the same.
 double awayFromZero(double value, double scale) noexcept {
-    const double least = 1e-6 * scale;
+    const double least = 1e-7 * scale;
     return std::abs(value) >= least ? value : std::copysign(least, value);
 }
 
@@ -32,26 +39,62 @@ TiltedPiece::Slab slabOf(const glm::dvec3& normal, double low, double high) noex
             static_cast<float>(std::abs(0.5 * (high - low) / along))};
 }
 
-/// A disc about the axis, `height` above the tip, moved along the way.
-TiltedPiece::Cylinder faceOnWay(const glm::dvec3& axis, const glm::dvec3& way, double height, double radius) noexcept {
-    TiltedPiece::Cylinder face;
-    const double along = glm::dot(way, axis);
-    if (std::abs(along) < 1e-7 || !(radius > 0.0)) return face; // moved within its own plane
+/// The wall's places by their heights, for a way that is steep over the disc or an axis that is next to level.
+TiltedPiece::Rim rimByHeight(const glm::dvec3& axis, const glm::dvec3& way, double height, double along,
+                             double overlap) noexcept {
+    TiltedPiece::Rim rim;
     const auto onFace = [&](double x, double y, double z) {
         const glm::dvec3 place = glm::dvec3(x, y, z) - height * axis;
         return place - way * (glm::dot(place, axis) / along);
     };
     const glm::dvec3 run = onFace(0.0, 0.0, 1.0) - onFace(0.0, 0.0, 0.0);
-    const double length = std::max(glm::length(run), 1e-6);
+    const double length = glm::length(run);
+    if (length < leastRun) return rim;
     const glm::dvec3 direction = run / length, across = glm::cross(axis, direction);
-    face.present = true;
-    face.radius = static_cast<float>(radius);
-    face.stretch = static_cast<float>(unitsAVoxel / length);
-    face.aside = linear([&](double x, double y) { return glm::dot(onFace(x, y, 0.0), across); });
-    face.middle =
+    rim.wall.present = true;
+    rim.wall.stretch = static_cast<float>(unitsAVoxel / length);
+    rim.wall.aside = linear([&](double x, double y) { return glm::dot(onFace(x, y, 0.0), across); });
+    rim.wall.middle =
         linear([&](double x, double y) { return -glm::dot(onFace(x, y, 0.0), direction) / length * unitsAVoxel; });
-    face.slab = slabOf(axis, height + std::min(along, 0.0), height + std::max(along, 0.0));
-    return face;
+    const double more = overlap * std::abs(along);
+    rim.wall.slab = slabOf(axis, height + std::min(along, 0.0) - more, height + std::max(along, 0.0) + more);
+    return rim;
+}
+
+/// By their parts of the way, from its middle: heights, which differ by next to nothing where the way is along the
+/// disc, would not tell them from each other.
+TiltedPiece::Rim rimByPart(const glm::dvec3& axis, const glm::dvec3& way, double height, double along,
+                           double overlap) noexcept {
+    TiltedPiece::Rim rim;
+    const double rise = along / axis.z, sign = std::copysign(1.0, rise); // of a line's place on the disc, the whole way
+    const glm::dvec3 run = sign * (glm::dvec3(0.0, 0.0, rise) - way);
+    const double length = glm::length(run);
+    if (length < leastRun) return rim;
+    const glm::dvec3 direction = run / length, across = glm::cross(axis, direction);
+    const auto level = [&](double x, double y) { return (height + 0.5 * along - axis.x * x - axis.y * y) / axis.z; };
+    const auto onDisc = [&](double x, double y) { return glm::dvec3(x, y, level(x, y)) - height * axis - 0.5 * way; };
+    rim.wall.present = true;
+    rim.wall.stretch = static_cast<float>(1.0 / length);
+    rim.wall.aside = linear([&](double x, double y) { return glm::dot(onDisc(x, y), across); });
+    rim.wall.middle = linear([&](double x, double y) { return -glm::dot(onDisc(x, y), direction) / length; });
+    rim.wall.slab.half = static_cast<float>(0.5 + overlap);
+    rim.lift = linear([&](double x, double y) { return level(x, y) * unitsAVoxel; });
+    rim.scale = static_cast<float>(std::abs(rise) * unitsAVoxel);
+    return rim;
+}
+
+/// A disc about the axis, `height` above the tip, moved along the way. None where it is moved within its own plane or
+/// along the lines: no line enters it between its ends. Both are overlapped, so that rounding leaves nothing between.
+TiltedPiece::Rim rimOnWay(const glm::dvec3& axis, const glm::dvec3& way, double height, double radius,
+                          double reach) noexcept {
+    const double along = glm::dot(way, axis), length = glm::length(way);
+    if (std::abs(along) < 1e-7) return {};
+    const double rounding = SpanRows::outlineError * (reach + length);
+    const double overlap = std::min(0.25 * rounding / std::abs(along), 3.0 * rounding / length);
+    TiltedPiece::Rim rim = std::abs(along) <= std::abs(axis.z) ? rimByPart(axis, way, height, along, overlap)
+                                                               : rimByHeight(axis, way, height, along, overlap);
+    rim.wall.radius = static_cast<float>(radius);
+    return rim;
 }
 
 void setEnd(TiltedPiece::End& end, const glm::dvec3& tip, double depth) noexcept {
@@ -78,11 +121,12 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     tilted.cornerRadius = static_cast<float>(corner);
     const glm::dvec3 middle = axis * (piece.bottom + corner);
     tilted.middleX = static_cast<float>(middle.x);
-    tilted.middleYExact = middle.y;
+    tilted.middleY = middle.y;
     tilted.middleZ = static_cast<float>(middle.z * unitsAVoxel);
     tilted.axisX = static_cast<float>(axis.x);
     tilted.axisY = static_cast<float>(axis.y);
     tilted.axisZ = static_cast<float>(axis.z);
+    tilted.nearlyLevel = std::abs(axis.z) < 1e-3;
     const double lean = std::hypot(axis.x, axis.y);
     const glm::dvec2 heading = lean > 1e-12 ? glm::dvec2(axis.x, axis.y) / lean : glm::dvec2(1.0, 0.0);
     const double sine = std::max(lean, 1e-6);
@@ -93,8 +137,9 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     standing.aside = {0.0, -heading.y, heading.x};
     standing.middle = {0.0, heading.x * axis.z / sine * unitsAVoxel, heading.y * axis.z / sine * unitsAVoxel};
     standing.slab = slabOf(axis, piece.bottom + (ball ? corner : 0.0), piece.top);
+    tilted.perStretch = static_cast<float>(sine / unitsAVoxel);
+    tilted.rimAlong = std::copysign(standing.slab.half * tilted.perStretch, tilted.axisZ);
     tilted.hemisphere = slabOf(axis, piece.bottom - corner, piece.bottom + corner);
-    tilted.hemisphereTop = static_cast<float>(piece.bottom + corner);
 }
 
 void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& axis, const glm::dvec3& from,
@@ -102,29 +147,20 @@ void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& a
     setEnd(tilted.from, from, depth);
     setEnd(tilted.to, to, depth);
     const glm::dvec3 way = to - from;
-    tilted.faces[0] = {};
-    if (tilted.rounding != TiltedPiece::Rounding::ball)
-        tilted.faces[0] = faceOnWay(axis, way, piece.bottom, piece.bottomRadius - piece.cornerRadius);
-    tilted.faces[1] = faceOnWay(axis, way, piece.top, piece.topRadius);
-    const glm::dvec3 side = glm::cross(axis, way);
-    const double length = glm::length(side), straight = piece.bottom + piece.cornerRadius;
-    tilted.hasBox = length > 1e-7 && piece.top > straight;
-    if (tilted.hasBox) {
-        const glm::dvec3 normal = side / length, acrossWay = glm::cross(way, normal), acrossAxis = glm::cross(normal, axis);
-        tilted.box[0] = slabOf(normal, -piece.bottomRadius, piece.bottomRadius);
-        tilted.box[1] = slabOf(acrossWay / glm::dot(acrossWay, axis), straight, piece.top);
-        tilted.box[2] = slabOf(acrossAxis / glm::dot(acrossAxis, way), 0.0, 1.0);
-    }
-    const double reach = std::hypot(way.x, way.y), total = glm::length(way);
-    tilted.axialWay = static_cast<float>(glm::dot(way, axis));
-    tilted.hasCapsule = tilted.rounding == TiltedPiece::Rounding::ball && reach > 1e-9;
-    if (!tilted.hasCapsule) return;
-    tilted.wayX = way.x / reach;
-    tilted.wayY = way.y / reach;
-    tilted.perReach = static_cast<float>(1.0 / reach);
-    tilted.rise = static_cast<float>(way.z * unitsAVoxel);
-    tilted.sine = static_cast<float>(way.z / total);
-    tilted.cosine = static_cast<float>(reach / total);
+    const double farthest = std::hypot(std::max(std::abs(piece.bottom), piece.top), piece.bottomRadius);
+    tilted.rims[0] = {};
+    if (tilted.rounding == TiltedPiece::Rounding::none)
+        tilted.rims[0] = rimOnWay(axis, way, piece.bottom, piece.bottomRadius, farthest);
+    tilted.rims[1] = rimOnWay(axis, way, piece.top, piece.topRadius, farthest);
+    // What passes a place between the ends and is not there at either is an edge: the place lies within the way of a
+    // rim, and its line meets the face's plane within so much of it.
+    const double along = std::abs(glm::dot(way, axis)), across = glm::length(glm::cross(way, axis));
+    const double steep = std::max(std::abs(axis.z), 1e-6), lean = std::hypot(axis.x, axis.y);
+    const double reach = across + (along * lean + rimMargin) / steep;
+    tilted.rimReach = static_cast<float>(reach * (2.0 * piece.bottomRadius + reach));
+    // Where the way passes the whole thickness, what is between the ends is not within both anywhere.
+    tilted.rimsEverywhere =
+        reach > piece.bottomRadius || along + rimMargin > piece.top - piece.bottom - piece.cornerRadius;
 }
 
 } // namespace burin

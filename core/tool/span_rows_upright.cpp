@@ -219,7 +219,10 @@ BURIN_INLINE void cover(const Upright& piece, const Row& row, Cursor& cursor, st
 template <Shape shape, bool withStart>
 BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, Cursor& cursor, Groups groups, Groups between,
                               std::int32_t top) noexcept {
-    between = shape == Shape::ball && !withStart ? groups.held(between.first, between.end) : groups;
+    // Of a short row, more parts would cost more than they save.
+    constexpr std::int32_t shortRow = 4;
+    const bool splits = shape == Shape::ball && !withStart && groups.end - groups.first > shortRow;
+    between = splits ? groups.held(between.first, between.end) : groups;
     coverEnd<shape>(piece, row, cursor, between.first - groups.first, top);
     cover<shape, withStart, true, Top::level>(piece, row, cursor, between.end - between.first, top);
     coverEnd<shape>(piece, row, cursor, groups.end - between.end, top);

@@ -77,5 +77,10 @@ glm::ivec2 surfaceTiles(const Grid& grid);
 /// @param level the coarsest that is drawn: the coarser, the farther a change reaches
 std::vector<SurfaceTile> changedSurface(const VolumeSnapshot& before, const VolumeSnapshot& now,
                                         int level = coarsestSurfaceLevel);
+/// Bricks whose surface at full detail may differ between two snapshots of one volume, each once, by tile: those where
+/// scanlines changed, and those beside. Everything when `before` is empty or shows another volume.
+/// Cost: the parts of the table that were written in between, and the scanlines that changed.
+/// @param bricks replaced
+void changedSurfaceBricks(const VolumeSnapshot& before, const VolumeSnapshot& now, std::vector<SurfaceBrick>& bricks);
 
 } // namespace burin

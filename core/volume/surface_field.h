@@ -2,84 +2,66 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/surface.h"
+#include "core/volume/surface_lines.h"
 
 #include <array>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 namespace burin {
 
-/// How full a workpiece is around one tile, on a lattice whose nodes are the centres of cells of 2^level voxels.
-/// Along the runs a node's value is the exact share of solid within one cell to either side: around a face it falls
-/// linearly over two cells, so that linear interpolation finds the face where the run ends. Across the runs values are
-/// averaged 1-2-1, so that the stairs of slanting walls soften. Everything outside the grid is air.
+/// How full a workpiece is around one window, on the window's lattice. Along the runs a node's value is the exact share
+/// of solid within one cell to either side: around a face it falls linearly over two cells, so that linear
+/// interpolation finds the face where the run ends. Across the runs values are averaged 1-2-1, so that the stairs of
+/// slanting walls soften. Integers, so that neighbouring windows find bit for bit the same.
 ///
-/// Columns are counted within the window: column c stands at node `firstNode + c`. A tile owns `ownedU` × `ownedV`
-/// columns from column `margin` on. Integers, so that neighbouring tiles find bit for bit the same.
+/// Columns and nodes count from the first of the lines' box. The field is worked out row by row and holds what cubes
+/// between two rows need, no more, so that it stays in the nearest cache.
 class SurfaceField {
 public:
-    static constexpr int margin = 3;   ///< columns before and behind the owned ones
-    static constexpr int overhang = 2; ///< nodes of an interval before and behind the blocks where the surface may be
-
-    /// Stretch along the runs, of nodes.
-    struct Interval {
-        int first = 0, count = 0;    ///< a multiple of eight
-        int owned = 0, ownedEnd = 0; ///< whose edges are drawn with it; a node more on either side is enough beyond
+    /// What is known of a row. A column's nodes lie beside each other, columns `stride` apart.
+    struct Row {
+        const std::int16_t* values = nullptr; ///< share of solid, less a half: 0 is the surface; from column 1 on
+        /// The same averaged once more, 1-2-1 along all axes, from column 2 and node 1 on. For the normals: the eye
+        /// takes a ripple of the normals for a ripple of the surface.
+        const std::int16_t* smooth = nullptr;
+        const std::uint64_t* inside = nullptr; ///< by column, a bit a node: its value is not below 0
     };
+    /// Both must stay until the last row.
+    void start(const SurfaceWindow& window, const SurfaceLines& lines);
+    /// Works out what the next row of the lines' box adds.
+    void advance();
+    /// The first of two rows between which all is known, those `delay` and `delay` - 1 behind the next row. From two
+    /// rows behind the box's first on.
+    int row() const { return row_ - delay; }
+    std::array<Row, 2> rowPair() const { return {rowAt(row_ - delay), rowAt(row_ - delay + 1)}; }
+    int stride() const { return stride_; }
 
-    /// Call before the others.
-    void aim(const VolumeSnapshot& workpiece, SurfaceTile tile, int level);
-    /// Stretches outside which every column of the window is equal: no surface there. Looks at all runs of the tile.
-    std::span<const Interval> findIntervals(const VolumeSnapshot& workpiece);
-    /// Brick by brick of 32 voxels along the runs, wherever the surface is; level 0.
-    static Interval brickInterval(const Grid& grid, std::int32_t brick);
-    /// Works the nodes of one interval out; of a short one only those near its surface (`filled`).
-    void fill(const VolumeSnapshot& workpiece, Interval interval);
-
-    int cell() const { return 1 << level_; } ///< voxels
-    int ownedU() const { return ownedU_; }
-    int ownedV() const { return ownedV_; }
-    int firstNodeU() const { return firstU_; }
-    int firstNodeV() const { return firstV_; }
-    Interval filled() const { return filled_; }
-    /// Values of the nodes of a column, in the order of the runs; from column 1 to the last but one.
-    const std::uint16_t* column(int u, int v) const { return smooth_.data() + offset(u, v); }
-    /// A node with at least this value counts as inside.
-    std::uint16_t half() const { return level_ == 0 ? 4096 : 16384; }
-    /// The one material near the nodes that were filled in, airProperty when there are several.
-    PropertyIndex onlyProperty() const;
-    /// Whether one of them is protected.
-    bool holdsProtected(const PropertyList& properties) const;
+    static constexpr int mostNodes = 48, mostPlaces = SurfaceWindow::mostColumns * mostNodes; ///< of a row
 
 private:
-    std::size_t offset(int u, int v) const {
-        return static_cast<std::size_t>(u * columnsV_ + v) * static_cast<std::size_t>(filled_.count);
-    }
-    void mark(std::span<const Segment> line, RunPosition lineEnd);
-    void markStretch(std::vector<std::uint8_t>& blocks, std::int64_t from, std::int64_t to) const;
-    /// Of one column, in run units from the first node to be filled in.
-    struct Stretch16 {
-        std::int16_t low = 0, high = 0;
+    static constexpr int delay = 4, padding = 16;
+    static_assert(mostNodes >= SurfaceWindow::ownedNodes + 1 + 2 * SurfaceWindow::marginNodes);
+    struct alignas(32) Plane {
+        std::array<std::int16_t, mostPlaces + 2 * padding> nodes{};
+        std::int16_t* data() { return nodes.data() + padding; }
+        const std::int16_t* data() const { return nodes.data() + padding; }
     };
-    void fillShort(const VolumeSnapshot& workpiece);
-    void fillLong(const VolumeSnapshot& workpiece);
-    void narrow(int firstChange, int lastChange);
-    void makeRoom();
-    template <class Visit>
-    void eachStretch(std::span<const Segment> line, Visit visit);
-    void addStretch(RunPosition from, RunPosition to, std::span<int> sums) const;
-    void smooth();
+    Row rowAt(int row) const {
+        return {values_[static_cast<std::size_t>(row) % 3].data(), smooth_[static_cast<std::size_t>(row) % 2].data(),
+                inside_[static_cast<std::size_t>(row) % 3].data()};
+    }
 
-    int level_ = 0, ownedU_ = 0, ownedV_ = 0, firstU_ = 0, firstV_ = 0, columnsU_ = 0, columnsV_ = 0;
-    std::array<bool, 256> seen_{}; ///< near the nodes that were filled in
-    std::vector<std::uint8_t> solidBlocks_, airBlocks_;
-    std::vector<Interval> intervals_;
-    Interval filled_;
-    std::vector<Stretch16> stretches_;
-    std::vector<std::size_t> firstStretch_; ///< by column
-    std::vector<std::uint16_t> raw_, smoothAlongV_, smooth_;
+    const SurfaceWindow* window_ = nullptr;
+    const SurfaceLines* lines_ = nullptr;
+    int row_ = 0; ///< the next
+    int stride_ = 0;
+    std::array<Plane, 3> values_;
+    std::array<Plane, 2> smooth_;
+    std::array<std::array<std::uint64_t, SurfaceWindow::mostColumns + 2>, 3> inside_{};
+    Plane seen_;                        ///< of the newest row, not averaged yet
+    Plane alongU_, alongUPair_;         ///< averaged along u: the newest row, and its sum with the one before
+    Plane acrossRuns_;                  ///< values averaged along u once more
+    Plane alongNodes_, alongNodesPair_; ///< and along the nodes, likewise
 };
 
 } // namespace burin

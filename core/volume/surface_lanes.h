@@ -2,52 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/vectorised.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <emmintrin.h>
 
 namespace burin {
 
-// Columns of nodes of 16 bits, eight at a time with what every x86-64 processor has (SSE2). Columns are multiples of
-// eight long and need not be aligned.
+/// Sixteen nodes of a surface's field side by side; for values in registers alone, as `Floats`.
+using Nodes = std::int16_t __attribute__((vector_size(32)));
+inline constexpr int nodeLanes = 16;
 
-inline constexpr std::size_t nodeLanes = 8;
-
-inline __m128i eightNodes(const void* at) noexcept {
-    return _mm_loadu_si128(static_cast<const __m128i*>(at));
+BURIN_INLINE Nodes loadNodes(const std::int16_t* from) noexcept {
+    Nodes values;
+    __builtin_memcpy(&values, from, sizeof values);
+    return values;
 }
-inline void storeEightNodes(void* at, __m128i values) noexcept {
-    _mm_storeu_si128(static_cast<__m128i*>(at), values);
+BURIN_INLINE void storeNodes(Nodes values, std::int16_t* to) noexcept {
+    __builtin_memcpy(to, &values, sizeof values);
 }
-
-/// result = before + 2 at + behind.
-inline void averageColumns(const std::uint16_t* before, const std::uint16_t* at, const std::uint16_t* behind,
-                           std::size_t count, std::uint16_t* result) noexcept {
-    for (std::size_t n = 0; n < count; n += nodeLanes) {
-        const __m128i middle = eightNodes(at + n);
-        const __m128i sum = _mm_add_epi16(eightNodes(before + n), eightNodes(behind + n));
-        storeEightNodes(result + n, _mm_add_epi16(sum, _mm_add_epi16(middle, middle)));
-    }
+BURIN_INLINE Nodes nodes(std::int16_t value) noexcept {
+    return Nodes{} + value;
 }
-
-/// Adds what each node sees of low … high: node n sees from 256 n - 128 to 256 n + 384.
-inline void addSeen(std::int16_t low, std::int16_t high, std::size_t count, std::int16_t* sums) noexcept {
-    __m128i sees = _mm_set_epi16(1664, 1408, 1152, 896, 640, 384, 128, -128);
-    const __m128i lows = _mm_set1_epi16(low), highs = _mm_set1_epi16(high), whole = _mm_set1_epi16(512);
-    for (std::size_t n = 0; n < count; n += nodeLanes) {
-        const __m128i end = _mm_min_epi16(highs, _mm_add_epi16(sees, whole));
-        const __m128i solid = _mm_sub_epi16(end, _mm_max_epi16(lows, sees));
-        const __m128i seen = _mm_max_epi16(solid, _mm_setzero_si128());
-        storeEightNodes(sums + n, _mm_add_epi16(eightNodes(sums + n), seen));
-        sees = _mm_add_epi16(sees, _mm_set1_epi16(2048));
-    }
-}
-
-/// Which of eight nodes are at least `half`: a bit each.
-inline std::uint32_t insideBits(const std::uint16_t* values, std::uint16_t half) noexcept {
-    const __m128i below = _mm_subs_epu16(_mm_set1_epi16(static_cast<short>(half)), eightNodes(values));
-    const __m128i inside = _mm_cmpeq_epi16(below, _mm_setzero_si128());
-    return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(inside, _mm_setzero_si128())));
+/// A bit for each of sixteen nodes that is not below 0.
+BURIN_INLINE std::uint64_t notNegative(Nodes values) noexcept {
+#ifdef __SSE2__ // as every x86-64 has; the compiler does not find it by itself
+    const auto low = __builtin_shufflevector(values, values, 0, 1, 2, 3, 4, 5, 6, 7);
+    const auto high = __builtin_shufflevector(values, values, 8, 9, 10, 11, 12, 13, 14, 15);
+    const __m128i bytes = _mm_packs_epi16(reinterpret_cast<__m128i>(low), reinterpret_cast<__m128i>(high));
+    return static_cast<std::uint32_t>(~_mm_movemask_epi8(bytes) & 0xffff);
+#else
+    std::uint64_t bits = 0;
+    for (int i = 0; i < nodeLanes; ++i) bits |= std::uint64_t{values[i] >= 0} << i;
+    return bits;
+#endif
 }
 
 } // namespace burin

@@ -2,55 +2,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/surface_crossings.h"
 #include "core/volume/surface_field.h"
+#include "core/volume/surface_points.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace burin {
 
 /// Surface nets (Gibson 1998): one point for every cube of eight nodes that the surface crosses, in the middle of the
-/// crossings on its edges, and a quadrangle around every crossed edge. A tile owns the edges that start at its own
-/// nodes; the points beside its border come out alike in both tiles.
+/// crossings on its edges, and a quadrangle around every crossed edge. A window owns the edges that start at its own
+/// nodes; the points beside its border come out alike in both windows.
 class SurfaceNet {
 public:
-    /// Adds what one filled interval of a field holds: points, normals from the field's gradient, triangles.
-    /// Properties are left to the caller.
-    void add(const SurfaceField& field, const Grid& grid, SurfaceMesh& mesh);
+    /// Works out what a window holds.
+    /// @param firstPoint what triangles call the first point
+    void make(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid, std::size_t firstPoint);
+
+    /// mm, setup frame. Behind the last `SurfaceFrame::spare` more may be read.
+    std::span<const glm::vec3> points() const { return {points_.data(), pointCount_}; }
+    std::span<const glm::vec3> normals() const { return {normals_.data(), pointCount_}; }
+    std::span<const std::uint32_t> triangles() const {
+        return {triangles_.data(), cornerCount_};
+    } ///< three corners each
 
 private:
-    struct Edge {
-        int axis = 0; ///< 0, 1, 2: along u, v, the runs
-        int u = 0, v = 0, n = 0;
-        bool outwards = true; ///< the node at its start is inside
+    /// The points of a row, from 0 on, by the place of their cube; only those of cubes that are crossed are set.
+    struct PointRow {
+        static constexpr std::size_t before = SurfaceField::mostNodes + 1; ///< how far back faces look from a place
+        std::array<std::uint32_t, before + SurfaceField::mostPlaces> points;
+        std::uint32_t* data() { return points.data() + before; }
     };
 
-    void findInside();
-    void addPoints(SurfaceMesh& mesh);
-    void addPoint(int u, int v, int n, SurfaceMesh& mesh);
-    void addFaces(SurfaceMesh& mesh) const;
-    void addFace(const Edge& edge, SurfaceMesh& mesh) const;
-    std::uint32_t pointOf(int u, int v, int n) const {
-        return pointOfCube_[static_cast<std::size_t>(u * columnsV_ + v) * static_cast<std::size_t>(count_) +
-                            static_cast<std::size_t>(n)];
-    }
-    const std::uint64_t* insideOf(int u, int v) const {
-        return inside_.data() + static_cast<std::size_t>(u * columnsV_ + v) * words_;
-    }
-    template <class Visit>
-    void crossings(int u, int v, int otherU, int otherV, Visit visit) const;
+    void addPoints(int row);
+    void addFaces(int row);
+    PointRow& pointsOf(int row) { return pointRows_[static_cast<std::size_t>(row) % 2]; }
 
-    const SurfaceField* field_ = nullptr;
-    int columnsU_ = 0, columnsV_ = 0, count_ = 0;
-    std::vector<std::uint64_t> ownedNodes_; ///< a bit a node whose edges are drawn
-    std::vector<std::uint64_t> ownedCubes_; ///< a bit a cube that touches one of them
-    std::array<int, 3> axes_{};             ///< x, y or z of u, v and the runs
-    glm::dvec3 low_{0.0};                   ///< mm, of the grid along those
-    double size_ = 1.0;                     ///< mm, of a cell
-    std::size_t words_ = 0;
-    std::vector<std::uint64_t> inside_;      ///< a bit a node, by column
-    std::vector<std::uint32_t> pointOfCube_; ///< by the cube's lowest node; set where the surface crosses
+    SurfaceField field_;
+    SurfaceCrossings crossings_;
+    SurfaceFrame frame_;
+    std::array<PointRow, 2> pointRows_;
+    // Longer than what is used of them.
+    std::vector<glm::vec3> points_, normals_;
+    std::vector<std::uint32_t> triangles_;
+    std::size_t pointCount_ = 0, cornerCount_ = 0;
+    std::uint32_t firstPoint_ = 0;
 };
 
 } // namespace burin

@@ -118,9 +118,8 @@ std::function<RunVolume()> block(std::int32_t side) {
 
 CutCase ballWalk(const std::string& name, std::int32_t side, double radius, double step, std::size_t ticks, Limit p50,
                  Limit p999, std::vector<PeerWish> peers) {
-    const double top = 0.5 + (stockAboveMiddle - 1.0) * radius / side;
     return {name,
-            [side, top] { return layeredBlock(side, RunAxis::z, top); },
+            [side] { return halfBlock(side); },
             cutterOf(CutterType::ball, radius, fluteLengthFromAbove),
             upright(walkFromAbove(side, radius, step, ticks)),
             p50,

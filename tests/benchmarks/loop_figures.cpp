@@ -6,7 +6,6 @@
 #include "tests/benchmarks/scenes/cutting_scene.h"
 #include "tests/benchmarks/scenes/tool_paths.h"
 
-#include <atomic>
 #include <cerrno>
 #include <condition_variable>
 #include <ctime>
@@ -23,17 +22,11 @@ constexpr long period = 1'000'000;                        // ns
 constexpr double periodMicroseconds = 1e-3 * period;
 
 /// Meshes what changed, on a thread of its own, as the window does: the newest snapshot counts, older ones are skipped.
+/// Brick by brick, at full detail.
 class View {
 public:
     View() : thread_([this] { work(); }) {}
-    ~View() {
-        {
-            const std::lock_guard lock(mutex_);
-            ended_ = true;
-        }
-        wake_.notify_one();
-        thread_.join();
-    }
+    ~View() { finish(); }
     View(const View&) = delete;
     View& operator=(const View&) = delete;
 
@@ -46,13 +39,24 @@ public:
         return true;
     }
     void wake() noexcept { wake_.notify_one(); }
-    std::size_t pictures() const noexcept { return pictures_; }
-    std::size_t tiles() const noexcept { return tiles_; }
+    /// What each picture took, µs: which bricks changed, and their surface. Once the loop is over.
+    const std::vector<double>& pictures() const noexcept { return pictures_; }
+    std::size_t bricks() const noexcept { return bricks_; }
+    /// Waits for the picture that is being made.
+    void finish() {
+        {
+            const std::lock_guard lock(mutex_);
+            ended_ = true;
+        }
+        wake_.notify_one();
+        if (thread_.joinable()) thread_.join();
+    }
 
 private:
     void work() {
         SurfaceExtractor extractor;
         SurfaceMesh mesh;
+        std::vector<SurfaceBrick> changed;
         VolumeSnapshot shown;
         for (;;) {
             VolumeSnapshot next;
@@ -64,11 +68,11 @@ private:
                 next = std::move(newest_);
             }
             if (!shown.empty()) {
-                for (const SurfaceTile tile : changedSurface(shown, next, 0)) {
-                    extractor.extract(next, tile, {}, mesh);
-                    ++tiles_;
-                }
-                ++pictures_;
+                const Clock::time_point start = Clock::now();
+                changedSurfaceBricks(shown, next, changed);
+                for (const SurfaceBrick brick : changed) extractor.extractBrick(next, brick, mesh);
+                bricks_ += changed.size();
+                pictures_.push_back(microseconds(Clock::now() - start));
             }
             shown = std::move(next);
         }
@@ -78,7 +82,8 @@ private:
     std::condition_variable wake_;
     VolumeSnapshot newest_;
     bool fresh_ = false, ended_ = false;
-    std::atomic<std::size_t> pictures_{0}, tiles_{0};
+    std::vector<double> pictures_; ///< the thread's own until it ended
+    std::size_t bricks_ = 0;
     std::thread thread_; // last: it uses the others
 };
 
@@ -177,12 +182,12 @@ void loopFigures(Session& session) {
                 waiting = workpiece.snapshot();
                 offered = false;
             }
-            if (!offered) offered = view.offer(waiting);
-            if (i % 16 == 0) view.wake();
+            if (!offered && (offered = view.offer(waiting))) view.wake();
         });
         watch.end();
     });
     thread.join();
+    view.finish();
     if (loop.cancelled) throw Cancelled();
     count(removal.settle(workpiece));
     removed.units[airProperty] = 0;
@@ -202,10 +207,17 @@ void loopFigures(Session& session) {
     session.add(against(figure(name + ".misses", static_cast<double>(loop.missed), "ticks"), "empty loop, in turn",
                         static_cast<double>(loop.missedEmpty)));
     session.add(figure(name + ".misses_beyond_empty", std::max(0.0, beyond), "ticks", 0.0));
-    Figure pictures = figure(name + ".pictures_per_s",
-                             1e3 * static_cast<double>(view.pictures()) / static_cast<double>(ticks), "1/s", 60.0);
+    Figure pictures =
+        figure(name + ".pictures_per_s", 1e3 * static_cast<double>(view.pictures().size()) / static_cast<double>(ticks),
+               "1/s", 60.0);
     pictures.atLeast = true;
     session.add(std::move(pictures));
+    session.add(figure(name + ".picture_p50", 1e-3 * percentile(view.pictures(), 0.5), "ms"));
+    session.add(figure(name + ".picture_p99", 1e-3 * percentile(view.pictures(), 0.99), "ms", 10.0));
+    session.add(figure(name + ".bricks_per_picture",
+                       static_cast<double>(view.bricks()) /
+                           static_cast<double>(std::max<std::size_t>(view.pictures().size(), 1)),
+                       "1"));
     session.add(figure(name + ".real_time", loop.realTime ? 1.0 : 0.0, "1"));
 }
 

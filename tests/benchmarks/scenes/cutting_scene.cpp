@@ -23,9 +23,11 @@ public:
     explicit LineMaker(const Grid& grid) : lineEnd_(grid.lineEnd()) {}
 
     void clear() { segments_.clear(); }
+    /// Makes shares of the side that much longer.
+    void stretch(double by) noexcept { stretch_ = by; }
     /// Material up to a place; places below the last one add nothing.
     void upTo(double share, PropertyIndex property) {
-        const double units = std::clamp(share, 0.0, 1.0) * lineEnd_;
+        const double units = std::clamp(share * stretch_, 0.0, 1.0) * lineEnd_;
         const auto end = static_cast<RunPosition>(std::lround(units));
         if (end > reached()) segments_.emplace_back(end, property);
     }
@@ -38,6 +40,7 @@ private:
     RunPosition reached() const { return segments_.empty() ? 0 : segments_.back().end(); }
     RunPosition lineEnd_;
     std::vector<Segment> segments_;
+    double stretch_ = 1.0;
 };
 
 /// Fills every line of a volume; `make(x, y, line)` gets the line's place as shares of the sides.
@@ -124,9 +127,17 @@ Grid sceneGrid(std::int32_t side, RunAxis axis) {
     return require(Grid::make(glm::dvec3(0.0), 1.0, glm::ivec3(side), axis), "a benchmark's grid");
 }
 
-RunVolume layeredBlock(std::int32_t side, RunAxis axis, double top) {
+RunVolume layeredBlock(std::int32_t side, RunAxis axis) {
     return volumeOfLines(sceneGrid(side, axis), 0,
-                         [top](double x, double y, LineMaker& line) { layeredLine(x, y, top, line); });
+                         [](double x, double y, LineMaker& line) { layeredLine(x, y, 1.0, line); });
+}
+
+RunVolume halfBlock(std::int32_t side) {
+    constexpr double half = 0.53; // where the walks' depths have layers and part about them
+    return volumeOfLines(sceneGrid(side), 0, [](double x, double y, LineMaker& line) {
+        line.stretch(1.0 / half);
+        layeredLine(x, y, half, line);
+    });
 }
 
 RunVolume shiftedBlock(std::int32_t side) {

@@ -15,8 +15,10 @@ Grid sceneGrid(std::int32_t side, RunAxis axis = RunAxis::z);
 
 /// A block with a margin of 3 % of air all round: four oblique layers of stock with a bumpy part in them, about 3.5
 /// runs a line.
-/// @param top share of the side at which it ends
-RunVolume layeredBlock(std::int32_t side, RunAxis axis = RunAxis::z, double top = 1.0);
+RunVolume layeredBlock(std::int32_t side, RunAxis axis = RunAxis::z);
+
+/// The lower half of such a block, stretched to the full height of the grid: stock that is milled from above.
+RunVolume halfBlock(std::int32_t side);
 
 /// Another such block that overlaps it: moved by a tenth of its side or so, each way by its own amount.
 RunVolume shiftedBlock(std::int32_t side);

@@ -69,8 +69,8 @@ std::vector<glm::dvec3> walk(double side, double reach, double step, std::size_t
 }
 
 std::vector<glm::dvec3> walkFromAbove(double side, double radius, double step, std::size_t ticks) {
-    const double room = roomOf(side, radius);
-    return walkIn(middleOf(side, radius), {room, room, 0.7 * radius}, radius, step, ticks, 1);
+    const double room = roomOf(side, radius), depth = 2.2 * radius;
+    return walkIn({0.5 * side, 0.5 * side, side - depth}, {room, room, 0.7 * radius}, radius, step, ticks, 1);
 }
 
 std::vector<glm::dvec3> raster(double side, double radius, double step, std::size_t ticks) {

@@ -20,11 +20,10 @@ Cutter cutterOf(CutterType type, double radius, double length = 2.0);
 /// @return ticks + 1 tips; the same for the same numbers on every machine
 std::vector<glm::dvec3> walk(double side, double reach, double step, std::size_t ticks, unsigned seed = 1);
 
-/// Length of the flutes that reach out of the stock on a walk from above, radii; where that stock ends above the middle
-/// of the scene less a radius, radii.
-inline constexpr double fluteLengthFromAbove = 3.5, stockAboveMiddle = 2.2;
-/// Such a walk that rises and sinks by no more than nine tenths of a radius about tips at the scene's middle less a
-/// radius: a tool that mills from above, as on any machine, about two radii deep.
+/// Length of flutes that reach out of the scene on a walk from above, radii.
+inline constexpr double fluteLengthFromAbove = 3.5;
+/// Such a walk that rises and sinks by no more than nine tenths of a radius about tips 2.2 radii below the scene's top:
+/// a tool that mills from above, as on any machine.
 std::vector<glm::dvec3> walkFromAbove(double side, double radius, double step, std::size_t ticks);
 
 /// Zig-zag in a plane at 20 degrees to the lines, a step-over of half a radius, half immersed.

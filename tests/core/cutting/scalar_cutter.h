@@ -77,7 +77,7 @@ public:
                    bool arrived = false) {
         RunAmounts removed;
         const glm::dvec3 start = inLines(from), end = inLines(to), lean = turned(axis);
-        const int parts = std::max(1, int(std::ceil(glm::length(end - start) / spans_.longestWay(lean))));
+        const int parts = std::max(1, int(std::ceil(glm::length(end - start) / spans_.longestWay(lean) - 1e-9)));
         const bool leans = lean.z != 1.0;
         glm::dvec3 tip = start;
         for (int i = 1; i <= parts; ++i) {

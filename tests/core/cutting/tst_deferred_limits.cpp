@@ -307,7 +307,8 @@ private slots:
                 taken.add(cut);
                 expectedTaken.add(scalar.cut(expected, tip, next));
                 if (tick == 0) RC_ASSERT(cut.putOff);
-                RC_ASSERT(cut.putOff == (taken.amounts != expectedTaken.amounts));
+                // Of what is put off there may be nothing to take: rows where a flat end rises, say.
+                RC_ASSERT(cut.putOff || taken.amounts == expectedTaken.amounts);
                 putOffs += cut.putOff ? 1 : 0;
                 RC_ASSERT(!removal.settled());
                 tip = next;

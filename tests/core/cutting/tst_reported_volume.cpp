@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/removal.h"
 #include "tests/core/cutting/workpieces.h"
+#include "tests/core/tool/cutters.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -162,6 +164,29 @@ private slots:
                 const double exact = std::accumulate(series.exact.begin(), series.exact.end(), 0.0);
                 QVERIFY2(std::abs(reported / exact - 1.0) < 0.03, qPrintable(QString::number(reported / exact)));
             }
+    }
+
+    /// Every other form: as smooth as a flat end at least, and far smoother than the runs where those rattle; sums
+    /// agree.
+    void noFormOfCutterRattles_data() {
+        QTest::addColumn<QString>("name");
+        for (const cutters::Named& named : cutters::all()) QTest::addRow("%s", named.name) << QString(named.name);
+    }
+    void noFormOfCutterRattles() {
+        QFETCH(QString, name);
+        const std::vector<cutters::Named> all = cutters::all();
+        const auto named = std::ranges::find_if(all, [&](const cutters::Named& one) { return name == one.name; });
+        const double depth = std::min(2.5, 0.8 * named->cutter.fluteLength);
+        for (const RunAxis axis : {RunAxis::z, RunAxis::x}) {
+            const Series series = mill(named->cutter, false, {0.6, 0.8, 0.0}, depth, 0.05 * edge, axis);
+            const double found = variation(series.reported);
+            QVERIFY2(found <= 0.16, qPrintable(QString::number(found)));
+            const double exactVariation = variation(series.exact);
+            QVERIFY2(found <= std::max(0.05, 0.5 * exactVariation), qPrintable(QString::number(exactVariation)));
+            const double reported = std::accumulate(series.reported.begin(), series.reported.end(), 0.0);
+            const double exact = std::accumulate(series.exact.begin(), series.exact.end(), 0.0);
+            QVERIFY2(std::abs(reported / exact - 1.0) < 0.03, qPrintable(QString::number(reported / exact)));
+        }
     }
 
     /// Above the flux's range the volume itself is reported, and what was pending with it: sums agree.

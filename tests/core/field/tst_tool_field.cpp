@@ -91,7 +91,9 @@ private slots:
     void flatOverBlock();
     void flatInPocket();
     void bullOverTorus();
+    void flatOverTorus();
     void shankAndHolderAreInIt();
+    void swallowedToolsAreDeep();
     void farTipsAreNeverToldTooMuch();
     void insideLeadsOut();
     void outsideTheBoxIsItsNearestPoint();
@@ -207,6 +209,43 @@ void ToolFieldTest::bullOverTorus() {
     QVERIFY(d.above <= 0.05 * voxel);
     QVERIFY(d.below >= -0.5 * voxel); // the ring closes over itself in the middle of the part
     QVERIFY(d.coarseAbove <= 0.0);
+}
+
+void ToolFieldTest::flatOverTorus() {
+    // A rim over a smooth surface: the clearance has a kink at 0, and is gained more slowly inside.
+    const MeshDistance part(shapes::torus(14.0, 5.0, 600, 240));
+    const Box tips{{-24, -6, -6}, {-4, 6, 9}};
+    const std::vector<RevolvedPiece> flat{{0.0, 20.0, 4.0, 4.0, 0.0}};
+    const ToolField field = built(part, flat, tips);
+    const auto exact = [&](const glm::dvec3& tip) { return part.clearance(flat, {tip, {0, 0, 1}}).clearance; };
+    const auto outside = [](const glm::dvec3& tip, double c) { return tip.x < -16.0 && tip.z > 0.0 && c > 0.0; };
+    const Deviation apart = deviation(field, tips, exact, outside, 20000);
+    QVERIFY(apart.above <= 0.03 * voxel && apart.below >= -0.06 * voxel && apart.coarseAbove <= 0.0);
+    QVERIFY(apart.fine > 1000);
+    const Deviation inside = deviation(
+        field, tips, exact, [](const glm::dvec3&, double c) { return c > -voxel && c <= 0.0; }, 20000);
+    QVERIFY(inside.above <= 0.03 * voxel && inside.below >= -0.06 * voxel);
+    QVERIFY(inside.fine > 500);
+}
+
+void ToolFieldTest::swallowedToolsAreDeep() {
+    // Wholly inside, the deepest point of the axis counts: no thin sheet of shallow tips where the tool just fits in.
+    const glm::dvec3 half(40.0, 40.0, 36.0);
+    const MeshDistance part(shapes::box(-half, half));
+    const std::vector<RevolvedPiece> pieces = tool(3.0, 3.0); // 60 long
+    const Box tips{{-12, -12, -34}, {12, 12, -20}};
+    const ToolField field = built(part, pieces, tips);
+    const auto axisDepth = [&](const glm::dvec3& tip) {
+        double least = 1e9;
+        for (const double height : {0.0, 3.0, 20.0, 40.0, 60.0})
+            least = std::min(least, shapes::boxDistance(-half, half, tip + glm::dvec3(0.0, 0.0, height)));
+        return least;
+    };
+    const Deviation d = deviation(field, tips, axisDepth, always, 20000);
+    QCOMPARE(d.fine, 0);
+    QVERIFY(d.coarseAbove <= 0.0);
+    const FieldSample sample = field.at({0.0, 0.0, -30.0});
+    QVERIFY(sample.clearance < -20.0 && isFinite(sample.gradient));
 }
 
 void ToolFieldTest::shankAndHolderAreInIt() {

@@ -85,6 +85,9 @@ private slots:
     void whollyInside();
     void shankAndHolderCount();
     void awayGainsClearance();
+    void changesNoFasterThanTheToolMoves();
+    void askingOneAfterTheOtherIsTheSame();
+    void toleranceIsKept();
     void withinCaps();
     void emptyMeshIsFree();
 };
@@ -230,6 +233,69 @@ void ToolClearanceTest::awayGainsClearance() {
         const auto back = distance.clearance(std::array{piece}, {pose.tip - 0.01 * found.away, pose.axis});
         RC_ASSERT(std::abs(found.clearance - back.clearance - 0.01) < 1e-6); // towards the nearest point: exact
     }));
+}
+
+void ToolClearanceTest::changesNoFasterThanTheToolMoves() {
+    const TriangleMesh mesh = shapes::starShaped(
+        26, 14, [](double u, double v) { return 30.0 + 4.0 * std::sin(3.0 * u) * std::cos(v) * std::cos(v); });
+    const MeshDistance distance(mesh); // wide enough to swallow the tool
+    QVERIFY(rc::check("two tips near each other", [&] {
+        const double flutes = random::number(0.5, 6.0);
+        const std::vector<RevolvedPiece> tool{{0.0, 8.0, 2.0, 2.0, random::number(0.0, 2.0)},
+                                              {8.0, 8.0 + flutes, 1.5, 1.5, 0.0},
+                                              {8.0 + flutes, 18.0, 3.0, 5.0, 0.0}};
+        const glm::dvec3 axis = random::direction(), tip = random::point(40.0), step = random::point(1.5);
+        const double here = distance.clearance(tool, {tip, axis}).clearance;
+        const double there = distance.clearance(tool, {tip + step, axis}).clearance;
+        RC_ASSERT(std::abs(here - there) <= glm::length(step) + 2e-6);
+    }));
+}
+
+void ToolClearanceTest::askingOneAfterTheOtherIsTheSame() {
+    const std::vector<TriangleMesh> meshes{
+        shapes::starShaped(
+            60, 30, [](double u, double v) { return 18.0 + 2.0 * std::sin(4.0 * u) * std::cos(v) * std::cos(v); }),
+        shapes::pocket(20.0, 15.0, 8.0, 6.0)};
+    for (const TriangleMesh& mesh : meshes) {
+        const MeshDistance distance(mesh);
+        QVERIFY(rc::check("a walk with jumps", [&] {
+            const std::vector<RevolvedPiece> tool = *rc::gen::inRange(0, 2) == 0
+                                                        ? wholeTool(ball(3.0))
+                                                        : std::vector<RevolvedPiece>{random::piece(), random::piece()};
+            const glm::dvec3 axis = random::direction();
+            ClearanceAsker asker(distance, tool, axis);
+            glm::dvec3 tip = random::point(30.0);
+            for (int i = 0; i < 30; ++i) {
+                tip = i % 10 == 9 ? random::point(30.0) : tip + random::point(i % 3 == 0 ? 4.0 : 0.5);
+                const double within = i % 4 == 0 ? random::number(0.0, 5.0) : 1e300;
+                const ToolClearance found = asker.ask(tip, within, {});
+                const ToolClearance wanted = distance.clearance(tool, {tip, axis}, within);
+                RC_ASSERT(std::abs(found.clearance - wanted.clearance) < 1e-6);
+            }
+        }));
+    }
+}
+
+void ToolClearanceTest::toleranceIsKept() {
+    const MeshDistance distance(shapes::torus(14.0, 6.0, 200, 90));
+    const std::vector<RevolvedPiece> tool = wholeTool(flat(3.0));
+    const ClearanceTolerance tolerance{0.01, -0.5, 0.3};
+    ClearanceAsker asker(distance, tool, {0.0, 0.0, 1.0});
+    std::mt19937_64 engine(11);
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    glm::dvec3 tip(0.0);
+    int deep = 0, ordinary = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const double reach = i % 50 == 0 ? 0.0 : 0.6;
+        if (reach == 0.0) tip = {24.0 * number(engine), 24.0 * number(engine), 8.0 * number(engine)};
+        tip += reach * glm::dvec3(number(engine), number(engine), number(engine));
+        const double found = asker.ask(tip, 1e300, tolerance).clearance;
+        const double over = found - distance.clearance(tool, {tip, {0.0, 0.0, 1.0}}).clearance;
+        (found < tolerance.deepBelow ? deep : ordinary) += 1;
+        QVERIFY(over >= -1e-6);
+        QVERIFY(over <= (found < tolerance.deepBelow ? tolerance.deep : tolerance.ordinary) + 1e-6);
+    }
+    QVERIFY(deep > 300 && ordinary > 300);
 }
 
 void ToolClearanceTest::withinCaps() {

@@ -3,6 +3,7 @@
 #include "core/volume/surface.h"
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
+#include "tests/oracles/surface_net.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -14,67 +15,238 @@ namespace {
 
 constexpr double voxel = 0.25;
 
+Grid gridOf(glm::ivec3 count) {
+    return *Grid::make({-3.0, 5.0, 1.0}, voxel, count, static_cast<RunAxis>(*rc::gen::inRange(0, 3)));
+}
+
+/// Stock with splinters, and balls of any material or none.
+void fillAtRandom(RunVolume& volume) {
+    const Grid& grid = volume.grid();
+    RC_ASSERT(volume.fillBlock({0, 0}, {grid.lineCountU(), grid.lineCountV()}, *rc::gen::inRange<RunPosition>(0, 9000),
+                               grid.lineEnd(), wax));
+    RunAmounts removed;
+    for (int i = *rc::gen::inRange(0, 40); i > 0; --i) {
+        const LineIndex line{*rc::gen::inRange(0, grid.lineCountU()), *rc::gen::inRange(0, grid.lineCountV())};
+        const auto from = *rc::gen::inRange<RunPosition>(0, grid.lineEnd());
+        (void)volume.removeSpan(line, from, from + *rc::gen::inRange<RunPosition>(0, 20000), removed);
+    }
+    for (int i = *rc::gen::inRange(1, 6); i > 0; --i) {
+        const glm::dvec3 share(*rc::gen::inRange(0, 100), *rc::gen::inRange(0, 100), *rc::gen::inRange(0, 100));
+        fillSphere(volume, *rc::gen::inRange<PropertyIndex>(0, 4), grid.box().low + share / 100.0 * grid.box().size(),
+                   voxel * *rc::gen::inRange(1, 30));
+    }
+}
+
+template <class Visit>
+void eachBrick(const Grid& grid, Visit visit) {
+    const glm::ivec2 tiles = surfaceTiles(grid);
+    for (int v = 0; v < tiles.y; ++v)
+        for (int u = 0; u < tiles.x; ++u)
+            for (int n = 0; n * linesPerSurfaceTile < grid.voxelsPerLine(); ++n) visit(SurfaceBrick{u, v, n});
+}
+
+using Corner = std::array<float, 6>;
+using Face = std::array<std::pair<Corner, PropertyIndex>, 3>;
+
+void addFaces(const SurfaceMesh& mesh, std::vector<Face>& all) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+        Face face;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t at = mesh.triangles[i + corner];
+            const glm::vec3 &p = mesh.points[at], &n = mesh.normals[at];
+            face[corner] = {Corner{p.x, p.y, p.z, n.x, n.y, n.z}, mesh.properties[at]};
+        }
+        all.push_back(face);
+    }
+}
+
 } // namespace
 
 class TestSurfaceBricks : public QObject {
     Q_OBJECT
 
 private slots:
-    void bricksAreTheTile() {
-        const bool held =
-            rc::check("bricks together: the points, normals, materials and triangles of their tile, bit for bit", [] {
-                const auto axis = static_cast<RunAxis>(*rc::gen::inRange(0, 3));
-                const Grid grid = *Grid::make({-3.0, 5.0, 1.0}, voxel, {70, 66, 97}, axis);
-                RunVolume volume = emptyVolume(grid);
-                RC_ASSERT(volume.fillBlock({0, 0}, {grid.lineCountU(), grid.lineCountV()},
-                                           *rc::gen::inRange<RunPosition>(0, 9000), grid.lineEnd(), wax));
-                RunAmounts removed;
-                for (int i = *rc::gen::inRange(0, 40); i > 0; --i) { // splinters
-                    const LineIndex line{*rc::gen::inRange(0, grid.lineCountU()),
-                                         *rc::gen::inRange(0, grid.lineCountV())};
-                    const auto from = *rc::gen::inRange<RunPosition>(0, grid.lineEnd());
-                    (void)volume.removeSpan(line, from, from + *rc::gen::inRange<RunPosition>(0, 20000), removed);
-                }
-                for (int i = *rc::gen::inRange(1, 6); i > 0; --i) {
-                    const glm::dvec3 share(*rc::gen::inRange(0, 100), *rc::gen::inRange(0, 100),
-                                           *rc::gen::inRange(0, 100));
-                    fillSphere(volume, *rc::gen::inRange<PropertyIndex>(0, 4),
-                               grid.box().low + share / 100.0 * grid.box().size(), voxel * *rc::gen::inRange(1, 30));
-                }
-                const VolumeSnapshot workpiece = volume.snapshot();
-                using Corner = std::array<float, 6>;
-                using Face = std::array<std::pair<Corner, PropertyIndex>, 3>;
-                const auto faces = [](const SurfaceMesh& mesh, std::vector<Face>& all) {
-                    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-                        Face face;
-                        for (std::size_t corner = 0; corner < 3; ++corner) {
-                            const std::uint32_t at = mesh.triangles[i + corner];
-                            const glm::vec3 &p = mesh.points[at], &n = mesh.normals[at];
-                            face[corner] = {Corner{p.x, p.y, p.z, n.x, n.y, n.z}, mesh.properties[at]};
-                        }
-                        all.push_back(face);
-                    }
-                };
-                SurfaceExtractor extractor;
-                SurfaceMesh piece;
-                const glm::ivec2 tiles = surfaceTiles(grid);
-                for (int v = 0; v < tiles.y; ++v)
-                    for (int u = 0; u < tiles.x; ++u) {
-                        std::vector<Face> whole, together;
-                        extractor.extract(workpiece, {u, v}, {}, piece);
-                        faces(piece, whole);
-                        for (int n = 0; n * linesPerSurfaceTile < grid.voxelsPerLine(); ++n) {
-                            extractor.extractBrick(workpiece, {u, v, n}, piece);
-                            faces(piece, together);
-                        }
-                        std::ranges::sort(whole);
-                        std::ranges::sort(together);
-                        RC_ASSERT(whole == together);
-                    }
-            });
-        QVERIFY(held);
-    }
+    void bricksAreTheTile();
+    void bricksAreTheDenseNet();
+    void changedBricksAreAllThatChanged();
+    void changesAreFoundAlongTheRuns();
+    void slantedPlanesAreFlat_data();
+    void slantedPlanesAreFlat();
 };
+
+void TestSurfaceBricks::bricksAreTheTile() {
+    QVERIFY(rc::check("bricks together: the points, normals, materials and triangles of their tile, bit for bit", [] {
+        const Grid grid = gridOf({70, 66, 97});
+        RunVolume volume = emptyVolume(grid);
+        fillAtRandom(volume);
+        const VolumeSnapshot workpiece = volume.snapshot();
+        SurfaceExtractor extractor;
+        SurfaceMesh piece;
+        std::vector<Face> whole, together;
+        const glm::ivec2 tiles = surfaceTiles(grid);
+        for (int v = 0; v < tiles.y; ++v)
+            for (int u = 0; u < tiles.x; ++u) {
+                extractor.extract(workpiece, {u, v}, {}, piece);
+                addFaces(piece, whole);
+            }
+        eachBrick(grid, [&](SurfaceBrick brick) {
+            extractor.extractBrick(workpiece, brick, piece);
+            addFaces(piece, together);
+        });
+        std::ranges::sort(whole);
+        std::ranges::sort(together);
+        RC_ASSERT(whole == together);
+    }));
+}
+
+void TestSurfaceBricks::bricksAreTheDenseNet() {
+    QVERIFY(rc::check("the faces and points of a dense net of doubles, closed and turned outwards", [] {
+        const Grid grid = gridOf({34, 33, 41});
+        RunVolume volume = emptyVolume(grid);
+        fillAtRandom(volume);
+        const VolumeSnapshot workpiece = volume.snapshot();
+        const DenseSurfaceNet dense(workpiece);
+        const glm::ivec3 axes(grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns());
+        const auto inLines = [&](const glm::dvec3& way) { return glm::dvec3(way[axes.x], way[axes.y], way[axes.z]); };
+        SurfaceExtractor extractor;
+        SurfaceMesh piece, whole;
+        std::multiset<std::array<DenseSurfaceNet::Cube, 4>> faces;
+        eachBrick(grid, [&](SurfaceBrick brick) {
+            extractor.extractBrick(workpiece, brick, piece);
+            RC_ASSERT(piece.normals.size() == piece.points.size() && piece.properties.size() == piece.points.size());
+            std::vector<DenseSurfaceNet::Cube> cubes;
+            for (std::size_t i = 0; i < piece.points.size(); ++i) {
+                const glm::dvec3 place = inLines(glm::dvec3(piece.points[i]) - grid.low()) / voxel;
+                const std::vector<DenseSurfaceNet::Cube> at = dense.cubesAt(place, 1e-4);
+                RC_ASSERT(!at.empty());
+                cubes.push_back(at.front());
+                const glm::dvec3 normal = inLines(glm::dvec3(piece.normals[i]));
+                RC_ASSERT(std::abs(glm::length(normal) - 1.0) < 1e-5);
+                RC_ASSERT(std::ranges::any_of(at, [&](const DenseSurfaceNet::Cube& cube) {
+                    const glm::dvec3 exact = dense.points().at(cube).gradient;
+                    return glm::length(exact) < 0.01 || glm::dot(normal, glm::normalize(exact)) > 0.9999;
+                }));
+            }
+            for (std::size_t i = 0; i < piece.triangles.size(); i += 6) { // two triangles a face: a b c, a c d
+                const std::uint32_t* corner = piece.triangles.data() + i;
+                std::array face{cubes[corner[0]], cubes[corner[1]], cubes[corner[2]], cubes[corner[5]]};
+                RC_ASSERT(corner[0] == corner[3] && corner[2] == corner[4]);
+                std::ranges::sort(face);
+                faces.insert(face);
+            }
+            const auto first = static_cast<std::uint32_t>(whole.points.size());
+            whole.points.insert(whole.points.end(), piece.points.begin(), piece.points.end());
+            for (const std::uint32_t corner : piece.triangles) whole.triangles.push_back(first + corner);
+        });
+        std::multiset<std::array<DenseSurfaceNet::Cube, 4>> expected;
+        for (std::array<DenseSurfaceNet::Cube, 4> face : dense.faces()) {
+            for (DenseSurfaceNet::Cube& cube : face) cube = dense.cubesAt(dense.points().at(cube).place, 1e-4).front();
+            std::ranges::sort(face);
+            expected.insert(face);
+        }
+        RC_ASSERT(faces == expected);
+        const TriangleMesh mesh = triangleMesh(whole);
+        RC_ASSERT(countGaps(mesh) == std::size_t{0});
+        RC_ASSERT(mesh.triangles.empty() || signedVolume(mesh) > 0.0);
+    }));
+}
+
+void TestSurfaceBricks::changedBricksAreAllThatChanged() {
+    QVERIFY(rc::check("what changedSurfaceBricks does not name is meshed alike", [] {
+        const Grid grid = gridOf({80, 70, 130});
+        RunVolume volume = emptyVolume(grid);
+        fillAtRandom(volume);
+        const VolumeSnapshot before = volume.snapshot();
+        RunAmounts removed;
+        for (int i = *rc::gen::inRange(1, 4); i > 0; --i) {
+            const LineIndex at{*rc::gen::inRange(0, grid.lineCountU()), *rc::gen::inRange(0, grid.lineCountV())};
+            const std::int32_t side = *rc::gen::inRange(1, 12);
+            const auto from = *rc::gen::inRange<RunPosition>(0, grid.lineEnd());
+            const auto to = from + *rc::gen::inRange<RunPosition>(1, 9000);
+            const bool fills = *rc::gen::arbitrary<bool>();
+            for (std::int32_t u = at.u; u < std::min(at.u + side, grid.lineCountU()); ++u)
+                for (std::int32_t v = at.v; v < std::min(at.v + side, grid.lineCountV()); ++v)
+                    if (fills)
+                        RC_ASSERT(volume.fillSpan({u, v}, from, std::min(to, grid.lineEnd()), aluminium));
+                    else
+                        (void)volume.removeSpan({u, v}, from, to, removed);
+        }
+        const VolumeSnapshot now = volume.snapshot();
+        std::vector<SurfaceBrick> changed;
+        changedSurfaceBricks(before, now, changed);
+        SurfaceExtractor extractor;
+        SurfaceMesh old, fresh;
+        std::size_t named = 0;
+        eachBrick(grid, [&](SurfaceBrick brick) {
+            if (std::ranges::find(changed, brick) != changed.end()) {
+                ++named;
+                return;
+            }
+            extractor.extractBrick(before, brick, old);
+            extractor.extractBrick(now, brick, fresh);
+            RC_ASSERT(old.points == fresh.points);
+            RC_ASSERT(old.normals == fresh.normals);
+            RC_ASSERT(old.properties == fresh.properties);
+            RC_ASSERT(old.triangles == fresh.triangles);
+        });
+        RC_ASSERT(named == changed.size()); // each once, and of the grid
+    }));
+}
+
+void TestSurfaceBricks::changesAreFoundAlongTheRuns() {
+    const Grid grid = cubeGrid({96, 96, 256}, RunAxis::z, voxel);
+    RunVolume volume = emptyVolume(grid);
+    QVERIFY(volume.fillBlock({0, 0}, {96, 96}, 0, grid.lineEnd(), wax));
+    QVERIFY(volume.fillBlock({0, 0}, {96, 96}, 150 * unitsPerVoxel, grid.lineEnd(), aluminium));
+    const VolumeSnapshot before = volume.snapshot();
+    RunAmounts removed;
+    (void)volume.removeSpan({48, 48}, 112 * unitsPerVoxel, 113 * unitsPerVoxel, removed);
+    std::vector<SurfaceBrick> changed;
+    changedSurfaceBricks(before, volume.snapshot(), changed);
+    // In the middle of a brick: it alone, though its lines go on in both directions.
+    QCOMPARE(changed, (std::vector<SurfaceBrick>{{1, 1, 3}}));
+    changedSurfaceBricks(before, before, changed);
+    QVERIFY(changed.empty());
+    changedSurfaceBricks({}, before, changed);
+    QCOMPARE(changed.size(), std::size_t{3 * 3 * 8});
+}
+
+void TestSurfaceBricks::slantedPlanesAreFlat_data() {
+    QTest::addColumn<double>("slopeU");
+    QTest::addColumn<double>("slopeV");
+    for (const auto& [u, v] : {std::pair(0.0, 0.0), {0.1, 0.0}, {0.3, 0.2}, {-0.5, 0.4}, {0.7, -0.7}, {1.0, 0.0}})
+        QTest::addRow("%g, %g", u, v) << u << v;
+}
+/// A plane that leans up to 45 degrees across the runs stands where the run ends put it, and is shaded flat.
+void TestSurfaceBricks::slantedPlanesAreFlat() {
+    QFETCH(double, slopeU);
+    QFETCH(double, slopeV);
+    const Grid grid = cubeGrid({64, 64, 128});
+    RunVolume volume = emptyVolume(grid);
+    const auto height = [&](glm::dvec2 place) { return 64.2 + slopeU * (place.x - 32.0) + slopeV * (place.y - 32.0); };
+    fillLines(volume, wax, [&](glm::dvec2 place) { return std::pair(0.0, height(place)); });
+    const VolumeSnapshot workpiece = volume.snapshot();
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(-slopeU, -slopeV, 1.0));
+    SurfaceExtractor extractor;
+    SurfaceMesh piece;
+    double off = 0.0, turn = 0.0;
+    std::size_t found = 0;
+    eachBrick(grid, [&](SurfaceBrick brick) {
+        extractor.extractBrick(workpiece, brick, piece);
+        for (std::size_t i = 0; i < piece.points.size(); ++i) {
+            const glm::dvec3 point(piece.points[i]);
+            if (glm::length(glm::max(glm::abs(glm::dvec2(point) - 32.0), 28.0) - 28.0) > 0.0 || point.z < 4.0) continue;
+            ++found;
+            off = std::max(off, std::abs(point.z - height(point)) * normal.z);
+            turn =
+                std::max(turn, glm::degrees(std::acos(std::min(1.0, glm::dot(normal, glm::dvec3(piece.normals[i]))))));
+        }
+    });
+    qInfo("%zu points, %.4f voxels off, normals %.3f degrees", found, off, turn);
+    QVERIFY(found > 3000);
+    QVERIFY(off < 0.02);
+    QVERIFY(turn < 2.5);
+}
 
 QTEST_APPLESS_MAIN(TestSurfaceBricks)
 #include "tst_surface_bricks.moc"

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/field/part_brick.h"
+
+namespace burin {
+
+/// A brick near the surface that may be fine. Its block says its number where it says that of a fine brick later.
+struct FieldCandidate {
+    glm::ivec3 brick; ///< counted from the origin
+    std::size_t block;
+    bool smooth = false; ///< its corners tell what lies between
+    bool fine = false;
+};
+
+/// Number of the candidate at a place, `coarse` where there is none.
+inline std::int32_t candidateAt(const PartFieldLayers& layers, const glm::ivec3& brick) noexcept {
+    const std::int32_t block = layers.blockNumberAt(brick >> 3);
+    if (block == PartFieldLayers::coarse) return PartFieldLayers::coarse;
+    const glm::ivec3 in = brick & 7;
+    return layers.divided[static_cast<std::size_t>(block)].fine[CellGrid::cellAt(in.x, in.y, in.z)];
+}
+
+/// Holds made bricks against the whole mesh: every point of it bounds the distances around it, which finds what lies
+/// between samples. The brick around a point answers for those beside it as long as they agree on the samples that they
+/// share.
+class SurfaceCheck {
+public:
+    SurfaceCheck(const MeshDistance& part, const PartFieldLayers& layers, const std::vector<FieldCandidate>& candidates,
+                 const std::vector<MadeBrick>& made)
+        : part_(part), layers_(layers), candidates_(candidates), made_(made), perVoxel_(1.0 / layers.request.voxel) {}
+
+    /// Candidates that a point of the mesh contradicts: a value exceeds the way to it by more than its error, or the
+    /// band passes through one that is not fine. Parallel.
+    std::vector<std::size_t> contradicted(Progress& progress) const;
+
+private:
+    std::vector<std::uint32_t> findDoubtful(Progress& progress) const;
+    void doubt(std::size_t number, std::vector<std::uint32_t>& doubtful) const;
+    void check(const glm::dvec3& point, const std::vector<std::uint32_t>& doubtful,
+               std::vector<std::uint8_t>& wrong) const;
+    bool contradicts(std::size_t number, const glm::vec3& inside, float away) const noexcept;
+    bool isFine(std::int32_t number) const noexcept { return candidates_[static_cast<std::size_t>(number)].fine; }
+    float inMillimetres(float voxels) const noexcept {
+        return static_cast<float>(static_cast<double>(voxels) * layers_.request.voxel);
+    }
+
+    const MeshDistance& part_;
+    const PartFieldLayers& layers_;
+    const std::vector<FieldCandidate>& candidates_;
+    const std::vector<MadeBrick>& made_;
+    const double perVoxel_;
+};
+
+} // namespace burin

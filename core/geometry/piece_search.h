@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/mesh_distance.h"
+#include "core/geometry/piece_minimum.h"
+#include "core/geometry/surface_normals.h"
+#include "core/geometry/triangle_tree.h"
+#include "core/geometry/triangle_walk.h"
+
+#include <array>
+
+namespace burin {
+
+/// A point of the mesh that a search has found.
+struct Found {
+    std::size_t slot = 0;
+    glm::dvec3 point{0.0};
+    TriangleFeature feature = TriangleFeature::face;
+    double distance = 0.0;
+    std::size_t piece = 0;
+    bool any = false;
+};
+
+/// What a clearance has to be below to count, when one is found.
+inline double worthwhile(double clearance, const ClearanceTolerance& tolerance) noexcept {
+    return clearance - (clearance < tolerance.deepBelow ? tolerance.deep : tolerance.ordinary);
+}
+
+/// Looks for the point of a mesh where the signed distance to a piece is least. Improves what was found before, by this
+/// piece or another. No allocation.
+class PieceSearch {
+public:
+    /// @param number  of the piece  @param floor  mm above the tip: what lies below is known
+    PieceSearch(const TriangleTree& tree, const SurfaceNormals& normals, const PlacedPiece& piece, std::size_t number,
+                double floor, const ClearanceTolerance& tolerance, Found& found) noexcept;
+
+    /// From what this piece has found for a place nearby, from triangle to triangle as long as it gets less.
+    void descend() noexcept;
+    /// The whole mesh, above the floor. @return mm: but for what was found nothing is nearer than so
+    double run() noexcept;
+
+private:
+    struct Candidate {
+        double below;
+        std::size_t slot;
+    };
+
+    double wanted() const noexcept { return worthwhile(found_.distance, tolerance_); }
+    const Triangle& triangle(std::size_t slot) const noexcept { return tree_.triangles()[slot]; }
+    double atCentroid(std::size_t slot) const noexcept;
+    void take(const Found& better) noexcept;
+    bool solve(std::size_t slot, double below) noexcept;
+    void layPlane() noexcept;
+    void meet(std::size_t slot) noexcept;
+    double abovePlane(const Triangle& of) const noexcept;
+
+    const TriangleTree& tree_;
+    const SurfaceNormals& normals_;
+    const PlacedPiece& piece_;
+    const std::size_t number_;
+    const ClearanceTolerance& tolerance_;
+    Found& found_;
+    NearPiece near_;
+    SupportingPlane plane_;
+    bool hasPlane_ = false;
+    std::array<Candidate, 64> candidates_;
+    std::size_t count_ = 0;
+    double passed_ = std::numeric_limits<double>::infinity(); ///< least bound of the triangles that dropped out
+};
+
+} // namespace burin
