@@ -294,6 +294,69 @@
         <source>simulated: no force is felt; figures of a 3D Systems Touch (CHAI3D device table) scale the force that is shown</source>
         <translation>simuliert: keine Kraft ist zu spüren; die angezeigte Kraft folgt den Kennwerten eines 3D Systems Touch (Gerätetabelle von CHAI3D)</translation>
     </message>
+    <message>
+        <source>The cap sets the speed</source>
+        <translation>Die Kappe gibt die Geschwindigkeit vor</translation>
+    </message>
+    <message>
+        <source>The cap sets the place</source>
+        <translation>Die Kappe gibt den Ort vor</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceReason</name>
+    <message>
+        <source>it is not plugged in</source>
+        <translation>es ist nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>it sends nothing</source>
+        <translation>es sendet nichts</translation>
+    </message>
+    <message>
+        <source>what it sends is damaged</source>
+        <translation>was es sendet, ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it does not take what is sent to it</source>
+        <translation>es nimmt nicht an, was ihm gesendet wird</translation>
+    </message>
+    <message>
+        <source>it heard nothing from the computer for too long</source>
+        <translation>es hat zu lange nichts vom Rechner gehört</translation>
+    </message>
+    <message>
+        <source>it is not calibrated yet</source>
+        <translation>es ist noch nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>its motors are too hot</source>
+        <translation>seine Motoren sind zu heiß</translation>
+    </message>
+    <message>
+        <source>its motors were overloaded</source>
+        <translation>seine Motoren waren überlastet</translation>
+    </message>
+    <message>
+        <source>it moved too fast</source>
+        <translation>es hat sich zu schnell bewegt</translation>
+    </message>
+    <message>
+        <source>its stop button is pressed</source>
+        <translation>sein Halteknopf ist gedrückt</translation>
+    </message>
+    <message>
+        <source>a sensor or a drive failed</source>
+        <translation>ein Sensor oder ein Antrieb ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>it does not say who it is</source>
+        <translation>es gibt sich nicht zu erkennen</translation>
+    </message>
+    <message>
+        <source>its limits are out of range</source>
+        <translation>seine Grenzwerte sind unglaubwürdig</translation>
+    </message>
 </context>
 <context>
     <name>Edit</name>
@@ -621,6 +684,22 @@
     <message>
         <source>An unknown fault occurred in &quot;%1&quot;; report this.</source>
         <translation>In „%1“ ist ein unbekannter Fehler aufgetreten; melden Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The device &quot;%1&quot; was unplugged, so its forces are off; plug it in again to go on.</source>
+        <translation>Das Gerät „%1“ wurde abgezogen, deshalb sind seine Kräfte aus; schließen Sie es wieder an, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>The device &quot;%1&quot; has its forces off for now (%2); they fade in again when that is over.</source>
+        <translation>Das Gerät „%1“ hat seine Kräfte vorerst aus (%2); sie setzen sanft wieder ein, wenn das vorbei ist.</translation>
+    </message>
+    <message>
+        <source>You have no right to use the device &quot;%1&quot; (%2); install Burin&apos;s udev rule and plug it in again.</source>
+        <translation>Sie dürfen das Gerät „%1“ nicht benutzen (%2); richten Sie Burins udev-Regel ein und schließen Sie es neu an.</translation>
+    </message>
+    <message>
+        <source>The device &quot;%1&quot; speaks version %2 of its protocol, but this Burin needs %3; update its firmware.</source>
+        <translation>Das Gerät „%1“ spricht Version %2 seines Protokolls, dieses Burin braucht aber %3; bringen Sie seine Firmware auf den neuesten Stand.</translation>
     </message>
 </context>
 <context>

@@ -12,58 +12,69 @@ namespace burin {
 /// The comment says what `Error::subject` and `Error::place` hold.
 enum class ErrorCode : std::uint16_t {
     // work that was stopped, resources of the machine
-    cancelled,               ///< subject: the work
-    outOfMemory,             ///< subject: the work; detail: what was asked for
-    internalFault,           ///< a promise of our own code was broken; subject: where
+    cancelled,     ///< subject: the work
+    outOfMemory,   ///< subject: the work; detail: what was asked for
+    internalFault, ///< a promise of our own code was broken; subject: where
     // files
-    fileNotFound,            ///< subject: file
-    fileNotReadable,         ///< subject: file; detail: the system's reason
-    fileNotWritable,         ///< subject: file; detail: the system's reason
-    diskFull,                ///< subject: file
-    fileEmpty,               ///< subject: file
-    fileFormatUnknown,       ///< subject: file
-    fileDamaged,             ///< subject: file; place: what part, where known
+    fileNotFound,      ///< subject: file
+    fileNotReadable,   ///< subject: file; detail: the system's reason
+    fileNotWritable,   ///< subject: file; detail: the system's reason
+    diskFull,          ///< subject: file
+    fileEmpty,         ///< subject: file
+    fileFormatUnknown, ///< subject: file
+    fileDamaged,       ///< subject: file; place: what part, where known
     // use
-    argumentInvalid,         ///< subject: the argument; place: its value; detail: what is allowed
-    nameUnknown,             ///< subject: the kind ("material", "tool", …); place: the name; detail: names that exist
-    notSupported,            ///< subject: what was asked for; place: what this version can do instead
+    argumentInvalid, ///< subject: the argument; place: its value; detail: what is allowed
+    nameUnknown,     ///< subject: the kind ("material", "tool", …); place: the name; detail: names that exist
+    notSupported,    ///< subject: what was asked for; place: what this version can do instead
     // CAD import
-    importTimedOut,          ///< subject: file; place: the limit with its unit
-    importOutOfMemory,       ///< subject: file; place: the limit with its unit
-    importCrashed,           ///< subject: file; detail: signal
-    modelHasNoSolid,         ///< subject: file; place: what it holds instead
-    modelNotWatertight,      ///< subject: file; place: number of open edges and the body
-    meshIncomplete,          ///< subject: file; place: faces without triangles
+    importTimedOut,     ///< subject: file; place: the limit with its unit
+    importOutOfMemory,  ///< subject: file; place: the limit with its unit
+    importCrashed,      ///< subject: file; detail: signal
+    modelHasNoSolid,    ///< subject: file; place: what it holds instead
+    modelNotWatertight, ///< subject: file; place: number of open edges and the body
+    meshIncomplete,     ///< subject: file; place: faces without triangles
     // volume and setup
-    volumeTooLarge,          ///< subject: size asked for; place: the limit
-    volumeOutOfMemory,       ///< the reserved memory is used up; subject: bytes reserved
-    partOutsideStock,        ///< subject: body; place: by how much, with unit
-    stockInvalid,            ///< subject: the parameter; detail: what is allowed
+    volumeTooLarge,    ///< subject: size asked for; place: the limit
+    volumeOutOfMemory, ///< the reserved memory is used up; subject: bytes reserved
+    partOutsideStock,  ///< subject: body; place: by how much, with unit
+    stockInvalid,      ///< subject: the parameter; detail: what is allowed
     // tools, materials, machines (resources)
-    resourceInvalid,         ///< subject: file; place: key; detail: what is wrong
+    resourceInvalid, ///< subject: file; place: key; detail: what is wrong
     // devices and haptics
-    deviceNotFound,          ///< subject: device
-    deviceFault,             ///< subject: device; detail
-    traceInvalid,            ///< subject: file; place: line
+    deviceNotFound,     ///< subject: device
+    deviceFault,        ///< subject: device; detail: what it reports
+    deviceUnplugged,    ///< subject: device
+    deviceStopped,      ///< its forces are off for now; subject: device; detail: why
+    deviceNotAllowed,   ///< subject: device; place: the file that the system keeps it under
+    deviceIncompatible, ///< subject: device; place: its protocol; detail: ours
+    traceInvalid,       ///< subject: file; place: line
     // project
-    projectNotBurin,         ///< subject: file
-    fileFromNewerBurin,      ///< subject: file; detail: its version
-    projectInUse,            ///< subject: file; detail: by whom
-    projectIncomplete,       ///< subject: what is missing ("embedded stock", "recording", …); place: the command that makes it
-    recordingOverflow,       ///< the disk could not keep up; subject: samples kept
+    projectNotBurin,    ///< subject: file
+    fileFromNewerBurin, ///< subject: file; detail: its version
+    projectInUse,       ///< subject: file; detail: by whom
+    projectIncomplete, ///< subject: what is missing ("embedded stock", "recording", …); place: the command that makes
+                       ///< it
+    recordingOverflow, ///< the disk could not keep up; subject: samples kept
     // path, NC, verification
-    pathEmpty,               ///< subject: path
-    pathGouges,              ///< subject: path; place: depth with unit and where
-    dialectNotFound,         ///< subject: dialect id; detail: ids that exist
-    pluginIncompatible,      ///< subject: plugin file; place: its interface version; detail: ours
-    pluginInvalid,           ///< subject: plugin file; detail
-    programSyntax,           ///< subject: file; place: line and column; detail: the word
-    programLimit,            ///< subject: what ("feed", "X travel"); place: the value and the limit
-    checkFailed,             ///< subject: file or path; place: the findings in short
+    pathEmpty,          ///< subject: path
+    pathGouges,         ///< subject: path; place: depth with unit and where
+    dialectNotFound,    ///< subject: dialect id; detail: ids that exist
+    pluginIncompatible, ///< subject: plugin file; place: its interface version; detail: ours
+    pluginInvalid,      ///< subject: plugin file; detail
+    programSyntax,      ///< subject: file; place: line and column; detail: the word
+    programLimit,       ///< subject: what ("feed", "X travel"); place: the value and the limit
+    checkFailed,        ///< subject: file or path; place: the findings in short
 };
 
 /// How an error ends the command line; design.md section 6 gives the exit statuses.
-enum class ErrorClass : std::uint8_t { checkFailed = 1, wrongUse = 2, badInput = 3, outOfSpaceOrRights = 4, cancelled = 5 };
+enum class ErrorClass : std::uint8_t {
+    checkFailed = 1,
+    wrongUse = 2,
+    badInput = 3,
+    outOfSpaceOrRights = 4,
+    cancelled = 5
+};
 
 /// A record of a fault. Core says which, where and on what; `ui/messages` is the one place that words it.
 struct Error {
@@ -76,7 +87,8 @@ struct Error {
 /// The exit class of an error.
 constexpr ErrorClass errorClass(ErrorCode code) noexcept {
     switch (code) {
-    case ErrorCode::cancelled: return ErrorClass::cancelled;
+    case ErrorCode::cancelled:
+        return ErrorClass::cancelled;
     case ErrorCode::argumentInvalid:
     case ErrorCode::nameUnknown:
     case ErrorCode::notSupported:
@@ -85,18 +97,23 @@ constexpr ErrorClass errorClass(ErrorCode code) noexcept {
     case ErrorCode::dialectNotFound:
     case ErrorCode::deviceNotFound:
     case ErrorCode::volumeTooLarge:
-    case ErrorCode::projectIncomplete: return ErrorClass::wrongUse;
+    case ErrorCode::projectIncomplete:
+        return ErrorClass::wrongUse;
     case ErrorCode::fileNotWritable:
+    case ErrorCode::deviceNotAllowed:
     case ErrorCode::diskFull:
     case ErrorCode::outOfMemory:
     case ErrorCode::volumeOutOfMemory:
     case ErrorCode::recordingOverflow:
-    case ErrorCode::projectInUse: return ErrorClass::outOfSpaceOrRights;
+    case ErrorCode::projectInUse:
+        return ErrorClass::outOfSpaceOrRights;
     case ErrorCode::pathGouges:
     case ErrorCode::pathEmpty:
     case ErrorCode::programLimit:
-    case ErrorCode::checkFailed: return ErrorClass::checkFailed;
-    default: return ErrorClass::badInput;
+    case ErrorCode::checkFailed:
+        return ErrorClass::checkFailed;
+    default:
+        return ErrorClass::badInput;
     }
 }
 

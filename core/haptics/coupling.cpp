@@ -18,14 +18,14 @@ constexpr double lagMargin = 0.6;   // of handle mass over lag; from 1 on the da
 } // namespace
 
 double usableDamping(const StylusDescription& stylus) noexcept {
-    if (!stylus.actuated) return 0.0;
-    return std::min(stylus.maximumDamping, lagMargin * lightHandle / (0.5 * VelocityWindow::length));
+    if (!stylus.hasMotors()) return 0.0;
+    return std::min(stylus.maximumDamping.value, lagMargin * lightHandle / (0.5 * VelocityWindow::length));
 }
 
 CouplingGains couplingGains(const StylusDescription& stylus, double share, double period) noexcept {
-    if (!stylus.actuated) return {};
+    if (!stylus.hasMotors()) return {};
     const double slower = std::min(1.0, ratedPeriod / period);
-    return {share * stylus.maximumStiffness * slower, dampingShare * usableDamping(stylus)};
+    return {share * stylus.maximumStiffness.value * slower, dampingShare * usableDamping(stylus)};
 }
 
 glm::dvec3 Coupling::force(const State& state) const noexcept {

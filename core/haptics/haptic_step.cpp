@@ -19,7 +19,7 @@ constexpr int parkingSamples = 256;
 constexpr double idleVoxels = 2.0;
 
 double maximumForce(const HapticSettings& settings) noexcept {
-    return settings.stylus.actuated ? settings.forceShare * settings.stylus.maximumForce : 0.0;
+    return settings.stylus.hasMotors() ? settings.forceShare * settings.stylus.maximumForce.value : 0.0;
 }
 
 CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings, double stiffness) noexcept {
@@ -29,7 +29,7 @@ CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings
 /// A tool as fast as the fastest hand that is believed follows it without a lag, hence without a force.
 double travelPerSecond(const HapticSettings& settings, const Grid& grid) noexcept {
     return std::max(voxelsPerTick * grid.edge() / settings.tickPeriod,
-                    1.1 * settings.stylus.maximumSpeed * settings.mapping.scale);
+                    1.1 * settings.stylus.maximumSpeed.value * settings.mapping.scale);
 }
 
 } // namespace

@@ -25,20 +25,20 @@ glm::dvec3 quantised(const glm::dvec3& position, double step) noexcept {
 StylusDescription touchLikeStylus() {
     StylusDescription stylus;
     stylus.name = "Virtual operator";
-    stylus.source = "CHAI3D device table, 3D Systems Touch (closed loop at 1 kHz)";
-    stylus.actuated = true;
-    stylus.maximumForce = 3.3;
-    stylus.maximumStiffness = 400.0;
-    stylus.maximumDamping = 4.0;
-    stylus.workspaceRadius = 75.0;
+    const std::string touch = "CHAI3D device table, 3D Systems Touch (closed loop at 1 kHz)";
+    stylus.actuated = {3, 0};
+    stylus.maximumForce = {3.3, touch};
+    stylus.maximumStiffness = {400.0, touch};
+    stylus.maximumDamping = {4.0, touch};
+    stylus.workspaceRadius = {75.0, touch};
     return stylus;
 }
 
 WorkspaceMapping mappingFor(const Box& setupRegion, const StylusDescription& stylus) {
     WorkspaceMapping mapping;
     mapping.origin = setupRegion.centre();
-    mapping.scale =
-        std::max(smallestScale, 0.5 * glm::length(setupRegion.size()) / (workspaceShare * stylus.workspaceRadius));
+    mapping.scale = std::max(smallestScale,
+                             0.5 * glm::length(setupRegion.size()) / (workspaceShare * stylus.workspaceRadius.value));
     return mapping;
 }
 
@@ -55,11 +55,11 @@ Result<void> VirtualOperator::open() {
     for (std::size_t i = 0; i < way.size(); ++i) {
         way[i].tip = mapping_.toDevice(intent_[i].tip);
         way[i].speed = intent_[i].speed / mapping_.scale;
-        if (glm::length(way[i].tip) > settings_.stylus.workspaceRadius)
+        if (glm::length(way[i].tip) > settings_.stylus.workspaceRadius.value)
             return Error{ErrorCode::argumentInvalid, "intent point " + std::to_string(i + 1),
                          formatFixed(glm::length(way[i].tip), 1) + " mm",
                          "a place within the device's workspace of " +
-                             formatFixed(settings_.stylus.workspaceRadius, 1) + " mm"};
+                             formatFixed(settings_.stylus.workspaceRadius.value, 1) + " mm"};
     }
     Result<IntentMotion> motion = IntentMotion::make(way, settings_.motion);
     if (!motion) return motion.error();
@@ -94,13 +94,13 @@ StylusState VirtualOperator::read(double time) noexcept {
 void VirtualOperator::stayInWorkspace(const glm::dvec3& intended) noexcept {
     const glm::dvec3 place = intended + arm_.deviation();
     const double reach = glm::length(place);
-    if (reach <= settings_.stylus.workspaceRadius) return;
+    if (reach <= settings_.stylus.workspaceRadius.value) return;
     const glm::dvec3 outward = place / reach;
-    arm_.stopAt(outward * settings_.stylus.workspaceRadius - intended, outward);
+    arm_.stopAt(outward * settings_.stylus.workspaceRadius.value - intended, outward);
 }
 
-void VirtualOperator::write(const glm::dvec3& force) noexcept {
-    force_ = isFinite(force) ? clampLength(force, settings_.stylus.maximumForce) : glm::dvec3(0.0);
+void VirtualOperator::write(const Wrench& wrench) noexcept {
+    force_ = isFinite(wrench.force) ? clampLength(wrench.force, settings_.stylus.maximumForce.value) : glm::dvec3(0.0);
 }
 
 bool VirtualOperator::finished() const noexcept {

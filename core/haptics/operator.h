@@ -50,7 +50,7 @@ public:
     /// The motion starts with the first reading.
     StylusState read(double time) noexcept override;
     /// Held until the next write; what exceeds the device's force is cut off; not finite: zero.
-    void write(const glm::dvec3& force) noexcept override;
+    void write(const Wrench& wrench) noexcept override;
     /// The intent's end is reached and the hand has come to rest (or fails to for a second).
     bool finished() const noexcept override;
     void close() noexcept override;

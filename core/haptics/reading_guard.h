@@ -21,7 +21,7 @@ public:
 
     /// @param nominalPeriod s
     ReadingGuard(const StylusDescription& stylus, double nominalPeriod) noexcept
-        : maximumSpeed_(stylus.maximumSpeed), nominalPeriod_(nominalPeriod) {}
+        : maximumSpeed_(stylus.maximumSpeed.value), nominalPeriod_(nominalPeriod) {}
 
     /// After a fault the next finite reading is a new start: nobody knows where the hand has been meanwhile. A jump
     /// is a fault once; what follows is measured from where it went.

@@ -39,7 +39,7 @@ void sleepUntil(std::int64_t nanoseconds) noexcept {
 class ZeroForceAtExit {
 public:
     explicit ZeroForceAtExit(Stylus& stylus) noexcept : stylus_(stylus) {}
-    ~ZeroForceAtExit() { stylus_.write(glm::dvec3(0.0)); }
+    ~ZeroForceAtExit() { stylus_.write({}); }
     ZeroForceAtExit(const ZeroForceAtExit&) = delete;
     ZeroForceAtExit& operator=(const ZeroForceAtExit&) = delete;
 
@@ -95,7 +95,7 @@ bool ServoLoop::finished() const noexcept {
 
 AtEdge ServoLoop::edge() noexcept {
     const AtEdge answer = sink_.edge();
-    if (answer == AtEdge::stand) stylus_.write(glm::dvec3(0.0));
+    if (answer == AtEdge::stand) stylus_.write({});
     return answer;
 }
 
@@ -103,7 +103,7 @@ void ServoLoop::tick(double period) noexcept {
     const std::int64_t wall = now(CLOCK_MONOTONIC), cpu = now(CLOCK_THREAD_CPUTIME_ID);
     const StylusState state = stylus_.read(time_);
     const Sample sample = step_(state, period);
-    stylus_.write(step_.deviceForce());
+    stylus_.write({step_.deviceForce()});
     timing_.period = period;
     timing_.over = now(CLOCK_MONOTONIC);
     sink_.tick(sample, timing_);

@@ -19,7 +19,7 @@ public:
     /// Again: starts anew. Errors: argumentInvalid (no state, or times that don't rise).
     Result<void> open() override;
     StylusState read(double time) noexcept override;
-    void write(const glm::dvec3&) noexcept override {}
+    void write(const Wrench&) noexcept override {}
     bool finished() const noexcept override { return played_; }
     void close() noexcept override {}
 

@@ -89,8 +89,17 @@ private slots:
             "");
         row("a plugin uses another", "plugins/dialects/haas/a.cpp", "#include \"plugins/dialects/linuxcnc/words.h\"",
             "plugins may not use plugins");
+        row("a device plugin uses what those share", "plugins/devices/spacemouse/a.cpp",
+            "#include \"plugins/devices/hid/hid_bus.h\"", "");
+        row("another kind of plugin uses that", "plugins/dialects/haas/a.cpp",
+            "#include \"plugins/devices/hid/hid_bus.h\"", "plugins may not use plugins");
+        row("hidapi elsewhere", "core/device/a.cpp", "#include <hidapi.h>", "core/device may not include hidapi");
         row("a plugin uses code of core", "plugins/dialects/haas/a.cpp", "#include \"core/nc/parser.h\"",
             "plugins may not use core/nc");
+        row("a file that is handed out names its neighbour", "plugins/devices/open_stylus/firmware/a.c",
+            "#include \"open_stylus.h\"", "");
+        row("a file that is handed out names our tree", "plugins/devices/open_stylus/firmware/a.c",
+            "#include \"core/device/stylus.h\"", "what is handed out stands alone");
         row("a name from nowhere", "core/nc/a.cpp", "#include \"parser.h\"", "our headers are named from the root");
         row("a library from nowhere", "core/utils/a.cpp", "#include <vector>", "core/utils is not in the design");
         row("a comment includes nothing", "core/base/a.cpp", "// #include <QString>", "");

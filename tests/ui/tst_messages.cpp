@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/device/device_fault.h"
 #include "ui/messages/messages.h"
 
 #include <QDir>
@@ -136,6 +137,19 @@ private slots:
         const InGerman german;
         QCOMPARE(Messages::text(smooth), QStringLiteral("Glätten"));
         QVERIFY(Messages::sentence(error).contains(QStringLiteral("Aufzeichnung")));
+    }
+
+    void whatADeviceReportsIsTranslated() {
+        for (std::size_t i = 0; i < deviceFaultCount; ++i) {
+            const Error error = errorOf(static_cast<DeviceFault>(i), "Mine");
+            const QString english = Messages::sentence(error);
+            QVERIFY2(english.contains(QString::fromStdString(error.detail)), qPrintable(english));
+            const InGerman german;
+            QVERIFY(german.loaded());
+            const QString translated = Messages::sentence(error);
+            QVERIFY2(error.detail.empty() || !translated.contains(QString::fromStdString(error.detail)),
+                     qPrintable(translated));
+        }
     }
 
     void theLanguageOfTheUserIsInstalled() {

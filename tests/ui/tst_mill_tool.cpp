@@ -83,7 +83,7 @@ class TestMillTool : public QObject {
 
 private slots:
     void init() {
-        stylus_ = std::make_unique<MouseStylus>(glm::dvec3(0.0, 0.0, 40.0));
+        stylus_ = std::make_unique<SimulatedStylus>(glm::dvec3(0.0, 0.0, 40.0));
         (void)stylus_->open();
         tool_ = std::make_unique<MillTool>(*stylus_, slimTool(), [] { return workpiece(); });
         time_ = 0.0;
@@ -289,7 +289,7 @@ private:
         return tip;
     }
 
-    std::unique_ptr<MouseStylus> stylus_;
+    std::unique_ptr<SimulatedStylus> stylus_;
     std::unique_ptr<MillTool> tool_;
     double time_ = 0.0;
     bool cutting_ = false;

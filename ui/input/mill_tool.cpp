@@ -27,7 +27,7 @@ Box reachOf(const VolumeSnapshot& workpiece, const Cutter& cutter) {
 
 } // namespace
 
-MillTool::MillTool(MouseStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view, QObject* parent)
+MillTool::MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view, QObject* parent)
     : QObject(parent), stylus_(stylus), tool_(tool), view_(std::move(view)), target_(stylus.tip()) {
     settling_.setSingleShot(true);
     settling_.setInterval(settlingInterval);

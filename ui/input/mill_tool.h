@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/device/simulated_stylus.h"
 #include "core/tool/tool.h"
 #include "core/volume/run_volume.h"
 #include "ui/input/fine_pointer.h"
-#include "ui/input/mouse_stylus.h"
 #include "ui/scene/interactive_tool.h"
 
 #include <QObject>
@@ -40,7 +40,8 @@ class MillTool final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
     /// @param view gives the newest workpiece, for the depth under the pointer; asked often, cheap
-    MillTool(MouseStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view, QObject* parent = nullptr);
+    MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view,
+             QObject* parent = nullptr);
 
     void setSettings(const MillToolSettings& settings);
     const MillToolSettings& settings() const noexcept { return settings_; }
@@ -71,7 +72,7 @@ private:
     void step(const glm::dvec3& way);
     void toggleSpindle();
 
-    MouseStylus& stylus_;
+    SimulatedStylus& stylus_;
     Tool tool_;
     std::function<VolumeSnapshot()> view_;
     MillToolSettings settings_;

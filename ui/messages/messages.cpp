@@ -87,7 +87,18 @@ QString Messages::sentence(const Error& error) {
         return tr("The device \"%1\" was not found; check its cable and its driver.").arg(subject);
     case ErrorCode::deviceFault:
         return tr("The device \"%1\" reports a fault (%2); its forces are off until you connect it again.")
-            .arg(subject, detail);
+            .arg(subject, error.detail.empty() ? detail : deviceReasonText(error.detail));
+    case ErrorCode::deviceUnplugged:
+        return tr("The device \"%1\" was unplugged, so its forces are off; plug it in again to go on.").arg(subject);
+    case ErrorCode::deviceStopped:
+        return tr("The device \"%1\" has its forces off for now (%2); they fade in again when that is over.")
+            .arg(subject, error.detail.empty() ? detail : deviceReasonText(error.detail));
+    case ErrorCode::deviceNotAllowed:
+        return tr("You have no right to use the device \"%1\" (%2); install Burin's udev rule and plug it in again.")
+            .arg(subject, place);
+    case ErrorCode::deviceIncompatible:
+        return tr("The device \"%1\" speaks version %2 of its protocol, but this Burin needs %3; update its firmware.")
+            .arg(subject, place, detail);
     case ErrorCode::traceInvalid:
         return tr("The trace \"%1\" can't be used (%2); correct it or record it again.").arg(file, place);
     case ErrorCode::projectNotBurin:

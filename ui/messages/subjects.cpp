@@ -54,6 +54,10 @@ QString subjectText(const std::string& subject) {
     return QString::fromStdString(subject);
 }
 
+QString deviceReasonText(const std::string& reason) {
+    return QCoreApplication::translate("DeviceReason", reason.c_str());
+}
+
 QString ownerText(const std::string& owner) {
     const QString text = QString::fromStdString(owner);
     const QString start = QStringLiteral("process ");

@@ -11,6 +11,10 @@ namespace burin {
 /// names that somebody gave stay as they are.
 QString subjectText(const std::string& subject);
 
+/// What a device reports (reasons of core/device/device_fault.h), in the language of the user interface; other text
+/// stays as it is.
+QString deviceReasonText(const std::string& reason);
+
 /// "process 4711", as the project names the owner of a lock, in the language of the user interface.
 QString ownerText(const std::string& owner);
 

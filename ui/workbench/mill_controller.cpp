@@ -51,8 +51,8 @@ void MillController::enter() {
     entering_ = true;
     const Bench& bench = *bench_.bench();
     const glm::dvec3 centre = bench.setup.stock.centre();
-    auto stylus = std::make_unique<MouseStylus>(glm::dvec3(centre.x, centre.y, bench.safeHeight()));
-    MouseStylus* mouse = stylus.get();
+    auto stylus = std::make_unique<SimulatedStylus>(glm::dvec3(centre.x, centre.y, bench.safeHeight()));
+    SimulatedStylus* mouse = stylus.get();
     session_.begin({bench_.bench(), bench_.field(), &bench_.strokes()}, std::move(stylus), request(),
                    [this, mouse](bool begun) {
                        entering_ = false;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/input/mouse_stylus.h"
+#include "core/device/simulated_stylus.h"
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/session_runner.h"
 
@@ -16,8 +16,8 @@ class MillController final : public Controller {
 public:
     MillController(const Desk& desk, BenchController& bench, SessionRunner& session, QObject* parent);
 
-    bool active() const noexcept { return mouse_ != nullptr; } ///< mill mode
-    MouseStylus* stylus() const noexcept { return mouse_; }    ///< null outside mill mode; the session owns it
+    bool active() const noexcept { return mouse_ != nullptr; }  ///< mill mode
+    SimulatedStylus* stylus() const noexcept { return mouse_; } ///< null outside mill mode; the session owns it
     bool recording() const noexcept { return session_.running() && session_.state().recording; }
     double allowance() const noexcept { return allowance_; } ///< mm
     const std::vector<TakeInfo>& takes() const noexcept { return takes_; }
@@ -53,7 +53,7 @@ private:
 
     BenchController& bench_;
     SessionRunner& session_;
-    MouseStylus* mouse_ = nullptr;
+    SimulatedStylus* mouse_ = nullptr;
     bool entering_ = false, startingRecording_ = false, recordOnceEntered_ = false;
     double allowance_ = 0.0;
     std::vector<TakeInfo> takes_;

@@ -19,11 +19,11 @@ inline constexpr double floorHeight = -10.0; ///< mm, top of the protected part
 inline StylusDescription desktopStylus() {
     StylusDescription stylus;
     stylus.name = "desktop";
-    stylus.actuated = true;
-    stylus.maximumForce = 4.0;
-    stylus.maximumStiffness = 400.0;
-    stylus.maximumDamping = 4.0;
-    stylus.workspaceRadius = 80.0;
+    stylus.actuated = {3, 0};
+    stylus.maximumForce = {4.0, "made up"};
+    stylus.maximumStiffness = {400.0, "made up"};
+    stylus.maximumDamping = {4.0, "made up"};
+    stylus.workspaceRadius = {80.0, "made up"};
     return stylus;
 }
 

@@ -20,9 +20,9 @@ constexpr int contacts = 10;
 /// hand as a mass on a spring and a damper, the position read in encoder steps.
 double energyGivenToTheHand(double maximumDamping, double stiffness) {
     HapticSettings settings = Bench::settings();
-    settings.stylus.maximumStiffness = stiffness;
-    settings.stylus.maximumDamping = maximumDamping;
-    settings.stylus.maximumForce = 100.0;
+    settings.stylus.maximumStiffness.value = stiffness;
+    settings.stylus.maximumDamping.value = maximumDamping;
+    settings.stylus.maximumForce.value = 100.0;
     Bench bench(settings, ballTool(), stockOnPart(0, false));
     constexpr double mass = 0.1, handStiffness = 100.0, handDamping = 0.5, encoder = 0.055; // kg, N/m, N·s/m, mm
     constexpr int substeps = 20;
@@ -56,7 +56,7 @@ private slots:
         std::mt19937_64 random(20260725);
         std::uniform_real_distribution<double> unit(-1.0, 1.0);
         std::uniform_int_distribution<int> kind(0, 999);
-        const double largest = settings.forceShare * settings.stylus.maximumForce;
+        const double largest = settings.forceShare * settings.stylus.maximumForce.value;
         // The ramp's own slope comes on top of the slew limit: at most 1.5 of its share of a tick.
         const double slope = 1.5 * period / settings.rampSeconds * largest;
         const double rise = std::max(0.15, 320.0 * 0.5 * period) + slope, fall = 3.0 * rise;

@@ -23,7 +23,7 @@ std::vector<StylusState> play(Stylus& stylus, const Force& force = noForce) {
     std::vector<StylusState> states;
     for (int tick = 0; tick < 100000 && !stylus.finished(); ++tick) {
         states.push_back(stylus.read(tick * 0.001));
-        stylus.write(force(states.back().pose.position));
+        stylus.write({force(states.back().pose.position)});
     }
     return states;
 }
@@ -281,7 +281,7 @@ void OperatorTest::forcesBeyondTheDeviceOrNotFiniteDoNoHarm() {
     for (int tick = 0; tick < 2000; ++tick) {
         const StylusState state = hand.read(tick * 0.001);
         QVERIFY(isFinite(state.pose.position));
-        hand.write(tick < 1000 ? glm::dvec3(1e9, 0, 0) : glm::dvec3(std::nan(""), 0, 0));
+        hand.write({tick < 1000 ? glm::dvec3(1e9, 0, 0) : glm::dvec3(std::nan(""), 0, 0)});
         if (tick == 999) QVERIFY(std::abs(state.pose.position.x - 1000.0 * 3.3 / 600.0) < 1e-3); // 3.3 N, no more
         if (tick == 1999) QVERIFY(std::abs(state.pose.position.x) < 1e-3);
     }
@@ -306,7 +306,7 @@ void OperatorTest::mappingLaysTheRegionIntoTheWorkspace() {
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 place((corner & 1) ? region.high.x : region.low.x, (corner & 2) ? region.high.y : region.low.y,
                                (corner & 4) ? region.high.z : region.low.z);
-        QVERIFY(glm::length(mapping.toDevice(place)) <= 0.9 * stylus.workspaceRadius + 1e-9);
+        QVERIFY(glm::length(mapping.toDevice(place)) <= 0.9 * stylus.workspaceRadius.value + 1e-9);
         QVERIFY(glm::length(mapping.toSetup(mapping.toDevice(place)) - place) < 1e-9);
     }
     QCOMPARE(mappingFor({{0, 0, 0}, {1, 1, 1}}, stylus).scale, 0.25);

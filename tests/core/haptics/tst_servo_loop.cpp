@@ -29,9 +29,9 @@ public:
         state.valid = true;
         return state;
     }
-    void write(const glm::dvec3& force) noexcept override {
-        lastForce = force;
-        largestForce = std::max(largestForce, glm::length(force));
+    void write(const Wrench& wrench) noexcept override {
+        lastForce = wrench.force;
+        largestForce = std::max(largestForce, glm::length(wrench.force));
         ++writes;
     }
     bool finished() const noexcept override { return lastTime >= endTime_; }

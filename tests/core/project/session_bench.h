@@ -75,12 +75,12 @@ public:
     StylusDescription description() const override {
         StylusDescription stylus;
         stylus.name = "stroke hand";
-        stylus.actuated = true;
-        stylus.maximumForce = 3.0;
-        stylus.maximumStiffness = 400.0;
-        stylus.maximumDamping = 3.0;
-        stylus.workspaceRadius = 100.0;
-        stylus.maximumSpeed = 2000.0;
+        stylus.actuated = {3, 0};
+        stylus.maximumForce = {3.0, "made up"};
+        stylus.maximumStiffness = {400.0, "made up"};
+        stylus.maximumDamping = {3.0, "made up"};
+        stylus.workspaceRadius = {100.0, "made up"};
+        stylus.maximumSpeed = {2000.0, "made up"};
         return stylus;
     }
     Result<void> open() override { return {}; }
@@ -100,8 +100,8 @@ public:
         }
         return state;
     }
-    void write(const glm::dvec3& force) noexcept override {
-        largestForce_ = std::max(largestForce_, glm::length(force));
+    void write(const Wrench& wrench) noexcept override {
+        largestForce_ = std::max(largestForce_, glm::length(wrench.force));
     }
     bool finished() const noexcept override { return finishAfter_ > 0 && done_.load() >= finishAfter_; }
     void close() noexcept override { closed_ = true; }

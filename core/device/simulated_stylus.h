@@ -12,7 +12,7 @@ namespace burin {
 /// Where the mouse or the keyboard wants the tool.
 struct StylusTarget {
     glm::dvec3 tip{0.0};         ///< mm, setup frame
-    double maximumSpeed = 400.0; ///< mm/s on the way there, at most MouseStylus::maximumSpeed
+    double maximumSpeed = 400.0; ///< mm/s on the way there, at most SimulatedStylus::maximumSpeed
     bool cutting = false;        ///< first button: the spindle turns
     /// mm, z: with this height or more the way to a stroke's start is clear. Read from a stroke's first target only;
     /// the height of the newest target that doesn't cut counts as well.
@@ -30,7 +30,7 @@ struct StylusTarget {
 /// before anything else. A stroke that is taken back before its start was reached never presses the button.
 ///
 /// Thread: `wish` and `tip` the user interface's, the rest the haptic loop's. No lock, no allocation.
-class MouseStylus final : public Stylus {
+class SimulatedStylus final : public Stylus {
 public:
     static constexpr double maximumSpeed = 400.0;  ///< mm/s, never exceeded
     static constexpr double acceleration = 6000.0; ///< mm/s², never exceeded but for the last 0.1 mm/s before rest
@@ -39,7 +39,7 @@ public:
     static constexpr double clearance = 1.5;
 
     /// @param start where the tip is first, mm, setup frame; clear of everything
-    explicit MouseStylus(const glm::dvec3& start);
+    explicit SimulatedStylus(const glm::dvec3& start);
 
     /// The newest one counts.
     void wish(const StylusTarget& target) noexcept;
@@ -51,7 +51,7 @@ public:
     /// @param time s; goes on in steps of at most 10 ms, however late the reading is
     StylusState read(double time) noexcept override;
     /// A mouse has no motors: the force is for the eye alone.
-    void write(const glm::dvec3& force) noexcept override;
+    void write(const Wrench& wrench) noexcept override;
     void close() noexcept override;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/input/mouse_stylus.h"
+#include "core/device/simulated_stylus.h"
 
 #include "core/base/text.h"
 #include "core/base/units.h"
@@ -21,9 +21,9 @@ constexpr double near = 0.02;           // mm: counts as there, on the way to a 
 /// Fastest speed at a distance from the goal from which braking still ends there: proportional to the distance near
 /// it, along the parabola of constant braking farther off.
 double approachSpeed(double distance) {
-    constexpr double braking = brakingShare * MouseStylus::acceleration;
-    constexpr double linear = braking * MouseStylus::lag * MouseStylus::lag;
-    if (distance <= linear) return distance / MouseStylus::lag;
+    constexpr double braking = brakingShare * SimulatedStylus::acceleration;
+    constexpr double linear = braking * SimulatedStylus::lag * SimulatedStylus::lag;
+    if (distance <= linear) return distance / SimulatedStylus::lag;
     return std::sqrt(2.0 * braking * (distance - 0.5 * linear));
 }
 
@@ -33,42 +33,44 @@ double lateralDistance(const glm::dvec3& a, const glm::dvec3& b) {
 
 } // namespace
 
-MouseStylus::MouseStylus(const glm::dvec3& start) : shownTip_(start), tip_(start), hoverHeight_(start.z) {
+SimulatedStylus::SimulatedStylus(const glm::dvec3& start) : shownTip_(start), tip_(start), hoverHeight_(start.z) {
     target_.tip = start;
 }
 
-void MouseStylus::wish(const StylusTarget& target) noexcept {
+void SimulatedStylus::wish(const StylusTarget& target) noexcept {
     wishes_.post(target);
 }
 
-glm::dvec3 MouseStylus::tip() noexcept {
+glm::dvec3 SimulatedStylus::tip() noexcept {
     places_.take(shownTip_);
     return shownTip_;
 }
 
-StylusDescription MouseStylus::description() const {
+StylusDescription SimulatedStylus::description() const {
     StylusDescription stylus;
     stylus.name = BURIN_TEXT("Device", "Mouse").text;
-    stylus.source = BURIN_TEXT("Device", "simulated: no force is felt; figures of a 3D Systems Touch (CHAI3D device "
-                                         "table) scale the force that is shown")
-                        .text;
-    stylus.actuated = true;
-    stylus.maximumForce = 3.3;
-    stylus.maximumStiffness = 400.0;
-    stylus.maximumDamping = 4.0;
-    stylus.workspaceRadius = 5000.0; // the whole bench: positions are the setup's own
-    stylus.maximumSpeed = 2.5 * maximumSpeed;
+    const std::string touch = BURIN_TEXT("Device", "simulated: no force is felt; figures of a 3D Systems Touch (CHAI3D "
+                                                   "device table) scale the force that is shown")
+                                  .text;
+    const std::string own = "simulated: the whole bench, its positions are the setup's own";
+    stylus.actuated = {3, 0};
+    stylus.buttons = 1;
+    stylus.maximumForce = {3.3, touch};
+    stylus.maximumStiffness = {400.0, touch};
+    stylus.maximumDamping = {4.0, touch};
+    stylus.workspaceRadius = {5000.0, own};
+    stylus.maximumSpeed = {2.5 * maximumSpeed, own};
     return stylus;
 }
 
-Result<void> MouseStylus::open() {
+Result<void> SimulatedStylus::open() {
     lastTime_.reset();
     velocity_ = glm::dvec3(0.0);
     phase_ = Phase::hover;
     return {};
 }
 
-void MouseStylus::takeWish() noexcept {
+void SimulatedStylus::takeWish() noexcept {
     if (!wishes_.take(target_)) return;
     target_.maximumSpeed = std::clamp(target_.maximumSpeed, 0.0, maximumSpeed);
     if (!target_.cutting) {
@@ -82,13 +84,13 @@ void MouseStylus::takeWish() noexcept {
 }
 
 /// Over a place at a height that is clear, or on the way up to that height.
-glm::dvec3 MouseStylus::above(const glm::dvec3& place) const noexcept {
+glm::dvec3 SimulatedStylus::above(const glm::dvec3& place) const noexcept {
     const double height = std::max(place.z, hoverHeight_);
     if (tip_.z < height - clearance) return {tip_.x, tip_.y, height};
     return {place.x, place.y, std::max(height, tip_.z)};
 }
 
-glm::dvec3 MouseStylus::goal() const noexcept {
+glm::dvec3 SimulatedStylus::goal() const noexcept {
     switch (phase_) {
     case Phase::hover:
         return lateralDistance(tip_, target_.tip) > near ? above(target_.tip) : target_.tip;
@@ -102,13 +104,13 @@ glm::dvec3 MouseStylus::goal() const noexcept {
     return target_.tip;
 }
 
-void MouseStylus::changePhase() noexcept {
+void SimulatedStylus::changePhase() noexcept {
     const bool still = glm::length(velocity_) < 20.0 * restSpeed;
     if (phase_ == Phase::approach && still && lateralDistance(tip_, strokeStart_) < near) phase_ = Phase::plunge;
     if (phase_ == Phase::plunge && still && glm::length(tip_ - strokeStart_) < near) phase_ = Phase::follow;
 }
 
-void MouseStylus::step(double seconds) noexcept {
+void SimulatedStylus::step(double seconds) noexcept {
     const glm::dvec3 way = goal() - tip_;
     const double distance = glm::length(way);
     if (distance < restDistance && glm::length(velocity_) < restSpeed) {
@@ -123,7 +125,7 @@ void MouseStylus::step(double seconds) noexcept {
     changePhase();
 }
 
-StylusState MouseStylus::read(double time) noexcept {
+StylusState SimulatedStylus::read(double time) noexcept {
     takeWish();
     double gap = lastTime_ ? std::clamp(time - *lastTime_, 0.0, longestGap) : 0.0;
     lastTime_ = time;
@@ -137,7 +139,7 @@ StylusState MouseStylus::read(double time) noexcept {
     return state;
 }
 
-void MouseStylus::write(const glm::dvec3& /*force*/) noexcept {}
-void MouseStylus::close() noexcept {}
+void SimulatedStylus::write(const Wrench& /*wrench*/) noexcept {}
+void SimulatedStylus::close() noexcept {}
 
 } // namespace burin

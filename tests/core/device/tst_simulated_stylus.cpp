@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/device/simulated_stylus.h"
 #include "core/haptics/reading_guard.h"
-#include "ui/input/mouse_stylus.h"
 
 #include <QTest>
 
@@ -36,7 +36,7 @@ public:
         for (int i = 0; i < ticks; ++i) way.push_back(now());
         return way;
     }
-    MouseStylus stylus;
+    SimulatedStylus stylus;
     double time = 0.0;
 };
 
@@ -71,7 +71,7 @@ std::vector<Tick> runWild(unsigned seed) {
 
 } // namespace
 
-class TestMouseStylus : public QObject {
+class TestSimulatedStylus : public QObject {
     Q_OBJECT
 
 private slots:
@@ -89,9 +89,9 @@ private slots:
             glm::dvec3 before(0.0), last(0.0, 0.0, 30.0);
             for (const Tick& tick : way) {
                 const glm::dvec3 velocity = (tick.tip - last) / period;
-                QVERIFY(glm::length(velocity) <= MouseStylus::maximumSpeed * 1.000001);
+                QVERIFY(glm::length(velocity) <= SimulatedStylus::maximumSpeed * 1.000001);
                 // 0.5 µm and 0.1 mm/s may go at once when the tip comes to rest.
-                QVERIFY(glm::length(velocity - before) <= MouseStylus::acceleration * period + 0.6);
+                QVERIFY(glm::length(velocity - before) <= SimulatedStylus::acceleration * period + 0.6);
                 before = velocity;
                 last = tick.tip;
             }
@@ -167,7 +167,8 @@ private slots:
         Hand hand({0.0, 0.0, 5.0});
         hand.stylus.wish({.tip = start, .cutting = true, .clearHeight = 30.0});
         for (const Tick& tick : hand.run(3000))
-            if (tick.tip.x > 0.05 && tick.tip.x < 39.95) QVERIFY(tick.tip.z >= 30.0 - MouseStylus::clearance - 1e-6);
+            if (tick.tip.x > 0.05 && tick.tip.x < 39.95)
+                QVERIFY(tick.tip.z >= 30.0 - SimulatedStylus::clearance - 1e-6);
         QCOMPARE(hand.now().tip, start);
     }
 
@@ -178,7 +179,7 @@ private slots:
         hand.stylus.wish({.tip = {30.0, 0.0, 20.0}});
         for (const Tick& tick : hand.run(1500)) {
             QVERIFY(!tick.cutting);
-            if (tick.tip.z < 20.0 - MouseStylus::clearance) QVERIFY(std::abs(tick.tip.x) < 1e-9);
+            if (tick.tip.z < 20.0 - SimulatedStylus::clearance) QVERIFY(std::abs(tick.tip.x) < 1e-9);
         }
         QCOMPARE(hand.now().tip, glm::dvec3(30.0, 0.0, 20.0));
     }
@@ -193,7 +194,7 @@ private slots:
 
     /// What judges every reading must never take this stylus for faulty, late ticks included.
     void theReadingGuardTrustsIt() {
-        MouseStylus stylus({0.0, 0.0, 30.0});
+        SimulatedStylus stylus({0.0, 0.0, 30.0});
         ReadingGuard guard(stylus.description(), period);
         const auto targets = wildTargets(4);
         double time = 0.0;
@@ -222,5 +223,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMouseStylus)
-#include "tst_mouse_stylus.moc"
+QTEST_APPLESS_MAIN(TestSimulatedStylus)
+#include "tst_simulated_stylus.moc"

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/device/device_registry.h"
+
+#include "core/base/plugin_library.h"
+#include "core/device/simulated_stylus.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+constexpr PluginKind devicePlugin{"device", "devices", DeviceDriver::interfaceVersion, {}};
+
+Error invalid(const std::string& origin, std::string detail) {
+    return {ErrorCode::pluginInvalid, origin, {}, std::move(detail)};
+}
+
+class SimulatedDriver final : public DeviceDriver {
+public:
+    std::vector<FoundDevice> find() override { return {{{}, SimulatedStylus(origin).description().name, {}}}; }
+    Result<AnyStylus> make(const std::string& id, const std::string& mode) override {
+        if (!id.empty()) return Error{ErrorCode::deviceNotFound, id, {}, {}};
+        if (!mode.empty()) return Error{ErrorCode::nameUnknown, "stylus", mode, {}};
+        return AnyStylus(std::make_unique<SimulatedStylus>(origin));
+    }
+
+private:
+    static constexpr glm::dvec3 origin{0.0};
+};
+
+/// A fault of foreign code must not pass our border.
+template <class Answer, class Call>
+Result<Answer> guarded(const std::string& origin, const Call& call) {
+    try {
+        return call();
+    } catch (const std::exception& fault) {
+        return invalid(origin, std::string("it threw: ") + fault.what());
+    } catch (...) {
+        return invalid(origin, "it threw");
+    }
+}
+
+Result<std::unique_ptr<DeviceDriver>> createDriver(const PluginDescription& plugin, DeviceHost& host) {
+    const Result<void*> symbol = loadPlugin(devicePlugin, plugin, deviceEntryPoint);
+    if (!symbol) return symbol.error();
+    const auto function = reinterpret_cast<CreateDeviceDriver>(*symbol); // POSIX: dlsym gives functions as void*
+    auto driver = guarded<std::unique_ptr<DeviceDriver>>(
+        plugin.library.string(), [&]() { return std::unique_ptr<DeviceDriver>(function(host)); });
+    if (driver && *driver == nullptr) return invalid(plugin.library.string(), "its entry point gave nothing");
+    return driver;
+}
+
+StylusDevice* deviceOf(const AnyStylus& stylus) {
+    return std::visit([](const auto& held) -> StylusDevice* { return held.get(); }, stylus);
+}
+
+} // namespace
+
+DeviceRegistry::DeviceRegistry(const std::filesystem::path& folder) {
+    entries_.push_back({simulatedDevice, simulatedDevice, std::make_unique<SimulatedDriver>()});
+    load(folder);
+}
+
+void DeviceRegistry::load(const std::filesystem::path& folder) {
+    const auto plugins = findPlugins(devicePlugin, folder, &faults_);
+    if (!plugins) {
+        if (plugins.error().code != ErrorCode::fileNotFound) faults_.push_back(plugins.error());
+        return;
+    }
+    for (const PluginDescription& plugin : *plugins) {
+        auto driver = createDriver(plugin, host_);
+        if (driver)
+            entries_.push_back({plugin.id, plugin.library.string(), std::move(*driver)});
+        else
+            faults_.push_back(std::move(driver).error());
+    }
+}
+
+void DeviceRegistry::add(std::string id, std::unique_ptr<DeviceDriver> driver) {
+    const std::lock_guard turn(turn_);
+    entries_.push_back({id, id, std::move(driver)});
+}
+
+std::vector<FoundDevice> DeviceRegistry::findWith(Entry& entry) {
+    auto devices = guarded<std::vector<FoundDevice>>(entry.origin, [&]() { return entry.driver->find(); });
+    if (!devices) {
+        faults_.push_back(std::move(devices).error());
+        return {};
+    }
+    for (FoundDevice& device : *devices) device.id = device.id.empty() ? entry.id : entry.id + ":" + device.id;
+    return std::move(*devices);
+}
+
+std::vector<FoundDevice> DeviceRegistry::scan() {
+    const std::lock_guard turn(turn_);
+    std::vector<FoundDevice> all;
+    for (Entry& entry : entries_)
+        for (FoundDevice& device : findWith(entry)) all.push_back(std::move(device));
+    return all;
+}
+
+Result<AnyStylus> DeviceRegistry::make(const std::string& id, const std::string& mode) {
+    const std::lock_guard turn(turn_);
+    const std::string driver = id.substr(0, id.find(':'));
+    const auto entry = std::ranges::find(entries_, driver, &Entry::id);
+    if (entry == entries_.end()) return Error{ErrorCode::deviceNotFound, id, {}, {}};
+    const std::string within = driver.size() == id.size() ? std::string() : id.substr(driver.size() + 1);
+    auto made = guarded<AnyStylus>(entry->origin, [&]() { return entry->driver->make(within, mode); });
+    if (!made) return made;
+    StylusDevice* device = deviceOf(*made);
+    if (device == nullptr) return invalid(entry->origin, "it made nothing");
+    const Result<void> checked = checkDescription(device->description());
+    if (!checked) return invalid(entry->origin, checked.error().place + ": " + checked.error().detail);
+    return made;
+}
+
+std::vector<Error> DeviceRegistry::takeFaults() {
+    const std::lock_guard turn(turn_);
+    return std::exchange(faults_, {});
+}
+
+} // namespace burin

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "plugins/devices/hid/hid_bus.h"
+
+#include <memory>
+
+namespace burin::openstylus {
+
+/// Finds the devices of the open stylus protocol on a bus. The bus lives as long as the driver, and the driver outlives
+/// what it makes.
+std::unique_ptr<DeviceDriver> makeDriver(std::unique_ptr<hid::Bus> bus);
+
+} // namespace burin::openstylus

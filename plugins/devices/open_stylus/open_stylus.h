@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/stylus.h"
+#include "plugins/devices/hid/hid_bus.h"
+#include "plugins/devices/open_stylus/exchange.h"
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace burin::openstylus {
+
+/// Whether an interface speaks the protocol, as far as its descriptor tells.
+bool speaksProtocol(const hid::DeviceInfo& device);
+
+/// What the device of a port says of itself. Errors: deviceFault (no answer, a damaged one, figures out of range),
+/// deviceIncompatible. Allocates; takes as long as the device.
+Result<Identity> identify(hid::Port& port, const std::string& name);
+
+/// A device of the open stylus protocol. Its thread waits for each input report, calls the client, and answers with an
+/// output report: the device's own clock paces the loop. When the device is gone it looks for the same one (id, same
+/// identity) twice a second, and goes on with it.
+///
+/// Thread: as SelfPacedStylus says. Between two connections the device's thread allocates and locks (enumeration); in a
+/// connection it does not, but for what hidapi does in a call that fails, the last one of a connection.
+class OpenStylus final : public SelfPacedStylus {
+public:
+    static constexpr int silentPeriods = 3;       ///< until missing readings count as silence
+    static constexpr double faultySilence = 0.05; ///< s; from then on it is a fault
+    static constexpr double lookEvery = 0.5;      ///< s
+
+    /// @param port connected already; @param id of idOf, by which it is found again
+    OpenStylus(hid::Bus& bus, std::unique_ptr<hid::Port> port, const Identity& identity, std::string id,
+               std::string name);
+    ~OpenStylus() override { stop(); }
+    OpenStylus(const OpenStylus&) = delete;
+    OpenStylus& operator=(const OpenStylus&) = delete;
+
+    StylusDescription description() const override { return descriptionOf(identity_, name_); }
+    Result<void> open() override { return {}; } ///< it is connected since it was made
+    void close() noexcept override { stop(); }
+    std::optional<Error> takeFault() override;
+    DeviceHealth health() const noexcept override;
+    /// Errors: argumentInvalid (it was started already), outOfMemory.
+    Result<void> start(StylusClient& client) override;
+    void stop() noexcept override;
+
+private:
+    void run(StylusClient& client) noexcept;
+    bool exchangeOnce(StylusClient& client) noexcept;
+    bool receive(double longest) noexcept;
+    void tellSilence(StylusClient& client) noexcept;
+    void waitForDevice(StylusClient& client) noexcept;
+    void look() noexcept;
+    bool runs() const noexcept { return !stop_.load(std::memory_order_relaxed); }
+
+    hid::Bus& bus_;
+    std::unique_ptr<hid::Port> port_; ///< the device's thread while it runs
+    Identity identity_;
+    std::string id_, name_;
+    Exchange exchange_;
+    double silentAfter_;   ///< s
+    double heardAt_ = 0.0; ///< s, of the newest reading or the connection
+    double toldAt_ = 0.0;  ///< s, of the newest tick
+    bool silenceTold_ = false;
+    std::atomic<bool> connected_{true}, stop_{false};
+    std::thread thread_;
+};
+
+} // namespace burin::openstylus

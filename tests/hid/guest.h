@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace burin::test {
+
+/// One fact that the program in the virtual machine checks.
+struct GuestCheck {
+    std::string name;
+    void (*run)(); ///< throws Unmet
+};
+
+class Unmet : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// What the program writes: "hid figure NAME VALUE UNIT".
+void tellFigure(const std::string& name, double value, const std::string& unit);
+
+/// What a second process of this program does, started as "program ROLE". Its exit status.
+int runAs(const std::string& role);
+
+std::vector<GuestCheck> openStylusChecks();
+std::vector<GuestCheck> spaceMouseChecks();
+
+} // namespace burin::test
+
+#define BURIN_EXPECT(condition)                                                                                        \
+    if (!(condition))                                                                                                  \
+    throw ::burin::test::Unmet(std::string(__func__) + ":" + std::to_string(__LINE__) + ": " #condition)

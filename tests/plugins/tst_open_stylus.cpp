@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/device/resampled_stylus.h"
+#include "plugins/devices/open_stylus/driver.h"
+#include "plugins/devices/open_stylus/open_stylus.h"
+#include "tests/oracles/allocation_count.h"
+#include "tests/plugins/comes_true.h"
+#include "tests/plugins/running_board.h"
+#include "tests/plugins/scripted_bus.h"
+
+#include <QtTest>
+
+#include <chrono>
+#include <thread>
+
+using namespace burin;
+using namespace burin::openstylus;
+using test::Board;
+using test::comesTrue;
+using test::RunningBoard;
+using test::ScriptedBus;
+using test::Wall;
+using test::Wire;
+
+namespace {
+
+hid::DeviceInfo board(const char* serial = "0001") {
+    hid::DeviceInfo info;
+    info.vendor = 0x1209;
+    info.product = 0x0001;
+    info.usagePage = usagePage;
+    info.usage = usage;
+    info.serial = serial;
+    info.name = "Open Stylus mine";
+    return info;
+}
+
+/// A running board on a scripted bus.
+class PluggedBoard : public RunningBoard {
+public:
+    explicit PluggedBoard(ScriptedBus& bus, const open_stylus_limits& limits = Board::limits())
+        : RunningBoard([this](const Board::Report& report) { return wire_->send(report); }, limits)
+        , wire_(bus.plug(board(), [this] { return feature(); })) {
+        wire_->onOutput([this](const Board::Report& report) { deliver(report); });
+        start();
+    }
+    ~PluggedBoard() {
+        stop();
+        wire_->cut();
+    }
+    PluggedBoard(const PluggedBoard&) = delete;
+    PluggedBoard& operator=(const PluggedBoard&) = delete;
+
+private:
+    std::shared_ptr<Wire> wire_;
+};
+
+/// A port that allocates nothing itself: plays what a board sent once, and swallows what it is sent.
+class PlayedPort final : public hid::Port {
+public:
+    PlayedPort() {
+        std::vector<Board::Report> sent;
+        Board source([&sent](const Board::Report& report) {
+            sent.push_back(report);
+            return true;
+        });
+        for (std::uint16_t number = 1; number <= reports_.size(); ++number) {
+            const auto wrench = encodeOutput({number, 0, number > 1, {}});
+            source.receive({wrench.begin(), wrench.end()});
+            source.step();
+            std::ranges::copy(sent.back(), reports_[number - 1U].begin());
+        }
+    }
+    int read(std::span<std::uint8_t> bytes, int milliseconds) noexcept override {
+        if (milliseconds == 0) return 0; // one at a time
+        if (next_ == reports_.size()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+            return 0;
+        }
+        std::ranges::copy(reports_[next_++], bytes.begin());
+        return static_cast<int>(inputSize);
+    }
+    bool write(std::span<const std::uint8_t>) noexcept override { return true; }
+    int feature(std::span<std::uint8_t>) noexcept override { return -1; }
+
+private:
+    std::array<std::array<std::uint8_t, inputSize>, 500> reports_{};
+    std::size_t next_ = 0;
+};
+
+/// Notes how often the program has allocated, at some of its ticks.
+class Counter final : public StylusClient {
+public:
+    Wrench tick(const StylusState& state) noexcept override {
+        if (state.valid) ++valid;
+        if (valid == 100) early = allocationCount.load();
+        if (valid == 400) late = allocationCount.load();
+        return {{1.0, 0.0, 0.0}, {}};
+    }
+    std::atomic<int> valid{0};
+    std::atomic<std::size_t> early{0}, late{0};
+};
+
+struct Fixture {
+    Fixture() : plugged(std::make_unique<PluggedBoard>(bus())), driver(makeDriver(std::move(ownedBus_))) {}
+    ScriptedBus& bus() { return *bus_; }
+    std::unique_ptr<SelfPacedStylus> make() {
+        auto made = driver->make("1209:0001:0001", {});
+        if (!made) return nullptr;
+        return std::move(std::get<std::unique_ptr<SelfPacedStylus>>(*made));
+    }
+
+private:
+    std::unique_ptr<ScriptedBus> ownedBus_ = std::make_unique<ScriptedBus>();
+    ScriptedBus* bus_ = ownedBus_.get();
+
+public:
+    std::unique_ptr<PluggedBoard> plugged;
+    std::unique_ptr<DeviceDriver> driver;
+};
+
+std::vector<ErrorCode> codesOf(StylusDevice& stylus) {
+    std::vector<ErrorCode> codes;
+    while (const auto fault = stylus.takeFault()) codes.push_back(fault->code);
+    return codes;
+}
+
+} // namespace
+
+class TestOpenStylus : public QObject {
+    Q_OBJECT
+private slots:
+    void itIsFoundByWhatItSpeaks() {
+        auto bus = std::make_unique<ScriptedBus>();
+        bus->plug(board());
+        hid::DeviceInfo mouse = board();
+        mouse.usagePage = 1;
+        mouse.usage = 2;
+        bus->plug(mouse);
+        bus->plug(board(""));
+        bus->plug(board(""));
+        const auto driver = makeDriver(std::move(bus));
+        const auto found = driver->find();
+        QCOMPARE(found.size(), std::size_t{3});
+        QCOMPARE(found[0].id, std::string("1209:0001:0001"));
+        QCOMPARE(found[0].name, std::string("Open Stylus mine"));
+        QCOMPARE(found[1].id, std::string("1209:0001"));
+        QCOMPARE(found[2].id, std::string("1209:0001#2"));
+    }
+
+    void itsLimitsComeFromItself() {
+        Fixture test;
+        const auto stylus = test.make();
+        QVERIFY(stylus);
+        const StylusDescription description = stylus->description();
+        QVERIFY(checkDescription(description));
+        QCOMPARE(description.maximumForce.value, 3.0);
+        QCOMPARE(description.actuated.rotations, 3);
+    }
+
+    void theHandFeelsTheWall() {
+        Fixture test;
+        Wall wall; // outlives the stylus, which calls it
+        const auto stylus = test.make();
+        QVERIFY(stylus->open());
+        QVERIFY(stylus->start(wall));
+        QVERIFY(!stylus->start(wall)); // once
+        QVERIFY(comesTrue([&] { return wall.valid > 0; }));
+        test.plugged->x = -10.0;
+        QVERIFY(comesTrue([&] { return test.plugged->force.load() == 1.0; }));
+        test.plugged->x = 5.0;
+        QVERIFY(comesTrue([&] { return test.plugged->force.load() == 0.0; }));
+        QVERIFY(stylus->health().connected);
+        QVERIFY(stylus->health().readings > 0);
+        stylus->stop();
+        QVERIFY(wall.ended && wall.oneThread && wall.timeRises);
+        QVERIFY(comesTrue([&] { return !test.plugged->motors.load(); }));
+    }
+
+    void unpluggedInMidStrokeItSaysSoAndGoesOnWhenItIsBack() {
+        Fixture test;
+        Wall wall; // outlives the stylus, which calls it
+        const auto stylus = test.make();
+        test.plugged->x = -10.0;
+        QVERIFY(stylus->start(wall));
+        QVERIFY(comesTrue([&] { return test.plugged->force.load() > 0.0; }));
+        codesOf(*stylus);
+        test.bus().unplugAll();
+        QVERIFY(comesTrue([&] { return !test.plugged->motors.load(); })); // its watchdog
+        QVERIFY(comesTrue([&] { return !stylus->health().connected; }));
+        QCOMPARE(codesOf(*stylus), std::vector{ErrorCode::deviceUnplugged});
+        const int invalid = wall.invalid;
+        QVERIFY(comesTrue([&] { return wall.invalid > invalid + 10; })); // the guards go on
+        test.plugged = std::make_unique<PluggedBoard>(test.bus());
+        test.plugged->x = -20.0;
+        QVERIFY(comesTrue([&] { return test.plugged->force.load() == 2.0; }));
+        QVERIFY(stylus->health().connected && wall.timeRises);
+        stylus->stop();
+    }
+
+    void anotherDeviceIsNotTakenForIt() {
+        Fixture test;
+        Wall wall; // outlives the stylus, which calls it
+        const auto stylus = test.make();
+        QVERIFY(stylus->start(wall));
+        QVERIFY(comesTrue([&] { return wall.valid > 0; }));
+        test.bus().unplugAll();
+        open_stylus_limits stronger = Board::limits();
+        stronger.maximum_force *= 2;
+        PluggedBoard other(test.bus(), stronger); // the same number, other limits
+        std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+        QVERIFY(!stylus->health().connected);
+        QVERIFY(!other.motors);
+    }
+
+    void aDeviceThatFallsSilentIsAFaultAndComesBack() {
+        Fixture test;
+        Wall wall; // outlives the stylus, which calls it
+        const auto stylus = test.make();
+        QVERIFY(stylus->start(wall));
+        QVERIFY(comesTrue([&] { return wall.valid > 0; }));
+        codesOf(*stylus);
+        const int invalid = wall.invalid;
+        test.plugged->silent = true;
+        QVERIFY(comesTrue([&] { return wall.invalid > invalid + 60; }));
+        QVERIFY(comesTrue([&] { return !codesOf(*stylus).empty(); }));
+        QVERIFY(stylus->health().connected);
+        const int valid = wall.valid;
+        test.plugged->silent = false;
+        QVERIFY(comesTrue([&] { return wall.valid > valid + 10; }));
+    }
+
+    void itsMotorsGoOffWhenItIsLetGo() {
+        Fixture test;
+        Wall wall; // outlives the stylus, which calls it
+        auto stylus = test.make();
+        QVERIFY(stylus->start(wall));
+        QVERIFY(comesTrue([&] { return test.plugged->motors.load(); }));
+        const int before = test.plugged->offs;
+        stylus.reset();
+        QVERIFY(comesTrue([&] { return !test.plugged->motors.load(); }));
+        QVERIFY(comesTrue([&] { return test.plugged->offs >= before + 3; }));
+    }
+
+    void whoMayNotUseItIsTold() {
+        Fixture test;
+        test.bus().forbid();
+        const auto made = test.driver->make("1209:0001:0001", {});
+        QVERIFY(!made);
+        QCOMPARE(made.error().code, ErrorCode::deviceNotAllowed);
+    }
+
+    void whatIsNoOpenStylusIsRefused_data() {
+        QTest::addColumn<int>("at");
+        QTest::addColumn<int>("value");
+        QTest::addColumn<ErrorCode>("code");
+        QTest::newRow("a later major version") << 1 << 2 << ErrorCode::deviceIncompatible;
+        QTest::newRow("no mark") << 4 << int{'x'} << ErrorCode::deviceFault;
+        QTest::newRow("damaged") << 30 << 99 << ErrorCode::deviceStopped;
+    }
+    void whatIsNoOpenStylusIsRefused() {
+        QFETCH(int, at);
+        QFETCH(int, value);
+        QFETCH(ErrorCode, code);
+        Board source([](const Board::Report&) { return true; });
+        Board::Report feature = source.feature();
+        feature[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(value);
+        auto bus = std::make_unique<ScriptedBus>();
+        bus->plug(board(), [feature] { return feature; });
+        const auto made = makeDriver(std::move(bus))->make("1209:0001:0001", {});
+        QVERIFY(!made);
+        QCOMPARE(made.error().code, code);
+    }
+
+    void aDeviceWithoutAnAnswerIsRefused() {
+        auto bus = std::make_unique<ScriptedBus>();
+        bus->plug(board());
+        const auto driver = makeDriver(std::move(bus));
+        QCOMPARE(driver->make("1209:0001:0001", {}).error().code, ErrorCode::deviceFault);
+        QCOMPARE(driver->make("1209:0001:0002", {}).error().code, ErrorCode::deviceNotFound);
+        QCOMPARE(driver->make("1209:0001:0001", "fast").error().code, ErrorCode::nameUnknown);
+    }
+
+    void aConnectionAllocatesNothing() {
+        ScriptedBus bus;
+        Board source([](const Board::Report&) { return true; });
+        Identity identity;
+        QCOMPARE(decodeFeature(source.feature(), identity), IdentityFault::none);
+        OpenStylus stylus(bus, std::make_unique<PlayedPort>(), identity, "played", "played");
+        Counter counter;
+        QVERIFY(stylus.start(counter));
+        QVERIFY(comesTrue([&] { return counter.valid >= 400; }));
+        stylus.stop();
+        QVERIFY(counter.early > 0U);
+        QCOMPARE(counter.late.load(), counter.early.load());
+    }
+
+    void aLoopWithItsOwnClockCanDriveItToo() {
+        Fixture test;
+        const auto stylus = calledByLoop(AnyStylus(test.make()));
+        QVERIFY(stylus->open());
+        test.plugged->x = -10.0;
+        bool felt = false;
+        for (int tick = 0; tick < 5000 && !felt; ++tick) {
+            const StylusState state = stylus->read(0.001 * tick);
+            stylus->write(
+                {{state.valid && state.pose.position.x < 0.0 ? -0.1 * state.pose.position.x : 0.0, 0.0, 0.0}, {}});
+            felt = test.plugged->force.load() == 1.0;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        QVERIFY(felt);
+        stylus->close();
+    }
+};
+
+QTEST_GUILESS_MAIN(TestOpenStylus)
+#include "tst_open_stylus.moc"
