@@ -156,9 +156,10 @@ void loopFigures(Session& session) {
     if (!session.wants(name)) return;
     session.stage(name + " (20 s)");
     constexpr double side = 2048.0, radius = 100.0;
-    RunVolume workpiece = layeredBlock(static_cast<std::int32_t>(side));
-    const std::vector<ToolPose> path = upright(walk(side, radius, 1.0, ticks));
-    MaterialRemoval removal(cutterOf(CutterType::ball, radius), workpiece.grid(), Writing::deferred);
+    RunVolume workpiece = halfBlock(static_cast<std::int32_t>(side));
+    const std::vector<ToolPose> path = upright(walkFromAbove(side, radius, 1.0, ticks));
+    MaterialRemoval removal(cutterOf(CutterType::ball, radius, fluteLengthFromAbove), workpiece.grid(),
+                            Writing::deferred);
     const RunAmounts before = workpiece.amounts();
     RunAmounts removed;
     const auto count = [&](const CutResult& cut) {
