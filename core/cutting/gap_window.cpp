@@ -13,7 +13,7 @@ namespace burin {
 
 namespace {
 
-constexpr std::int32_t far = 1 << 30; ///< beyond any run position, and so that sums of two fit
+constexpr std::int32_t far = 1 << 29; ///< beyond any run position; two of them and one of those still add up
 
 /// A sum over lanes.
 template <class Lanes>

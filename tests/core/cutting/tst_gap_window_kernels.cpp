@@ -34,8 +34,8 @@ int drawn(int low, int high) {
 void drawLane(GapWindow::Gap& gap, int lane) {
     const bool known = drawn(0, 10) != 0;
     const int low = drawn(1000, 2000), high = low + drawn(0, 800);
-    gap.low[lane] = known ? low : 1 << 30;
-    gap.high[lane] = known ? high : -(1 << 30);
+    gap.low[lane] = known ? low : 1 << 29;
+    gap.high[lane] = known ? high : -(1 << 29);
     gap.left[lane] =
         known && drawn(0, 6) != 0 ? std::uint32_t(low - drawn(1, 900)) << 8 | std::uint32_t(drawn(1, 4)) : 0;
     gap.right[lane] =
