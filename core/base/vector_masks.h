@@ -23,9 +23,7 @@ BURIN_INLINE Integers select(Mask mask, Integers then, Integers otherwise) noexc
 
 } // namespace burin::vector_masks
 
-// As BURIN_VECTORISED: clang and sanitizers do without.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) &&                        \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifdef BURIN_KNOWS_PROCESSORS
 #include <immintrin.h>
 
 #define BURIN_AVX512

@@ -13,6 +13,7 @@
 // Empty for clang and under sanitizers, whose runtime is not up yet when the choice is made.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) &&                        \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define BURIN_KNOWS_PROCESSORS
 #define BURIN_VECTORISED __attribute__((target_clones("avx2", "default")))
 #else
 #define BURIN_VECTORISED

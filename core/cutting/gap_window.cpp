@@ -39,7 +39,7 @@ GapWindow::GapWindow(const Grid& grid, double reach) : lineCountU_(grid.lineCoun
     side_ = std::bit_ceil(std::min(bricks, most));
     mask_ = static_cast<std::int32_t>(side_) - 1;
     rowMask_ = static_cast<std::int32_t>(side_) * 8 - 1;
-    gaps_.resize((side_ + 1) * side_ * 8);
+    gaps_.resize((side_ + 1) * (side_ * 8 + 1)); // one row more, which the last one fetches ahead
     bricks_.resize(side_ * side_);
     queue_.resize(2 * bricks_.size());
     mostRows_ = std::max(1, static_cast<int>((std::int64_t{1} << 31) - 1) /

@@ -83,9 +83,9 @@ void SpanRows::beginEnd(End& end, const glm::dvec3& tip) const noexcept {
 void SpanRows::beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept {
     const double wayX = to.x - from.x, wayY = to.y - from.y, rise = to.z - from.z;
     const double reach = std::hypot(wayX, wayY);
-    moves_ = reach > leastReach;
-    if (!moves_) return;
     Upright& piece = upright_;
+    piece.moves = reach > leastReach;
+    if (!piece.moves) return;
     const double length = std::hypot(reach, rise);
     piece.wayX = static_cast<float>(wayX / reach);
     piece.wayY = static_cast<float>(wayY / reach);
@@ -101,7 +101,7 @@ void SpanRows::beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept {
 }
 
 void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withStart) noexcept {
-    withStart_ = withStart;
+    upright_.withStart = tilted_.withStart = withStart;
     axis_ = from.axis;
     tilts_ = !isUpright(axis_);
     rowsOfUpright_.first = std::numeric_limits<std::int32_t>::min() / 2; // none of this way yet
@@ -115,9 +115,7 @@ void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withSta
     upright_.topRises = std::min(upright_.from.top, upright_.lineEnd) != upright_.levelTop;
     const double rise = toTip.z - from.tip.z;
     const bool topStays = rise <= 0.0 || !upright_.topRises;
-    upright_.withStart = withStart;
-    upright_.moves = moves_;
-    upright_.clipsLow = !withStart && moves_ && (rise >= 0.0 || shape_ == Shape::ball);
+    upright_.clipsLow = !withStart && upright_.moves && (rise >= 0.0 || shape_ == Shape::ball);
     upright_.clips = upright_.clipsLow && topStays;
     upright_.behind = upright_.clipsLow ? std::max(0.0F, -static_cast<float>(rise)) * upright_.perReach : 0.0F;
     rows_ = {wholeOf(std::min(from.tip.y, toTip.y) - radius_), wholeOf(std::max(from.tip.y, toTip.y) + radius_) + 1};
@@ -128,7 +126,7 @@ void SpanRows::beginTilted(const LinePose& from, const glm::dvec3& toTip) noexce
     setAxis(tilted_, piece_, axis_);
     const double depth = std::ceil((reach_ + longestWay_) * unitsAVoxel) + 2.0;
     setWay(tilted_, piece_, axis_, from.tip, toTip, depth);
-    moves_ = from.tip != toTip;
+    tilted_.moves = from.tip != toTip;
     shadow_ = TiltedShadow(piece_, axis_, glm::dvec2(toTip), glm::length(glm::dvec2(toTip - from.tip)));
     columns_ = {wholeOf(shadow_.low().x), wholeOf(shadow_.high().x) + 1};
     rows_ = {wholeOf(shadow_.low().y), wholeOf(shadow_.high().y) + 1};
@@ -138,12 +136,6 @@ LineStretch SpanRows::tiltedRow(std::int32_t v) const noexcept {
     const TiltedShadow::Stretch lines = shadow_.row(v);
     if (!(lines.low <= lines.high)) return {};
     return {wholeOf(lines.low - roundingMargin) + 1, wholeOf(lines.high + roundingMargin)};
-}
-
-LineStretch SpanRows::row(std::int32_t v) noexcept {
-    if (tilts_) return tiltedRow(v);
-    kernels::planRows(upright_, v, rowsOfUpright_);
-    return {lanes * rowsOfUpright_.begin[0], lanes * rowsOfUpright_.end[0] - 1};
 }
 
 int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups, EightIntegers* low,
@@ -167,12 +159,6 @@ int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups,
     return count;
 }
 
-template <class Kernel>
-void SpanRows::eachRow(Kernel kernel, std::span<const RowSpans> stretches) const noexcept {
-    for (const RowSpans& row : stretches)
-        kernel(tilted_, {row.v, row.firstGroup, row.groups, row.low, row.high, withStart_, moves_});
-}
-
 void SpanRows::spans(std::span<const RowSpans> stretches) noexcept {
     if (stretches.empty()) return;
     if (!tilts_) {
@@ -182,13 +168,13 @@ void SpanRows::spans(std::span<const RowSpans> stretches) noexcept {
     }
     switch (shape_) {
     case Shape::ball:
-        return tilts_ ? eachRow(kernels::tiltedBall, stretches)
+        return tilts_ ? kernels::tiltedBall(tilted_, stretches)
                       : kernels::uprightBall(upright_, rowsOfUpright_, stretches);
     case Shape::flat:
-        return tilts_ ? eachRow(kernels::tiltedFlat, stretches)
+        return tilts_ ? kernels::tiltedFlat(tilted_, stretches)
                       : kernels::uprightFlat(upright_, rowsOfUpright_, stretches);
     case Shape::bullNose:
-        return tilts_ ? eachRow(kernels::tiltedBullNose, stretches)
+        return tilts_ ? kernels::tiltedBullNose(tilted_, stretches)
                       : kernels::uprightBullNose(upright_, rowsOfUpright_, stretches);
     }
 }

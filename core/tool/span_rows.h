@@ -74,8 +74,6 @@ public:
     LineStretch rows() const noexcept { return rows_; }
     /// Lines of any row that the swept piece can meet.
     LineStretch columns() const noexcept { return columns_; }
-    /// Lines of a row that the swept piece can meet, rounded to groups of eight where the piece stands upright.
-    LineStretch row(std::int32_t v) noexcept;
     /// Finds the stretches of some rows that the swept piece can meet.
     /// @param rows    at most `rowsAtOnce`, from `first` on
     /// @param groups  of eight lines that may be asked for; low, high: room for those of all these rows
@@ -133,8 +131,6 @@ public:
 
 private:
     LineStretch tiltedRow(std::int32_t v) const noexcept;
-    template <class Kernel>
-    void eachRow(Kernel kernel, std::span<const RowSpans> stretches) const noexcept;
     void beginTilted(const LinePose& from, const glm::dvec3& toTip) noexcept;
     void beginEnd(End& end, const glm::dvec3& tip) const noexcept;
     void beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept;
@@ -142,8 +138,7 @@ private:
     RevolvedPiece piece_;
     Shape shape_ = Shape::ball;
     double radius_ = 0.0, longestWay_ = 0.0;
-    double depth_ = 0.0; ///< units, below a rounding's middle that heights count from
-    bool withStart_ = true, moves_ = false;
+    double depth_ = 0.0;    ///< units, below a rounding's middle that heights count from
     bool clipsLow_ = false; ///< lines behind the piece can't be lower than at the start
     bool clips_ = false;    ///< lines behind the piece can't have more
     double behind_ = 0.0;   ///< slope of the way downwards: how far behind its axis a ball still goes deeper

@@ -10,22 +10,14 @@ namespace burin::kernels {
 inline constexpr float unitsAVoxel = 256.0F;
 inline constexpr float nowhere = 1e9F; ///< above every height: no part of the piece
 
-/// Some groups of eight lines of one row.
-struct Stretch {
-    std::int32_t v = 0, firstGroup = 0, groups = 0;
-    EightIntegers* low = nullptr;
-    EightIntegers* high = nullptr;
-    bool withStart = true, moves = false;
-};
-
 void planRows(const SpanRows::Upright& piece, std::int32_t firstRow, SpanRows::UprightRows& rows) noexcept;
 using Stretches = std::span<const RowSpans>;
 void uprightBall(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
 void uprightFlat(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
 void uprightBullNose(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
 
-void tiltedBall(const TiltedPiece& piece, const Stretch& stretch) noexcept;
-void tiltedFlat(const TiltedPiece& piece, const Stretch& stretch) noexcept;
-void tiltedBullNose(const TiltedPiece& piece, const Stretch& stretch) noexcept;
+void tiltedBall(const TiltedPiece& piece, Stretches stretches) noexcept;
+void tiltedFlat(const TiltedPiece& piece, Stretches stretches) noexcept;
+void tiltedBullNose(const TiltedPiece& piece, Stretches stretches) noexcept;
 
 } // namespace burin::kernels

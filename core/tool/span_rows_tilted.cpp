@@ -283,7 +283,7 @@ BURIN_INLINE Floats linesFrom(const End& end, std::int32_t group) noexcept {
 struct Kept {
     EightIntegers *low, *high;
     Integers base, lineEnd;
-    BURIN_INLINE Kept(const TiltedPiece& piece, const End& end, const Stretch& stretch, std::int32_t first) noexcept
+    BURIN_INLINE Kept(const TiltedPiece& piece, const End& end, const RowSpans& stretch, std::int32_t first) noexcept
         : low(stretch.low + first)
         , high(stretch.high + first)
         , base(integers(end.base))
@@ -301,7 +301,7 @@ struct Kept {
 /// What the piece covers at the end of its way.
 /// @return groups that a rim passes on the way
 template <Rounding rounding>
-BURIN_INLINE std::uint64_t coverEnd(const TiltedPiece& piece, const Stretch& stretch, std::int32_t first,
+BURIN_INLINE std::uint64_t coverEnd(const TiltedPiece& piece, const RowSpans& stretch, std::int32_t first,
                                     std::int32_t count, Part& part) noexcept {
     const RowPiece<rounding> row(piece, piece.to, stretch.v);
     const Floats firstU = linesFrom(piece.to, stretch.firstGroup + first);
@@ -324,7 +324,7 @@ BURIN_INLINE std::uint64_t coverEnd(const TiltedPiece& piece, const Stretch& str
 
 /// Adds what it covers at the start, and the walls of its rims between, to some groups.
 template <Rounding rounding>
-BURIN_INLINE void addWay(const TiltedPiece& piece, const Stretch& stretch, std::int32_t first, std::uint64_t groups,
+BURIN_INLINE void addWay(const TiltedPiece& piece, const RowSpans& stretch, std::int32_t first, std::uint64_t groups,
                          Part& part) noexcept {
     const RowPiece<rounding> row(piece, piece.from, stretch.v);
     const RowRim lower(piece.rims[0], piece.from, stretch.v), upper(piece.rims[1], piece.from, stretch.v);
@@ -347,29 +347,29 @@ BURIN_INLINE void addWay(const TiltedPiece& piece, const Stretch& stretch, std::
 }
 
 template <Rounding rounding>
-BURIN_INLINE void coverRow(const TiltedPiece& piece, const Stretch& stretch) noexcept {
-    const std::uint64_t always = stretch.withStart || piece.rimsEverywhere ? ~std::uint64_t{0} : 0;
+BURIN_INLINE void coverRow(const TiltedPiece& piece, const RowSpans& stretch) noexcept {
+    const std::uint64_t always = piece.withStart || piece.rimsEverywhere ? ~std::uint64_t{0} : 0;
     Part part;
     for (std::int32_t first = 0; first < stretch.groups; first += Part::mostGroups) {
         const std::int32_t count = std::min(stretch.groups - first, Part::mostGroups);
         const std::uint64_t rims = coverEnd<rounding>(piece, stretch, first, count, part) | always;
         const std::uint64_t groups = rims & ~std::uint64_t{0} >> (Part::mostGroups - count);
-        if (stretch.moves && groups != 0) addWay<rounding>(piece, stretch, first, groups, part);
+        if (piece.moves && groups != 0) addWay<rounding>(piece, stretch, first, groups, part);
     }
 }
 
 } // namespace
 
-BURIN_VECTORISED void tiltedBall(const TiltedPiece& piece, const Stretch& stretch) noexcept {
-    coverRow<Rounding::ball>(piece, stretch);
+BURIN_VECTORISED void tiltedBall(const TiltedPiece& piece, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Rounding::ball>(piece, stretch);
 }
 
-BURIN_VECTORISED void tiltedFlat(const TiltedPiece& piece, const Stretch& stretch) noexcept {
-    coverRow<Rounding::none>(piece, stretch);
+BURIN_VECTORISED void tiltedFlat(const TiltedPiece& piece, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Rounding::none>(piece, stretch);
 }
 
-BURIN_VECTORISED void tiltedBullNose(const TiltedPiece& piece, const Stretch& stretch) noexcept {
-    coverRow<Rounding::bullNose>(piece, stretch);
+BURIN_VECTORISED void tiltedBullNose(const TiltedPiece& piece, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Rounding::bullNose>(piece, stretch);
 }
 
 } // namespace burin::kernels

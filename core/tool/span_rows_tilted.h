@@ -52,8 +52,9 @@ struct TiltedPiece {
     Rounding rounding = Rounding::none;
     End from, to;
     std::int32_t lineEnd = 0;
-    Cylinder standing; ///< the piece's straight part at an end; a bull nose's whole outline
-    Slab hemisphere;   ///< what of a ball is not within the straight part
+    bool withStart = true, moves = false; ///< what of the way is asked for
+    Cylinder standing;                    ///< the piece's straight part at an end; a bull nose's whole outline
+    Slab hemisphere;                      ///< what of a ball is not within the straight part
     // Ball: its middle from the tip. Bull nose: the middle of its rounding's circle.
     float middleX = 0.0F, middleZ = 0.0F; ///< voxels; middleZ run units
     double middleY = 0.0;

@@ -32,10 +32,9 @@ BlockIndex RunVolume::Impl::setAside(LineIndex index) noexcept {
     return allocateTile(present.segmentCount() + mostAddedByLine * linesPerTile);
 }
 
-/// Appends a line without the machinable runs between `from` and `to`, where protected ones stand among them;
-/// neighbours of one property become one.
-Segment* RunVolume::Impl::clearAroundProtected(std::span<const Segment> line, RunPosition from, RunPosition to,
-                                               Segment* place) noexcept {
+/// Appends a line without the machinable runs between `from` and `to`; neighbours of one property become one.
+Segment* RunVolume::Impl::clearLine(std::span<const Segment> line, RunPosition from, RunPosition to,
+                                    Segment* place) noexcept {
     const Segment* const begin = place;
     const auto append = [&](RunPosition end, PropertyIndex property) {
         if (place != begin && place[-1].property() == property) --place;
@@ -65,46 +64,6 @@ Segment* RunVolume::Impl::clearAroundProtected(std::span<const Segment> line, Ru
     }
     if (next != last) append(next->end(), next->property()), ++next;
     return std::copy(next, last, place);
-}
-
-/// Appends a line without the machinable runs between `from` and `to`; neighbours of one property become one.
-Segment* RunVolume::Impl::clearLine(std::span<const Segment> line, RunPosition from, RunPosition to,
-                                    Segment* place) noexcept {
-    const Segment* const begin = line.data();
-    const Segment* const end = begin + line.size();
-    const Segment* first = begin; // that lies within
-    while (first->end() <= from) ++first;
-    const Segment* last = first;
-    for (;; ++last) {
-        if (last->property() != airProperty && !machinable_[last->property()])
-            return clearAroundProtected(line, from, to, place);
-        if (last->end() >= to) break;
-    }
-
-    for (const Segment* kept = begin; kept != first;) *place++ = *kept++;
-    RunPosition start = first == begin ? 0 : first[-1].end();
-    const bool airBefore = first != begin && first[-1].property() == airProperty;
-    if (start < from && first->property() != airProperty)
-        *place++ = Segment(from, first->property());
-    else if (airBefore)
-        --place; // it goes on
-    for (const Segment* one = first; one <= last; start = one++->end()) {
-        if (one->property() == airProperty) continue;
-        const RunPosition taken = std::min(one->end(), to) - std::max(start, from);
-        amounts_.units[one->property()] -= taken;
-        amounts_.units[airProperty] += taken;
-    }
-    const Segment* rest = last + 1;
-    if (last->property() != airProperty && last->end() > to) {
-        *place++ = Segment(to, airProperty);
-        rest = last; // its end
-    } else if (rest != end && rest->property() == airProperty) {
-        *place++ = *rest++;
-    } else {
-        *place++ = Segment(last->end(), airProperty);
-    }
-    while (rest != end) *place++ = *rest++;
-    return place;
 }
 
 /// Writes a brick anew, without what is to be removed.

@@ -67,8 +67,6 @@ private:
     void count(LineIndex corner, const Tile& tile, bool add) noexcept;
     bool sparePage(std::size_t page) noexcept;
     void writeCleared(const Tile& present, const BrickSpans& spans, const Tile& tile) noexcept;
-    Segment* clearAroundProtected(std::span<const Segment> line, RunPosition from, RunPosition to,
-                                  Segment* place) noexcept;
     Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition to, Segment* place) noexcept;
 
     std::shared_ptr<VolumeStore> store_;

@@ -17,7 +17,7 @@ constexpr std::int32_t side = 8; // bricks, of the window
 /// Rows of gaps with spans to be taken, as random as they come: known and unknown gaps, neighbours of three materials
 /// or none, bricks that are ready and some that are not.
 struct Scene {
-    std::vector<GapWindow::Gap> gaps = std::vector<GapWindow::Gap>((side + 1) * 8);
+    std::vector<GapWindow::Gap> gaps = std::vector<GapWindow::Gap>((side + 1) * 9); // one to be fetched ahead
     std::vector<GapWindow::Brick> bricks = std::vector<GapWindow::Brick>(side);
     std::vector<EightIntegers> low, high;
     std::vector<RowSpans> spans;
