@@ -103,7 +103,7 @@ void ServoLoop::tick(double period) noexcept {
     const std::int64_t wall = now(CLOCK_MONOTONIC), cpu = now(CLOCK_THREAD_CPUTIME_ID);
     const StylusState state = stylus_.read(time_);
     const Sample sample = step_(state, period);
-    stylus_.write({step_.deviceForce()});
+    stylus_.write(step_.deviceWrench());
     timing_.period = period;
     timing_.over = now(CLOCK_MONOTONIC);
     sink_.tick(sample, timing_);

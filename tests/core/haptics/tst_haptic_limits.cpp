@@ -30,7 +30,7 @@ double energyGivenToTheHand(double maximumDamping, double stiffness) {
     bench.begin({0, 0, position});
     for (int tick = 0; tick < contacts * 1000; ++tick) {
         bench.feed({0, 0, std::round(position / encoder) * encoder});
-        const double force = bench.step.deviceForce().z;
+        const double force = bench.step.deviceWrench().force.z;
         const double wish = floorHeight + 2.0 * std::cos(2.0 * pi * tick * period); // one contact a second
         const double before = position;
         for (int i = 0; i < substeps; ++i) {
@@ -106,7 +106,7 @@ private slots:
                 mustBeZero = false;
             }
             const Sample sample = bench.step(state, elapsed);
-            const glm::dvec3 force = bench.step.deviceForce();
+            const glm::dvec3 force = bench.step.deviceWrench().force;
             QVERIFY(isFinite(force) && isFinite(sample.proxy.tip) && isFinite(sample.cuttingForce));
             QVERIFY(isFinite(sample.device.position) && std::isfinite(sample.time));
             QVERIFY(glm::length(force) <= largest + 1e-12);

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/force_output.h"
+
+namespace burin {
+namespace {
+
+constexpr double cuttingShare = 0.6; // of the force that is allowed at all
+
+CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings, double stiffness) noexcept {
+    return {settings.cuttingForceScale, stiffness, cuttingShare * settings.maximumForce(), settings.mapping.scale};
+}
+
+} // namespace
+
+ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
+    : mapping_(settings.mapping)
+    , coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
+    , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
+    , passivity_(usableDamping(settings.stylus))
+    , limiter_(settings.maximumForce(), coupling_.stiffness(), settings.tickPeriod)
+    , ramp_(settings.rampSeconds) {}
+
+void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, double period,
+                             Sample& sample) noexcept {
+    toolVelocity_.add(motion.to.tip, period);
+    const glm::dvec3 inDevice = mapping_.directionToDevice(wanted(motion, cutting, hand, period));
+    if (hand.reading == Reading::late || !isFinite(inDevice)) {
+        none(hand.reading != Reading::late, sample);
+        return;
+    }
+    const glm::dvec3 passive = passivity_(inDevice, hand.device.position, hand.deviceVelocity, period);
+    wrench_.force = limiter_(passive) * ramp_.weight();
+    passivity_.sent(wrench_.force);
+    sample.force = mapping_.directionToSetup(wrench_.force);
+    if (limiter_.saturated() && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
+    if (!ramp_.complete()) sample.flags |= sampleForcesOff;
+    ramp_.advance(period);
+}
+
+glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
+                               double period) noexcept {
+    Coupling::State state;
+    state.proxy = motion.to.tip;
+    state.hand = hand.wanted.tip;
+    state.proxyVelocity = toolVelocity_.velocity();
+    state.handVelocity = hand.velocity;
+    state.normal = motion.normal;
+    const glm::dvec3 away = state.proxy - state.hand;
+    if (motion.barred && glm::length(away) > 1e-6) state.normal = glm::normalize(away);
+    return coupling_.force(state) + cuttingRendering_(cutting, motion.way(), motion.to.tip, period);
+}
+
+void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
+    wrench_ = {};
+    sample.force = glm::dvec3(0.0);
+    sample.flags |= sampleForcesOff;
+    limiter_.reset();
+    passivity_.reset();
+    if (fadesIn) fadeIn();
+}
+
+void ForceOutput::fadeIn() noexcept {
+    wrench_ = {};
+    limiter_.reset();
+    passivity_.reset();
+    ramp_.restart();
+    cuttingRendering_.reset();
+    toolVelocity_.reset();
+}
+
+} // namespace burin

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/haptics/allowance_follower.h"
+#include "core/haptics/brake_on_contact.h"
+#include "core/haptics/cut_tick.h"
+#include "core/haptics/haptic_settings.h"
+#include "core/haptics/proxy.h"
+#include "core/haptics/tool_motion.h"
+
+namespace burin {
+
+/// Moves the tool towards the hand as far as the part, and shank and holder, allow. Tick code.
+class ToolMover {
+public:
+    /// @param field outlives the object. @param grid of the workpiece
+    ToolMover(const ClearanceField& field, const Tool& tool, const Grid& grid, const HapticSettings& settings);
+
+    /// Takes the tool up where the hand is, if nothing is in its way there.
+    bool start(const ToolPose& hand, const CutTick& cut) noexcept;
+    /// Where a tool that has not started is shown: straight above the hand, clear of the part.
+    ToolPose parkedAbove(const ToolPose& hand) const noexcept;
+    /// One tick. The tool is where it was until `arrive`. @param period s. @param cut what the workpiece is asked
+    /// through; it is settled where a contact may be with what is cut but not yet written.
+    ToolMotion move(const ToolPose& hand, double period, CutTick& cut) noexcept;
+    /// The tool has arrived where a motion leads, which may have been cut short since.
+    void arrive(const ToolMotion& motion) noexcept;
+
+    const ToolPose& pose() const noexcept { return pose_; }
+    /// Takes effect over some ticks. @param allowance mm, >= 0
+    void setAllowance(double allowance) noexcept { allowance_.want(allowance); }
+    void workpieceChanged() noexcept { brake_.workpieceChanged(); }
+    /// What shank or holder touched last.
+    const ShankContact& shankContact() const noexcept { return shank_; }
+
+private:
+    bool barred(const glm::dvec3& to, CutTick& cut, ToolMotion& motion) noexcept;
+
+    double topOfWorkpiece_, spacing_, travelPerSecond_; ///< mm, mm, mm/s
+    double longestPeriod_;                              ///< s that a tick's travel is allowed for
+    BrakeOnContact brake_;
+    Proxy proxy_;
+    AllowanceFollower allowance_;
+    ToolPose pose_;
+    ShankContact shank_;
+};
+
+} // namespace burin
