@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/loop_figures.h"
+#include "core/haptics/servo_tick.h"
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/oracles/tick_watch.h"
 
 #include <QtTest>
 
+#include <chrono>
 #include <mutex>
 #include <semaphore.h>
 #include <shared_mutex>
 #include <sys/mman.h>
 #include <sys/syscall.h>
+#include <thread>
 #include <unistd.h>
 
 using namespace burin;
@@ -112,6 +116,39 @@ private slots:
         const TickCost cost = costOf(watch, [] {});
         std::free(kept(std::malloc(8)));
         QCOMPARE(cost.allocations + cost.releases + cost.locks + cost.systemCalls, std::uint64_t{0});
+    }
+
+    /// Gaps, heartbeat, timing, figures and a late force as well.
+    void whatTheLoopAddsAsksNothingEither() {
+        struct Figures final : TickSink {
+            AtEdge edge() noexcept override { return AtEdge::tick; }
+            void tick(const Sample&, const TickTiming& timing) noexcept override { figures.add(timing); }
+            LoopFigures figures;
+        };
+        TickWatch watch;
+        Bench bench;
+        const auto sink = std::make_unique<Figures>();
+        const auto tick = std::make_unique<ServoTick>(bench.step, *sink, period, true);
+        TickCost sum;
+        for (int i = 0; i < 600; ++i) {
+            StylusState state;
+            state.pose.position = {0.0, 0.0, 2.0 - 0.03 * i};
+            state.valid = i != 300;
+            if (i == 400) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            watch.begin();
+            if (tick->edge() != AtEdge::tick) QFAIL("no tick");
+            tick->begin();
+            static_cast<void>((*tick)(state, period));
+            tick->sent();
+            const TickCost cost = watch.end();
+            sum.allocations += cost.allocations + cost.releases;
+            sum.locks += cost.locks;
+            sum.systemCalls += cost.systemCalls;
+        }
+        QVERIFY(tick->timing().late > 0);
+        QCOMPARE(sum.allocations, std::uint64_t{0});
+        QCOMPARE(sum.locks, std::uint64_t{0});
+        QCOMPARE(sum.systemCalls, std::uint64_t{0});
     }
 
     void aTickAsksNothingOfTheSystem_data() {
