@@ -52,6 +52,7 @@ struct StylusState {
     Pose pose;
     std::uint32_t buttons = 0; ///< bit 0: the first button
     bool valid = false;        ///< false: the device had nothing to say this tick
+    double period = 0.0;       ///< s since the reading before, where only the stylus knows: a recording; 0: the loop does
 };
 
 /// What a device shall render. Device frame, about the stylus' tip.
@@ -106,9 +107,6 @@ public:
     /// The thread that reads. True when the stylus has nothing more to say (a trace's end, a virtual operator's last
     /// pass).
     virtual bool finished() const noexcept { return false; }
-    /// The thread that reads. s from the reading before to the newest one, where the stylus knows it better than the
-    /// loop's clock: a recording that is played again.
-    virtual std::optional<double> period() const noexcept { return std::nullopt; }
 };
 
 /// What a stylus with a clock of its own calls.

@@ -62,7 +62,7 @@ void ClockPacing::tick(double period) noexcept {
     const std::int64_t before = now(CLOCK_THREAD_CPUTIME_ID);
     tick_.begin();
     const StylusState reading = stylus_.read(outcome_.time);
-    stylus_.write(tick_(reading, stylus_.period().value_or(period)));
+    stylus_.write(tick_(reading, reading.period != 0.0 ? reading.period : period));
     tick_.sent();
     tick_.spent(now(CLOCK_THREAD_CPUTIME_ID) - before);
 }
@@ -75,7 +75,7 @@ void ClockPacing::runFast() noexcept {
             continue;
         }
         tick(settings_.period);
-        simulated_ += tick_.timing().period - settings_.period;
+        simulated_ += std::max(tick_.timing().period, 0.0) - settings_.period;
         outcome_.time = static_cast<double>(tick_.ticks()) * settings_.period + simulated_;
     }
 }

@@ -79,7 +79,7 @@ Wrench DevicePacing::tick(const StylusState& reading) noexcept {
     }
     ticked_ = true;
     tick_.scheduled(thread_->scheduling());
-    if (tick_.ticks() > 0) outcome_.time += period;
+    if (tick_.ticks() > 0 && std::isfinite(period)) outcome_.time += std::max(period, 0.0);
     if (const double skipped = std::round(period / settings_.period) - 1.0; skipped > 0.0)
         tick_.missed(static_cast<std::uint64_t>(std::min(skipped, 1e9)));
     return tick_(reading, period);

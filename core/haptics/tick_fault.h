@@ -4,7 +4,10 @@
 
 #include "core/device/device_fault.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace burin {
 
@@ -27,6 +30,12 @@ inline constexpr std::array<TextId, 6> tickFaultReasons{
     BURIN_TEXT("DeviceReason", "the computer was late with its force"),
     BURIN_TEXT("DeviceReason", "the computer stood still, and its motors were switched off"),
 };
+
+/// As in names of files.
+constexpr std::string_view nameOf(TickFault fault) noexcept {
+    constexpr std::array<std::string_view, 6> names{"none", "device", "damaged", "too-fast", "stalled", "dead"};
+    return names[static_cast<std::size_t>(fault)];
+}
 
 /// How long the hand may wait for its next force. s
 struct GapLimits {
