@@ -56,7 +56,8 @@ FlightRecorder::FlightRecorder(FlightSettings settings, TickSink& next)
     , entries_(static_cast<std::size_t>(std::ceil(length / settings_.period)))
     , thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-FlightRecorder::~FlightRecorder() {
+void FlightRecorder::finish() {
+    if (!thread_.joinable()) return;
     thread_.request_stop();
     thread_.join();
 }

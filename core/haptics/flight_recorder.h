@@ -42,7 +42,7 @@ public:
 
     /// @param next outlives the recorder
     FlightRecorder(FlightSettings settings, TickSink& next);
-    ~FlightRecorder() override; ///< what was triggered is written first
+    ~FlightRecorder() override { finish(); }
     FlightRecorder(const FlightRecorder&) = delete;
     FlightRecorder& operator=(const FlightRecorder&) = delete;
 
@@ -50,6 +50,8 @@ public:
     void tick(const Sample& sample, const TickTiming& timing) noexcept override;
     void loopDied() noexcept override { raise(TickFault::dead); }
 
+    /// Owner's thread, once no tick runs any more: what was triggered is written when this returns.
+    void finish();
     /// Any thread: the oldest record that nobody took yet.
     std::optional<FlightReport> take();
     /// Any thread: a record is about to be written, and will be there to take.

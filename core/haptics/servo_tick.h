@@ -59,7 +59,7 @@ private:
     Sample sample_;
     std::int64_t begun_ = 0, sentBefore_ = 0; ///< ns
     std::uint64_t ticks_ = 0;
-    bool faulty_ = false;
+    bool faulty_ = true; ///< what was never well does not break
 };
 
 } // namespace burin
