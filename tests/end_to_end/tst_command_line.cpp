@@ -68,7 +68,7 @@ void CommandLineTest::initTestCase() {
 
 void CommandLineTest::helpsWithEachCommand_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command : {"import", "embed", "mill", "path", "post", "verify", "info", "demo", "bench"})
+    for (const char* command : {"import", "embed", "mill", "path", "post", "verify", "info", "calibrate", "demo", "bench"})
         QTest::newRow(command) << QString(command);
 }
 
