@@ -9,6 +9,7 @@ HandInput::HandInput(const HapticSettings& settings) noexcept
 
 Hand HandInput::operator()(const StylusState& state, double period) noexcept {
     Hand hand;
+    hand.mapping = mapping_;
     hand.reading = guard_.check(state, period);
     hand.device = guard_.lastPose();
     hand.wanted = {mapping_.toSetup(hand.device.position),

@@ -16,6 +16,7 @@ struct Hand {
     ToolPose wanted;                ///< setup frame: where the hand wants the tool
     glm::dvec3 velocity{0.0};       ///< mm/s, setup frame, of the tip that is wanted
     std::uint32_t buttons = 0;      ///< 0 with a fault
+    WorkspaceMapping mapping;       ///< in force in this tick: device to setup
 };
 
 /// From what a stylus read to where the hand wants the tool: judges the reading, maps it, measures its speed.
