@@ -29,10 +29,13 @@ CouplingGains couplingGains(const StylusDescription& stylus, double share, doubl
 }
 
 glm::dvec3 Coupling::force(const State& state) const noexcept {
+    const double parting = glm::dot(state.handVelocity - state.proxyVelocity, state.normal);
+    return force(state.proxy - state.hand, parting * state.normal);
+}
+
+glm::dvec3 Coupling::force(const glm::dvec3& pull, const glm::dvec3& speed) const noexcept {
     const double metresOfDevice = 1.0 / (scale_ * millimetresPerMetre);
-    const glm::dvec3 spring = gains_.stiffness * metresOfDevice * (state.proxy - state.hand);
-    const double closing = glm::dot(state.proxyVelocity - state.handVelocity, state.normal);
-    return spring + gains_.damping * metresOfDevice * closing * state.normal;
+    return metresOfDevice * (gains_.stiffness * pull - gains_.damping * speed);
 }
 
 } // namespace burin

@@ -36,6 +36,8 @@ public:
     };
     /// N, axes of the setup frame, magnitude as in device space.
     glm::dvec3 force(const State& state) const noexcept;
+    /// The same of a way that the spring pulls over, mm, and a speed that the damper brakes, mm/s.
+    glm::dvec3 force(const glm::dvec3& pull, const glm::dvec3& speed) const noexcept;
 
     double stiffness() const noexcept { return gains_.stiffness; }
 

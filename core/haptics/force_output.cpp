@@ -16,15 +16,16 @@ CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings
 ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     : mapping_(settings.mapping)
     , coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
+    , guideSpring_(couplingGains(settings.stylus, settings.guideShare, settings.tickPeriod), settings.mapping.scale)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
     , passivity_(usableDamping(settings.stylus))
     , limiter_(settings.maximumForce(), coupling_.stiffness(), settings.tickPeriod)
     , ramp_(settings.rampSeconds) {}
 
-void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, double period,
-                             Sample& sample) noexcept {
+void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
+                             const GuidedHand& guided, double period, Sample& sample) noexcept {
     toolVelocity_.add(motion.to.tip, period);
-    const glm::dvec3 inDevice = mapping_.directionToDevice(wanted(motion, cutting, hand, period));
+    const glm::dvec3 inDevice = mapping_.directionToDevice(wanted(motion, cutting, hand, guided, period));
     if (hand.reading == Reading::late || !isFinite(inDevice)) {
         none(hand.reading != Reading::late, sample);
         return;
@@ -39,16 +40,18 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
 }
 
 glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
-                               double period) noexcept {
+                               const GuidedHand& guided, double period) noexcept {
+    const FeltGuides guides = felt(guided, hand.wanted.tip, motion.to.tip);
     Coupling::State state;
     state.proxy = motion.to.tip;
-    state.hand = hand.wanted.tip;
+    state.hand = guides.from;
     state.proxyVelocity = toolVelocity_.velocity();
     state.handVelocity = hand.velocity;
     state.normal = motion.normal;
     const glm::dvec3 away = state.proxy - state.hand;
     if (motion.barred && glm::length(away) > 1e-6) state.normal = glm::normalize(away);
-    return coupling_.force(state) + cuttingRendering_(cutting, motion.way(), motion.to.tip, period);
+    return coupling_.force(state) + guideSpring_.force(guides.pull, guides.across) +
+           cuttingRendering_(cutting, motion.way(), motion.to.tip, period);
 }
 
 void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {

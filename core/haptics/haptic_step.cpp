@@ -9,6 +9,7 @@ namespace burin {
 HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const Tool& tool,
                        const HapticSettings& settings)
     : input_(settings)
+    , guides_(field, settings)
     , mover_(field, tool, workpiece.grid(), settings)
     , cut_(workpiece, tool, settings)
     , output_(settings) {}
@@ -25,6 +26,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     if (hand.reading == Reading::fault) {
         sample.flags |= sampleStylusInvalid;
         input_.forget();
+        guides_.forget();
         output_.none(true, sample);
         return sample;
     }
@@ -34,13 +36,15 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
         output_.none(true, sample);
         return sample;
     }
-    ToolMotion motion = mover_.move(hand.wanted, period, cut_);
+    const GuidedHand guided = guides_(hand, mover_.pose(), cut_.spindleTurns(), period);
+    if (guided.held != 0) sample.flags |= sampleOnGuide;
+    ToolMotion motion = mover_.move(guided.goal, period, cut_);
     const CuttingForce cutting = cut_(motion, period, sample);
     mover_.arrive(motion);
     sample.proxy = mover_.pose();
     if (motion.shankContact) sample.flags |= sampleShankContact;
     if (motion.normal != glm::dvec3(0.0)) sample.flags |= sampleOnBoundary;
-    output_(motion, cutting, hand, period, sample);
+    output_(motion, cutting, hand, guided, period, sample);
     return sample;
 }
 
@@ -70,6 +74,7 @@ void HapticStep::workpieceChanged() noexcept {
     cut_.workpieceChanged();
     mover_.workpieceChanged();
     input_.forget();
+    guides_.forget();
     output_.fadeIn();
 }
 
