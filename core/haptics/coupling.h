@@ -39,6 +39,7 @@ public:
     /// The same of a way that the spring pulls over, mm, and a speed that the damper brakes, mm/s.
     glm::dvec3 force(const glm::dvec3& pull, const glm::dvec3& speed) const noexcept;
 
+    void setScale(double scale) noexcept { scale_ = scale; } ///< mm of setup per mm of device
     double stiffness() const noexcept { return gains_.stiffness; }
 
 private:

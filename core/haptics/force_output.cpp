@@ -14,8 +14,7 @@ CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings
 } // namespace
 
 ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
-    : mapping_(settings.mapping)
-    , coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
+    : coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
     , guideSpring_(couplingGains(settings.stylus, settings.guideShare, settings.tickPeriod), settings.mapping.scale)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
     , passivity_(usableDamping(settings.stylus))
@@ -25,7 +24,9 @@ ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
 void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
                              const GuidedHand& guided, double period, Sample& sample) noexcept {
     toolVelocity_.add(motion.to.tip, period);
-    const glm::dvec3 inDevice = mapping_.directionToDevice(wanted(motion, cutting, hand, guided, period));
+    for (Coupling* spring : {&coupling_, &guideSpring_}) spring->setScale(hand.mapping.scale);
+    cuttingRendering_.setWorkspaceScale(hand.mapping.scale);
+    const glm::dvec3 inDevice = hand.mapping.directionToDevice(wanted(motion, cutting, hand, guided, period));
     if (hand.reading == Reading::late || !isFinite(inDevice)) {
         none(hand.reading != Reading::late, sample);
         return;
@@ -33,7 +34,7 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
     const glm::dvec3 passive = passivity_(inDevice, hand.device.position, hand.deviceVelocity, period);
     wrench_.force = limiter_(passive) * ramp_.weight();
     passivity_.sent(wrench_.force);
-    sample.force = mapping_.directionToSetup(wrench_.force);
+    sample.force = hand.mapping.directionToSetup(wrench_.force);
     if (limiter_.saturated() && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
     if (!ramp_.complete()) sample.flags |= sampleForcesOff;
     ramp_.advance(period);
@@ -41,6 +42,10 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
 
 glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
                                const GuidedHand& guided, double period) noexcept {
+    if (hand.clutched) {
+        cuttingRendering_.reset();
+        return glm::dvec3(0.0);
+    }
     const FeltGuides guides = felt(guided, hand.wanted.tip, motion.to.tip);
     Coupling::State state;
     state.proxy = motion.to.tip;
@@ -52,6 +57,11 @@ glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cut
     if (motion.barred && glm::length(away) > 1e-6) state.normal = glm::normalize(away);
     return coupling_.force(state) + guideSpring_.force(guides.pull, guides.across) +
            cuttingRendering_(cutting, motion.way(), motion.to.tip, period);
+}
+
+bool ForceOutput::quiet() const noexcept {
+    constexpr double felt = 0.02; // N: what a desktop device can render and a hand notice
+    return glm::length(wrench_.force) < felt;
 }
 
 void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {

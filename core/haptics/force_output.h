@@ -30,6 +30,8 @@ public:
     /// The tool was taken up somewhere else: it did not move there.
     void toolTakenUp() noexcept { toolVelocity_.reset(); }
 
+    /// The hand felt nothing in the last tick.
+    bool quiet() const noexcept;
     /// Of the last tick, device frame.
     const Wrench& wrench() const noexcept { return wrench_; }
     double couplingStiffness() const noexcept { return coupling_.stiffness(); } ///< N/m, device space
@@ -39,7 +41,6 @@ private:
     glm::dvec3 wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
                       double period) noexcept;
 
-    WorkspaceMapping mapping_;
     Coupling coupling_, guideSpring_;
     CuttingForceRendering cuttingRendering_;
     PassivityController passivity_;

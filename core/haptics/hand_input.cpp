@@ -5,21 +5,33 @@
 namespace burin {
 
 HandInput::HandInput(const HapticSettings& settings) noexcept
-    : mapping_(settings.mapping), guard_(settings.stylus, settings.tickPeriod) {}
+    : workspace_(settings), guard_(settings.stylus, settings.tickPeriod) {}
 
-Hand HandInput::operator()(const StylusState& state, double period) noexcept {
+Hand HandInput::operator()(const StylusState& state, double period, const glm::dvec3* tool, bool quiet) noexcept {
     Hand hand;
-    hand.mapping = mapping_;
     hand.reading = guard_.check(state, period);
     hand.device = guard_.lastPose();
-    hand.wanted = {mapping_.toSetup(hand.device.position),
-                   mapping_.directionToSetup(hand.device.rotation * glm::dvec3(0.0, 0.0, 1.0))};
-    if (hand.reading == Reading::fault) return hand;
+    if (hand.reading == Reading::fault) {
+        const WorkspaceMapping& mapping = hand.mapping = workspace_.mapping();
+        hand.wanted = {mapping.toSetup(hand.device.position),
+                       mapping.directionToSetup(hand.device.rotation * glm::dvec3(0.0, 0.0, 1.0))};
+        return hand;
+    }
     hand.buttons = state.buttons;
+    const Workspace::Place place = workspace_(hand.device, state.buttons, tool, quiet, period);
+    hand.wanted = place.wanted;
+    hand.mapping = place.mapping;
+    hand.clutched = workspace_.clutched();
     velocity_.add(state.pose.position, period);
     hand.deviceVelocity = velocity_.velocity();
-    hand.velocity = mapping_.scale * mapping_.directionToSetup(hand.deviceVelocity);
+    hand.velocity = place.drive;
+    if (place.follows) hand.velocity += place.mapping.scale * place.mapping.directionToSetup(hand.deviceVelocity);
     return hand;
+}
+
+void HandInput::forget() noexcept {
+    velocity_.reset();
+    workspace_.forget();
 }
 
 } // namespace burin

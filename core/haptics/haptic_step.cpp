@@ -16,7 +16,7 @@ HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const 
 
 Sample HapticStep::operator()(const StylusState& state, double period) noexcept {
     Sample sample = beginSample(period);
-    const Hand hand = input_(state, period);
+    const Hand hand = input_(state, period, started_ ? &mover_.pose().tip : nullptr, output_.quiet());
     sample.device = hand.device;
     sample.stylusTip = hand.wanted.tip;
     sample.proxy = started_ ? mover_.pose() : mover_.parkedAbove(hand.wanted);
@@ -38,6 +38,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     }
     const GuidedHand guided = guides_(hand, mover_.pose(), cut_.spindleTurns(), period);
     if (guided.held != 0) sample.flags |= sampleOnGuide;
+    mover_.setScale(hand.mapping.scale);
     ToolMotion motion = mover_.move(guided.goal, period, cut_);
     const CuttingForce cutting = cut_(motion, period, sample);
     mover_.arrive(motion);

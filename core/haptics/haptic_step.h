@@ -36,6 +36,9 @@ public:
     /// See GuideSet::step.
     void stepGuides(int levels) noexcept { guides_.step(levels); }
     const GuideSet& guides() const noexcept { return guides_; }
+    /// Scale, turn, clutch, recentring: see Workspace. Between two ticks.
+    void setWorkspace(const WorkspaceSettings& workspace) noexcept { input_.setWorkspace(workspace); }
+    const Workspace& workspace() const noexcept { return input_.workspace(); }
     /// Writes what was cut to the workpiece, which lags by up to 16 ticks. For whoever reads it for good: before a
     /// snapshot that is to be restored, undo, saving, amounts; pictures need not. Loop's thread, between two ticks.
     void settle() noexcept { cut_.settle(); }

@@ -68,7 +68,7 @@ private slots:
             bench.feed({0.05 * i, 0, 50});
             const glm::dvec3 now = bench.last.goal.axis;
             QVERIFY(std::abs(glm::length(now) - 1.0) < 1e-12);
-            QVERIFY(glm::length(now - before) <= GuideAxis::turningSpeed * period + 1e-9);
+            QVERIFY(glm::length(now - before) <= AxisFollower::speed * period + 1e-9);
             before = now;
         }
         // Going along +x with the normal +z: lead leans towards +x, tilt to the left, which is +y.
