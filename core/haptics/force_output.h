@@ -8,6 +8,7 @@
 #include "core/haptics/force_limiter.h"
 #include "core/haptics/guide_force.h"
 #include "core/haptics/hand_input.h"
+#include "core/haptics/motion_estimator.h"
 #include "core/haptics/passivity_controller.h"
 #include "core/haptics/tool_motion.h"
 #include "core/recording/sample.h"
@@ -28,7 +29,7 @@ public:
     /// Forces begin from nothing.
     void fadeIn() noexcept;
     /// The tool was taken up somewhere else: it did not move there.
-    void toolTakenUp() noexcept { toolVelocity_.reset(); }
+    void toolTakenUp() noexcept { toolMotion_.reset(); }
 
     /// The hand felt nothing in the last tick.
     bool quiet() const noexcept;
@@ -46,7 +47,7 @@ private:
     PassivityController passivity_;
     ForceLimiter limiter_;
     ForceRamp ramp_;
-    VelocityWindow toolVelocity_;
+    MotionEstimator toolMotion_;
     Wrench wrench_;
 };
 

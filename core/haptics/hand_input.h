@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/haptics/haptic_settings.h"
+#include "core/haptics/motion_estimator.h"
 #include "core/haptics/reading_guard.h"
-#include "core/haptics/velocity_window.h"
 #include "core/haptics/workspace.h"
 
 namespace burin {
@@ -16,6 +16,7 @@ struct Hand {
     glm::dvec3 deviceVelocity{0.0}; ///< mm/s, device frame
     ToolPose wanted;                ///< setup frame: where the hand wants the tool
     glm::dvec3 velocity{0.0};       ///< mm/s, setup frame, of the tip that is wanted
+    bool rests = false;             ///< what moves is mostly the encoders
     std::uint32_t buttons = 0;      ///< 0 with a fault
     WorkspaceMapping mapping;       ///< in force in this tick: device to setup
     bool clutched = false;          ///< the hand moves on its own: it feels nothing
@@ -39,7 +40,8 @@ public:
 private:
     Workspace workspace_;
     ReadingGuard guard_;
-    VelocityWindow velocity_;
+    MotionEstimator motion_;
+    double averaging_; ///< share of the reading before, at rest
 };
 
 } // namespace burin

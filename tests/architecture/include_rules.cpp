@@ -91,14 +91,17 @@ bool isOcct(std::string_view header) {
 bool isHidapi(std::string_view header) {
     return header.starts_with("hidapi");
 }
+bool isSystemd(std::string_view header) {
+    return header.starts_with("systemd/");
+}
 bool isSqlite(std::string_view header) {
     return header.starts_with("sqlite3");
 }
 
-const std::array<ThirdParty, 5> thirdParties{
-    ThirdParty{"Qt", isQt, {"ui", "app"}}, ThirdParty{"VTK", isVtk, {"ui/scene"}},
+const std::array<ThirdParty, 6> thirdParties{
+    ThirdParty{"Qt", isQt, {"ui", "app"}},           ThirdParty{"VTK", isVtk, {"ui/scene"}},
     ThirdParty{"OpenCASCADE", isOcct, {"core/cad"}}, ThirdParty{"SQLite", isSqlite, {"core/project"}},
-    ThirdParty{"hidapi", isHidapi, {"plugins"}}};
+    ThirdParty{"hidapi", isHidapi, {"plugins"}},     ThirdParty{"libsystemd", isSystemd, {"core/haptics"}}};
 
 std::string firstParts(std::string_view path, std::size_t count) {
     std::size_t end = 0;

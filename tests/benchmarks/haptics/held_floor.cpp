@@ -4,19 +4,23 @@
 
 namespace burin::benchmarks {
 
-HapticSettings HeldFloor::settingsFor(const Device& device) {
+HapticSettings HeldFloor::settingsFor(const Device& device, const test::SimulatedMechanism& mechanism) {
     HapticSettings settings = test::Bench::settings();
     settings.mapping.scale = device.scale;
-    settings.stylus.maximumStiffness.value = device.stiffness / settings.couplingShare;
+    const double delay = static_cast<double>(mechanism.delay); // ticks
+    settings.stylus.delay.value = delay * settings.tickPeriod;
+    // A loop is to lower its stiffness by the delay; here it shall not, so that it has what is asked for.
+    settings.stylus.maximumStiffness.value = device.stiffness * (1.0 + 2.0 * delay) / settings.couplingShare;
     settings.stylus.maximumDamping.value = device.damping;
     settings.stylus.maximumForce.value = device.force;
+    settings.stylus.positionStep.value = mechanism.encoder;
     return settings;
 }
 
 HeldFloor::HeldFloor(const Device& device, const test::SimulatedGrip& grip, const test::SimulatedMechanism& mechanism,
                      double startHeight)
     : floor_(test::floorHeight / device.scale)
-    , bench_(settingsFor(device), test::ballTool(), test::stockOnPart(0, false))
+    , bench_(settingsFor(device, mechanism), test::ballTool(), test::stockOnPart(0, false))
     , handle_(grip, mechanism, {0.0, 0.0, floor_ + startHeight}) {
     bench_.begin(handle_.reading());
 }

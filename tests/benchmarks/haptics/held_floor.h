@@ -30,7 +30,7 @@ public:
     double height() const noexcept; ///< mm, device frame: of the handle above the floor, as it is read
 
 private:
-    static HapticSettings settingsFor(const Device& device);
+    static HapticSettings settingsFor(const Device& device, const test::SimulatedMechanism& mechanism);
     double floor_; ///< mm, device frame
     test::Bench bench_;
     test::SimulatedHandle handle_;
