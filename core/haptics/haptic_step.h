@@ -4,6 +4,7 @@
 
 #include "core/haptics/cut_tick.h"
 #include "core/haptics/force_output.h"
+#include "core/haptics/guide_set.h"
 #include "core/haptics/hand_input.h"
 #include "core/haptics/tool_mover.h"
 
@@ -30,6 +31,14 @@ public:
     bool started() const noexcept { return started_; }
     /// Takes effect over some ticks (5 mm/s), without a kick. @param allowance mm, >= 0
     void setAllowance(double allowance) noexcept { mover_.setAllowance(allowance); }
+    /// Guides for the hand; they fade in and out. Between two ticks. Their curves outlive the step.
+    void setGuides(const GuideSettings& guides) noexcept { guides_.set(guides); }
+    /// See GuideSet::step.
+    void stepGuides(int levels) noexcept { guides_.step(levels); }
+    const GuideSet& guides() const noexcept { return guides_; }
+    /// Scale, turn, clutch, recentring: see Workspace. Between two ticks.
+    void setWorkspace(const WorkspaceSettings& workspace) noexcept { input_.setWorkspace(workspace); }
+    const Workspace& workspace() const noexcept { return input_.workspace(); }
     /// Writes what was cut to the workpiece, which lags by up to 16 ticks. For whoever reads it for good: before a
     /// snapshot that is to be restored, undo, saving, amounts; pictures need not. Loop's thread, between two ticks.
     void settle() noexcept { cut_.settle(); }
@@ -54,6 +63,7 @@ private:
     bool start(const ToolPose& hand) noexcept;
 
     HandInput input_;
+    GuideSet guides_;
     ToolMover mover_;
     CutTick cut_;
     ForceOutput output_;

@@ -12,22 +12,24 @@ namespace {
 constexpr double voxelsPerTick = 6.0; // of travel, at least
 constexpr int parkingSamples = 256;
 
-/// A tool as fast as the fastest hand that is believed follows it without a lag, hence without a force.
-double travelPerSecond(const HapticSettings& settings, const Grid& grid) noexcept {
-    return std::max(voxelsPerTick * grid.edge() / settings.tickPeriod,
-                    1.1 * settings.stylus.maximumSpeed.value * settings.mapping.scale);
-}
-
 } // namespace
 
 ToolMover::ToolMover(const ClearanceField& field, const Tool& tool, const Grid& grid, const HapticSettings& settings)
     : topOfWorkpiece_(grid.box().high.z)
     , spacing_(field.spacing())
-    , travelPerSecond_(travelPerSecond(settings, grid))
+    , slowestTravel_(voxelsPerTick * grid.edge() / settings.tickPeriod)
+    , handSpeed_(settings.stylus.maximumSpeed.value)
     , longestPeriod_(ReadingGuard::lateTicks * settings.tickPeriod)
     , brake_(tool.cutter, grid)
     , proxy_(field)
-    , allowance_(settings.allowance) {}
+    , allowance_(settings.allowance) {
+    setScale(settings.mapping.scale);
+}
+
+/// A tool as fast as the fastest hand that is believed follows it without a lag, hence without a force.
+void ToolMover::setScale(double scale) noexcept {
+    travelPerSecond_ = std::max(slowestTravel_, 1.1 * handSpeed_ * scale);
+}
 
 bool ToolMover::start(const ToolPose& hand, const CutTick& cut) noexcept {
     allowance_.settle();

@@ -31,14 +31,18 @@ public:
     /// Takes effect over some ticks. @param allowance mm, >= 0
     void setAllowance(double allowance) noexcept { allowance_.want(allowance); }
     void workpieceChanged() noexcept { brake_.workpieceChanged(); }
+    /// @param scale mm of setup per mm of device: how far the tool may travel in a tick goes with it
+    void setScale(double scale) noexcept;
     /// What shank or holder touched last.
     const ShankContact& shankContact() const noexcept { return shank_; }
 
 private:
     bool barred(const glm::dvec3& to, CutTick& cut, ToolMotion& motion) noexcept;
 
-    double topOfWorkpiece_, spacing_, travelPerSecond_; ///< mm, mm, mm/s
-    double longestPeriod_;                              ///< s that a tick's travel is allowed for
+    double topOfWorkpiece_, spacing_;  ///< mm
+    double slowestTravel_, handSpeed_; ///< mm/s: of the tool at any scale, and of the fastest hand
+    double travelPerSecond_;           ///< mm/s
+    double longestPeriod_;             ///< s that a tick's travel is allowed for
     BrakeOnContact brake_;
     Proxy proxy_;
     AllowanceFollower allowance_;
