@@ -24,6 +24,7 @@ struct MillArguments {
     std::string project, stylus = "operator", mode, tool = "ball-6", machine = "linuxcnc-mill", trace;
     bool realtime = false, fast = false;
     double seconds = 0.0, rate = 1000.0;
+    int deadMan = 0; ///< button, from 1; 0: none
     std::optional<double> allowance;
     OperatorRequest hand;
 };
@@ -82,6 +83,7 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     request.cutsOnButton = cutsOnButton;
     request.period = 1.0 / work.arguments.rate;
     request.trace = work.arguments.trace;
+    if (work.arguments.deadMan > 0) request.forceButtons = 1U << static_cast<unsigned>(work.arguments.deadMan - 1);
     request.heardFault = [&work](const Error& fault) { work.context.message(Messages::sentence(fault).toStdString()); };
     if (work.arguments.seconds > 0.0) request.maximumSeconds = work.arguments.seconds;
     Result<TakeOutcome> outcome =
@@ -109,9 +111,13 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
     const Result<AnyStylus> stylus = registry.make(device->id, work.arguments.mode);
     if (!stylus) return stylus.error();
     const StylusHandle handle(*stylus);
+    const int buttons = handle.device().description().buttons;
+    if (work.arguments.deadMan > buttons)
+        return Error{ErrorCode::argumentInvalid, "--dead-man", std::to_string(work.arguments.deadMan),
+                     "0 to " + std::to_string(buttons)};
     MillWork live = work;
     live.pace = Pace::realtime;
-    return millWith(handle, device->name, handle.device().description().buttons > 0, live);
+    return millWith(handle, device->name, buttons > 0, live);
 }
 
 Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
@@ -182,6 +188,11 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--mode", arguments->mode, "One of a device's modes, as \"burin devices\" lists them");
     command->add_option("--rate", arguments->rate, "Ticks a second, Hz; a device that keeps its own time has its own")
         ->check(CLI::Range(1000.0, 4000.0))
+        ->capture_default_str();
+    command
+        ->add_option("--dead-man", arguments->deadMan,
+                     "Forces only while this button of the device is held, counted from 1; 0: always")
+        ->check(CLI::Range(0, 32))
         ->capture_default_str();
     command->add_option("--trace", arguments->trace, "Also write what a trace or device did, to be played again");
     command->add_option("--tool", arguments->tool, "Tool")->capture_default_str();

@@ -30,7 +30,8 @@ ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     , passivity_(controllerSettings(settings, coupling_.stiffness()))
     , limiter_(settings.maximumForce(), coupling_.stiffness(), settings.tickPeriod)
     , ramp_(settings.rampSeconds)
-    , toolMotion_(settings.stylus.positionStep.value * settings.mapping.scale) {}
+    , toolMotion_(settings.stylus.positionStep.value * settings.mapping.scale)
+    , forceButtons_(settings.forceButtons) {}
 
 void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
                              const GuidedHand& guided, double period, Sample& sample) noexcept {
@@ -38,8 +39,9 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
     for (Coupling* spring : {&coupling_, &guideSpring_}) spring->setScale(hand.mapping.scale);
     cuttingRendering_.setWorkspaceScale(hand.mapping.scale);
     const glm::dvec3 inDevice = hand.mapping.directionToDevice(wanted(motion, cutting, hand, guided, period));
-    if (hand.reading == Reading::late || !isFinite(inDevice)) {
-        none(hand.reading != Reading::late, sample);
+    const bool letGo = forceButtons_ != 0 && (hand.buttons & forceButtons_) == 0;
+    if (hand.reading == Reading::late || letGo || !isFinite(inDevice)) {
+        none(letGo || hand.reading != Reading::late, sample);
         return;
     }
     const glm::dvec3 passive = passivity_(inDevice, hand, period);

@@ -48,6 +48,7 @@ private:
     ForceLimiter limiter_;
     ForceRamp ramp_;
     MotionEstimator toolMotion_;
+    std::uint32_t forceButtons_;
     Wrench wrench_;
 };
 

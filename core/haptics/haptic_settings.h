@@ -5,6 +5,8 @@
 #include "core/device/stylus.h"
 #include "core/haptics/workspace_mapping.h"
 
+#include <cstdint>
+
 namespace burin {
 
 /// Gains and limits of one session.
@@ -20,6 +22,7 @@ struct HapticSettings {
     double rampSeconds = 1.5;        ///< forces fade in after start and after any fault
     double tickPeriod = 0.001;       ///< s that the loop intends; later ticks count as late
     bool cutsOnButton = false;       ///< the spindle turns only while the stylus' first button is down
+    std::uint32_t forceButtons = 0;  ///< dead man's: forces only while one of these is held, by bit; 0: always
 
     /// N that are ever sent; 0 for a stylus without motors.
     double maximumForce() const noexcept { return stylus.hasMotors() ? forceShare * stylus.maximumForce.value : 0.0; }

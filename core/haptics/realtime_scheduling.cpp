@@ -77,6 +77,10 @@ bool RealtimeScheduling::askLimits(int priority) noexcept {
     // Reset on fork: no program started from here inherits the class.
     if (pthread_setschedparam(pthread_self(), SCHED_FIFO | SCHED_RESET_ON_FORK, &wanted) != 0) return false;
     obtained_ = SchedulingClass::fifo;
+    // Somebody may have limited the process as RealtimeKit would: without a handler that limit ends the program.
+    rlimit unbroken{};
+    if (getrlimit(RLIMIT_RTTIME, &unbroken) == 0 && unbroken.rlim_cur != RLIM_INFINITY && heedsWarning())
+        place_ = takePlace(thread_);
     return true;
 }
 
@@ -97,7 +101,7 @@ void RealtimeScheduling::askKit(int priority) noexcept {
 
 SchedulingClass RealtimeScheduling::obtained() const noexcept {
     const bool demoted = place_ >= 0 && warned[static_cast<std::size_t>(place_)].load(std::memory_order_relaxed) < 0;
-    return obtained_ == SchedulingClass::roundRobin && demoted ? SchedulingClass::normal : obtained_;
+    return demoted && obtained_ != SchedulingClass::nice ? SchedulingClass::normal : obtained_;
 }
 
 RealtimeScheduling::~RealtimeScheduling() {

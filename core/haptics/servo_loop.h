@@ -32,7 +32,7 @@ struct LoopStatistics {
     std::uint64_t cuts = 0;  ///< times that the watchdog cut the motors
     double cutSeconds = 0.0; ///< s, the longest from the loop's last beat until they were cut
     SchedulingClass scheduling = SchedulingClass::normal;
-    bool memoryLocked = false; ///< the tick's own memory can't be paged out
+    bool memoryLocked = false; ///< stack and state of the tick can't be paged out; the workpiece can
 };
 
 /// Runs a stylus and a step until the stylus has finished, `stop` is set or the time is over: a stylus that is called

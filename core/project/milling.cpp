@@ -110,6 +110,7 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceFi
     session.maximumSeconds = request.maximumSeconds;
     session.period = request.period;
     session.cutsOnButton = request.cutsOnButton;
+    session.forceButtons = request.forceButtons;
     session.trace = request.trace;
     session.flights = request.flights;
     StrokeHistory strokes;

@@ -26,6 +26,7 @@ struct TakeRequest {
     double maximumSeconds = 1e9;                  ///< s of the session
     double period = 0.0;                          ///< s of a tick; 0: as SessionRequest says
     bool cutsOnButton = false;                    ///< the spindle turns only while the stylus' first button is down
+    std::uint32_t forceButtons = 0;               ///< as in SessionRequest
     std::filesystem::path trace, flights;         ///< as in SessionRequest
     std::function<void(const Error&)> heardFault; ///< in the calling thread: a fault after which the session goes on
 };

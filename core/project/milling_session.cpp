@@ -42,6 +42,7 @@ HapticSettings hapticSettings(const Bench& bench, const StylusHandle& stylus, co
     settings.allowance = request.allowance;
     settings.cuttingSpeed = bench.conditions.surfaceSpeed;
     settings.cutsOnButton = request.cutsOnButton;
+    settings.forceButtons = request.forceButtons;
     return settings;
 }
 
@@ -141,7 +142,10 @@ Result<void> LiveSession::start(const SessionRequest& request) {
         sink = trace_.get();
     }
     if (!request.takeName.empty())
-        if (Result<void> begun = beginTake(request.takeName); !begun) return begun;
+        if (Result<void> begun = beginTake(request.takeName); !begun) {
+            trace_.reset(); // of nothing
+            return begun;
+        }
     thread_ = std::thread([this, sink] {
         ServoSettings servo = servo_;
         servo.alarm = faults_.alarm();

@@ -146,6 +146,31 @@ void theWatchdogCutsTheMotorsOfAHostThatDied() {
     waitpid(host, nullptr, 0);
 }
 
+/// Through a second file of the same device, while the thread that serves the first one is stuck in a tick. The
+/// device's own watchdog would take 100 ms.
+void motorsAreCutWhileATickHangs() {
+    DeviceRegistry registry;
+    open_stylus_limits limits = Board::limits();
+    limits.watchdog = 100;
+    PluggedBoard board(limits);
+    HangingClient client; // outlives the stylus, which calls it
+    const auto stylus = made(registry);
+    BURIN_EXPECT(stylus->open() && stylus->start(client));
+    BURIN_EXPECT(comesTrue([&] { return board.force.load() > 0.9; }));
+    client.hang = true;
+    BURIN_EXPECT(comesTrue([&] { return client.held.load(); }));
+    const int offs = board.offs;
+    const auto cut = std::chrono::steady_clock::now();
+    stylus->cutMotors();
+    BURIN_EXPECT(comesTrue([&] { return board.offs >= offs + 1 && !board.motors.load(); }));
+    const auto after = std::chrono::duration<double>(std::chrono::steady_clock::now() - cut).count();
+    tellFigure("cut_to_motors_off_ms", 1e3 * after, "ms");
+    client.hang = false;
+    BURIN_EXPECT(comesTrue([&] { return board.force.load() > 0.9; })); // armed again by itself
+    BURIN_EXPECT(client.invalid > 0);
+    stylus->stop();
+}
+
 std::uint64_t seen(const DeviceHealth& health) {
     return health.readings + health.damaged + health.repeated;
 }
@@ -264,6 +289,7 @@ std::vector<GuestCheck> openStylusChecks() {
             {"the hand at an open stylus feels the wall", theHandFeelsTheWall},
             {"an open stylus unplugged in mid stroke goes on when it is back", unpluggedInMidStroke},
             {"the watchdog cuts the motors of a host that died", theWatchdogCutsTheMotorsOfAHostThatDied},
+            {"motors are cut while a tick hangs", motorsAreCutWhileATickHangs},
             {"an open stylus of another version is refused", anotherVersionIsRefused},
             {"who has no right to a device is told", whoHasNoRightIsTold},
             {"the watch tells of plugging in and out", theWatchTellsOfPluggingInAndOut},

@@ -41,7 +41,7 @@ private slots:
               "an unplugged 3D mouse says so and goes on when it is back", "an open stylus tells its limits",
               "the hand at an open stylus feels the wall",
               "an open stylus unplugged in mid stroke goes on when it is back",
-              "the watchdog cuts the motors of a host that died", "an open stylus of another version is refused",
+              "the watchdog cuts the motors of a host that died", "motors are cut while a tick hangs", "an open stylus of another version is refused",
               "who has no right to a device is told", "the watch tells of plugging in and out",
               "hostile reports do no harm"})
             QTest::newRow(fact) << QString::fromLatin1(fact);

@@ -126,4 +126,19 @@ private:
     double lastTime_ = -1.0;
 };
 
+/// Pushes with 1 N along x, and hangs in a tick for as long as it is told to.
+class HangingClient final : public StylusClient {
+public:
+    Wrench tick(const StylusState& state) noexcept override {
+        if (hang) held = true;
+        while (hang) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        ++(state.valid ? valid : invalid);
+        return {{1.0, 0.0, 0.0}, {}};
+    }
+    void answered() noexcept override { ++answers; }
+
+    std::atomic<bool> hang{false}, held{false};
+    std::atomic<int> valid{0}, invalid{0}, answers{0};
+};
+
 } // namespace burin::test

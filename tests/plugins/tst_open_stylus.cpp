@@ -17,6 +17,7 @@ using namespace burin;
 using namespace burin::openstylus;
 using test::Board;
 using test::comesTrue;
+using test::HangingClient;
 using test::RunningBoard;
 using test::ScriptedBus;
 using test::Wall;
@@ -244,17 +245,7 @@ private slots:
 
     /// The device's own watchdog would take 100 ms; the tick hangs for as long as the test wants.
     void itsMotorsCanBeCutWhileATickHangs() {
-        struct Hanging final : StylusClient {
-            Wrench tick(const StylusState& state) noexcept override {
-                if (hang) held = true;
-                while (hang) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                (state.valid ? valid : invalid)++;
-                return {{1.0, 0.0, 0.0}, {}};
-            }
-            void answered() noexcept override { ++answers; }
-            std::atomic<bool> hang{false}, held{false};
-            std::atomic<int> valid{0}, invalid{0}, answers{0};
-        } client;
+        HangingClient client; // outlives the stylus, which calls it
         auto bus = std::make_unique<ScriptedBus>();
         open_stylus_limits limits = Board::limits();
         limits.watchdog = 100;

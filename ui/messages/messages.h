@@ -28,7 +28,7 @@ public:
     static bool install(const QLocale& locale);
 
 private:
-    static QString flightSentence(const Error& error);
+    static QString withRecord(const QString& sentence, const Error& error);
 };
 
 } // namespace burin

@@ -10,5 +10,6 @@ void tickFigures(Session& session);         ///< tick.*: what a tick costs
 void contactForceFigures(Session& session); ///< press.*, free.*
 void stabilityFigures(Session& session);    ///< energy.*, nohand.*, noise.*
 void guardFigures(Session& session);        ///< guards.*
+void stopFigures(Session& session);         ///< stop.*
 
 } // namespace burin::benchmarks

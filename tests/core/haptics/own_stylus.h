@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/device/device_fault.h"
 #include "core/device/stylus.h"
 #include "core/haptics/loop_clock.h"
 

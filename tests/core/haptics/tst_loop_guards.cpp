@@ -312,6 +312,29 @@ private slots:
         QCOMPARE(sum, run.log.timings.back().over - run.log.timings.front().over);
     }
 
+    /// Dead man's button: no force without it, none from the very tick that it is let go, and what comes back fades in.
+    void forcesNeedTheirButtonHeld() {
+        HapticSettings settings = Bench::settings();
+        settings.forceButtons = 0b110; // the second or the third
+        settings.rampSeconds = 0.05;
+        Bench bench(settings);
+        bench.begin({0, 0, 2});
+        bench.moveTo({0, 0, floorHeight - 1.0}, 40.0);
+        const auto pressWith = [&bench](std::uint32_t buttons, int ticks) {
+            bench.buttons = buttons;
+            return glm::length(bench.rest(ticks).force);
+        };
+        QCOMPARE(pressWith(0b000, 200), 0.0);
+        QCOMPARE(pressWith(0b001, 200), 0.0);
+        const double first = pressWith(0b100, 1), whole = pressWith(0b100, 200);
+        QVERIFY(whole > 0.2);
+        QVERIFY(first < 0.05 * whole);
+        QVERIFY(std::abs(pressWith(0b010, 50) - whole) < 0.05 * whole);
+        QCOMPARE(pressWith(0b001, 1), 0.0);
+        QCOMPARE(bench.step.deviceWrench().force, glm::dvec3(0.0));
+        QVERIFY(pressWith(0b010, 1) < 0.05 * whole);
+    }
+
     /// Slower devices are not late with each of their ticks.
     void limitsOfGapsGoWithThePeriod() {
         QCOMPARE(gapLimits(0.001).late, 0.003);

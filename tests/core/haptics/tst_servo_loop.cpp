@@ -131,8 +131,16 @@ private slots:
         QCOMPARE(stylus.lastForce, glm::dvec3(0.0));
     }
 
+    void realtimeFollowsTheClock_data() {
+        QTest::addColumn<double>("rate");
+        for (const double rate : {1000.0, 2000.0, 4000.0}) QTest::addRow("%g Hz", rate) << rate;
+    }
     void realtimeFollowsTheClock() {
-        Bench bench;
+        QFETCH(double, rate);
+        const double period = 1.0 / rate;
+        HapticSettings wanted = Bench::settings();
+        wanted.tickPeriod = period;
+        Bench bench(wanted);
         CirclingStylus stylus;
         Ring<Sample> ring(4096);
         const std::atomic<bool> stop{false};
