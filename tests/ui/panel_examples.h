@@ -152,8 +152,11 @@ inline MeterState meters() {
     MeterState state;
     state.running = true;
     state.rateHz = 1000.2;
+    state.intervalP999 = 1183.0;
     state.workP999 = 112.0;
     state.missed = 3;
+    state.late = 1;
+    state.scheduling = SchedulingClass::roundRobin;
     state.force = 1.8;
     state.forceScale = 3.3;
     state.removalRate = 412.0;

@@ -8,6 +8,7 @@
 #include "ui/panels/notice.h"
 #include "ui/theme/theme.h"
 
+#include <QComboBox>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -64,6 +65,36 @@ private slots:
         QCOMPARE(child<Notice>(panel, "millMissing").sentence(), state.missing);
     }
 
+    /// Devices come and go; what only the pointer needs goes with it; nothing is chosen while the tool is in use.
+    void theStylusIsChosen() {
+        MillPanel panel;
+        MillState state = examples::mill();
+        state.recording = state.active = false;
+        state.styluses = QStringList{QStringLiteral("Mouse"), QStringLiteral("Open Stylus")};
+        panel.setState(state);
+        show(panel);
+        QSignalSpy chosen(&panel, &MillPanel::stylusChosen);
+        auto& box = child<QComboBox>(panel, "stylusChoice");
+        QCOMPARE(box.count(), 2);
+        QVERIFY(child<QPushButton>(panel, "levelButton").isVisible());
+        box.setFocus();
+        QTest::keyClick(&box, Qt::Key_Down);
+        QCOMPARE(chosen.size(), 1);
+        QCOMPARE(chosen[0][0].toInt(), 1);
+        state.stylus = 1;
+        panel.setState(state);
+        QCOMPARE(box.currentIndex(), 1);
+        for (const char* name : {"levelButton", "alongPartButton"})
+            QVERIFY(!child<QPushButton>(panel, name).isVisible());
+        state.styluses[1] += QStringLiteral(" (not plugged in)");
+        panel.setState(state);
+        QCOMPARE(box.currentText(), state.styluses[1]);
+        state.active = true;
+        panel.setState(state);
+        QVERIFY(!box.isEnabled());
+        QCOMPARE(chosen.size(), 1); // none of it was the user
+    }
+
     void depthAndSpeedAreEdited() {
         MillPanel panel;
         MillState state = examples::mill();
@@ -94,7 +125,11 @@ private slots:
         QCOMPARE(valueOf(meters, "forceMeter"), QStringLiteral("1.8 N of 3.3"));
         QCOMPARE(valueOf(meters, "removalMeter"), QStringLiteral("412 mm³/s"));
         QCOMPARE(valueOf(meters, "rateMeter"), QStringLiteral("1,000 Hz"));
+        QCOMPARE(valueOf(meters, "intervalMeter"), QStringLiteral("1.18 ms"));
+        QCOMPARE(valueOf(meters, "workMeter"), QStringLiteral("112 µs"));
         QCOMPARE(valueOf(meters, "missedMeter"), QStringLiteral("3"));
+        QCOMPARE(valueOf(meters, "lateMeter"), QStringLiteral("1"));
+        QCOMPARE(valueOf(meters, "schedulingMeter"), QStringLiteral("real time, by RealtimeKit"));
         QCOMPARE(valueOf(meters, "positionZ"), QStringLiteral("-11.380"));
         meters.setUnit(LengthUnit::inch);
         QCOMPARE(valueOf(meters, "positionZ"), QStringLiteral("-0.4480"));

@@ -9,6 +9,24 @@
 
 namespace burin {
 
+namespace {
+
+QString priorityText(SchedulingClass scheduling) {
+    switch (scheduling) {
+    case SchedulingClass::fifo:
+        return Meters::tr("real time");
+    case SchedulingClass::roundRobin:
+        return Meters::tr("real time, by RealtimeKit");
+    case SchedulingClass::nice:
+        return Meters::tr("raised, by RealtimeKit");
+    case SchedulingClass::normal:
+        break;
+    }
+    return Meters::tr("normal");
+}
+
+} // namespace
+
 class Meters::Fields : public QObject {
 public:
     explicit Fields(Meters* meters);
@@ -24,7 +42,7 @@ private:
 
     Meters* meters_;
     QVBoxLayout* column_;
-    ValueRow *stylus_, *force_, *removal_, *rate_, *work_, *missed_, *x_, *y_, *z_;
+    ValueRow *stylus_, *force_, *removal_, *rate_, *interval_, *work_, *missed_, *late_, *scheduling_, *x_, *y_, *z_;
     MeterBar *forceBar_, *removalBar_;
 };
 
@@ -37,9 +55,16 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed per second"));
     removalBar_ = addBar(&Palette::accent);
     rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks per second that are really reached"));
+    interval_ = addRow(Meters::tr("Interval, p99.9"), "intervalMeter",
+                       Meters::tr("999 of 1000 forces come no later than this after the one before"));
     work_ = addRow(Meters::tr("Work, p99.9"), "workMeter",
                    Meters::tr("999 of 1000 ticks take no longer than this, thread CPU time"));
     missed_ = addRow(Meters::tr("Missed"), "missedMeter", Meters::tr("Ticks that came too late"));
+    late_ = addRow(Meters::tr("Withheld"), "lateMeter",
+                   Meters::tr("Forces that were ready more than 3 ms after the one before, and not sent"));
+    scheduling_ = addRow(Meters::tr("Priority"), "schedulingMeter",
+                         Meters::tr("What the system grants the haptic loop; the limits in force (rtprio) or "
+                                    "RealtimeKit give real time"));
     addPosition();
     stylus_ = addRow(Meters::tr("Stylus"), "stylusName", Meters::tr("What leads the tool"));
 }
@@ -81,6 +106,9 @@ void Meters::Fields::refresh() {
     removal_->setValue(runs ? rateText(state.removalRate, unit) : none);
     removalBar_->setShare(runs && state.removalScale > 0.0 ? state.removalRate / state.removalScale : 0.0);
     rate_->setValue(runs ? locale.toString(state.rateHz, 'f', 0) + QStringLiteral(" Hz") : none);
+    interval_->setValue(runs ? locale.toString(1e-3 * state.intervalP999, 'f', 2) + QStringLiteral(" ms") : none);
+    late_->setValue(runs ? countText(static_cast<std::size_t>(state.late)) : none);
+    scheduling_->setValue(runs ? priorityText(state.scheduling) : none);
     work_->setValue(runs ? locale.toString(state.workP999, 'f', 0) + QStringLiteral(" µs") : none);
     missed_->setValue(runs ? countText(static_cast<std::size_t>(state.missed)) : none);
     const QString from = Meters::tr("Tip of the tool from program zero, in %1").arg(unitText(unit));

@@ -3,6 +3,7 @@
 #include "ui/panels/mill_panel.h"
 
 #include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/how_to_mill.h"
 #include "ui/panels/length_field.h"
@@ -24,16 +25,20 @@ public:
 
 private:
     void addButtons();
+    void addStylus();
     void addDepth();
     QuantityField* addField(QuantityField* field, const QString& label, const QString& toolTip, const char* name,
                             double low, double high, void (MillPanel::*edited)(double));
     void chooseRule(DepthChoice rule);
     void refreshButtons();
+    void refreshStylus();
     void refreshDepth();
 
     MillPanel* panel_;
     QVBoxLayout* column_;
     QPushButton *mill_, *record_, *undo_, *redo_, *level_, *part_, *show_;
+    ChoiceBox* stylus_;
+    QWidget *pointerTitle_, *keysTitle_, *keys_; ///< of what only the pointer needs
     QuantityField *depthOfCut_, *press_, *speed_;
     Notice *missing_, *alarm_;
     QLabel* noTakes_;
@@ -43,13 +48,15 @@ private:
 MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
     column_->addWidget(makeSectionTitle(MillPanel::tr("Mill"), panel));
     addButtons();
+    addStylus();
     missing_ = new Notice(panel);
     missing_->setObjectName(QStringLiteral("millMissing"));
     column_->addWidget(missing_);
     alarm_ = new Notice(panel);
     alarm_->setObjectName(QStringLiteral("millAlarm"));
     column_->addWidget(alarm_);
-    column_->addWidget(makeSectionTitle(MillPanel::tr("How the tool follows the hand"), panel));
+    pointerTitle_ = makeSectionTitle(MillPanel::tr("How the tool follows the hand"), panel);
+    column_->addWidget(pointerTitle_);
     addDepth();
     column_->addWidget(makeSectionTitle(MillPanel::tr("Takes"), panel));
     noTakes_ = makeWrappedLabel(panel);
@@ -66,8 +73,10 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
     show_ = makeButton(MillPanel::tr("Show me"), QStringLiteral("play"), QStringLiteral("showMeButton"), panel);
     connect(show_, &QPushButton::clicked, panel, &MillPanel::showMeRequested);
     column_->addWidget(show_);
-    column_->addWidget(makeSectionTitle(MillPanel::tr("Mouse and keys"), panel));
-    column_->addWidget(new HowToMill(panel));
+    keysTitle_ = makeSectionTitle(MillPanel::tr("Mouse and keys"), panel);
+    column_->addWidget(keysTitle_);
+    keys_ = new HowToMill(panel);
+    column_->addWidget(keys_);
     column_->addStretch(1);
 }
 
@@ -103,6 +112,14 @@ void MillPanel::Fields::addButtons() {
     });
     connect(undo_, &QPushButton::clicked, panel_, &MillPanel::undoStrokeRequested);
     connect(redo_, &QPushButton::clicked, panel_, &MillPanel::redoStrokeRequested);
+}
+
+void MillPanel::Fields::addStylus() {
+    stylus_ = new ChoiceBox(panel_);
+    stylus_->setObjectName(QStringLiteral("stylusChoice"));
+    column_->addWidget(new FieldRow(MillPanel::tr("Stylus"), stylus_, MillPanel::tr("What leads the tool"), panel_,
+                                    FieldRow::choiceWidth));
+    connect(stylus_, &QComboBox::activated, panel_, &MillPanel::stylusChosen);
 }
 
 void MillPanel::Fields::addDepth() {
@@ -164,7 +181,7 @@ void MillPanel::Fields::refreshButtons() {
     setLook(mill_, state.ready && !state.active ? "primary" : "");
     showIcon(mill_, QStringLiteral("mill"), state.ready && !state.active ? &Palette::field : &Palette::text);
     enableUnless(mill_, state.active ? QString() : reason,
-                 state.active ? MillPanel::tr("Put the tool away") : MillPanel::tr("The tool follows the mouse"));
+                 state.active ? MillPanel::tr("Put the tool away") : MillPanel::tr("The tool follows the stylus"));
     undo_->setEnabled(state.canUndoStroke);
     redo_->setEnabled(state.canRedoStroke);
     enableUnless(show_,
@@ -178,12 +195,27 @@ void MillPanel::Fields::refreshButtons() {
     alarm_->tell(Notice::Kind::error, state.alarm);
 }
 
+/// Devices come and go under the user's eyes, but never under an open list.
+void MillPanel::Fields::refreshStylus() {
+    QStringList shown;
+    for (int i = 0; i < stylus_->count(); ++i) shown << stylus_->itemText(i);
+    if (shown != state.styluses) {
+        stylus_->clear();
+        stylus_->addItems(state.styluses);
+    }
+    stylus_->setCurrentIndex(state.stylus);
+    stylus_->setEnabled(!state.active && !state.recording && !state.showing);
+}
+
 void MillPanel::Fields::refreshDepth() {
-    const bool level = state.depthRule == DepthChoice::level;
+    const bool level = state.depthRule == DepthChoice::level, pointer = state.stylus == 0;
+    for (QWidget* widget : {pointerTitle_, keysTitle_, keys_, static_cast<QWidget*>(level_),
+                            static_cast<QWidget*>(part_), speed_->parentWidget()})
+        widget->setVisible(pointer);
     level_->setChecked(level);
     part_->setChecked(!level);
-    depthOfCut_->parentWidget()->setVisible(level);
-    press_->parentWidget()->setVisible(!level);
+    depthOfCut_->parentWidget()->setVisible(pointer && level);
+    press_->parentWidget()->setVisible(pointer && !level);
     depthOfCut_->showValue(state.depthOfCut);
     press_->showValue(state.press);
     speed_->showValue(state.speed);
@@ -191,6 +223,7 @@ void MillPanel::Fields::refreshDepth() {
 
 void MillPanel::Fields::refresh() {
     refreshButtons();
+    refreshStylus();
     refreshDepth();
     takes_->setTakes(state.takes);
     takes_->setRemovable(!state.recording && !state.showing);

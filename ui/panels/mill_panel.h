@@ -20,6 +20,7 @@ public:
 signals:
     void millModeToggled(bool on);
     void recordToggled(bool on);
+    void stylusChosen(int index); ///< of MillState::styluses
     void undoStrokeRequested();
     void redoStrokeRequested();
     void depthRuleChosen(burin::DepthChoice rule);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/haptics/tick_sink.h"
 #include "core/path/edit.h"
 #include "core/project/project.h"
 #include "core/setup/setup.h"
@@ -11,6 +12,7 @@
 #include "core/volume/property_list.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
@@ -77,6 +79,8 @@ struct MillState {
     QString alarm;                                      ///< what touches what; empty: nothing
     std::vector<TakeRow> takes;
     bool showing = false; ///< the virtual operator mills
+    QStringList styluses; ///< what can be milled with
+    int stylus = 0;       ///< of these
 };
 
 struct PathState {
@@ -107,8 +111,11 @@ struct ProgramState {
 struct MeterState {
     bool running = false; ///< the haptic loop runs
     double rateHz = 0.0;
-    double workP999 = 0.0; ///< µs of thread CPU time
+    double intervalP999 = 0.0; ///< µs from force to force
+    double workP999 = 0.0;     ///< µs of thread CPU time
     std::uint64_t missed = 0;
+    std::uint64_t late = 0; ///< ticks whose force was withheld
+    SchedulingClass scheduling = SchedulingClass::normal;
     double force = 0.0;       ///< N, unscaled cutting force
     double forceScale = 5.0;  ///< N, full scale so far
     double removalRate = 0.0; ///< mm³/s

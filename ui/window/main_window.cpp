@@ -150,6 +150,7 @@ void MainWindow::connectWorkbench() {
         const bool stopped = error.code == ErrorCode::cancelled;
         message_->tell(stopped ? Notice::Kind::information : Notice::Kind::error, Messages::sentence(error));
     });
+    workbench_.styluses.start();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
     connect(&workbench_.document, &DocumentController::opened, this, &MainWindow::tellAboutOpened);
     connect(&workbench_.model, &ModelController::imported, this, [this] {

@@ -21,6 +21,7 @@ void MillMode::setSettings(const MillToolSettings& settings) {
 }
 
 void MillMode::begin() {
+    if (workbench_.mill.stylus() == nullptr) return; // a device leads the tool, and the mouse the camera
     tool_ = std::make_unique<MillTool>(*workbench_.mill.stylus(), workbench_.bench.bench()->tool,
                                        [this] { return workbench_.session.workpiece(); });
     tool_->setSettings(settings_);

@@ -32,7 +32,9 @@ QString shankSentence(const SessionState& state, const Bench& bench) {
 }
 
 MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.mill, &workbench.bench, &workbench.session, &workbench.showMe, &workbench.setup},
+    : Presenter(workbench,
+                {&workbench.mill, &workbench.bench, &workbench.session, &workbench.showMe, &workbench.setup,
+                 &workbench.styluses},
                 parent)
     , mode_(mode)
     , panel_(panel) {
@@ -52,6 +54,8 @@ MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& pa
         else
             workbench_.mill.stopRecording();
     });
+    connect(&panel, &MillPanel::stylusChosen, this,
+            [this](int index) { workbench_.styluses.choose(static_cast<std::size_t>(index)); });
     connect(&panel, &MillPanel::undoStrokeRequested, &workbench, &Workbench::undoLast);
     connect(&panel, &MillPanel::redoStrokeRequested, &workbench, &Workbench::redoLast);
     connect(&panel, &MillPanel::depthRuleChosen, this, [this](DepthChoice choice) {
@@ -125,6 +129,9 @@ void MillPresenter::present() {
         state.takes.back().recording = true;
     }
     state.showing = workbench_.showMe.showing();
+    for (const StylusController::Choice& choice : workbench_.styluses.choices())
+        state.styluses << (choice.there ? choice.name : tr("%1 (not plugged in)").arg(choice.name));
+    state.stylus = static_cast<int>(workbench_.styluses.chosen());
     panel_.setState(state);
 }
 
@@ -142,7 +149,10 @@ void MeterPresenter::tick() {
     const SessionState& session = workbench_.session.state();
     state_.rateHz = session.rateHz;
     state_.workP999 = session.cpuP999;
+    state_.intervalP999 = session.intervalP999;
     state_.missed = session.missed;
+    state_.late = session.late;
+    state_.scheduling = session.scheduling;
     state_.force = glm::length(session.sample.cuttingForce);
     state_.forceScale = std::max(state_.forceScale, state_.force);
     state_.removalRate = session.removalRate;
@@ -158,7 +168,8 @@ void MeterPresenter::present() {
         state_.running = running;
     }
     if (running)
-        state_.stylus = workbench_.showMe.showing() ? tr("Virtual operator %1 ×").arg(ShowMe::timeLapse) : tr("Mouse");
+        state_.stylus = workbench_.showMe.showing() ? tr("Virtual operator %1 ×").arg(ShowMe::timeLapse)
+                                                    : workbench_.styluses.chosenName();
     meters_.setState(state_);
     emit presented();
 }

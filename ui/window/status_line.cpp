@@ -15,8 +15,9 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     setObjectName(QStringLiteral("statusLine"));
     setSizeGripEnabled(false);
     stylus_ = add("stylusStatus", tr("What leads the tool."));
-    rate_ = add("rateStatus", tr("Ticks per second of the haptic loop that were really reached, and what 99.9 % of "
-                                 "them cost at most."));
+    rate_ = add("rateStatus", tr("Ticks per second of the haptic loop that were really reached, how long 999 of 1000 "
+                                 "forces let wait for the next one at most, what a tick costs at most, and ticks that "
+                                 "were skipped."));
     position_ = add("positionStatus", tr("Where the tip is, in the coordinates of the program."));
     size_ = add("sizeStatus", tr("Voxels of the workpiece, and the memory reserved for it."));
     saved_ = add("savedStatus", tr("Whether the project's file holds all that was done."));

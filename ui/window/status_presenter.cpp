@@ -9,7 +9,9 @@
 namespace burin {
 
 StatusPresenter::StatusPresenter(Workbench& workbench, const MeterPresenter& meters, StatusLine& line, QObject* parent)
-    : Presenter(workbench, {&workbench.document, &workbench.bench, &workbench.setup, &workbench.session}, parent)
+    : Presenter(workbench,
+                {&workbench.document, &workbench.bench, &workbench.setup, &workbench.session, &workbench.styluses},
+                parent)
     , meters_(meters)
     , line_(line) {
     connect(&meters, &MeterPresenter::presented, this, &StatusPresenter::presentSession);
@@ -52,15 +54,16 @@ void StatusPresenter::present() {
 void StatusPresenter::presentSession() {
     const MeterState& state = meters_.state();
     if (!workbench_.session.running()) {
-        line_.setStylus(workbench_.bench.ready() ? tr("Mouse") : QString(), false);
+        line_.setStylus(workbench_.bench.ready() ? workbench_.styluses.chosenName() : QString(), false);
         line_.setRate({});
         line_.setPosition({});
         return;
     }
     const QLocale locale;
     line_.setStylus(state.stylus, true);
-    line_.setRate(
-        tr("%1 Hz · p99.9 %2 µs").arg(locale.toString(state.rateHz, 'f', 0), locale.toString(state.workP999, 'f', 0)));
+    line_.setRate(tr("%1 Hz · p99.9 %2 ms, work %3 µs · %4 missed")
+                      .arg(locale.toString(state.rateHz, 'f', 0), locale.toString(1e-3 * state.intervalP999, 'f', 2),
+                           locale.toString(state.workP999, 'f', 0), locale.toString(state.missed)));
     line_.setPosition(QStringLiteral("X %1  Y %2  Z %3 %4")
                           .arg(lengthNumber(state.tip.x, unit()), lengthNumber(state.tip.y, unit()),
                                lengthNumber(state.tip.z, unit()), unitText(unit())));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/mill_controller.h"
 
+#include "core/project/milling.h"
 #include "ui/workbench/stroke_command.h"
 #include "ui/workbench/value_command.h"
 
@@ -19,11 +20,13 @@ bool sameTake(const TakeInfo& one, const TakeInfo& other) {
 
 } // namespace
 
-MillController::MillController(const Desk& desk, BenchController& bench, SessionRunner& session, QObject* parent)
-    : Controller(desk, parent), bench_(bench), session_(session) {
+MillController::MillController(const Desk& desk, BenchController& bench, SessionRunner& session,
+                               StylusController& styluses, QObject* parent)
+    : Controller(desk, parent), bench_(bench), session_(session), styluses_(styluses) {
     connect(&session_, &SessionRunner::ticked, this, &MillController::noteStrokes);
+    connect(&session_, &SessionRunner::ticked, this, &MillController::followButton);
     connect(&session_, &SessionRunner::ended, this, [this] {
-        const bool was = active();
+        const bool was = std::exchange(active_, false);
         mouse_ = nullptr;
         noteStrokes();
         refreshTakes();
@@ -36,33 +39,65 @@ MillController::MillController(const Desk& desk, BenchController& bench, Session
     });
 }
 
-SessionRequest MillController::request() const {
-    SessionRequest request;
-    request.allowance = allowance_;
-    request.cutsOnButton = true;
-    return request;
-}
-
 void MillController::enter() {
     if (active() || entering_ || session_.running() || !bench_.ready()) {
         recordOnceEntered_ = recordOnceEntered_ && entering_;
         return;
     }
     entering_ = true;
+    if (styluses_.mouse())
+        enterWithMouse();
+    else
+        enterWithDevice();
+}
+
+void MillController::enterWithMouse() {
     const Bench& bench = *bench_.bench();
     const glm::dvec3 centre = bench.setup.stock.centre();
     auto stylus = std::make_unique<SimulatedStylus>(glm::dvec3(centre.x, centre.y, bench.safeHeight()));
     SimulatedStylus* mouse = stylus.get();
-    session_.begin({bench_.bench(), bench_.field(), &bench_.strokes()}, std::move(stylus), request(),
-                   [this, mouse](bool begun) {
-                       entering_ = false;
-                       if (begun) {
-                           mouse_ = mouse;
-                           emit entered();
-                       }
-                       if (std::exchange(recordOnceEntered_, false) && begun) startRecording();
-                       emit changed();
-                   });
+    SessionRequest request;
+    request.cutsOnButton = true;
+    begin(std::move(stylus), mouse, request);
+}
+
+void MillController::enterWithDevice() {
+    styluses_.connectDevice([this](std::unique_ptr<AnyStylus> stylus) {
+        if (!stylus || session_.running() || !bench_.ready()) { // what was asked for may be over
+            begun(false, nullptr);
+            return;
+        }
+        const StylusDescription description = StylusHandle(*stylus).device().description();
+        SessionRequest request;
+        request.mapping = mappingFor(*bench_.bench(), description);
+        request.cutsOnButton = description.buttons > 0;
+        begin(std::move(*stylus), nullptr, request);
+    });
+    emit changed();
+}
+
+void MillController::begin(AnyStylus stylus, SimulatedStylus* mouse, const SessionRequest& request) {
+    SessionRequest wanted = request;
+    wanted.allowance = allowance_;
+    session_.begin({bench_.bench(), bench_.field(), &bench_.strokes()}, std::move(stylus), wanted,
+                   [this, mouse](bool well) { begun(well, mouse); });
+}
+
+void MillController::begun(bool well, SimulatedStylus* mouse) {
+    entering_ = false;
+    if (well) {
+        active_ = true;
+        mouse_ = mouse;
+        emit entered();
+    }
+    if (std::exchange(recordOnceEntered_, false) && well) startRecording();
+    emit changed();
+}
+
+/// A stroke of a device begins with its button, as the mouse's does.
+void MillController::followButton() {
+    const bool wasDown = std::exchange(buttonDown_, (session_.state().sample.buttons & 1U) != 0);
+    if (active() && mouse_ == nullptr && buttonDown_ && !wasDown) startRecording();
 }
 
 void MillController::leave(Then then) {

@@ -5,19 +5,23 @@
 #include "core/device/simulated_stylus.h"
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/session_runner.h"
+#include "ui/workbench/stylus_controller.h"
 
 #include <map>
 
 namespace burin {
 
-/// Milling by hand: mill mode with the mouse as stylus, recordings, strokes taken back, the allowance.
+/// Milling by hand: mill mode with the mouse or a device as stylus, recordings, strokes taken back, the allowance. With
+/// a device its first button turns the spindle, and begins a recording where none runs.
 class MillController final : public Controller {
     Q_OBJECT
 public:
-    MillController(const Desk& desk, BenchController& bench, SessionRunner& session, QObject* parent);
+    MillController(const Desk& desk, BenchController& bench, SessionRunner& session, StylusController& styluses,
+                   QObject* parent);
 
-    bool active() const noexcept { return mouse_ != nullptr; }  ///< mill mode
-    SimulatedStylus* stylus() const noexcept { return mouse_; } ///< null outside mill mode; the session owns it
+    bool active() const noexcept { return active_; } ///< mill mode
+    /// For the pointer to lead; null outside mill mode and with a device. The session owns it.
+    SimulatedStylus* stylus() const noexcept { return mouse_; }
     bool recording() const noexcept { return session_.running() && session_.state().recording; }
     double allowance() const noexcept { return allowance_; } ///< mm
     const std::vector<TakeInfo>& takes() const noexcept { return takes_; }
@@ -49,12 +53,18 @@ private:
     void takeBack(bool undo);
     void noteStrokes();
     void applyAllowance(double millimetres);
-    SessionRequest request() const;
+    void enterWithMouse();
+    void enterWithDevice();
+    void begin(AnyStylus stylus, SimulatedStylus* mouse, const SessionRequest& request);
+    void begun(bool well, SimulatedStylus* mouse);
+    void followButton();
 
     BenchController& bench_;
     SessionRunner& session_;
+    StylusController& styluses_;
     SimulatedStylus* mouse_ = nullptr;
-    bool entering_ = false, startingRecording_ = false, recordOnceEntered_ = false;
+    bool active_ = false, buttonDown_ = false, entering_ = false, startingRecording_ = false,
+         recordOnceEntered_ = false;
     double allowance_ = 0.0;
     std::vector<TakeInfo> takes_;
     std::uint64_t strokesSeen_ = 0;

@@ -14,10 +14,9 @@ SessionRunner::SessionRunner(const Desk& desk, QObject* parent) : Controller(des
 
 SessionRunner::~SessionRunner() = default;
 
-void SessionRunner::begin(const Place& place, std::unique_ptr<Stylus> stylus, const SessionRequest& request,
-                          Then then) {
+void SessionRunner::begin(const Place& place, AnyStylus stylus, const SessionRequest& request, Then then) {
     // std::function wants a copy
-    auto held = std::make_shared<std::unique_ptr<Stylus>>(std::move(stylus));
+    auto held = std::make_shared<AnyStylus>(std::move(stylus));
     desk_.project.lend([this, place, held, request, then = std::move(then)](Project* project) {
         if (session_ || !project) { // somebody was faster
             then(false);
@@ -25,14 +24,14 @@ void SessionRunner::begin(const Place& place, std::unique_ptr<Stylus> stylus, co
         }
         view_ = {place.bench->embedded.workpiece.snapshot(), std::nullopt};
         Result<std::unique_ptr<MillingSession>> session =
-            MillingSession::begin(*project, *place.bench, *place.field, **held, *place.strokes, request);
+            MillingSession::begin(*project, *place.bench, *place.field, *held, *place.strokes, request);
         if (!session) {
             emit failed(session.error());
             then(false);
             return;
         }
         place_ = place;
-        stylus_ = std::move(*held);
+        stylus_ = std::make_unique<AnyStylus>(std::move(*held));
         session_ = std::move(*session);
         state_ = {};
         ended_ = false;
@@ -49,7 +48,7 @@ void SessionRunner::end(Then then) {
             frame_.stop();
             const Result<LoopStatistics> outcome = session_->end();
             session_.reset();
-            const std::unique_ptr<Stylus> stylus = std::move(stylus_); // whoever leads it lets go of it below
+            const std::unique_ptr<AnyStylus> stylus = std::move(stylus_); // whoever leads it lets go of it below
             const Place place = std::exchange(place_, {});
             state_.recording = false;
             view_ = {};
@@ -106,6 +105,7 @@ void SessionRunner::look() {
     session_->takeTrace(trace_);
     if (!trace_.empty()) emit traced(trace_);
     if (session_->newestView(view_)) emit viewed(view_);
+    if (const std::optional<Error> fault = session_->takeFault()) emit failed(*fault);
     if (!session_->ended() || ended_) return;
     ended_ = true;
     emit endedByItself();

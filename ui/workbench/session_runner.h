@@ -13,7 +13,7 @@
 namespace burin {
 
 /// One milling session at a time: begins and ends it, and looks at it at the rate of the screen. What needs the project
-/// is done in the order in which it was asked for.
+/// is done in the order in which it was asked for. Faults after which a session goes on are told by `failed`.
 class SessionRunner final : public Controller {
     Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
         std::shared_ptr<const ClearanceField> field;
         StrokeHistory* strokes = nullptr;
     };
-    void begin(const Place& place, std::unique_ptr<Stylus> stylus, const SessionRequest& request, Then then);
+    void begin(const Place& place, AnyStylus stylus, const SessionRequest& request, Then then);
     void end(Then then = {});
     void startRecording(const QString& name, Then then = {});
     void stopRecording(Then then = {});
@@ -52,7 +52,7 @@ private:
     void withSession(std::function<Result<void>(MillingSession&)> use, Then then);
 
     Place place_;
-    std::unique_ptr<Stylus> stylus_;
+    std::unique_ptr<AnyStylus> stylus_;
     std::unique_ptr<MillingSession> session_;
     SessionState state_;
     std::vector<MillingSession::TracePoint> trace_;

@@ -11,8 +11,9 @@ Workbench::Workbench(QObject* parent)
     , setup(desk_, this)
     , tool(desk_, this)
     , bench(desk_, this)
+    , styluses(desk_, this)
     , session(desk_, this)
-    , mill(desk_, bench, session, this)
+    , mill(desk_, bench, session, styluses, this)
     , showMe(desk_, bench, session, this)
     , path(desk_, bench, this)
     , program(desk_, bench, path, this) {
@@ -27,7 +28,7 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model, &setup, &tool, &bench, &session, &mill, &showMe, &path, &program};
+    return {&document, &model, &setup, &tool, &bench, &styluses, &session, &mill, &showMe, &path, &program};
 }
 
 void Workbench::wire() {

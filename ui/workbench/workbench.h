@@ -9,6 +9,7 @@
 #include "ui/workbench/program_controller.h"
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/show_me.h"
+#include "ui/workbench/stylus_controller.h"
 #include "ui/workbench/tool_controller.h"
 
 #include <QObject>
@@ -34,6 +35,7 @@ public:
     SetupController setup;
     ToolController tool;
     BenchController bench;
+    StylusController styluses; ///< outlives the session, whose stylus may be of one of its drivers
     SessionRunner session;
     MillController mill;
     ShowMe showMe;

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/stylus_controller.h"
+
+#include "ui/messages/messages.h"
+
+#include <QMetaObject>
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// A device that can be used in several ways is as many choices.
+std::vector<StylusController::Choice> choicesOf(const FoundDevice& device) {
+    const QString name = QString::fromStdString(device.name);
+    if (device.modes.empty()) return {{device.id, {}, name}};
+    std::vector<StylusController::Choice> choices;
+    for (const DeviceMode& mode : device.modes)
+        choices.push_back({device.id, mode.id, name + QStringLiteral(": ") + Messages::text(mode.name)});
+    return choices;
+}
+
+} // namespace
+
+StylusController::StylusController(const Desk& desk, QObject* parent) : Controller(desk, parent) {
+    choices_.push_back({{}, {}, tr("Mouse")});
+}
+
+StylusController::~StylusController() = default;
+
+void StylusController::start(std::shared_ptr<DeviceRegistry> registry) {
+    watch_.reset();
+    registry_ = registry ? std::move(registry) : std::make_shared<DeviceRegistry>();
+    for (const Error& fault : registry_->takeFaults()) emit failed(fault);
+    watch_ = std::make_unique<DeviceWatch>(*registry_, [this](const DeviceChange& change) {
+        QMetaObject::invokeMethod(
+            this, [this, change] { hear(change); }, Qt::QueuedConnection);
+    });
+}
+
+void StylusController::hear(const DeviceChange& change) {
+    const Choice before = choices_[chosen_];
+    const auto isDevice = [&](const Choice& choice) { return choice.id == change.device.id; };
+    if (change.arrived) {
+        std::erase_if(choices_, isDevice);
+        for (Choice& choice : choicesOf(change.device)) choices_.push_back(std::move(choice));
+    } else {
+        const auto isChosen = [&](const Choice& choice) {
+            return choice.id == before.id && choice.mode == before.mode;
+        };
+        std::erase_if(choices_, [&](const Choice& choice) { return isDevice(choice) && !isChosen(choice); });
+        for (Choice& choice : choices_)
+            if (isDevice(choice)) choice.there = false;
+    }
+    select(before);
+    emit changed();
+}
+
+void StylusController::choose(std::size_t index) {
+    if (index >= choices_.size() || index == chosen_) return;
+    const Choice wanted = choices_[index];
+    // Nobody waits any more for one that is away.
+    std::erase_if(choices_, [&](const Choice& choice) { return !choice.there && choice.id != wanted.id; });
+    select(wanted);
+    emit changed();
+}
+
+/// Where it is among the choices now; the mouse if it is gone.
+void StylusController::select(const Choice& wanted) {
+    const auto same = std::ranges::find_if(
+        choices_, [&](const Choice& choice) { return choice.id == wanted.id && choice.mode == wanted.mode; });
+    chosen_ = same == choices_.end() ? 0 : static_cast<std::size_t>(same - choices_.begin());
+}
+
+void StylusController::connectDevice(std::function<void(std::unique_ptr<AnyStylus>)> then) {
+    const Choice wanted = choices_[chosen_];
+    using Made = Result<std::shared_ptr<AnyStylus>>; // a task's outcome is copied about
+    desk_.tasks.start(
+        TaskKind::device, tr("Connecting %1").arg(wanted.name),
+        [registry = registry_, wanted](Progress&) -> Made {
+            if (!registry) return Error{ErrorCode::deviceNotFound, wanted.id, {}, {}};
+            Result<AnyStylus> stylus = registry->make(wanted.id, wanted.mode);
+            if (!stylus) return std::move(stylus).error();
+            return std::make_shared<AnyStylus>(std::move(*stylus));
+        },
+        [this, then = std::move(then)](Made made) {
+            if (!made) emit failed(made.error());
+            then(made ? std::make_unique<AnyStylus>(std::move(**made)) : nullptr);
+        });
+}
+
+} // namespace burin
