@@ -2,14 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/haptic_step.h"
 
+#include "core/haptics/fixed_axis_boundary.h"
+
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace burin {
 
 HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const Tool& tool,
                        const HapticSettings& settings)
+    : HapticStep(workpiece, BoundaryLayers(std::make_unique<FixedAxisBoundary>(field)), tool, settings) {}
+
+HapticStep::HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& tool, const HapticSettings& settings)
     : input_(settings)
-    , mover_(field, tool, workpiece.grid(), settings)
+    , layers_(std::move(layers))
+    , mover_(layers_, tool, workpiece.grid(), settings)
     , cut_(workpiece, tool, settings)
     , output_(settings) {}
 
@@ -40,6 +48,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     sample.proxy = mover_.pose();
     if (motion.shankContact) sample.flags |= sampleShankContact;
     if (motion.normal != glm::dvec3(0.0)) sample.flags |= sampleOnBoundary;
+    if (motion.axisHeld) sample.flags |= sampleAxisHeld;
     output_(motion, cutting, hand, period, sample);
     return sample;
 }

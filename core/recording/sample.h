@@ -21,6 +21,7 @@ enum SampleFlag : std::uint32_t {
     sampleForcesOff = 1u << 4,     ///< ramp-in or start inside the part: no force yet
     sampleMemoryFull = 1u << 5,    ///< the reserved memory of the volume is used up: cutting stopped
     sampleSpindleOff = 1u << 6,    ///< the tool only moved: nothing was cut, stock did not hold it; never part of a path
+    sampleAxisHeld = 1u << 7,      ///< the axis does not follow the stylus: there is no room, and no torque to feel it
 };
 
 /// Removed volume of one material in one tick.
