@@ -8,7 +8,8 @@
 
 namespace burin {
 
-BoundaryLayers::BoundaryLayers(std::unique_ptr<PoseBoundary> part) : spacing_(part->spacing()) {
+BoundaryLayers::BoundaryLayers(std::unique_ptr<PoseBoundary> part)
+    : spacing_(part->spacing()), overlap_(part->overlap()) {
     take(*part);
     layers_.push_back({std::move(part), 0.0, State::inForce});
 }
@@ -22,6 +23,7 @@ std::size_t BoundaryLayers::add(std::unique_ptr<PoseBoundary> layer, bool on) {
 void BoundaryLayers::take(const PoseBoundary& boundary) noexcept {
     errorBound_ = std::max(errorBound_, boundary.errorBound());
     spacing_ = std::min(spacing_, boundary.spacing());
+    overlap_ = std::min(overlap_, boundary.overlap());
     reach_ = std::max(reach_, boundary.reach());
 }
 

@@ -46,6 +46,7 @@ public:
     PoseSample at(const ToolPose& pose, double enough) noexcept override;
     double errorBound() const noexcept override { return errorBound_; }
     double spacing() const noexcept override { return spacing_; }
+    double overlap() const noexcept override { return overlap_; }
     double reach() const noexcept override { return reach_; }
 
 private:
@@ -57,7 +58,8 @@ private:
     void take(const PoseBoundary& boundary) noexcept;
 
     std::vector<Layer> layers_;
-    double errorBound_ = 0.0, spacing_ = 0.0, reach_ = 0.0; ///< greatest, least, greatest of all layers
+    double errorBound_ = 0.0, reach_ = 0.0; ///< mm, greatest of all layers
+    double spacing_, overlap_;              ///< mm, least of all layers
 };
 
 } // namespace burin

@@ -19,6 +19,7 @@ public:
     }
     double errorBound() const noexcept override { return field_->errorBound(); }
     double spacing() const noexcept override { return field_->spacing(); }
+    double overlap() const noexcept override { return 0.0; }
     double reach() const noexcept override { return 0.0; }
 
 private:

@@ -5,12 +5,21 @@
 #include "core/cutting/pose_steps.h"
 #include "core/geometry/clearance_gradient.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace burin {
 namespace {
 
 constexpr double ridgeShare = 0.01; // of a voxel: so far from a contact a ridge of the tool may pass
+
+/// A ball of half of this fits into each piece: moved by less, every piece overlaps where it was.
+double overlapOf(std::span<const RevolvedPiece> tool) noexcept {
+    double least = std::numeric_limits<double>::infinity();
+    for (const RevolvedPiece& piece : tool)
+        least = std::min({least, piece.widestRadius(), 0.5 * (piece.top - piece.bottom)});
+    return least;
+}
 
 } // namespace
 
@@ -21,6 +30,7 @@ MeshBoundary::MeshBoundary(std::shared_ptr<const MeshDistance> solid, std::vecto
     , voxel_(voxel)
     , margin_(margin)
     , reach_(reachOf(tool_))
+    , overlap_(overlapOf(tool_))
     , asker_(*solid_, tool_) {}
 
 PoseSample MeshBoundary::at(const ToolPose& pose, double enough) noexcept {

@@ -22,6 +22,7 @@ public:
     PoseSample at(const ToolPose& pose, double enough) noexcept override;
     double errorBound() const noexcept override { return 1e-6; }
     double spacing() const noexcept override { return voxel_; }
+    double overlap() const noexcept override { return overlap_; }
     double reach() const noexcept override { return reach_; }
 
 private:
@@ -29,7 +30,7 @@ private:
 
     std::shared_ptr<const MeshDistance> solid_;
     std::vector<RevolvedPiece> tool_;
-    double voxel_, margin_, reach_;
+    double voxel_, margin_, reach_, overlap_; ///< mm
     ClearanceAsker asker_;
     ToolPose lastPose_{glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
     double lastEnough_ = 0.0;

@@ -27,6 +27,9 @@ public:
     virtual double errorBound() const noexcept = 0;
     /// mm over which a sample's gradients tell about its neighbourhood; walls thicker than a quarter are not missed.
     virtual double spacing() const noexcept = 0;
+    /// mm that no point of the tool may move by, at once, for the tool to overlap where it was: so far nothing solid
+    /// passes it unseen. 0: not known.
+    virtual double overlap() const noexcept = 0;
     /// mm from the tip to the farthest point of the tool that counts; 0 where a turn changes nothing.
     virtual double reach() const noexcept = 0;
 };

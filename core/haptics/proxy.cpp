@@ -13,10 +13,15 @@
 namespace burin {
 namespace {
 
-constexpr double smallestStep = 1e-8;        // mm; a shorter one is rest
+constexpr double smallestStep = 1e-5;        // mm; a shorter one is rest
+constexpr double smallestTurn = 1e-8;        // rad
 constexpr double smallestImprovement = 1e-9; // mm
 constexpr double usableGradient = 0.2;       // below it (a medial axis) the direction is noise
+constexpr int mostLooks = 24;                // at the boundary in one tick, before the whole way is looked at
 constexpr int chordSamples = 128;
+constexpr int mostBacktracks = 4;
+/// What a turn counts in strides: between two looks the farthest point moves by half a spacing at most.
+constexpr double turnShare = 0.5;
 constexpr double sightInSpacings = 8.0;   // so far ahead clearances are asked for
 constexpr double stiffTurnLength = 1.0e4; // mm: a tip yields by all but a ten-thousandth of what stops a turn
 constexpr double rounding = 1e-9;         // mm by which a pose may have become infeasible since it was accepted
@@ -25,12 +30,14 @@ constexpr double rounding = 1e-9;         // mm by which a pose may have become 
 class Way {
 public:
     Way(PoseBoundary& boundary, const ToolPose& from, const PoseSample& sample, double chordTolerance,
-        double maximumTravel) noexcept
+        const ProxyStride& stride) noexcept
         : boundary_(boundary)
         , spacing_(boundary.spacing())
         , reach_(boundary.reach())
+        , overlap_(boundary.overlap())
         , tolerance_(0.5 * chordTolerance)
-        , travelLeft_(maximumTravel)
+        , travelLeft_(stride.travel)
+        , turnLeft_(stride.turn)
         , pose_(from)
         , sample_(sample) {
         vertices_[0] = from;
@@ -49,33 +56,37 @@ private:
     PoseVector between(const ToolPose& from, const ToolPose& to) const noexcept;
     ToolPose moved(const PoseVector& offset) const noexcept;
     PoseVector normal(const PoseSample& sample) const noexcept;
-    double motion(const PoseVector& offset) const noexcept;
-    PoseVector shortened(const PoseVector& offset, double motion) const noexcept;
-    PoseSample look(const ToolPose& pose) const noexcept;
+    double motion(const PoseVector& offset, double turnWeight) const noexcept;
+    PoseVector shortened(const PoseVector& offset, double most, double turnWeight) const noexcept;
+    PoseSample look(const ToolPose& pose) noexcept;
 
+    bool canMove() const noexcept {
+        return travelLeft_ > smallestStep || (turnLength_ > 0.0 && turnLeft_ > smallestTurn);
+    }
     bool advanceOnce() noexcept;
     bool advanceFree() noexcept;
     bool advanceAlongSurface() noexcept;
     bool correctOntoSurface(ToolPose pose, PoseSample sample) noexcept;
     bool shorten(const PoseVector& offset) noexcept;
-    bool acceptable(const ToolPose& pose, const PoseSample& sample) const noexcept;
+    bool acceptable(const ToolPose& pose, const PoseSample& sample) noexcept;
     bool accept(const ToolPose& pose, const PoseSample& sample) noexcept;
-    bool clearBetween(const ToolPose& a, const ToolPose& b) const noexcept;
+    bool clearBetween(const ToolPose& a, const ToolPose& b) noexcept;
     void keepWholeWayClear() noexcept;
 
     PoseBoundary& boundary_;
-    const double spacing_, reach_, tolerance_;
+    const double spacing_, reach_, overlap_, tolerance_;
     ToolPose goal_;
     double turnLength_ = 0.0;
     glm::dvec3 start_{0.0};
     double room_ = 0.0;
-    double travelLeft_;
+    double travelLeft_; ///< mm
+    double turnLeft_;   ///< rad
     ToolPose pose_;
     PoseSample sample_;
     ContactPlanes planes_;
     std::array<ToolPose, Proxy::maximumIterations + 1> vertices_{};
     int vertexCount_ = 1;
-    int iterations_ = 0;
+    int iterations_ = 0, looks_ = 0;
     bool settled_ = false;
 };
 
@@ -93,21 +104,25 @@ PoseVector Way::normal(const PoseSample& sample) const noexcept {
     return {sample.gradient, turnLength_ > 0.0 ? sample.turning / turnLength_ : glm::dvec3(0.0)};
 }
 
-/// mm that no point of the tool moves by more.
-double Way::motion(const PoseVector& offset) const noexcept {
-    const double turn = turnLength_ > 0.0 ? reach_ * glm::length(offset.turn) / turnLength_ : 0.0;
+/// mm. @param turnWeight 1: no point of the tool moves by more
+double Way::motion(const PoseVector& offset, double turnWeight) const noexcept {
+    const double turn = turnLength_ > 0.0 ? turnWeight * reach_ * glm::length(offset.turn) / turnLength_ : 0.0;
     return glm::length(offset.move) + turn;
 }
 
-PoseVector Way::shortened(const PoseVector& offset, double most) const noexcept {
-    const double whole = motion(offset), travel = glm::length(offset.move);
+PoseVector Way::shortened(const PoseVector& offset, double most, double turnWeight) const noexcept {
+    const double whole = motion(offset, turnWeight), travel = glm::length(offset.move);
+    const double turn = glm::length(offset.turn);
     double part = whole > most ? most / whole : 1.0;
     if (part * travel > travelLeft_) part = travelLeft_ / travel;
+    if (part * turn > turnLeft_ * turnLength_) part = turnLeft_ * turnLength_ / turn;
     return part < 1.0 ? offset * part : offset;
 }
 
-PoseSample Way::look(const ToolPose& pose) const noexcept {
-    return boundary_.at(pose, std::min(motion(rest()), sightInSpacings * spacing_) + spacing_);
+PoseSample Way::look(const ToolPose& pose) noexcept {
+    ++looks_;
+    const double sight = gap(sample_) > spacing_ ? sightInSpacings : 1.0;
+    return boundary_.at(pose, std::min(motion(rest(), 1.0), sight * spacing_) + spacing_);
 }
 
 bool Way::towards(const ToolPose& goal, double turnLength, double room, int iterations) noexcept {
@@ -119,7 +134,7 @@ bool Way::towards(const ToolPose& goal, double turnLength, double room, int iter
     planes_ = ContactPlanes(turnLength > 0.0 ? spacing_ / turnLength : 0.0);
     settled_ = false;
     const int last = std::min(iterations_ + iterations, Proxy::maximumIterations);
-    while (!settled_ && iterations_ < last && travelLeft_ > smallestStep) {
+    while (!settled_ && iterations_ < last && looks_ < mostLooks && canMove()) {
         settled_ = !advanceOnce();
         ++iterations_;
     }
@@ -152,7 +167,7 @@ bool Way::advanceOnce() noexcept {
 /// No surface within the clearance: straight towards the goal.
 bool Way::advanceFree() noexcept {
     planes_.clear();
-    const PoseVector offset = shortened(rest(), std::max(gap(sample_), 0.5 * spacing_));
+    const PoseVector offset = shortened(rest(), std::max(gap(sample_), 0.5 * spacing_), 1.0);
     const ToolPose pose = moved(offset);
     const PoseSample sample = look(pose);
     if (acceptable(pose, sample)) return accept(pose, sample);
@@ -164,7 +179,7 @@ bool Way::advanceAlongSurface() noexcept {
     planes_.add({normal(sample_), gap(sample_) - Proxy::restingGap});
     PoseVector offset;
     for (int round = 0; round < ContactPlanes::capacity; ++round) {
-        offset = shortened(planes_.nearestTo(rest()), spacing_);
+        offset = shortened(planes_.nearestTo(rest()), spacing_, turnShare);
         if (length(offset) < smallestStep) return false;
         const ToolPose pose = moved(offset);
         const PoseSample sample = look(pose);
@@ -202,17 +217,19 @@ bool Way::shorten(const PoseVector& offset) noexcept {
     return false;
 }
 
-bool Way::acceptable(const ToolPose& pose, const PoseSample& sample) const noexcept {
+bool Way::acceptable(const ToolPose& pose, const PoseSample& sample) noexcept {
     if (!(gap(sample) >= 0.0)) return false;
     if (length(between(pose, goal_)) > length(rest()) - smallestImprovement) return false;
     if (glm::length(pose.tip - pose_.tip) > travelLeft_ * (1.0 + 1e-12)) return false;
+    if (turnLength_ > 0.0 && glm::length(turnBetween(pose_.axis, pose.axis)) > turnLeft_ * (1.0 + 1e-12)) return false;
     if (glm::length(pose.tip - start_) > room_) return false;
-    return clearBetween(pose_, pose);
+    return motion(between(pose_, pose), 1.0) <= overlap_ || clearBetween(pose_, pose);
 }
 
 bool Way::accept(const ToolPose& pose, const PoseSample& sample) noexcept {
     planes_.moveOrigin(between(pose_, pose), gap(sample));
     travelLeft_ -= glm::length(pose.tip - pose_.tip);
+    turnLeft_ -= glm::length(turnBetween(pose_.axis, pose.axis));
     pose_ = pose;
     sample_ = sample;
     vertices_[static_cast<std::size_t>(vertexCount_++)] = pose;
@@ -221,29 +238,38 @@ bool Way::accept(const ToolPose& pose, const PoseSample& sample) noexcept {
 
 /// Samples the way, in strides no longer than the clearance or a quarter of a cell: no wall thicker than that is jumped
 /// over. Half of the tolerance is left for what lies between two samples.
-bool Way::clearBetween(const ToolPose& a, const ToolPose& b) const noexcept {
-    const double whole = glm::length(b.tip - a.tip) + (a.axis == b.axis ? 0.0 : reach_ * glm::length(b.axis - a.axis));
+bool Way::clearBetween(const ToolPose& a, const ToolPose& b) noexcept {
+    const double turn = a.axis == b.axis ? 0.0 : reach_ * glm::length(b.axis - a.axis);
+    const double whole = glm::length(b.tip - a.tip) + turnShare * turn;
     const double stride = 0.25 * spacing_;
     if (whole <= 0.0) return true;
     const PoseSteps way(a, b, std::max(reach_, 1.0), spacing_);
-    double along = std::max(&a == &pose_ ? gap(sample_) : 0.0, std::min(stride, 0.5 * whole));
+    double along = std::max(&a == &pose_ ? turnShare * gap(sample_) : 0.0, std::min(stride, 0.5 * whole));
     for (int i = 0; i < chordSamples; ++i) {
         if (along >= whole) return true;
-        const double here = gap(boundary_.at(way.poseAt(along / whole), whole - along));
+        ++looks_;
+        const double here = gap(boundary_.at(way.poseAt(along / whole), std::min(whole - along, spacing_)));
         if (here < -tolerance_) return false;
-        along += std::max(here, stride);
+        along += std::max(turnShare * here, stride);
     }
     return false;
 }
 
-/// Goes back to the last vertex that can be reached from the first on the way that is cut.
+/// Goes back to a vertex that can be reached from the first on the way that is cut; the last such, as far as a few
+/// looks tell.
 void Way::keepWholeWayClear() noexcept {
     const auto vertex = [&](int index) -> const ToolPose& { return vertices_[static_cast<std::size_t>(index)]; };
-    if (vertexCount_ <= 2 || clearBetween(vertex(0), vertex(vertexCount_ - 1))) return;
-    int good = 1, bad = vertexCount_ - 1;
-    while (bad - good > 1) {
-        const int middle = (good + bad) / 2;
-        (clearBetween(vertex(0), vertex(middle)) ? good : bad) = middle;
+    const bool lookedAt = vertexCount_ == 1 || (vertexCount_ == 2 && overlap_ <= 0.0);
+    if (lookedAt || clearBetween(vertex(0), vertex(vertexCount_ - 1))) return;
+    int good = 0, bad = vertexCount_ - 1;
+    for (int tries = 0; bad - good > 1 && (tries < mostBacktracks || good == 0); ++tries) {
+        const int middle = tries < mostBacktracks ? (good + bad) / 2 : 1;
+        if (clearBetween(vertex(0), vertex(middle)))
+            good = middle;
+        else if (middle == 1)
+            break;
+        else
+            bad = middle;
     }
     pose_ = vertex(good);
     sample_ = look(pose_);
@@ -270,20 +296,21 @@ ProxyStep Proxy::advance(const ToolPose& from, const ToolPose& goal, const Proxy
     if (!isFinite(goal)) return stays;
     const PoseSample sample = boundary_->at(from, (1.0 + sightInSpacings) * boundary_->spacing());
     if (!(sample.clearance >= -rounding)) return stays;
-    Way way(*boundary_, from, sample, chordTolerance(), stride.travel);
+    Way way(*boundary_, from, sample, chordTolerance(), stride);
     if (!(stride.turn > 0.0)) {
         way.towards({goal.tip, from.axis}, 0.0, anywhere, maximumIterations);
         return way.end();
     }
-    const glm::dvec3 wanted = turned(from.axis, clampLength(turnBetween(from.axis, goal.axis), stride.turn));
     if (stride.yields == ProxyStride::Yields::both) {
-        way.towards({goal.tip, wanted}, stride.turnLength, anywhere, maximumIterations);
+        way.towards(goal, stride.turnLength, anywhere, maximumIterations);
     } else {
-        way.towards({from.tip, wanted}, stiffTurnLength, stride.room, maximumIterations / 2);
+        way.towards({from.tip, goal.axis}, stiffTurnLength, stride.room, maximumIterations / 2);
         way.towards({goal.tip, way.pose().axis}, 0.0, anywhere, maximumIterations);
     }
     ProxyStep step = way.end();
-    step.axisHeld = glm::length(step.pose.axis - wanted) > axisTolerance;
+    const double behind = glm::length(turnBetween(from.axis, goal.axis));
+    const double left = glm::length(turnBetween(step.pose.axis, goal.axis));
+    step.axisHeld = left > axisTolerance && behind - left < 0.5 * std::min(behind, stride.turn);
     return step;
 }
 
