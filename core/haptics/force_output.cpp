@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/force_output.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace burin {
 namespace {
 
@@ -11,25 +14,33 @@ CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings
     return {settings.cuttingForceScale, stiffness, cuttingShare * settings.maximumForce(), settings.mapping.scale};
 }
 
+PassivityController::Settings controllerSettings(const HapticSettings& settings, double stiffness) noexcept {
+    const StylusDescription& stylus = settings.stylus;
+    const double damping = usableDamping(stylus, settings.tickPeriod);
+    const double loss = sampledSpringLoss(stiffness, settings.tickPeriod, 0.0);
+    return {damping, std::min(damping, loss), std::lround(stylus.delay.value / settings.tickPeriod)};
+}
+
 } // namespace
 
 ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     : mapping_(settings.mapping)
     , coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
-    , passivity_(usableDamping(settings.stylus))
+    , passivity_(controllerSettings(settings, coupling_.stiffness()))
     , limiter_(settings.maximumForce(), coupling_.stiffness(), settings.tickPeriod)
-    , ramp_(settings.rampSeconds) {}
+    , ramp_(settings.rampSeconds)
+    , toolMotion_(settings.stylus.positionStep.value * settings.mapping.scale) {}
 
 void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, double period,
                              Sample& sample) noexcept {
-    toolVelocity_.add(motion.to.tip, period);
+    toolMotion_.add(motion.to.tip, period);
     const glm::dvec3 inDevice = mapping_.directionToDevice(wanted(motion, cutting, hand, period));
     if (hand.reading == Reading::late || !isFinite(inDevice)) {
         none(hand.reading != Reading::late, sample);
         return;
     }
-    const glm::dvec3 passive = passivity_(inDevice, hand.device.position, hand.deviceVelocity, period);
+    const glm::dvec3 passive = passivity_(inDevice, hand, period);
     wrench_.force = limiter_(passive) * ramp_.weight();
     passivity_.sent(wrench_.force);
     sample.force = mapping_.directionToSetup(wrench_.force);
@@ -43,9 +54,10 @@ glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cut
     Coupling::State state;
     state.proxy = motion.to.tip;
     state.hand = hand.wanted.tip;
-    state.proxyVelocity = toolVelocity_.velocity();
+    state.proxyVelocity = toolMotion_.velocity();
     state.handVelocity = hand.velocity;
     state.normal = motion.normal;
+    state.rests = hand.rests;
     const glm::dvec3 away = state.proxy - state.hand;
     if (motion.barred && glm::length(away) > 1e-6) state.normal = glm::normalize(away);
     return coupling_.force(state) + cuttingRendering_(cutting, motion.way(), motion.to.tip, period);
@@ -66,7 +78,7 @@ void ForceOutput::fadeIn() noexcept {
     passivity_.reset();
     ramp_.restart();
     cuttingRendering_.reset();
-    toolVelocity_.reset();
+    toolMotion_.reset();
 }
 
 } // namespace burin

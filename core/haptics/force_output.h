@@ -7,6 +7,7 @@
 #include "core/haptics/cutting_force_rendering.h"
 #include "core/haptics/force_limiter.h"
 #include "core/haptics/hand_input.h"
+#include "core/haptics/motion_estimator.h"
 #include "core/haptics/passivity_controller.h"
 #include "core/haptics/tool_motion.h"
 #include "core/recording/sample.h"
@@ -27,7 +28,7 @@ public:
     /// Forces begin from nothing.
     void fadeIn() noexcept;
     /// The tool was taken up somewhere else: it did not move there.
-    void toolTakenUp() noexcept { toolVelocity_.reset(); }
+    void toolTakenUp() noexcept { toolMotion_.reset(); }
 
     /// Of the last tick, device frame.
     const Wrench& wrench() const noexcept { return wrench_; }
@@ -43,7 +44,7 @@ private:
     PassivityController passivity_;
     ForceLimiter limiter_;
     ForceRamp ramp_;
-    VelocityWindow toolVelocity_;
+    MotionEstimator toolMotion_;
     Wrench wrench_;
 };
 

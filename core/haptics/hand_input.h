@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/haptics/haptic_settings.h"
+#include "core/haptics/motion_estimator.h"
 #include "core/haptics/reading_guard.h"
-#include "core/haptics/velocity_window.h"
 
 namespace burin {
 
@@ -15,6 +15,7 @@ struct Hand {
     glm::dvec3 deviceVelocity{0.0}; ///< mm/s, device frame
     ToolPose wanted;                ///< setup frame: where the hand wants the tool
     glm::dvec3 velocity{0.0};       ///< mm/s, setup frame, of the tip that is wanted
+    bool rests = false;             ///< what moves is mostly the encoders
     std::uint32_t buttons = 0;      ///< 0 with a fault
 };
 
@@ -27,13 +28,14 @@ public:
     /// @param period s since the tick before
     Hand operator()(const StylusState& state, double period) noexcept;
     /// The speed is measured anew: nobody knows where the hand has been meanwhile.
-    void forget() noexcept { velocity_.reset(); }
+    void forget() noexcept { motion_.reset(); }
     const WorkspaceMapping& mapping() const noexcept { return mapping_; }
 
 private:
     WorkspaceMapping mapping_;
     ReadingGuard guard_;
-    VelocityWindow velocity_;
+    MotionEstimator motion_;
+    double averaging_; ///< share of the reading before, at rest
 };
 
 } // namespace burin
