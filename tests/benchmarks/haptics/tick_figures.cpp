@@ -6,7 +6,7 @@
 #include "tests/benchmarks/haptics/tick_scene.h"
 #include "tests/benchmarks/measure/meshing_view.h"
 #include "tests/benchmarks/measure/replay.h"
-#include "tests/oracles/tick_watch.h"
+#include "tests/oracles/system_watch.h"
 
 #include <cstdio>
 #include <ctime>
@@ -146,23 +146,23 @@ TickCosts costsOf(TickScene& scene, Beside* beside, Session& session) {
 }
 
 /// What a pass asks of the system, from its second tick on.
-tests::TickCost demandsOf(TickScene& scene) {
+tests::SystemUse demandsOf(TickScene& scene) {
     const VolumeSnapshot whole = scene.workpiece.snapshot();
     Pass pass(scene, nullptr);
-    tests::TickWatch watch;
+    tests::SystemWatch watch;
     pass.tick(0);
     watch.begin();
     for (std::size_t i = 1; i < passTicks; ++i) pass.tick(i);
-    const tests::TickCost cost = watch.end();
+    const tests::SystemUse cost = watch.end();
     scene.workpiece.restore(whole);
     return cost;
 }
 
-void addDemands(Session& session, const tests::TickCost& demands) {
+void addDemands(Session& session, const tests::SystemUse& demands) {
     const auto add = [&](const char* name, std::uint64_t count) {
         session.add(figure(name, static_cast<double>(count), "calls", 0.0));
     };
-    if (!tests::TickWatch().counts()) {
+    if (!tests::SystemWatch().counts()) {
         session.note(
             "This kernel or build can't count what a tick asks of the system: tick.allocations, tick.locks and "
             "tick.syscalls are left out.");
@@ -192,9 +192,9 @@ void addCosts(Session& session, const std::string& stem, const TickCosts& costs)
 
 void tickFigures(Session& session) {
     if (!session.wants("tick.")) return;
-    tests::TickCost demands;
+    tests::SystemUse demands;
     const auto measure = [&](const std::string& stem, TickScene scene, Beside* beside) {
-        const tests::TickCost one = demandsOf(scene);
+        const tests::SystemUse one = demandsOf(scene);
         demands.allocations += one.allocations;
         demands.releases += one.releases;
         demands.locks += one.locks;

@@ -59,7 +59,7 @@ void Milling::finish(Session& session) {
         mismatches += startAmounts_.units[i] - removed_.units[i] == recount.units[i] ? 0U : 1U;
     session.countMismatches(mismatches);
     session.countInterruptions(watch_.allocations(), watch_.pageFaults());
-    watch_ = {};
+    watch_.restart();
     cutSomething_ = false;
 }
 

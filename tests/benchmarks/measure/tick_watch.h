@@ -2,15 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tests/oracles/system_watch.h"
+
 #include <cstddef>
 
 namespace burin::benchmarks {
 
 /// Counts what must not happen in a tick, on the calling thread: calls of the malloc family (operator new ends there
-/// too) and page faults, minor and major. The program's own malloc counts, so nothing in any library escapes it.
+/// too) and page faults, minor and major. For many stretches in turn, with the same counting as in tests (SystemWatch).
 class TickWatch {
 public:
     void begin() noexcept;
+    /// Forgets what was counted.
+    void restart() noexcept {
+        allocations_ = pageFaults_ = 0;
+        counting_ = false;
+    }
     void end() noexcept; ///< without a `begin` nothing
     std::size_t allocations() const noexcept { return allocations_; }
     std::size_t pageFaults() const noexcept { return pageFaults_; }
@@ -18,7 +25,8 @@ public:
     static bool countsAllocations() noexcept;
 
 private:
-    std::size_t allocationsBefore_ = 0, faultsBefore_ = 0, allocations_ = 0, pageFaults_ = 0;
+    tests::SystemWatch watch_{tests::SystemWatch::Watched::butSystemCalls};
+    std::size_t allocations_ = 0, pageFaults_ = 0;
     bool counting_ = false;
 };
 

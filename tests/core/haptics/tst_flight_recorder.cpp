@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/flight_recorder.h"
-#include "tests/oracles/tick_watch.h"
+#include "tests/oracles/system_watch.h"
 
 #include <QDir>
 #include <QFile>
@@ -186,7 +186,7 @@ private slots:
     }
 
     void aTickAsksNothingOfTheSystem() {
-        tests::TickWatch watch;
+        tests::SystemWatch watch;
         if (!watch.counts()) QSKIP("neither this kernel nor a build with sanitizers can count");
         QTemporaryDir folder;
         Nobody sink;
@@ -194,7 +194,7 @@ private slots:
         feed(recorder, 0, 3000);
         watch.begin();
         feed(recorder, 3000, 500, TickFault::tooFast);
-        const tests::TickCost cost = watch.end();
+        const tests::SystemUse cost = watch.end();
         QCOMPARE(cost.allocations + cost.releases + cost.locks + cost.systemCalls, std::uint64_t{0});
     }
 };

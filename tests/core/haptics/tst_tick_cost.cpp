@@ -3,7 +3,7 @@
 #include "core/haptics/loop_figures.h"
 #include "core/haptics/servo_tick.h"
 #include "tests/core/haptics/haptic_bench.h"
-#include "tests/oracles/tick_watch.h"
+#include "tests/oracles/system_watch.h"
 
 #include <QtTest>
 
@@ -18,8 +18,8 @@
 
 using namespace burin;
 using namespace burin::test;
-using burin::tests::TickCost;
-using burin::tests::TickWatch;
+using burin::tests::SystemUse;
+using burin::tests::SystemWatch;
 
 namespace {
 
@@ -31,7 +31,7 @@ T* kept(T* pointer) {
 }
 
 template <class Work>
-TickCost costOf(TickWatch& watch, Work&& work) {
+SystemUse costOf(SystemWatch& watch, Work&& work) {
     watch.begin();
     work();
     return watch.end();
@@ -44,12 +44,12 @@ class TestTickCost : public QObject {
     Q_OBJECT
 private slots:
     void init() {
-        if (!TickWatch().counts()) QSKIP("neither this kernel nor a build with sanitizers can count");
+        if (!SystemWatch().counts()) QSKIP("neither this kernel nor a build with sanitizers can count");
     }
 
     void everyWayToAllocateCounts() {
-        TickWatch watch;
-        const TickCost cost = costOf(watch, [] {
+        SystemWatch watch;
+        const SystemUse cost = costOf(watch, [] {
             std::free(kept(std::malloc(8)));
             std::free(kept(std::realloc(kept(std::calloc(2, 4)), 64)));
             std::free(kept(std::aligned_alloc(64, 64)));
@@ -62,12 +62,12 @@ private slots:
     }
 
     void everyWayToLockCounts() {
-        TickWatch watch;
+        SystemWatch watch;
         std::mutex mutex;
         std::shared_mutex shared;
         sem_t semaphore;
         QCOMPARE(sem_init(&semaphore, 0, 1), 0);
-        const TickCost cost = costOf(watch, [&] {
+        const SystemUse cost = costOf(watch, [&] {
             { const std::lock_guard lock(mutex); }
             if (mutex.try_lock()) mutex.unlock();
             { const std::lock_guard lock(shared); }
@@ -80,14 +80,14 @@ private slots:
 
     /// They do what they were called for, with all their arguments.
     void everySystemCallCounts() {
-        TickWatch watch;
+        SystemWatch watch;
         std::array<int, 2> ends{};
         QCOMPARE(pipe(ends.data()), 0);
         std::array<char, 4> read{};
         long process = 0;
         ssize_t written = 0, got = 0;
         void* pages = nullptr;
-        const TickCost cost = costOf(watch, [&] {
+        const SystemUse cost = costOf(watch, [&] {
             process = syscall(SYS_getpid);
             written = ::write(ends[1], "abc", 3);
             got = ::read(ends[0], read.data(), read.size());
@@ -99,10 +99,10 @@ private slots:
         QCOMPARE(got, ssize_t{3});
         QCOMPARE(std::string(read.data()), std::string("abc"));
         QVERIFY(pages != MAP_FAILED);
-        const TickCost touched = costOf(watch, [&] { *kept(static_cast<char*>(pages)) = 1; });
+        const SystemUse touched = costOf(watch, [&] { *kept(static_cast<char*>(pages)) = 1; });
         QCOMPARE(touched.pageFaults, std::uint64_t{1});
         QCOMPARE(touched.systemCalls, std::uint64_t{0});
-        const TickCost failed = costOf(watch, [&] { written = ::write(-1, "a", 1); });
+        const SystemUse failed = costOf(watch, [&] { written = ::write(-1, "a", 1); });
         QCOMPARE(failed.systemCalls, std::uint64_t{1});
         QCOMPARE(written, ssize_t{-1});
         munmap(pages, 8192);
@@ -111,9 +111,9 @@ private slots:
 
     /// Nothing is counted of what another thread does, nor before and after.
     void onlyTheWatchedStretchCounts() {
-        TickWatch watch;
+        SystemWatch watch;
         std::free(kept(std::malloc(8)));
-        const TickCost cost = costOf(watch, [] {});
+        const SystemUse cost = costOf(watch, [] {});
         std::free(kept(std::malloc(8)));
         QCOMPARE(cost.allocations + cost.releases + cost.locks + cost.systemCalls, std::uint64_t{0});
     }
@@ -125,11 +125,11 @@ private slots:
             void tick(const Sample&, const TickTiming& timing) noexcept override { figures.add(timing); }
             LoopFigures figures;
         };
-        TickWatch watch;
+        SystemWatch watch;
         Bench bench;
         const auto sink = std::make_unique<Figures>();
         const auto tick = std::make_unique<ServoTick>(bench.step, *sink, period, true);
-        TickCost sum;
+        SystemUse sum;
         for (int i = 0; i < 600; ++i) {
             StylusState state;
             state.pose.position = {0.0, 0.0, 2.0 - 0.03 * i};
@@ -140,7 +140,7 @@ private slots:
             tick->begin();
             static_cast<void>((*tick)(state, period));
             tick->sent();
-            const TickCost cost = watch.end();
+            const SystemUse cost = watch.end();
             sum.allocations += cost.allocations + cost.releases;
             sum.locks += cost.locks;
             sum.systemCalls += cost.systemCalls;
@@ -160,11 +160,11 @@ private slots:
     void aTickAsksNothingOfTheSystem() {
         QFETCH(double, fluteLength);
         QFETCH(int, happens);
-        TickWatch watch;
+        SystemWatch watch;
         Bench bench(Bench::settings(), ballTool(fluteLength, fluteLength < 10.0 ? 12.0 : 6.0));
         bench.begin({-12, 0, 2});
         std::uint64_t cut = 0, happened = 0, faults = 0;
-        TickCost sum;
+        SystemUse sum;
         const auto go = [&](const glm::dvec3& target, double speed) {
             const auto count = static_cast<int>(std::ceil(glm::length(target - bench.hand) / (speed * period)));
             const glm::dvec3 from = std::exchange(bench.hand, target);
@@ -174,7 +174,7 @@ private slots:
                 state.valid = i != 7; // a fault as well
                 watch.begin();
                 const Sample sample = bench.step(state, i == 9 ? 0.005 : period); // and one that comes late
-                const TickCost cost = watch.end();
+                const SystemUse cost = watch.end();
                 sum.allocations += cost.allocations + cost.releases;
                 sum.locks += cost.locks;
                 sum.systemCalls += cost.systemCalls;

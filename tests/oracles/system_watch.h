@@ -7,7 +7,7 @@
 namespace burin::tests {
 
 /// What a stretch of code asked of others, in the thread that ran it.
-struct TickCost {
+struct SystemUse {
     std::uint64_t allocations = 0; ///< malloc, calloc, realloc, aligned forms, operator new; releases not counted
     std::uint64_t releases = 0;    ///< free, operator delete of something
     std::uint64_t locks = 0;       ///< mutexes, read-write locks, spin locks, conditions, semaphores: taken or tried
@@ -16,29 +16,33 @@ struct TickCost {
 };
 
 /// Counts what the calling thread does between `begin` and `end`. The counting is built into the program that links
-/// burin::tick_watch: allocation and locking functions of the C library are replaced by ones that count and pass on,
+/// burin::system_watch: allocation and locking functions of the C library are replaced by ones that count and pass on,
 /// and system calls are caught by the kernel's user dispatch (Linux 5.11, x86-64), which needs no rights. What a
 /// library does by its own inlined atomics is no lock and is not seen.
 ///
 /// One thread; one watch at a time in a thread. A system call inside costs some µs while it is watched.
-class TickWatch {
+class SystemWatch {
 public:
-    TickWatch();
-    ~TickWatch();
-    TickWatch(const TickWatch&) = delete;
-    TickWatch& operator=(const TickWatch&) = delete;
+    enum class Watched : std::uint8_t {
+        everything,
+        butSystemCalls, ///< where what is watched is also timed: catching a call takes longer than many calls
+    };
+    explicit SystemWatch(Watched watched = Watched::everything);
+    ~SystemWatch();
+    SystemWatch(const SystemWatch&) = delete;
+    SystemWatch& operator=(const SystemWatch&) = delete;
 
     /// False: this kernel or this build (sanitizers bring their own malloc and signals) can't count; all stays 0.
     bool counts() const noexcept { return counts_; }
     /// Enters the kernel before the counting begins, never after.
     void begin() noexcept;
     /// Stops counting. @return what there was since `begin`
-    TickCost end() noexcept;
+    SystemUse end() noexcept;
 
 private:
-    bool counts_ = false;
+    bool counts_ = false, catches_ = false;
     std::uint64_t faultsBefore_ = 0;
-    TickCost before_;
+    SystemUse before_;
 };
 
 } // namespace burin::tests

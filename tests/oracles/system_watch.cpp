@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/oracles/tick_watch.h"
+#include "tests/oracles/system_watch.h"
 
 #if defined(__linux__) && defined(__x86_64__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) &&               \
     !defined(__SANITIZE_THREAD__) && !defined(__clang__)
-#define BURIN_TICK_WATCH 1
+#define BURIN_SYSTEM_WATCH 1
 #endif
 
-#ifdef BURIN_TICK_WATCH
+#ifdef BURIN_SYSTEM_WATCH
 
 #include <cerrno>
 #include <cstddef>
@@ -33,7 +33,7 @@ namespace {
 constexpr char allow = 0, block = 1; // SYSCALL_DISPATCH_FILTER_*
 
 // Initialised without code and found without a call, so that malloc itself may use them.
-__attribute__((tls_model("initial-exec"))) thread_local burin::tests::TickCost counted;
+__attribute__((tls_model("initial-exec"))) thread_local burin::tests::SystemUse counted;
 __attribute__((tls_model("initial-exec"))) thread_local volatile char selector = allow;
 
 template <class Function>
@@ -173,24 +173,26 @@ BURIN_COUNT_WAIT(pthread_cond_clockwait,
 
 namespace burin::tests {
 
-TickWatch::TickWatch() : counts_(catchSystemCalls()) {}
+SystemWatch::SystemWatch(Watched watched)
+    : counts_(watched == Watched::butSystemCalls || catchSystemCalls())
+    , catches_(counts_ && watched == Watched::everything) {}
 
-TickWatch::~TickWatch() {
+SystemWatch::~SystemWatch() {
     selector = allow;
-    if (counts_) prctl(PR_SET_SYSCALL_USER_DISPATCH, PR_SYS_DISPATCH_OFF, 0, 0, 0);
+    if (catches_) prctl(PR_SET_SYSCALL_USER_DISPATCH, PR_SYS_DISPATCH_OFF, 0, 0, 0);
 }
 
-void TickWatch::begin() noexcept {
+void SystemWatch::begin() noexcept {
     if (!counts_) return;
     faultsBefore_ = pageFaults();
     before_ = counted;
-    selector = block;
+    if (catches_) selector = block;
 }
 
-TickCost TickWatch::end() noexcept {
+SystemUse SystemWatch::end() noexcept {
     selector = allow;
     if (!counts_) return {};
-    const TickCost now = counted;
+    const SystemUse now = counted;
     return {now.allocations - before_.allocations, now.releases - before_.releases, now.locks - before_.locks,
             now.systemCalls - before_.systemCalls, pageFaults() - faultsBefore_};
 }
@@ -201,10 +203,10 @@ TickCost TickWatch::end() noexcept {
 
 namespace burin::tests {
 
-TickWatch::TickWatch() = default;
-TickWatch::~TickWatch() = default;
-void TickWatch::begin() noexcept {}
-TickCost TickWatch::end() noexcept {
+SystemWatch::SystemWatch(Watched) {}
+SystemWatch::~SystemWatch() = default;
+void SystemWatch::begin() noexcept {}
+SystemUse SystemWatch::end() noexcept {
     return {};
 }
 
