@@ -90,8 +90,8 @@ BURIN_INLINE void findRim(const TiltedPiece& piece, float height, Floats y, std:
 
 } // namespace
 
-BURIN_VECTORISED void planTiltedRows(const TiltedPiece& piece, const TiltedShadow& shadow, float margin,
-                                     std::int32_t firstRow, TiltedRows& rows) noexcept {
+BURIN_VECTORISED_TO_AVX512 void planTiltedRows(const TiltedPiece& piece, const TiltedShadow& shadow, float margin,
+                                               std::int32_t firstRow, TiltedRows& rows) noexcept {
     rows.first = firstRow;
     const Floats y = floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (firstRow - piece.to.wholeY)) -
                      static_cast<float>(piece.to.y - piece.to.wholeY);
