@@ -45,7 +45,8 @@ BURIN_INLINE Floats edgeOf(const TiltedShadow& shadow, Floats y, float side) noe
         const Floats part = (y - from.y) / along.y;
         const Floats one = clamped(part - off, 0.0F, 1.0F), other = clamped(part + off, 0.0F, 1.0F);
         const Floats x = side * from.x + most(one * (side * along.x), other * (side * along.x));
-        outmost = (part >= floats(-off)) & (part <= floats(1.0F + off)) ? most(outmost, x) : outmost;
+        const Integers meets = (part >= floats(-off)) & (part <= floats(1.0F + off));
+        outmost = meets ? most(outmost, x) : outmost;
     }
     return outmost;
 }
