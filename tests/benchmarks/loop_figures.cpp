@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/volume/surface.h"
 #include "tests/benchmarks/figure_groups.h"
+#include "tests/benchmarks/measure/meshing_view.h"
 #include "tests/benchmarks/measure/milling.h"
 #include "tests/benchmarks/scenes/cutting_scene.h"
 #include "tests/benchmarks/scenes/tool_paths.h"
 
 #include <cerrno>
-#include <condition_variable>
 #include <ctime>
-#include <mutex>
 #include <pthread.h>
 #include <thread>
 
@@ -20,72 +18,6 @@ namespace {
 constexpr std::size_t ticks = 10'000, ticksAtOnce = 1000; // the empty loop runs in turn with the other
 constexpr long period = 1'000'000;                        // ns
 constexpr double periodMicroseconds = 1e-3 * period;
-
-/// Meshes what changed, on a thread of its own, as the window does: the newest snapshot counts, older ones are skipped.
-/// Brick by brick, at full detail.
-class View {
-public:
-    View() : thread_([this] { work(); }) {}
-    ~View() { finish(); }
-    View(const View&) = delete;
-    View& operator=(const View&) = delete;
-
-    /// From the loop: never waits. False when the view is just taking the one before; offer it again next tick.
-    bool offer(VolumeSnapshot& snapshot) noexcept {
-        const std::unique_lock lock(mutex_, std::try_to_lock);
-        if (!lock) return false;
-        std::swap(newest_, snapshot); // the caller lets the other one go
-        fresh_ = true;
-        return true;
-    }
-    void wake() noexcept { wake_.notify_one(); }
-    /// What each picture took, µs: which bricks changed, and their surface. Once the loop is over.
-    const std::vector<double>& pictures() const noexcept { return pictures_; }
-    std::size_t bricks() const noexcept { return bricks_; }
-    /// Waits for the picture that is being made.
-    void finish() {
-        {
-            const std::lock_guard lock(mutex_);
-            ended_ = true;
-        }
-        wake_.notify_one();
-        if (thread_.joinable()) thread_.join();
-    }
-
-private:
-    void work() {
-        SurfaceExtractor extractor;
-        SurfaceMesh mesh;
-        std::vector<SurfaceBrick> changed;
-        VolumeSnapshot shown;
-        for (;;) {
-            VolumeSnapshot next;
-            {
-                std::unique_lock lock(mutex_);
-                wake_.wait(lock, [&] { return fresh_ || ended_; });
-                if (ended_) return;
-                fresh_ = false;
-                next = std::move(newest_);
-            }
-            if (!shown.empty()) {
-                const Clock::time_point start = Clock::now();
-                changedSurfaceBricks(shown, next, changed);
-                for (const SurfaceBrick brick : changed) extractor.extractBrick(next, brick, mesh);
-                bricks_ += changed.size();
-                pictures_.push_back(microseconds(Clock::now() - start));
-            }
-            shown = std::move(next);
-        }
-    }
-
-    std::mutex mutex_;
-    std::condition_variable wake_;
-    VolumeSnapshot newest_;
-    bool fresh_ = false, ended_ = false;
-    std::vector<double> pictures_; ///< the thread's own until it ended
-    std::size_t bricks_ = 0;
-    std::thread thread_; // last: it uses the others
-};
 
 /// Calls `work(i)` at absolute times a period apart. What it took, µs, goes to `spent`. @return ticks that were not
 /// over when the next one was due
@@ -170,7 +102,7 @@ void loopFigures(Session& session) {
     count(removal.settle(workpiece));
 
     Loop loop;
-    View view;
+    MeshingView view;
     TickWatch watch;
     std::thread thread([&] {
         touchStack();

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/oracles/allocation_count.h"
+#include "tests/oracles/hostile_ticks.h"
 
 #include <QtTest>
 
-#include <limits>
 #include <new>
-#include <random>
 
 using namespace burin;
 using namespace burin::test;
@@ -30,7 +29,7 @@ double energyGivenToTheHand(double maximumDamping, double stiffness) {
     bench.begin({0, 0, position});
     for (int tick = 0; tick < contacts * 1000; ++tick) {
         bench.feed({0, 0, std::round(position / encoder) * encoder});
-        const double force = bench.step.deviceForce().z;
+        const double force = bench.step.deviceWrench().force.z;
         const double wish = floorHeight + 2.0 * std::cos(2.0 * pi * tick * period); // one contact a second
         const double before = position;
         for (int i = 0; i < substeps; ++i) {
@@ -53,64 +52,22 @@ private slots:
         settings.rampSeconds = 0.05;
         settings.cuttingForceScale = 1.0;
         Bench bench(settings, ballTool(5.0, 12.0));
-        std::mt19937_64 random(20260725);
-        std::uniform_real_distribution<double> unit(-1.0, 1.0);
-        std::uniform_int_distribution<int> kind(0, 999);
         const double largest = settings.forceShare * settings.stylus.maximumForce.value;
         // The ramp's own slope comes on top of the slew limit: at most 1.5 of its share of a tick.
         const double slope = 1.5 * period / settings.rampSeconds * largest;
         const double rise = std::max(0.15, 320.0 * 0.5 * period) + slope, fall = 3.0 * rise;
-        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-        glm::dvec3 hand(0, 0, 5), velocity(0.0), before(0.0);
+        HostileTicks hostile(20260725);
+        glm::dvec3 before(0.0);
         int bad = 0, pressed = 0;
-        for (int tick = 0; tick < 200'000; ++tick) {
-            velocity = 0.98 * velocity + 0.01 * glm::dvec3(unit(random), unit(random), unit(random));
-            hand = glm::clamp(hand + velocity, glm::dvec3(-15, -15, -16), glm::dvec3(15, 15, 9));
-            StylusState state;
-            state.pose.position = hand;
-            state.valid = true;
-            double elapsed = period;
-            bool mustBeZero = true;
-            switch (kind(random)) {
-            case 0:
-                state.pose.position.y = nan;
-                break;
-            case 1:
-                state.pose.position.z = -std::numeric_limits<double>::infinity();
-                break;
-            case 2:
-                state.pose.rotation.w = nan;
-                break;
-            case 3:
-                state.valid = false;
-                break;
-            case 4:
-                state.pose.position += glm::dvec3(0, 50, 0);
-                break;
-            case 5:
-                elapsed = 0.004;
-                break;
-            case 6:
-                elapsed = 0.3;
-                break;
-            case 7:
-                elapsed = tick % 2 == 0 ? nan : -0.001;
-                break;
-            case 8:
-                state.pose.position *= 1e300;
-                break;
-            case 9:
-                bench.step.setAllowance(unit(random));
-                [[fallthrough]];
-            default:
-                mustBeZero = false;
-            }
-            const Sample sample = bench.step(state, elapsed);
-            const glm::dvec3 force = bench.step.deviceForce();
+        for (int i = 0; i < 200'000; ++i) {
+            const HostileTick tick = hostile.next();
+            if (tick.allowance) bench.step.setAllowance(*tick.allowance);
+            const Sample sample = bench.step(tick.state, tick.period);
+            const glm::dvec3 force = bench.step.deviceWrench().force;
             QVERIFY(isFinite(force) && isFinite(sample.proxy.tip) && isFinite(sample.cuttingForce));
             QVERIFY(isFinite(sample.device.position) && std::isfinite(sample.time));
             QVERIFY(glm::length(force) <= largest + 1e-12);
-            if (mustBeZero) {
+            if (tick.bad) {
                 QCOMPARE(force, glm::dvec3(0.0));
                 QVERIFY(sample.flags & sampleForcesOff);
                 ++bad;

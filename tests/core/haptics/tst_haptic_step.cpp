@@ -85,7 +85,7 @@ private slots:
         QVERIFY(sample.flags & sampleOnBoundary);
         QVERIFY(std::abs(sample.force.z - expected) <= 0.01 * expected);
         QVERIFY(glm::length(glm::dvec2(sample.force)) <= 0.01 * expected);
-        const glm::dvec3 felt = settings.mapping.rotation * bench.step.deviceForce();
+        const glm::dvec3 felt = settings.mapping.rotation * bench.step.deviceWrench().force;
         QVERIFY(glm::length(felt - sample.force) < 1e-12);
         QVERIFY(std::abs(sample.proxy.tip.z - floorHeight) <= 1e-3);
     }

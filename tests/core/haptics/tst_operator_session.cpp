@@ -52,7 +52,7 @@ std::vector<Sample> mill(RunVolume& workpiece, const ClearanceField& field, cons
     HapticStep step(workpiece, field, tool, settings);
     for (int tick = 0; tick < 1000000 && !hand.finished(); ++tick) {
         samples.push_back(step(hand.read(tick * settings.tickPeriod), settings.tickPeriod));
-        hand.write({step.deviceForce()});
+        hand.write(step.deviceWrench());
     }
     return samples;
 }

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/cutting_force.h"
+#include "core/cutting/removal.h"
+#include "core/haptics/haptic_settings.h"
+#include "core/haptics/tool_motion.h"
+#include "core/recording/sample.h"
+
+namespace burin {
+
+/// The spindle and what it takes away in a tick. Tick code; the one writer of the workpiece.
+class CutTick {
+public:
+    /// @param workpiece outlives the object
+    CutTick(RunVolume& workpiece, const Tool& tool, const HapticSettings& settings);
+
+    bool spindleTurns() const noexcept { return released_ && (!onButton_ || buttonDown_); }
+    /// @param released false: the spindle stands, whatever the button says
+    void releaseSpindle(bool released) noexcept { released_ = released; }
+    void button(bool down) noexcept { buttonDown_ = down; }
+    /// The tool is taken up where it stands: nothing is cut on the way there.
+    void takeUp() noexcept;
+    /// As `takeUp`, though the tool has been moving: the next tick does not cut.
+    void skipOne() noexcept { takesUp_ = true; }
+
+    /// Cuts what the flutes swept, and says what was removed. A motion that ran out of memory is taken back, as part of
+    /// its way is uncut.
+    CuttingForce operator()(ToolMotion& motion, double period, Sample& sample) noexcept;
+
+    bool settled() const noexcept { return removal_.settled(); }
+    /// Writes what was cut to the workpiece. Nothing is ever put off between two ticks, so that there is nothing to
+    /// count.
+    void settle() noexcept;
+    bool memoryFull() const noexcept { return memoryFull_; }
+    void resume() noexcept { memoryFull_ = false; }
+    void workpieceChanged() noexcept;
+    const RunVolume& workpiece() const noexcept { return *workpiece_; }
+
+private:
+    CutResult take(const ToolPose& from, const ToolPose& to) noexcept;
+
+    RunVolume* workpiece_;
+    CuttingCoefficients coefficients_;
+    MaterialRemoval removal_;
+    double cuttingSpeed_;           ///< mm/s
+    double travelSinceRemoval_ = 0; ///< mm
+    bool onButton_;
+    bool released_ = true, buttonDown_ = false;
+    bool takesUp_ = true; ///< the next tick does not cut
+    bool memoryFull_ = false;
+};
+
+} // namespace burin

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/cutting_force.h"
+#include "core/haptics/coupling.h"
+#include "core/haptics/cutting_force_rendering.h"
+#include "core/haptics/force_limiter.h"
+#include "core/haptics/guide_force.h"
+#include "core/haptics/hand_input.h"
+#include "core/haptics/motion_estimator.h"
+#include "core/haptics/passivity_controller.h"
+#include "core/haptics/tool_motion.h"
+#include "core/recording/sample.h"
+
+namespace burin {
+
+/// From where hand and tool are to what the device renders: coupling, cutting force, energy, limits, fading in.
+/// Tick code.
+class ForceOutput {
+public:
+    explicit ForceOutput(const HapticSettings& settings) noexcept;
+
+    /// One tick's force, into the sample and `wrench`.
+    void operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
+                    double period, Sample& sample) noexcept;
+    /// No force in this tick. @param fadesIn and the next ones begin from nothing
+    void none(bool fadesIn, Sample& sample) noexcept;
+    /// Forces begin from nothing.
+    void fadeIn() noexcept;
+    /// The tool was taken up somewhere else: it did not move there.
+    void toolTakenUp() noexcept { toolMotion_.reset(); }
+
+    /// The hand felt nothing in the last tick.
+    bool quiet() const noexcept;
+    /// Of the last tick, device frame.
+    const Wrench& wrench() const noexcept { return wrench_; }
+    double couplingStiffness() const noexcept { return coupling_.stiffness(); } ///< N/m, device space
+    const ForceLimiter& limiter() const noexcept { return limiter_; }
+
+private:
+    glm::dvec3 wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
+                      double period) noexcept;
+
+    Coupling coupling_, guideSpring_;
+    CuttingForceRendering cuttingRendering_;
+    PassivityController passivity_;
+    ForceLimiter limiter_;
+    ForceRamp ramp_;
+    MotionEstimator toolMotion_;
+    Wrench wrench_;
+};
+
+} // namespace burin

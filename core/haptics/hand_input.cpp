@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/hand_input.h"
+
+#include "core/haptics/coupling.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+/// N·s/m that averaging may take from the handle's damping: less than the lightest grip has.
+constexpr double averagingLoss = 0.8;
+
+/// Two readings averaged halve the step by which the coupling's force changes when a resting hand's encoders tick. They
+/// come later by this share of a tick, which a spring K makes a loss of K T.
+double averagingShare(const HapticSettings& settings) noexcept {
+    const double stiffness = couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod).stiffness;
+    const double loss = stiffness * settings.tickPeriod; // N·s/m, of a whole tick
+    return loss > 0.0 ? std::min(0.5, averagingLoss / loss) : 0.0;
+}
+
+} // namespace
+
+HandInput::HandInput(const HapticSettings& settings) noexcept
+    : workspace_(settings)
+    , guard_(settings.stylus, settings.tickPeriod)
+    , motion_(settings.stylus.positionStep.value)
+    , averaging_(averagingShare(settings)) {}
+
+Hand HandInput::operator()(const StylusState& state, double period, const glm::dvec3* tool, bool quiet) noexcept {
+    Hand hand;
+    hand.reading = guard_.check(state, period);
+    hand.device = guard_.lastPose();
+    if (hand.reading == Reading::fault) {
+        const WorkspaceMapping& mapping = hand.mapping = workspace_.mapping();
+        hand.wanted = {mapping.toSetup(hand.device.position),
+                       mapping.directionToSetup(hand.device.rotation * glm::dvec3(0.0, 0.0, 1.0))};
+        return hand;
+    }
+    hand.buttons = state.buttons;
+    motion_.add(state.pose.position, period);
+    hand.rests = motion_.rests();
+    hand.deviceVelocity = motion_.velocity();
+    const Pose pose{hand.rests ? motion_.averaged(averaging_) : hand.device.position, hand.device.rotation};
+    const Workspace::Place place = workspace_(pose, state.buttons, tool, quiet, period);
+    hand.wanted = place.wanted;
+    hand.mapping = place.mapping;
+    hand.clutched = workspace_.clutched();
+    hand.velocity = place.drive;
+    if (place.follows) hand.velocity += place.mapping.scale * place.mapping.directionToSetup(hand.deviceVelocity);
+    return hand;
+}
+
+void HandInput::forget() noexcept {
+    motion_.reset();
+    workspace_.forget();
+}
+
+} // namespace burin

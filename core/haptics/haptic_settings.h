@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/stylus.h"
+#include "core/haptics/axis_mode.h"
+#include "core/haptics/workspace_mapping.h"
+
+namespace burin {
+
+/// Gains and limits of one session.
+struct HapticSettings {
+    WorkspaceMapping mapping;
+    StylusDescription stylus;        ///< whose limits bound everything that is sent
+    AxisMode axis;                   ///< has to fit the boundary that the tool is given
+    double allowance = 0.0;          ///< mm left on the part
+    double cuttingSpeed = 1000.0;    ///< mm/s of the flutes' edge
+    double cuttingForceScale = 0.01; ///< rendered / real cutting force
+    double couplingShare = 0.8;      ///< of the stylus' maximum stiffness
+    double guideShare = 0.6;         ///< of the stylus' maximum stiffness, for the springs of guides
+    double forceShare = 0.6;         ///< of the stylus' maximum force
+    double rampSeconds = 1.5;        ///< forces fade in after start and after any fault
+    double tickPeriod = 0.001;       ///< s that the loop intends; later ticks count as late
+    bool cutsOnButton = false;       ///< the spindle turns only while the stylus' first button is down
+
+    /// N that are ever sent; 0 for a stylus without motors.
+    double maximumForce() const noexcept { return stylus.hasMotors() ? forceShare * stylus.maximumForce.value : 0.0; }
+};
+
+} // namespace burin

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/benchmarks/haptics/haptic_groups.h"
+#include "tests/benchmarks/haptics/held_floor.h"
+
+#include <random>
+
+namespace burin::benchmarks {
+
+namespace {
+
+using test::period;
+
+/// A push of so many newtons against the floor, as the spring that is felt and as its stretch says: the larger share
+/// that one of them is off by. The handle rests when the force on it is the push, so the push is the oracle.
+double pressError(double push, double stiffness, double scale) {
+    constexpr int settling = 4000, looking = 1000; // ticks
+    HeldFloor floor({stiffness, 4.0, 100.0, scale}, {0.15, 5.0, 0.0}, {0.08, 0.5, 0.02, 0}, 1.0);
+    double force = 0.0, stretch = 0.0;
+    for (int tick = 0; tick < settling + looking; ++tick) {
+        const Sample sample = floor.tick(0.0, push);
+        if (tick < settling) continue;
+        force += floor.force() / looking;
+        stretch += (sample.proxy.tip.z - sample.stylusTip.z) / looking;
+    }
+    const double spring = stiffness * stretch / (scale * millimetresPerMetre);
+    return std::max(std::abs(force - push), std::abs(spring - push)) / push;
+}
+
+void pressFigures(Session& session) {
+    if (!session.wants("press.")) return;
+    session.stage("press.force_error");
+    double worst = 0.0;
+    for (const double push : {0.5, 1.0, 3.0})
+        for (const double stiffness : {400.0, 1500.0})
+            for (const double scale : {1.0, 2.5}) worst = std::max(worst, pressError(push, stiffness, scale));
+    session.add(figure("press.force_error", worst, "1", 0.01));
+}
+
+/// A hand that wanders fast above the floor, up to half a millimetre near it, spindle turning.
+double largestFreeForce() {
+    constexpr int ticks = 60'000;
+    test::Bench bench(test::Bench::settings(), test::ballTool(), test::stockOnPart(0, false));
+    std::mt19937 random(5);
+    const auto draw = [&] { return 2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0; };
+    glm::dvec3 hand(0.0), velocity(0.0); // mm, mm/tick
+    bench.begin(hand);
+    double largest = 0.0;
+    const glm::dvec3 low(-15.0, -15.0, test::floorHeight + 0.5), high(15.0, 15.0, 8.0);
+    for (int tick = 0; tick < ticks; ++tick) {
+        velocity = 0.98 * velocity + 0.02 * glm::dvec3(draw(), draw(), draw());
+        hand = glm::clamp(hand + velocity, low, high);
+        largest = std::max(largest, glm::length(bench.feed(hand).force));
+    }
+    return largest;
+}
+
+} // namespace
+
+void contactForceFigures(Session& session) {
+    pressFigures(session);
+    if (!session.wants("free.")) return;
+    session.stage("free.force_n");
+    session.add(figure("free.force_n", largestFreeForce(), "N", 0.01));
+}
+
+} // namespace burin::benchmarks

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/benchmarks/haptics/haptic_groups.h"
+#include "tests/core/haptics/haptic_bench.h"
+#include "tests/oracles/hostile_ticks.h"
+
+#include <algorithm>
+
+namespace burin::benchmarks {
+
+namespace {
+
+/// What a force must keep to, from the stylus' own figures: recomputed here, not asked of the loop.
+struct Bounds {
+    double largest, rise, fall; ///< N, N per tick, N per tick
+};
+
+Bounds boundsOf(const HapticSettings& settings) {
+    const double largest = settings.forceShare * settings.stylus.maximumForce.value;
+    const double stiffness = settings.couplingShare * settings.stylus.maximumStiffness.value; // N/m
+    // Fading in multiplies by a weight whose slope is at most 1.5 over its time.
+    const double fading = 1.5 * settings.tickPeriod / settings.rampSeconds * largest;
+    const double rise = std::max(0.15, stiffness * 0.5 * settings.tickPeriod) + fading;
+    return {largest, rise, 3.0 * rise};
+}
+
+struct Verdict {
+    std::size_t violations = 0;
+    int slowest = 0; ///< ticks from a bad one until the force is zero
+    std::size_t bad = 0, pressed = 0;
+};
+
+bool broken(const Sample& sample, const glm::dvec3& force, const glm::dvec3& before, const Bounds& bounds) {
+    constexpr double rounding = 1e-12;
+    if (!isFinite(force) || !isFinite(sample.proxy.tip) || !isFinite(sample.cuttingForce)) return true;
+    const double size = glm::length(force);
+    if (size > bounds.largest + rounding) return true;
+    if (size == 0.0) return false; // letting go is never unsafe
+    return glm::length(force - before) > bounds.fall + rounding || size - glm::length(before) > bounds.rise + rounding;
+}
+
+Verdict judge(std::size_t ticks, unsigned seed) {
+    HapticSettings settings = test::Bench::settings();
+    settings.rampSeconds = 0.05;
+    settings.cuttingForceScale = 1.0;
+    test::Bench bench(settings, test::ballTool(5.0, 12.0));
+    const std::uint64_t part = bench.volume.amounts().units[2];
+    const Bounds bounds = boundsOf(settings);
+    test::HostileTicks hostile(seed);
+    Verdict verdict;
+    glm::dvec3 before(0.0);
+    int sinceBad = -1; // -1: the force has been zero since
+    for (std::size_t i = 0; i < ticks; ++i) {
+        const test::HostileTick tick = hostile.next();
+        if (tick.allowance) bench.step.setAllowance(*tick.allowance);
+        const Sample sample = bench.step(tick.state, tick.period);
+        const glm::dvec3 force = bench.step.deviceWrench().force;
+        if (broken(sample, force, before, bounds)) ++verdict.violations;
+        if (tick.bad) {
+            ++verdict.bad;
+            sinceBad = 0;
+        }
+        if (sinceBad >= 0 && force == glm::dvec3(0.0)) {
+            verdict.slowest = std::max(verdict.slowest, sinceBad);
+            sinceBad = -1;
+        } else if (sinceBad >= 0) {
+            verdict.slowest = std::max(verdict.slowest, ++sinceBad);
+        }
+        verdict.pressed += glm::length(force) > 0.0 ? 1U : 0U;
+        before = force;
+    }
+    if (bench.volume.amounts().units[2] != part) ++verdict.violations; // the part was cut
+    return verdict;
+}
+
+} // namespace
+
+void guardFigures(Session& session) {
+    if (!session.wants("guards.")) return;
+    constexpr std::size_t runs = 10, ticksEach = 100'000; // a milled stock is soon all air
+    Verdict all;
+    for (unsigned run = 0; run < runs; ++run) {
+        session.stage("guards.violations");
+        const Verdict one = judge(ticksEach, run + 1);
+        all.violations += one.violations;
+        all.slowest = std::max(all.slowest, one.slowest);
+        all.bad += one.bad;
+        all.pressed += one.pressed;
+    }
+    session.check(all.bad > 5000 && all.pressed > 50'000, "hostile ticks were bad, and pressed, often enough");
+    session.add(figure("guards.violations", static_cast<double>(all.violations), "ticks", 0.0));
+    session.add(figure("guards.ticks_to_zero", all.slowest, "ticks", 2.0));
+    session.add(figure("guards.hostile_ticks", static_cast<double>(runs * ticksEach), "ticks"));
+}
+
+} // namespace burin::benchmarks

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/benchmarks/measure/session.h"
+
+namespace burin::benchmarks {
+
+void tickFigures(Session& session);         ///< tick.*: what a tick costs
+void contactForceFigures(Session& session); ///< press.*, free.*
+void stabilityFigures(Session& session);    ///< energy.*, nohand.*, noise.*
+void guardFigures(Session& session);        ///< guards.*
+void stopFigures(Session& session);         ///< stop.*
+void deviceFigures(Session& session);       ///< hid.*
+
+} // namespace burin::benchmarks

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/core/haptics/haptic_bench.h"
+#include "tests/oracles/simulated_handle.h"
+
+namespace burin::benchmarks {
+
+/// A device in a hand above the floor of a part, without stock: what every figure of contact is taken from.
+/// The coupling has exactly the stiffness that is asked for, whatever the device's figures would make of it.
+class HeldFloor {
+public:
+    struct Device {
+        double stiffness = 400.0; ///< N/m, of the coupling
+        double damping = 4.0;     ///< N·s/m, the device's figure
+        double force = 100.0;     ///< N, the device's figure: large, so that no clamp hides what the loop does
+        double scale = 1.0;       ///< mm of setup per mm of device
+    };
+
+    HeldFloor(const Device& device, const test::SimulatedGrip& grip, const test::SimulatedMechanism& mechanism,
+              double startHeight);
+
+    /// One tick of device and loop. @param intent mm above the floor (device frame); @param push N, down positive
+    Sample tick(double intent, double push = 0.0);
+
+    const test::SimulatedHandle& handle() const noexcept { return handle_; }
+    const test::Bench& bench() const noexcept { return bench_; }
+    double force() const noexcept { return bench_.step.deviceWrench().force.z; } ///< N, up
+    double height() const noexcept; ///< mm, device frame: of the handle above the floor, as it is read
+
+private:
+    static HapticSettings settingsFor(const Device& device, const test::SimulatedMechanism& mechanism);
+    double floor_; ///< mm, device frame
+    test::Bench bench_;
+    test::SimulatedHandle handle_;
+};
+
+} // namespace burin::benchmarks
