@@ -53,6 +53,7 @@ void registerPost(CLI::App& program, CommandContext& context, int& status);
 void registerVerify(CLI::App& program, CommandContext& context, int& status);
 void registerInfo(CLI::App& program, CommandContext& context, int& status);
 void registerDevices(CLI::App& program, CommandContext& context, int& status);
+void registerCalibrate(CLI::App& program, CommandContext& context, int& status);
 void registerDemo(CLI::App& program, CommandContext& context, int& status);
 void registerBench(CLI::App& program, CommandContext& context, int& status);
 

@@ -17,8 +17,9 @@
 
 namespace {
 
-constexpr std::array commands{burin::registerImport, burin::registerEmbed,  burin::registerMill, burin::registerPath,
-                              burin::registerPost,   burin::registerVerify, burin::registerInfo, burin::registerDemo,
+constexpr std::array commands{burin::registerImport, burin::registerEmbed,     burin::registerMill,
+                              burin::registerPath,   burin::registerPost,      burin::registerVerify,
+                              burin::registerInfo,   burin::registerCalibrate, burin::registerDemo,
                               burin::registerBench,  burin::registerDevices};
 
 /// CLI11 would only say that a command is missing.

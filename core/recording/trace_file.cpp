@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/trace_file.h"
 
+#include "core/base/csv.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 
@@ -23,15 +24,6 @@ using Fields = std::array<std::string_view, tickFieldCount>;
 
 Error invalid(const std::string& origin, std::size_t line, std::string detail) {
     return {ErrorCode::traceInvalid, origin, "line " + std::to_string(line), std::move(detail)};
-}
-
-/// Takes the first line off `rest`.
-std::string_view takeLine(std::string_view& rest) {
-    const std::size_t end = rest.find('\n');
-    std::string_view line = rest.substr(0, end);
-    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
 }
 
 std::optional<Fields> split(std::string_view line, std::size_t count) {

@@ -68,7 +68,8 @@ void CommandLineTest::initTestCase() {
 
 void CommandLineTest::helpsWithEachCommand_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command : {"import", "embed", "mill", "path", "post", "verify", "info", "demo", "devices", "bench"})
+    for (const char* command :
+         {"import", "embed", "mill", "path", "post", "verify", "info", "calibrate", "demo", "devices", "bench"})
         QTest::newRow(command) << QString(command);
 }
 

@@ -6,7 +6,7 @@
 #include "tests/benchmarks/haptics/tick_scene.h"
 #include "tests/benchmarks/measure/meshing_view.h"
 #include "tests/benchmarks/measure/replay.h"
-#include "tests/benchmarks/measure/tick_watch.h"
+#include "tests/oracles/tick_watch.h"
 
 #include <cstdio>
 #include <ctime>
@@ -125,7 +125,6 @@ private:
 /// pass is replayed, and the least that each tick took is kept.
 TickCosts costsOf(TickScene& scene, Beside* beside, Session& session) {
     TickCosts costs;
-    TickWatch watch;
     const VolumeSnapshot whole = scene.workpiece.snapshot();
     const RunAmounts before = whole.amounts();
     for (std::size_t first = 0; first < ticks; first += passTicks)
@@ -133,7 +132,6 @@ TickCosts costsOf(TickScene& scene, Beside* beside, Session& session) {
             Session::throwIfCancelled();
             scene.workpiece.restore(whole);
             Pass pass(scene, beside);
-            watch.begin();
             for (std::size_t i = first; i < first + passTicks; ++i) {
                 const double start = processorMicroseconds();
                 const Sample sample = pass.tick(i);
@@ -142,11 +140,38 @@ TickCosts costsOf(TickScene& scene, Beside* beside, Session& session) {
                 costs.cutting += replay == 0 && sample.reportedRemoval > 0.0 ? 1U : 0U;
                 pass.waitForDisk();
             }
-            watch.end();
             session.countMismatches(pass.mismatches(before));
         }
-    session.countInterruptions(watch.allocations(), watch.pageFaults());
     return costs;
+}
+
+/// What a pass asks of the system, from its second tick on.
+tests::TickCost demandsOf(TickScene& scene) {
+    const VolumeSnapshot whole = scene.workpiece.snapshot();
+    Pass pass(scene, nullptr);
+    tests::TickWatch watch;
+    pass.tick(0);
+    watch.begin();
+    for (std::size_t i = 1; i < passTicks; ++i) pass.tick(i);
+    const tests::TickCost cost = watch.end();
+    scene.workpiece.restore(whole);
+    return cost;
+}
+
+void addDemands(Session& session, const tests::TickCost& demands) {
+    const auto add = [&](const char* name, std::uint64_t count) {
+        session.add(figure(name, static_cast<double>(count), "calls", 0.0));
+    };
+    if (!tests::TickWatch().counts()) {
+        session.note(
+            "This kernel or build can't count what a tick asks of the system: tick.allocations, tick.locks and "
+            "tick.syscalls are left out.");
+        return;
+    }
+    add("tick.allocations", demands.allocations + demands.releases);
+    add("tick.locks", demands.locks);
+    add("tick.syscalls", demands.systemCalls);
+    add("tick.page_faults", demands.pageFaults);
 }
 
 void addCosts(Session& session, const std::string& stem, const TickCosts& costs) {
@@ -167,21 +192,29 @@ void addCosts(Session& session, const std::string& stem, const TickCosts& costs)
 
 void tickFigures(Session& session) {
     if (!session.wants("tick.")) return;
-    if (session.wants("tick.cpu_us") || session.wants("tick.rate_hz")) {
-        session.stage("tick.cpu_us");
-        TickScene scene = paperBlock(5.0, ticks); // the paper's radius of 0.5 as half a millimetre in voxels of 0.1
-        addCosts(session, "tick", costsOf(scene, nullptr, session));
-    }
+    tests::TickCost demands;
+    const auto measure = [&](const std::string& stem, TickScene scene, Beside* beside) {
+        const tests::TickCost one = demandsOf(scene);
+        demands.allocations += one.allocations;
+        demands.releases += one.releases;
+        demands.locks += one.locks;
+        demands.systemCalls += one.systemCalls;
+        demands.pageFaults += one.pageFaults;
+        addCosts(session, stem, costsOf(scene, beside, session));
+    };
+    session.stage("tick.cpu_us");
+    measure("tick", paperBlock(5.0, ticks), nullptr); // the paper's 0.5 as half a millimetre in voxels of 0.1
     for (const std::int32_t side : {512, 1024})
         for (const int radius : {25, 50}) {
             const std::string stem = "tick." + std::to_string(side) + ".r" + std::to_string(radius);
             if (!session.wants(stem)) continue;
             session.stage(stem);
-            TemporaryProject project;
             TickScene scene = buriedPart(side, radius, ticks);
+            TemporaryProject project;
             Beside beside(*project, scene.tool);
-            addCosts(session, stem, costsOf(scene, &beside, session));
+            measure(stem, std::move(scene), &beside);
         }
+    addDemands(session, demands);
 }
 
 } // namespace burin::benchmarks
