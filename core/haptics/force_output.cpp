@@ -26,6 +26,7 @@ PassivityController::Settings controllerSettings(const HapticSettings& settings,
 ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     : mapping_(settings.mapping)
     , coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
+    , turnCoupling_(settings)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
     , passivity_(controllerSettings(settings, coupling_.stiffness()))
     , limiter_(settings.maximumForce(), coupling_.stiffness(), settings.tickPeriod)
@@ -36,12 +37,14 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
                              Sample& sample) noexcept {
     toolMotion_.add(motion.to.tip, period);
     const glm::dvec3 inDevice = mapping_.directionToDevice(wanted(motion, cutting, hand, period));
-    if (hand.reading == Reading::late || !isFinite(inDevice)) {
+    const glm::dvec3 turning = mapping_.directionToDevice(turnCoupling_.torque(motion.turnBehind));
+    if (hand.reading == Reading::late || !isFinite(inDevice) || !isFinite(turning)) {
         none(hand.reading != Reading::late, sample);
         return;
     }
     const glm::dvec3 passive = passivity_(inDevice, hand, period);
     wrench_.force = limiter_(passive) * ramp_.weight();
+    wrench_.torque = turning * ramp_.weight();
     passivity_.sent(wrench_.force);
     sample.force = mapping_.directionToSetup(wrench_.force);
     if (limiter_.saturated() && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
@@ -67,6 +70,7 @@ void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
     wrench_ = {};
     sample.force = glm::dvec3(0.0);
     sample.flags |= sampleForcesOff;
+    turnCoupling_.reset();
     limiter_.reset();
     passivity_.reset();
     if (fadesIn) fadeIn();
@@ -74,6 +78,7 @@ void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
 
 void ForceOutput::fadeIn() noexcept {
     wrench_ = {};
+    turnCoupling_.reset();
     limiter_.reset();
     passivity_.reset();
     ramp_.restart();

@@ -10,6 +10,7 @@
 #include "core/haptics/motion_estimator.h"
 #include "core/haptics/passivity_controller.h"
 #include "core/haptics/tool_motion.h"
+#include "core/haptics/turn_coupling.h"
 #include "core/recording/sample.h"
 
 namespace burin {
@@ -40,6 +41,7 @@ private:
 
     WorkspaceMapping mapping_;
     Coupling coupling_;
+    TurnCoupling turnCoupling_;
     CuttingForceRendering cuttingRendering_;
     PassivityController passivity_;
     ForceLimiter limiter_;
