@@ -17,9 +17,9 @@ constexpr double smallestStep = 1e-5;        // mm; a shorter one is rest
 constexpr double smallestTurn = 1e-8;        // rad
 constexpr double smallestImprovement = 1e-9; // mm
 constexpr double usableGradient = 0.2;       // below it (a medial axis) the direction is noise
-constexpr int mostLooks = 24;                // at the boundary in one tick, before the whole way is looked at
+constexpr int mostLooks = 20;                // at the boundary in one tick, before the whole way is looked at
 constexpr int chordSamples = 128;
-constexpr int mostBacktracks = 4;
+constexpr int mostBacktracks = 3;
 /// What a turn counts in strides: between two looks the farthest point moves by half a spacing at most.
 constexpr double turnShare = 0.5;
 constexpr double sightInSpacings = 8.0;   // so far ahead clearances are asked for

@@ -12,12 +12,16 @@ namespace burin {
 namespace {
 
 constexpr double voxelsPerTick = 6.0; // of travel, at least
-constexpr double voxelsOfRoom = 2.0;  // that a tip makes in a tick for an axis
+/// The same where the axis is free: each look at the boundary is dearer there, and a tool that was held and comes free
+/// has time to catch up.
+constexpr double voxelsPerTickFree = 2.0;
+constexpr double voxelsOfRoom = 2.0; // that a tip makes in a tick for an axis
 constexpr int parkingSamples = 256;
 
 /// A tool as fast as the fastest hand that is believed follows it without a lag, hence without a force.
 double travelPerSecond(const HapticSettings& settings, const Grid& grid) noexcept {
-    return std::max(voxelsPerTick * grid.edge() / settings.tickPeriod,
+    const double voxels = settings.axis.free ? voxelsPerTickFree : voxelsPerTick;
+    return std::max(voxels * grid.edge() / settings.tickPeriod,
                     1.1 * settings.stylus.maximumSpeed.value * settings.mapping.scale);
 }
 
