@@ -52,6 +52,8 @@ void registerPath(CLI::App& program, CommandContext& context, int& status);
 void registerPost(CLI::App& program, CommandContext& context, int& status);
 void registerVerify(CLI::App& program, CommandContext& context, int& status);
 void registerInfo(CLI::App& program, CommandContext& context, int& status);
+void registerDevices(CLI::App& program, CommandContext& context, int& status);
+void registerCalibrate(CLI::App& program, CommandContext& context, int& status);
 void registerDemo(CLI::App& program, CommandContext& context, int& status);
 void registerBench(CLI::App& program, CommandContext& context, int& status);
 

@@ -3,10 +3,12 @@
 #include "app/command.h"
 #include "app/report.h"
 #include "core/base/numbers.h"
+#include "core/device/device_registry.h"
 #include "core/haptics/operator.h"
 #include "core/haptics/trace_stylus.h"
 #include "core/project/milling.h"
 #include "core/recording/trace_file.h"
+#include "ui/messages/messages.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,9 +21,9 @@ namespace {
 using nlohmann::json;
 
 struct MillArguments {
-    std::string project, stylus = "operator", tool = "ball-6", machine = "linuxcnc-mill", output;
+    std::string project, stylus = "operator", mode, tool = "ball-6", machine = "linuxcnc-mill", trace;
     bool realtime = false, fast = false;
-    double seconds = 0.0;
+    double seconds = 0.0, rate = 1000.0;
     std::optional<double> allowance;
     OperatorRequest hand;
 };
@@ -36,7 +38,12 @@ json jsonOf(const TakeOutcome& outcome) {
             {"tick_cpu_us_p50", outcome.loop.cpuP50},
             {"tick_cpu_us_p999", outcome.loop.cpuP999},
             {"missed", outcome.loop.missed},
-            {"scheduling", outcome.loop.scheduling == SchedulingClass::fifo ? "fifo" : "normal"},
+            {"interval_us_p50", outcome.loop.intervalP50},
+            {"interval_us_p999", outcome.loop.intervalP999},
+            {"late", outcome.loop.late},
+            {"motor_cuts", outcome.loop.cuts},
+            {"scheduling", nameOf(outcome.loop.scheduling)},
+            {"memory_locked", outcome.loop.memoryLocked},
             {"duration_s", outcome.loop.simulatedSeconds},
             {"removed_mm3", outcome.removed},
             {"workpiece_drop_mm3", outcome.drop},
@@ -54,40 +61,74 @@ std::string textOf(const TakeOutcome& outcome) {
                                    : "");
 }
 
-/// Plays a trace; its end, or the time given, ends the take.
-Result<std::vector<TakeOutcome>> millWithTrace(const std::string& file, const MillArguments& arguments, Pace pace,
-                                               Project& project, Bench& bench, const ClearanceField& field,
-                                               const std::atomic<bool>& stop) {
-    Result<std::vector<StylusState>> states = readTrace(file);
-    if (!states) return std::move(states).error();
-    const StylusDescription description = touchLikeStylus();
-    TraceStylus stylus(std::move(*states), description);
+/// What one stylus is to make of a project.
+struct MillWork {
+    const MillArguments& arguments;
+    Project& project;
+    Bench& bench;
+    const ClearanceField& field;
+    CommandContext& context;
+    Pace pace;
+};
+
+/// One take with a stylus; its end, the time given, or the wish to stop ends it.
+Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std::string& name, bool cutsOnButton,
+                                          const MillWork& work) {
     TakeRequest request;
-    request.name = std::filesystem::path(file).stem().string();
-    request.allowance = arguments.allowance.value_or(0.0);
-    request.mapping = mappingFor(bench, description);
-    request.pace = pace;
-    if (arguments.seconds > 0.0) request.maximumSeconds = arguments.seconds;
-    Result<TakeOutcome> outcome = recordTake(project, bench, field, stylus, request, stop);
+    request.name = name;
+    request.allowance = work.arguments.allowance.value_or(0.0);
+    request.mapping = mappingFor(work.bench, stylus.device().description());
+    request.pace = work.pace;
+    request.cutsOnButton = cutsOnButton;
+    request.period = 1.0 / work.arguments.rate;
+    request.trace = work.arguments.trace;
+    request.heardFault = [&work](const Error& fault) { work.context.message(Messages::sentence(fault).toStdString()); };
+    if (work.arguments.seconds > 0.0) request.maximumSeconds = work.arguments.seconds;
+    Result<TakeOutcome> outcome =
+        recordTake(work.project, work.bench, work.field, stylus, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
     return std::vector<TakeOutcome>{std::move(*outcome)};
 }
 
-Result<std::vector<TakeOutcome>> millAsAsked(const MillArguments& arguments, Project& project, Bench& bench,
-                                             const ClearanceField& field, const std::atomic<bool>& stop) {
-    const Pace pace = arguments.realtime ? Pace::realtime : Pace::fast;
+Result<std::vector<TakeOutcome>> millWithTrace(const std::string& file, const MillWork& work) {
+    Result<std::vector<StylusState>> states = readTrace(file);
+    if (!states) return std::move(states).error();
+    TraceStylus stylus(std::move(*states), touchLikeStylus());
+    return millWith(stylus, std::filesystem::path(file).stem().string(), false, work);
+}
+
+/// Its first button, where it has one, is the spindle's.
+Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const MillWork& work) {
+    DeviceRegistry registry;
+    const Result<FoundDevice> device = registry.find(name);
+    for (const Error& fault : registry.takeFaults()) work.context.message(Messages::sentence(fault).toStdString());
+    if (!device) return device.error();
+    if (work.arguments.fast)
+        return Error{ErrorCode::argumentInvalid, "--fast", device->id,
+                     "--realtime with a device, whose hand has its own time"};
+    const Result<AnyStylus> stylus = registry.make(device->id, work.arguments.mode);
+    if (!stylus) return stylus.error();
+    const StylusHandle handle(*stylus);
+    MillWork live = work;
+    live.pace = Pace::realtime;
+    return millWith(handle, device->name, handle.device().description().buttons > 0, live);
+}
+
+Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     constexpr std::string_view trace = "trace:", device = "device:";
-    if (arguments.stylus.starts_with(trace))
-        return millWithTrace(arguments.stylus.substr(trace.size()), arguments, pace, project, bench, field, stop);
-    if (arguments.stylus.starts_with(device))
-        return Error{ErrorCode::deviceNotFound, arguments.stylus.substr(device.size()), {}, {}};
-    if (arguments.stylus != "operator")
-        return Error{ErrorCode::nameUnknown, "stylus", arguments.stylus, "operator, trace:FILE, device:NAME"};
-    OperatorRequest request = arguments.hand;
-    request.allowance = arguments.allowance.value_or(request.allowance);
-    request.timeLimit = arguments.seconds;
-    request.pace = pace;
-    Result<OperatorOutcome> outcome = millWithOperator(project, bench, field, request, stop);
+    const std::string& stylus = work.arguments.stylus;
+    if (stylus.starts_with(trace)) return millWithTrace(stylus.substr(trace.size()), work);
+    if (stylus.starts_with(device)) return millWithDevice(stylus.substr(device.size()), work);
+    if (stylus != "operator")
+        return Error{ErrorCode::nameUnknown, "stylus", stylus, "operator, trace:FILE, device:NAME"};
+    if (!work.arguments.trace.empty())
+        return Error{ErrorCode::argumentInvalid, "--trace", "operator", "a trace or a device as the stylus"};
+    OperatorRequest request = work.arguments.hand;
+    request.allowance = work.arguments.allowance.value_or(request.allowance);
+    request.timeLimit = work.arguments.seconds;
+    request.pace = work.pace;
+    Result<OperatorOutcome> outcome =
+        millWithOperator(work.project, work.bench, work.field, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
     return std::move(outcome->takes);
 }
@@ -109,7 +150,8 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     if (!field) return context.fail(field.error());
 
     context.stage("Milling");
-    const auto outcome = millAsAsked(arguments, *project, *bench, **field, context.progress().cancelFlag());
+    const auto outcome =
+        millAsAsked({arguments, *project, *bench, **field, context, arguments.realtime ? Pace::realtime : Pace::fast});
     if (!outcome) return context.fail(outcome.error());
 
     json answer{{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
@@ -137,6 +179,11 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
     CLI::App* command = program.add_subcommand("mill", "Mill a project's workpiece with a stylus and record it");
     command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
     command->add_option("--stylus", arguments->stylus, "operator, trace:FILE or device:NAME")->capture_default_str();
+    command->add_option("--mode", arguments->mode, "One of a device's modes, as \"burin devices\" lists them");
+    command->add_option("--rate", arguments->rate, "Ticks a second, Hz; a device that keeps its own time has its own")
+        ->check(CLI::Range(1000.0, 4000.0))
+        ->capture_default_str();
+    command->add_option("--trace", arguments->trace, "Also write what a trace or device did, to be played again");
     command->add_option("--tool", arguments->tool, "Tool")->capture_default_str();
     command->add_option("--machine", arguments->machine, "Machine, for the spindle speed")->capture_default_str();
     CLI::Option* realtime = command->add_flag("--realtime", arguments->realtime, "One tick a millisecond of the clock");

@@ -43,9 +43,9 @@ enum class ErrorCode : std::uint16_t {
     resourceInvalid, ///< subject: file; place: key; detail: what is wrong
     // devices and haptics
     deviceNotFound,     ///< subject: device
-    deviceFault,        ///< subject: device; detail: what it reports
-    deviceUnplugged,    ///< subject: device
-    deviceStopped,      ///< its forces are off for now; subject: device; detail: why
+    deviceFault,        ///< subject: device; place: record of what led to it, if any; detail: what it reports
+    deviceUnplugged,    ///< subject: device; place: as above
+    deviceStopped,      ///< its forces are off for now; subject: device; place: as above; detail: why
     deviceNotAllowed,   ///< subject: device; place: the file that the system keeps it under
     deviceIncompatible, ///< subject: device; place: its protocol; detail: ours
     traceInvalid,       ///< subject: file; place: line

@@ -21,11 +21,6 @@ bool isLetterOrDigit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-bool isId(std::string_view id) {
-    return !id.empty() && isLetterOrDigit(id.front()) &&
-           std::ranges::all_of(id, [](char c) { return isLetterOrDigit(c) || c == '-' || c == '_' || c == '.'; });
-}
-
 /// An environment variable that holds an absolute path, as the XDG base directory specification demands.
 fs::path absolutePathFrom(const char* variable) {
     const char* value = std::getenv(variable);
@@ -40,6 +35,11 @@ std::string joined(const std::vector<std::string>& ids) {
 }
 
 } // namespace
+
+bool isResourceId(std::string_view id) {
+    return !id.empty() && isLetterOrDigit(id.front()) &&
+           std::ranges::all_of(id, [](char c) { return isLetterOrDigit(c) || c == '-' || c == '_' || c == '.'; });
+}
 
 fs::path userResourceDirectory(ResourceKind kind) {
     if (const fs::path data = absolutePathFrom("XDG_DATA_HOME"); !data.empty()) return data / "burin" / kind.folder;
@@ -56,7 +56,7 @@ std::vector<fs::path> resourceSearchPath(ResourceKind kind) {
 }
 
 Result<ResourceText> findResource(ResourceKind kind, std::string_view id) {
-    if (isId(id)) {
+    if (isResourceId(id)) {
         for (const fs::path& folder : resourceSearchPath(kind)) {
             const fs::path file = folder / (std::string(id) + std::string(suffix));
             std::error_code ignored;
@@ -75,7 +75,7 @@ std::vector<std::string> resourceIds(ResourceKind kind) {
         std::error_code failed;
         for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
             const fs::path& file = entry->path();
-            if (file.extension() == suffix && isId(file.stem().string())) ids.insert(file.stem().string());
+            if (file.extension() == suffix && isResourceId(file.stem().string())) ids.insert(file.stem().string());
         }
     }
     return {ids.begin(), ids.end()};

@@ -33,8 +33,10 @@ std::filesystem::path userResourceDirectory(ResourceKind kind);
 /// Folders that are searched, the user's first: it may replace what Burin is shipped with.
 std::vector<std::filesystem::path> resourceSearchPath(ResourceKind kind);
 
-/// The file of `id` from the first folder that has it. An id is made of letters, digits, '-', '_' and '.', and starts
-/// with a letter or digit, so that it can't lead out of the folder.
+/// Made of letters, digits, '-', '_' and '.', a letter or digit first, so that it can't lead out of a folder.
+bool isResourceId(std::string_view id);
+
+/// The file of `id` from the first folder that has it.
 /// Errors: nameUnknown (detail: ids that exist), those of readFile.
 Result<ResourceText> findResource(ResourceKind kind, std::string_view id);
 

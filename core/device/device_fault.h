@@ -55,24 +55,25 @@ inline Error errorOf(DeviceFault fault, std::string device) {
             deviceReasons[static_cast<std::size_t>(fault)].text};
 }
 
-/// Carries faults from a device's thread to the owner's: each kind once until it is taken. No lock, no allocation.
-class FaultBox {
+/// Carries faults from the thread that meets them to the owner's: each kind once until it is taken. No lock, no
+/// allocation. @tparam Kind an enumeration of at most 32
+template <class Kind>
+class BoxOf {
 public:
     /// Any thread.
-    void raise(DeviceFault fault) noexcept {
-        raised_.fetch_or(1U << static_cast<unsigned>(fault), std::memory_order_release);
-    }
-    /// Any thread: one of those raised since, in the order of DeviceFault.
-    std::optional<DeviceFault> take() noexcept {
+    void raise(Kind fault) noexcept { raised_.fetch_or(1U << static_cast<unsigned>(fault), std::memory_order_release); }
+    /// Any thread: one of those raised since, in the order of Kind.
+    std::optional<Kind> take() noexcept {
         std::uint32_t raised = raised_.load(std::memory_order_acquire);
         while (raised != 0)
             if (raised_.compare_exchange_weak(raised, raised & (raised - 1), std::memory_order_acq_rel))
-                return static_cast<DeviceFault>(std::countr_zero(raised));
+                return static_cast<Kind>(std::countr_zero(raised));
         return std::nullopt;
     }
 
 private:
     std::atomic<std::uint32_t> raised_{0};
 };
+using FaultBox = BoxOf<DeviceFault>;
 
 } // namespace burin

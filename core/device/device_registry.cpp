@@ -100,6 +100,18 @@ std::vector<FoundDevice> DeviceRegistry::scan() {
     return all;
 }
 
+Result<FoundDevice> DeviceRegistry::find(const std::string& idOrName) {
+    std::vector<FoundDevice> devices = scan();
+    std::erase_if(devices, [](const FoundDevice& device) { return device.id == simulatedDevice; });
+    if (const auto found = std::ranges::find(devices, idOrName, &FoundDevice::id); found != devices.end())
+        return *found;
+    if (std::ranges::count(devices, idOrName, &FoundDevice::name) == 1)
+        return *std::ranges::find(devices, idOrName, &FoundDevice::name);
+    std::string there;
+    for (const FoundDevice& device : devices) there += (there.empty() ? "" : ", ") + device.id;
+    return Error{ErrorCode::nameUnknown, "device", idOrName, there};
+}
+
 Result<AnyStylus> DeviceRegistry::make(const std::string& id, const std::string& mode) {
     const std::lock_guard turn(turn_);
     const std::string driver = id.substr(0, id.find(':'));

@@ -30,6 +30,9 @@ public:
     void add(std::string id, std::unique_ptr<DeviceDriver> driver);
     /// What is there now, the simulated stylus first, then in the order of the drivers' ids.
     std::vector<FoundDevice> scan();
+    /// The device with an id, or with a name that only one has. Errors: nameUnknown (detail: the ids that are there;
+    /// not the simulated stylus, which nobody needs to look for).
+    Result<FoundDevice> find(const std::string& idOrName);
     /// A stylus for a device, connected but not open; it must not outlive the registry. Errors: deviceNotFound, those
     /// of DeviceDriver::make, pluginInvalid (what it says of itself breaks a rule of checkDescription, or it threw).
     Result<AnyStylus> make(const std::string& id, const std::string& mode = {});

@@ -22,6 +22,7 @@ Result<void> ResampledStylus::open() {
     wrenches_.take(wrench_);
     newest_.valid = false;
     wrench_ = {};
+    cut_ = false;
     if (Result<void> opened = stylus_->open(); !opened) return opened;
     return stylus_->start(*this);
 }
@@ -38,9 +39,15 @@ StylusState ResampledStylus::read(double time) noexcept {
     return newest_;
 }
 
+void ResampledStylus::cutMotors() noexcept {
+    cut_.store(true, std::memory_order_release);
+    stylus_->cutMotors();
+}
+
 Wrench ResampledStylus::tick(const StylusState& state) noexcept {
     states_.post(state);
     if (wrenches_.take(wrench_)) wantedAt_ = state.time;
+    if (cut_.exchange(false, std::memory_order_acquire)) wrench_ = {};
     return state.time - wantedAt_ > longestWait ? Wrench{} : wrench_;
 }
 

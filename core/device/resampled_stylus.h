@@ -5,6 +5,7 @@
 #include "core/base/mailbox.h"
 #include "core/device/device_driver.h"
 
+#include <atomic>
 #include <memory>
 
 namespace burin {
@@ -29,6 +30,7 @@ public:
     void close() noexcept override;
     std::optional<Error> takeFault() override { return stylus_->takeFault(); }
     DeviceHealth health() const noexcept override { return stylus_->health(); }
+    void cutMotors() noexcept override;
     StylusState read(double time) noexcept override;
     void write(const Wrench& wrench) noexcept override { wrenches_.post(wrench); }
 
@@ -38,10 +40,11 @@ private:
     std::unique_ptr<SelfPacedStylus> stylus_;
     Mailbox<StylusState> states_;
     Mailbox<Wrench> wrenches_;
-    StylusState newest_;    ///< the loop's
-    double freshAt_ = 0.0;  ///< s, the loop's time
-    Wrench wrench_;         ///< the device's thread
-    double wantedAt_ = 0.0; ///< s, the device's time
+    std::atomic<bool> cut_{false}; ///< what was written so far does not count any more
+    StylusState newest_;           ///< the loop's
+    double freshAt_ = 0.0;         ///< s, the loop's time
+    Wrench wrench_;                ///< the device's thread
+    double wantedAt_ = 0.0;        ///< s, the device's time
 };
 
 /// Any stylus as one that the loop calls.

@@ -53,6 +53,7 @@ StylusDescription SimulatedStylus::description() const {
                                                    "device table) scale the force that is shown")
                                   .text;
     const std::string own = "simulated: the whole bench, its positions are the setup's own";
+    stylus.simulated = true;
     stylus.actuated = {3, 0};
     stylus.buttons = 1;
     stylus.maximumForce = {3.3, touch};

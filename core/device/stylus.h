@@ -37,6 +37,7 @@ struct StylusDescription {
     Figure<"mm"> positionStep; ///< what its encoders resolve
     Figure<"rad"> rotationStep;
     Figure<"mm/s"> maximumSpeed{1000.0, "Burin: no hand works faster on a desktop device"}; ///< faster is a fault
+    bool simulated = false; ///< nobody's hand is moved: what is written is shown, not felt
 
     bool hasMotors() const noexcept { return actuated.translations > 0 || actuated.rotations > 0; }
 };
@@ -51,6 +52,7 @@ struct StylusState {
     Pose pose;
     std::uint32_t buttons = 0; ///< bit 0: the first button
     bool valid = false;        ///< false: the device had nothing to say this tick
+    double period = 0.0;       ///< s since the reading before, where only the stylus knows: a recording; 0: the loop does
 };
 
 /// What a device shall render. Device frame, about the stylus' tip.
@@ -88,6 +90,10 @@ public:
     virtual std::optional<Error> takeFault() { return std::nullopt; }
     /// Any thread.
     virtual DeviceHealth health() const noexcept { return {}; }
+    /// Any thread while the stylus is open, also when another one is stuck in `read`, `write` or a tick: the motors go
+    /// off at once, and come on again only for what is read and answered after it. Does not wait for that other thread.
+    /// Every stylus with motors has its own; the default is for those without.
+    virtual void cutMotors() noexcept {}
 };
 
 /// A stylus that the loop calls, at the loop's own edges: one read and one write a tick.
@@ -114,6 +120,9 @@ public:
     /// about once a millisecond, so that the tick's own guards keep running).
     /// @return what the device renders until the next tick.
     virtual Wrench tick(const StylusState& state) noexcept = 0;
+    /// On the device's thread, after each tick, once its answer is on its way: for what need not come before the force.
+    /// The same rule as for `tick`.
+    virtual void answered() noexcept {}
     /// On the device's thread, after the last tick.
     virtual void ends() noexcept {}
 };

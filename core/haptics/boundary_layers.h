@@ -28,6 +28,8 @@ public:
     /// Allocates. @param layer never null @return its number, for `switchTo`; the part's is 0
     std::size_t add(std::unique_ptr<PoseBoundary> layer, bool on = true);
     std::size_t size() const noexcept { return layers_.size(); }
+    /// The part alone, without its allowance.
+    PoseBoundary& part() noexcept { return *layers_.front().boundary; }
 
     /// Takes effect with the next `settle`. A number that there is not changes nothing.
     void switchTo(std::size_t layer, bool on) noexcept;

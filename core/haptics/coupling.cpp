@@ -37,11 +37,14 @@ CouplingGains couplingGains(const StylusDescription& stylus, double share, doubl
 }
 
 glm::dvec3 Coupling::force(const State& state) const noexcept {
+    const double parting = glm::dot(state.handVelocity - state.proxyVelocity, state.normal);
+    return force(state.proxy - state.hand, parting * state.normal, state.rests);
+}
+
+glm::dvec3 Coupling::force(const glm::dvec3& pull, const glm::dvec3& speed, bool rests) const noexcept {
     const double metresOfDevice = 1.0 / (scale_ * millimetresPerMetre);
-    const glm::dvec3 spring = gains_.stiffness * metresOfDevice * (state.proxy - state.hand);
-    const double closing = glm::dot(state.proxyVelocity - state.handVelocity, state.normal);
-    const double damping = state.rests ? gains_.restingDamping : gains_.damping;
-    return spring + damping * metresOfDevice * closing * state.normal;
+    const double damping = rests ? gains_.restingDamping : gains_.damping;
+    return metresOfDevice * (gains_.stiffness * pull - damping * speed);
 }
 
 } // namespace burin

@@ -44,7 +44,11 @@ public:
     };
     /// N, axes of the setup frame, magnitude as in device space.
     glm::dvec3 force(const State& state) const noexcept;
+    /// The same of a way that the spring pulls over, mm, and a speed that the damper brakes, mm/s.
+    /// @param rests as in State
+    glm::dvec3 force(const glm::dvec3& pull, const glm::dvec3& speed, bool rests) const noexcept;
 
+    void setScale(double scale) noexcept { scale_ = scale; } ///< mm of setup per mm of device
     double stiffness() const noexcept { return gains_.stiffness; }
 
 private:

@@ -25,6 +25,7 @@ public:
     glm::dvec3 operator()(const CuttingForce& cut, const glm::dvec3& motion, const glm::dvec3& tip,
                           double period) noexcept;
     void reset() noexcept;
+    void setWorkspaceScale(double scale) noexcept { settings_.workspaceScale = scale; }
 
 private:
     static constexpr double smoothing = 0.015; ///< s; removal comes in steps of whole scanlines

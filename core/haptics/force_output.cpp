@@ -24,8 +24,8 @@ PassivityController::Settings controllerSettings(const HapticSettings& settings,
 } // namespace
 
 ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
-    : mapping_(settings.mapping)
-    , coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
+    : coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
+    , guideSpring_(couplingGains(settings.stylus, settings.guideShare, settings.tickPeriod), settings.mapping.scale)
     , turnCoupling_(settings)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
     , passivity_(controllerSettings(settings, coupling_.stiffness()))
@@ -33,11 +33,14 @@ ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     , ramp_(settings.rampSeconds)
     , toolMotion_(settings.stylus.positionStep.value * settings.mapping.scale) {}
 
-void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, double period,
-                             Sample& sample) noexcept {
+void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
+                             const GuidedHand& guided, double period, Sample& sample) noexcept {
     toolMotion_.add(motion.to.tip, period);
-    const glm::dvec3 inDevice = mapping_.directionToDevice(wanted(motion, cutting, hand, period));
-    const glm::dvec3 turning = mapping_.directionToDevice(turnCoupling_.torque(motion.turnBehind));
+    for (Coupling* spring : {&coupling_, &guideSpring_}) spring->setScale(hand.mapping.scale);
+    cuttingRendering_.setWorkspaceScale(hand.mapping.scale);
+    const glm::dvec3 inDevice = hand.mapping.directionToDevice(wanted(motion, cutting, hand, guided, period));
+    const glm::dvec3 turn = hand.clutched ? glm::dvec3(0.0) : motion.turnBehind;
+    const glm::dvec3 turning = hand.mapping.directionToDevice(turnCoupling_.torque(turn));
     if (hand.reading == Reading::late || !isFinite(inDevice) || !isFinite(turning)) {
         none(hand.reading != Reading::late, sample);
         return;
@@ -46,24 +49,35 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
     wrench_.force = limiter_(passive) * ramp_.weight();
     wrench_.torque = turning * ramp_.weight();
     passivity_.sent(wrench_.force);
-    sample.force = mapping_.directionToSetup(wrench_.force);
+    sample.force = hand.mapping.directionToSetup(wrench_.force);
     if (limiter_.saturated() && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
     if (!ramp_.complete()) sample.flags |= sampleForcesOff;
     ramp_.advance(period);
 }
 
 glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
-                               double period) noexcept {
+                               const GuidedHand& guided, double period) noexcept {
+    if (hand.clutched) {
+        cuttingRendering_.reset();
+        return glm::dvec3(0.0);
+    }
+    const FeltGuides guides = felt(guided, hand.wanted.tip, motion.to.tip);
     Coupling::State state;
     state.proxy = motion.to.tip;
-    state.hand = hand.wanted.tip;
+    state.hand = guides.from;
     state.proxyVelocity = toolMotion_.velocity();
     state.handVelocity = hand.velocity;
     state.normal = motion.normal;
     state.rests = hand.rests;
     const glm::dvec3 away = state.proxy - state.hand;
     if (motion.barred && glm::length(away) > 1e-6) state.normal = glm::normalize(away);
-    return coupling_.force(state) + cuttingRendering_(cutting, motion.way(), motion.to.tip, period);
+    return coupling_.force(state) + guideSpring_.force(guides.pull, guides.across, hand.rests) +
+           cuttingRendering_(cutting, motion.way(), motion.to.tip, period);
+}
+
+bool ForceOutput::quiet() const noexcept {
+    constexpr double felt = 0.02; // N: what a desktop device can render and a hand notice
+    return glm::length(wrench_.force) < felt;
 }
 
 void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {

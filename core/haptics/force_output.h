@@ -6,6 +6,7 @@
 #include "core/haptics/coupling.h"
 #include "core/haptics/cutting_force_rendering.h"
 #include "core/haptics/force_limiter.h"
+#include "core/haptics/guide_force.h"
 #include "core/haptics/hand_input.h"
 #include "core/haptics/motion_estimator.h"
 #include "core/haptics/passivity_controller.h"
@@ -22,8 +23,8 @@ public:
     explicit ForceOutput(const HapticSettings& settings) noexcept;
 
     /// One tick's force, into the sample and `wrench`.
-    void operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, double period,
-                    Sample& sample) noexcept;
+    void operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
+                    double period, Sample& sample) noexcept;
     /// No force in this tick. @param fadesIn and the next ones begin from nothing
     void none(bool fadesIn, Sample& sample) noexcept;
     /// Forces begin from nothing.
@@ -31,16 +32,18 @@ public:
     /// The tool was taken up somewhere else: it did not move there.
     void toolTakenUp() noexcept { toolMotion_.reset(); }
 
+    /// The hand felt nothing in the last tick.
+    bool quiet() const noexcept;
     /// Of the last tick, device frame.
     const Wrench& wrench() const noexcept { return wrench_; }
     double couplingStiffness() const noexcept { return coupling_.stiffness(); } ///< N/m, device space
     const ForceLimiter& limiter() const noexcept { return limiter_; }
 
 private:
-    glm::dvec3 wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, double period) noexcept;
+    glm::dvec3 wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
+                      double period) noexcept;
 
-    WorkspaceMapping mapping_;
-    Coupling coupling_;
+    Coupling coupling_, guideSpring_;
     TurnCoupling turnCoupling_;
     CuttingForceRendering cuttingRendering_;
     PassivityController passivity_;

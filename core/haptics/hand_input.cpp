@@ -23,25 +23,38 @@ double averagingShare(const HapticSettings& settings) noexcept {
 } // namespace
 
 HandInput::HandInput(const HapticSettings& settings) noexcept
-    : mapping_(settings.mapping)
+    : workspace_(settings)
     , guard_(settings.stylus, settings.tickPeriod)
     , motion_(settings.stylus.positionStep.value)
     , averaging_(averagingShare(settings)) {}
 
-Hand HandInput::operator()(const StylusState& state, double period) noexcept {
+Hand HandInput::operator()(const StylusState& state, double period, const glm::dvec3* tool, bool quiet) noexcept {
     Hand hand;
     hand.reading = guard_.check(state, period);
     hand.device = guard_.lastPose();
-    hand.wanted = {mapping_.toSetup(hand.device.position),
-                   mapping_.directionToSetup(hand.device.rotation * glm::dvec3(0.0, 0.0, 1.0))};
-    if (hand.reading == Reading::fault) return hand;
+    if (hand.reading == Reading::fault) {
+        const WorkspaceMapping& mapping = hand.mapping = workspace_.mapping();
+        hand.wanted = {mapping.toSetup(hand.device.position),
+                       mapping.directionToSetup(hand.device.rotation * glm::dvec3(0.0, 0.0, 1.0))};
+        return hand;
+    }
     hand.buttons = state.buttons;
     motion_.add(state.pose.position, period);
     hand.rests = motion_.rests();
-    if (hand.rests) hand.wanted.tip = mapping_.toSetup(motion_.averaged(averaging_));
     hand.deviceVelocity = motion_.velocity();
-    hand.velocity = mapping_.scale * mapping_.directionToSetup(hand.deviceVelocity);
+    const Pose pose{hand.rests ? motion_.averaged(averaging_) : hand.device.position, hand.device.rotation};
+    const Workspace::Place place = workspace_(pose, state.buttons, tool, quiet, period);
+    hand.wanted = place.wanted;
+    hand.mapping = place.mapping;
+    hand.clutched = workspace_.clutched();
+    hand.velocity = place.drive;
+    if (place.follows) hand.velocity += place.mapping.scale * place.mapping.directionToSetup(hand.deviceVelocity);
     return hand;
+}
+
+void HandInput::forget() noexcept {
+    motion_.reset();
+    workspace_.forget();
 }
 
 } // namespace burin

@@ -17,6 +17,7 @@ struct HapticSettings {
     double cuttingSpeed = 1000.0;    ///< mm/s of the flutes' edge
     double cuttingForceScale = 0.01; ///< rendered / real cutting force
     double couplingShare = 0.8;      ///< of the stylus' maximum stiffness
+    double guideShare = 0.6;         ///< of the stylus' maximum stiffness, for the springs of guides
     double forceShare = 0.6;         ///< of the stylus' maximum force
     double rampSeconds = 1.5;        ///< forces fade in after start and after any fault
     double tickPeriod = 0.001;       ///< s that the loop intends; later ticks count as late

@@ -17,13 +17,15 @@ HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const 
 HapticStep::HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& tool, const HapticSettings& settings)
     : input_(settings)
     , layers_(std::move(layers))
+    , part_(layers_.part())
+    , guides_(part_, settings)
     , mover_(layers_, tool, workpiece.grid(), settings)
     , cut_(workpiece, tool, settings)
     , output_(settings) {}
 
 Sample HapticStep::operator()(const StylusState& state, double period) noexcept {
     Sample sample = beginSample(period);
-    const Hand hand = input_(state, period);
+    const Hand hand = input_(state, period, started_ ? &mover_.pose().tip : nullptr, output_.quiet());
     sample.device = hand.device;
     sample.stylusTip = hand.wanted.tip;
     sample.proxy = started_ ? mover_.pose() : mover_.parkedAbove(hand.wanted);
@@ -33,6 +35,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     if (hand.reading == Reading::fault) {
         sample.flags |= sampleStylusInvalid;
         input_.forget();
+        guides_.forget();
         output_.none(true, sample);
         return sample;
     }
@@ -42,14 +45,18 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
         output_.none(true, sample);
         return sample;
     }
-    ToolMotion motion = mover_.move(hand.wanted, period, cut_);
+    part_.setAxis(mover_.pose().axis);
+    const GuidedHand guided = guides_(hand, mover_.pose(), cut_.spindleTurns(), period);
+    if (guided.held != 0) sample.flags |= sampleOnGuide;
+    mover_.setScale(hand.mapping.scale);
+    ToolMotion motion = mover_.move(guided.goal, period, cut_);
     const CuttingForce cutting = cut_(motion, period, sample);
     mover_.arrive(motion);
     sample.proxy = mover_.pose();
     if (motion.shankContact) sample.flags |= sampleShankContact;
     if (motion.normal != glm::dvec3(0.0)) sample.flags |= sampleOnBoundary;
     if (motion.axisHeld) sample.flags |= sampleAxisHeld;
-    output_(motion, cutting, hand, period, sample);
+    output_(motion, cutting, hand, guided, period, sample);
     return sample;
 }
 
@@ -79,6 +86,7 @@ void HapticStep::workpieceChanged() noexcept {
     cut_.workpieceChanged();
     mover_.workpieceChanged();
     input_.forget();
+    guides_.forget();
     output_.fadeIn();
 }
 

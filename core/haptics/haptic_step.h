@@ -5,7 +5,9 @@
 #include "core/field/tool_field.h"
 #include "core/haptics/cut_tick.h"
 #include "core/haptics/force_output.h"
+#include "core/haptics/guide_set.h"
 #include "core/haptics/hand_input.h"
+#include "core/haptics/part_at_axis.h"
 #include "core/haptics/tool_mover.h"
 
 namespace burin {
@@ -36,6 +38,14 @@ public:
     bool started() const noexcept { return started_; }
     /// Takes effect over some ticks (5 mm/s), without a kick. @param allowance mm, >= 0
     void setAllowance(double allowance) noexcept { mover_.setAllowance(allowance); }
+    /// Guides for the hand; they fade in and out. Between two ticks. Their curves outlive the step.
+    void setGuides(const GuideSettings& guides) noexcept { guides_.set(guides); }
+    /// See GuideSet::step.
+    void stepGuides(int levels) noexcept { guides_.step(levels); }
+    const GuideSet& guides() const noexcept { return guides_; }
+    /// Scale, turn, clutch, recentring: see Workspace. Between two ticks.
+    void setWorkspace(const WorkspaceSettings& workspace) noexcept { input_.setWorkspace(workspace); }
+    const Workspace& workspace() const noexcept { return input_.workspace(); }
     /// Takes effect with the next tick, without a kick: a layer that the tool is inside of waits until it is clear.
     /// @param layer its number in the layers that the step was made with
     void switchLayer(std::size_t layer, bool on) noexcept { layers_.switchTo(layer, on); }
@@ -65,6 +75,8 @@ private:
 
     HandInput input_;
     BoundaryLayers layers_;
+    PartAtAxis part_;
+    GuideSet guides_;
     ToolMover mover_;
     CutTick cut_;
     ForceOutput output_;

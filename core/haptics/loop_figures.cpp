@@ -12,6 +12,7 @@ bool LoopFigures::add(const TickTiming& timing) noexcept {
         work_.add(timing.work);
         cpu_.add(timing.cpu);
     }
+    if (timing.interval > 0) interval_.add(timing.interval);
     ++ticks_;
     if (timing.over < due_) return false;
     due_ = timing.over + interval;
@@ -21,8 +22,10 @@ bool LoopFigures::add(const TickTiming& timing) noexcept {
     oldest = {timing.over, ticks_ - 1};
     figures_.cpuP999 = cpu_.quantileMicroseconds(0.999);
     figures_.workP999 = work_.quantileMicroseconds(0.999);
+    figures_.intervalP999 = interval_.quantileMicroseconds(0.999);
     figures_.ticks = ticks_;
     figures_.missed = timing.missed;
+    figures_.late = timing.late;
     figures_.scheduling = timing.scheduling;
     return true;
 }

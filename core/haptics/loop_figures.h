@@ -14,7 +14,8 @@ namespace burin {
 struct LiveFigures {
     double rateHz = 0.0;                  ///< ticks over wall seconds, the last second
     double cpuP999 = 0.0, workP999 = 0.0; ///< µs a tick, since the loop began
-    std::uint64_t ticks = 0, missed = 0;
+    double intervalP999 = 0.0;            ///< µs from force to force, since the loop began
+    std::uint64_t ticks = 0, missed = 0, late = 0;
     SchedulingClass scheduling = SchedulingClass::normal;
 };
 
@@ -33,7 +34,7 @@ private:
         std::int64_t when = 0;
         std::uint64_t ticks = 0;
     };
-    DurationHistogram work_, cpu_;
+    DurationHistogram work_, cpu_, interval_;
     std::array<Mark, marks> marks_{}; ///< the oldest at next_ % marks
     std::size_t next_ = 0;
     std::uint64_t ticks_ = 0;

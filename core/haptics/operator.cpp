@@ -25,6 +25,7 @@ glm::dvec3 quantised(const glm::dvec3& position, double step) noexcept {
 StylusDescription touchLikeStylus() {
     StylusDescription stylus;
     stylus.name = "Virtual operator";
+    stylus.simulated = true;
     const std::string touch = "CHAI3D device table, 3D Systems Touch (closed loop at 1 kHz)";
     stylus.actuated = {3, 0};
     stylus.maximumForce = {3.3, touch};

@@ -3,22 +3,42 @@
 #pragma once
 
 #include "core/base/ring.h"
+#include "core/device/stylus.h"
+#include "core/haptics/tick_fault.h"
 #include "core/recording/sample.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace burin {
 
-/// What the system granted the loop's thread.
-enum class SchedulingClass : std::uint8_t { normal, fifo };
+/// What the system granted the loop's thread, from the least on.
+enum class SchedulingClass : std::uint8_t {
+    normal,
+    nice,       ///< the normal class with a negative nice value, by RealtimeKit
+    roundRobin, ///< SCHED_RR, by RealtimeKit
+    fifo,       ///< SCHED_FIFO, by the limits in force
+};
+
+/// As in the JSON of the command line.
+constexpr std::string_view nameOf(SchedulingClass scheduling) noexcept {
+    constexpr std::array<std::string_view, 4> names{"normal", "nice", "round-robin", "fifo"};
+    return names[static_cast<std::size_t>(scheduling)];
+}
 
 /// How the loop keeps up, told with each tick. Times in ns.
 struct TickTiming {
     double period = 0.0;            ///< s that the step was told
     std::int64_t over = 0;          ///< CLOCK_MONOTONIC, when the force was sent
+    std::int64_t interval = 0;      ///< from the force before to this one; 0: it is the first, or the loop stood
     std::int64_t work = 0, cpu = 0; ///< of the tick before this one, whole: wall clock, processor time of the thread
     std::uint64_t missed = 0;       ///< edges that were skipped since the loop began
+    std::uint64_t late = 0;         ///< ticks since the loop began whose force was withheld, as it came too late
     SchedulingClass scheduling = SchedulingClass::normal;
+    TickFault fault = TickFault::none; ///< that begins with this tick
+    StylusState reading;               ///< as the stylus gave it
 };
 
 /// What a loop does at an edge of its clock.
@@ -28,7 +48,7 @@ enum class AtEdge : std::uint8_t {
     full,  ///< no room for what the tick would say: waits where it can, and ends with recordingOverflow where not
 };
 
-/// Where the ticks of a loop go. Called by the loop's thread alone, with neither allocation, lock nor file.
+/// Where the ticks of a loop go. Called by the thread that ticks alone, with neither allocation, lock nor file.
 class TickSink {
 public:
     virtual ~TickSink() = default;

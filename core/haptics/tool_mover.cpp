@@ -18,13 +18,6 @@ constexpr double voxelsPerTickFree = 2.0;
 constexpr double voxelsOfRoom = 2.0; // that a tip makes in a tick for an axis
 constexpr int parkingSamples = 256;
 
-/// A tool as fast as the fastest hand that is believed follows it without a lag, hence without a force.
-double travelPerSecond(const HapticSettings& settings, const Grid& grid) noexcept {
-    const double voxels = settings.axis.free ? voxelsPerTickFree : voxelsPerTick;
-    return std::max(voxels * grid.edge() / settings.tickPeriod,
-                    1.1 * settings.stylus.maximumSpeed.value * settings.mapping.scale);
-}
-
 bool rendersTorque(const StylusDescription& stylus) noexcept {
     return stylus.actuated.rotations > 0 && stylus.maximumTurningStiffness.value > 0.0 &&
            stylus.maximumStiffness.value > 0.0;
@@ -32,10 +25,11 @@ bool rendersTorque(const StylusDescription& stylus) noexcept {
 
 /// Weighs turns against moves as the coupling's springs do, so that the tool rests where they hold least energy: where
 /// a tool without weight would rest that hangs on the hand by them.
+/// @return mm, in a workspace of scale 1
 double turnLength(const HapticSettings& settings) noexcept {
     if (!rendersTorque(settings.stylus)) return 1.0;
     const double newtonsPerMillimetre = settings.stylus.maximumStiffness.value * 1e-3;
-    return settings.mapping.scale * std::sqrt(settings.stylus.maximumTurningStiffness.value / newtonsPerMillimetre);
+    return std::sqrt(settings.stylus.maximumTurningStiffness.value / newtonsPerMillimetre);
 }
 
 } // namespace
@@ -44,14 +38,23 @@ ToolMover::ToolMover(BoundaryLayers& layers, const Tool& tool, const Grid& grid,
     : layers_(layers)
     , axis_(settings.axis)
     , yields_(rendersTorque(settings.stylus) ? ProxyStride::Yields::both : ProxyStride::Yields::tip)
-    , turnLength_(turnLength(settings))
+    , turnLengthAtScale1_(turnLength(settings))
     , room_(voxelsOfRoom * grid.edge())
     , topOfWorkpiece_(grid.box().high.z)
-    , travelPerSecond_(travelPerSecond(settings, grid))
+    , slowestTravel_((settings.axis.free ? voxelsPerTickFree : voxelsPerTick) * grid.edge() / settings.tickPeriod)
+    , handSpeed_(settings.stylus.maximumSpeed.value)
     , longestPeriod_(ReadingGuard::lateTicks * settings.tickPeriod)
     , brake_(tool.cutter, grid)
     , proxy_(layers)
-    , allowance_(layers, settings.allowance) {}
+    , allowance_(layers, settings.allowance) {
+    setScale(settings.mapping.scale);
+}
+
+/// A tool as fast as the fastest hand that is believed follows it without a lag, hence without a force.
+void ToolMover::setScale(double scale) noexcept {
+    travelPerSecond_ = std::max(slowestTravel_, 1.1 * handSpeed_ * scale);
+    turnLength_ = turnLengthAtScale1_ * scale;
+}
 
 ToolPose ToolMover::wanted(const ToolPose& hand) const noexcept {
     return {hand.tip, axis_.free ? hand.axis : axis_.direction};

@@ -34,6 +34,8 @@ public:
     /// Takes effect over some ticks. @param allowance mm, >= 0
     void setAllowance(double allowance) noexcept { allowance_.want(allowance); }
     void workpieceChanged() noexcept { brake_.workpieceChanged(); }
+    /// @param scale mm of setup per mm of device: how far the tool may travel in a tick goes with it
+    void setScale(double scale) noexcept;
     /// What shank or holder touched last.
     const ShankContact& shankContact() const noexcept { return shank_; }
 
@@ -47,9 +49,12 @@ private:
     BoundaryLayers& layers_;
     AxisMode axis_;
     ProxyStride::Yields yields_;
-    double turnLength_, room_;                ///< mm
-    double topOfWorkpiece_, travelPerSecond_; ///< mm, mm/s
-    double longestPeriod_;                    ///< s that a tick's travel is allowed for
+    double turnLengthAtScale1_, turnLength_ = 0.0; ///< mm
+    double room_;                                  ///< mm
+    double topOfWorkpiece_;                        ///< mm
+    double slowestTravel_, handSpeed_;             ///< mm/s: of the tool at any scale, and of the fastest hand
+    double travelPerSecond_ = 0.0;                 ///< mm/s
+    double longestPeriod_;                         ///< s that a tick's travel is allowed for
     BrakeOnContact brake_;
     Proxy proxy_;
     AllowanceFollower allowance_;

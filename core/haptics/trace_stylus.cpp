@@ -28,15 +28,25 @@ TraceStylus::TraceStylus(std::vector<StylusState> states, StylusDescription desc
 
 Result<void> TraceStylus::open() {
     if (states_.empty()) return Error{ErrorCode::argumentInvalid, "trace", "0 readings", "at least one reading"};
-    for (std::size_t i = 1; i < states_.size(); ++i)
+    ticks_ = std::ranges::any_of(states_, [](const StylusState& state) { return state.period != 0.0; });
+    next_ = 0;
+    for (std::size_t i = 1; i < states_.size() && !ticks_; ++i)
         if (!(states_[i].time > states_[i - 1].time))
             return Error{ErrorCode::argumentInvalid, "trace", "reading " + std::to_string(i + 1), "times that rise"};
     played_ = false;
     return {};
 }
 
+StylusState TraceStylus::nextTick(double time) noexcept {
+    StylusState state = states_[std::min(next_, states_.size() - 1)];
+    played_ = ++next_ >= states_.size();
+    state.time = time;
+    return state;
+}
+
 StylusState TraceStylus::read(double time) noexcept {
     if (states_.empty() || !std::isfinite(time)) return {};
+    if (ticks_) return nextTick(time);
     played_ = time + sameReading >= states_.back().time;
     const auto after = std::upper_bound(states_.begin(), states_.end(), time + sameReading,
                                         [](double t, const StylusState& state) { return t < state.time; });

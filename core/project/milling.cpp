@@ -98,7 +98,7 @@ WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus)
     return mappingFor(region, stylus);
 }
 
-Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceField& field, Stylus& stylus,
+Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceField& field, const StylusHandle& stylus,
                                const TakeRequest& request, const std::atomic<bool>& stop) {
     const double volumeBefore = bench.workpieceVolume();
     SessionRequest session;
@@ -108,12 +108,24 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceFi
     session.undoable = false; // nobody is there who could
     session.takeName = request.name;
     session.maximumSeconds = request.maximumSeconds;
+    session.period = request.period;
+    session.cutsOnButton = request.cutsOnButton;
+    session.trace = request.trace;
+    session.flights = request.flights;
     StrokeHistory strokes;
     const Result<std::unique_ptr<MillingSession>> live =
         MillingSession::begin(project, bench, field, stylus, strokes, session);
     if (!live) return live.error();
-    while (!(*live)->ended() && !stop) std::this_thread::sleep_for(glance);
+    const auto tellFaults = [&] {
+        while (const std::optional<Error> fault = (*live)->takeFault())
+            if (request.heardFault) request.heardFault(*fault);
+    };
+    while (!(*live)->ended() && !stop) {
+        tellFaults();
+        std::this_thread::sleep_for(glance);
+    }
     const Result<LoopStatistics> loop = (*live)->end();
+    tellFaults();
     const Result<void> saved = project.save();
     if (!loop) return loop.error();
     if (!saved) return saved.error();

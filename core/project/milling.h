@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/device/stylus.h"
+#include "core/device/stylus_handle.h"
 #include "core/haptics/haptic_step.h"
 #include "core/haptics/operator.h"
 #include "core/haptics/operator_plan.h"
@@ -10,6 +10,8 @@
 #include "core/project/bench.h"
 
 #include <atomic>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,7 +23,11 @@ struct TakeRequest {
     double allowance = 0.0; ///< mm of stock that the boundary leaves on the part
     WorkspaceMapping mapping;
     Pace pace = Pace::fast;
-    double maximumSeconds = 1e9; ///< s of the session
+    double maximumSeconds = 1e9;                  ///< s of the session
+    double period = 0.0;                          ///< s of a tick; 0: as SessionRequest says
+    bool cutsOnButton = false;                    ///< the spindle turns only while the stylus' first button is down
+    std::filesystem::path trace, flights;         ///< as in SessionRequest
+    std::function<void(const Error&)> heardFault; ///< in the calling thread: a fault after which the session goes on
 };
 
 /// What a recording came to, read back from the project.
@@ -38,7 +44,7 @@ struct TakeOutcome {
 
 /// Mills with a stylus and records every tick into the project while it is made; saves the project at the end.
 /// Errors: those of the stylus, the servo loop, the recorder and Project::save. What was recorded until then is kept.
-Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceField& field, Stylus& stylus,
+Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceField& field, const StylusHandle& stylus,
                                const TakeRequest& request, const std::atomic<bool>& stop);
 
 /// What the virtual operator is asked to do.

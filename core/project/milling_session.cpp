@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/milling_session.h"
 
+#include "core/haptics/trace_recorder.h"
+#include "core/project/session_faults.h"
 #include "core/project/session_loop.h"
 
 #include <algorithm>
@@ -25,22 +27,37 @@ double unixTime() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-HapticSettings hapticSettings(const Bench& bench, const Stylus& stylus, const SessionRequest& request) {
+/// s of a tick.
+double periodOf(const StylusHandle& stylus, const SessionRequest& request) {
+    const double rate = stylus.device().description().rate.value;
+    if (stylus.selfPaced() != nullptr && rate > 0.0) return 1.0 / rate; // nobody else can
+    return request.period > 0.0 ? request.period : ServoSettings{}.period;
+}
+
+HapticSettings hapticSettings(const Bench& bench, const StylusHandle& stylus, const SessionRequest& request) {
     HapticSettings settings;
     settings.mapping = request.mapping;
-    settings.stylus = stylus.description();
+    settings.stylus = stylus.device().description();
+    settings.tickPeriod = periodOf(stylus, request);
     settings.allowance = request.allowance;
     settings.cuttingSpeed = bench.conditions.surfaceSpeed;
     settings.cutsOnButton = request.cutsOnButton;
     return settings;
 }
 
-ServoSettings servoSettings(const SessionRequest& request) {
+ServoSettings servoSettings(const StylusHandle& stylus, const SessionRequest& request) {
     ServoSettings settings;
+    settings.period = periodOf(stylus, request);
     settings.pace = request.pace;
     settings.maximumSeconds = request.maximumSeconds;
     settings.ticksPerEdge = request.ticksPerEdge;
     return settings;
+}
+
+/// None where time is simulated: there is no hand.
+std::filesystem::path flightsOf(const Project& project, const SessionRequest& request) {
+    if (request.pace != Pace::realtime || request.ticksPerEdge > 1) return {};
+    return request.flights.empty() ? SessionFaults::folderBeside(project.file()) : request.flights;
 }
 
 Error nothingToDo(const char* what, const char* needed) {
@@ -50,22 +67,23 @@ Error nothingToDo(const char* what, const char* needed) {
 /// The owner's side.
 class LiveSession final : public MillingSession {
 public:
-    LiveSession(Project& project, Bench& bench, const ClearanceField& field, Stylus& stylus, StrokeHistory& strokes,
-                const SessionRequest& request)
+    LiveSession(Project& project, Bench& bench, const ClearanceField& field, const StylusHandle& stylus,
+                StrokeHistory& strokes, const SessionRequest& request)
         : project_(project)
         , bench_(bench)
         , stylus_(stylus)
         , strokes_(strokes)
         , allowance_(request.allowance)
-        , servo_(servoSettings(request))
+        , servo_(servoSettings(stylus, request))
         , step_(bench.embedded.workpiece, field, bench.tool, hapticSettings(bench, stylus, request))
-        , loop_(step_, bench.embedded.workpiece, request.undoable, stop_) {}
+        , loop_(step_, bench.embedded.workpiece, request.undoable, stop_)
+        , faults_(stylus.device(), servo_.period, flightsOf(project, request), loop_) {}
     ~LiveSession() override { static_cast<void>(end()); }
     LiveSession(const LiveSession&) = delete;
     LiveSession& operator=(const LiveSession&) = delete;
 
-    /// Errors: those of startRecording.
-    Result<void> start(const std::string& takeName);
+    /// Errors: those of startRecording and TraceRecorder::begin.
+    Result<void> start(const SessionRequest& request);
 
     Result<void> startRecording(const std::string& name) override;
     Result<void> stopRecording() override;
@@ -76,6 +94,8 @@ public:
     bool newest(SessionState& state) override;
     bool newestView(WorkpieceView& view) override;
     void takeTrace(std::vector<TracePoint>& points) override;
+    std::optional<Error> takeFault() override { return faults_.take(); }
+    DeviceHealth health() const override { return stylus_.device().health(); }
     bool ended() const override { return ended_.load(std::memory_order_acquire); }
     Result<LoopStatistics> end() override;
 
@@ -92,13 +112,15 @@ private:
 
     Project& project_;
     Bench& bench_;
-    Stylus& stylus_;
+    const StylusHandle stylus_;
     StrokeHistory& strokes_;
     double allowance_;
     const ServoSettings servo_;
     std::atomic<bool> stop_{false}, ended_{false};
     HapticStep step_;
     SessionLoop loop_;
+    SessionFaults faults_;
+    std::unique_ptr<TraceRecorder> trace_;
     std::unique_ptr<Recorder> recorder_;
     std::int64_t take_ = 0;
     LiveFigures figures_;
@@ -110,11 +132,20 @@ private:
     std::thread thread_;                                // last: it uses the above
 };
 
-Result<void> LiveSession::start(const std::string& takeName) {
-    if (!takeName.empty())
-        if (Result<void> begun = beginTake(takeName); !begun) return begun;
-    thread_ = std::thread([this] {
-        outcome_ = runServoLoop(stylus_, step_, loop_, servo_, stop_);
+Result<void> LiveSession::start(const SessionRequest& request) {
+    TickSink* sink = &faults_.sink();
+    if (!request.trace.empty()) {
+        Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink);
+        if (!trace) return std::move(trace).error();
+        trace_ = std::move(*trace);
+        sink = trace_.get();
+    }
+    if (!request.takeName.empty())
+        if (Result<void> begun = beginTake(request.takeName); !begun) return begun;
+    thread_ = std::thread([this, sink] {
+        ServoSettings servo = servo_;
+        servo.alarm = faults_.alarm();
+        outcome_ = runServoLoop(stylus_, step_, *sink, servo, stop_);
         ended_.store(true, std::memory_order_release);
     });
     return {};
@@ -170,7 +201,7 @@ Result<void> LiveSession::beginTake(const std::string& name) {
     info.allowance = allowance_;
     info.tickPeriod = servo_.period;
     info.startedUnixTime = unixTime();
-    info.stylus = stylus_.description().name;
+    info.stylus = stylus_.device().description().name;
     Result<Project::TakeWriter> writer = project_.beginTake(info);
     if (!writer) return std::move(writer).error();
     recorder_ = std::make_unique<Recorder>(loop_.samples(), std::move(*writer));
@@ -236,6 +267,8 @@ bool LiveSession::newest(SessionState& state) {
     state.rateHz = figures_.rateHz;
     state.cpuP999 = figures_.cpuP999;
     state.workP999 = figures_.workP999;
+    state.intervalP999 = figures_.intervalP999;
+    state.late = figures_.late;
     state.ticks = news.ticks;
     state.missed = news.timing.missed;
     state.scheduling = news.timing.scheduling;
@@ -293,10 +326,15 @@ Result<LoopStatistics> LiveSession::end() {
     if (thread_.joinable()) thread_.join();
     ended_.store(true, std::memory_order_release);
     settle();
+    faults_.finish();
     // The disk's refusal, not the full ring that came of it.
     if (recorder_) static_cast<void>(stopRecording());
     if (diskFault_) outcome_ = *diskFault_;
-    stylus_.close();
+    if (const std::unique_ptr<TraceRecorder> trace = std::move(trace_)) {
+        const Result<void> written = trace->finish();
+        if (!written && outcome_) outcome_ = written.error();
+    }
+    stylus_.device().close();
     return outcome_;
 }
 
@@ -305,11 +343,11 @@ Result<LoopStatistics> LiveSession::end() {
 MillingSession::~MillingSession() = default;
 
 Result<std::unique_ptr<MillingSession>> MillingSession::begin(Project& project, Bench& bench,
-                                                              const ClearanceField& field, Stylus& stylus,
+                                                              const ClearanceField& field, const StylusHandle& stylus,
                                                               StrokeHistory& strokes, const SessionRequest& request) {
-    if (Result<void> opened = stylus.open(); !opened) return std::move(opened).error();
+    if (Result<void> opened = stylus.device().open(); !opened) return std::move(opened).error();
     auto session = std::make_unique<LiveSession>(project, bench, field, stylus, strokes, request);
-    if (Result<void> started = session->start(request.takeName); !started) return std::move(started).error();
+    if (Result<void> started = session->start(request); !started) return std::move(started).error();
     return std::unique_ptr<MillingSession>(std::move(session));
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/device/stylus.h"
+#include "core/device/stylus_handle.h"
 #include "core/haptics/servo_loop.h"
 #include "core/haptics/workspace_mapping.h"
 #include "core/project/bench.h"
@@ -10,6 +10,7 @@
 #include "core/recording/sample.h"
 
 #include <chrono>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -29,8 +30,10 @@ struct SessionState {
     double rateHz = 0.0;          ///< that was really reached, over the last second
     double cpuP999 = 0.0;         ///< µs of thread CPU time a tick, over the session
     double workP999 = 0.0;        ///< µs of wall time a tick, over the session
+    double intervalP999 = 0.0;    ///< µs from force to force, over the session
     std::uint64_t ticks = 0;
     std::uint64_t missed = 0; ///< edges of the clock that were skipped since the session began
+    std::uint64_t late = 0;   ///< ticks whose force was withheld, as it came too late
     SchedulingClass scheduling = SchedulingClass::normal;
     double removalRate = 0.0;    ///< mm³/s, mean of the last 100 ms
     std::uint8_t shankPiece = 0; ///< place in pieces(cutter) of what touches; meaningful with sampleShankContact
@@ -53,7 +56,10 @@ struct SessionRequest {
     /// Keeps the workpiece as each stroke found it, so that it can be taken back. That holds back memory of the volume:
     /// when it runs out, the older half of the strokes stays for good.
     bool undoable = true;
-    std::string takeName; ///< of a take that begins with the very first tick; empty: none does
+    double period = 0.0; ///< s of a tick; 0: the stylus' own rate where it has one that it paces itself, or 1 kHz
+    std::filesystem::path trace;   ///< of ticks, written while the session lasts; empty: none
+    std::filesystem::path flights; ///< folder for records of faults (FlightRecorder); empty: beside the project
+    std::string takeName;          ///< of a take that begins with the very first tick; empty: none does
     double maximumSeconds = std::numeric_limits<double>::infinity(); ///< of the session's time
 };
 
@@ -65,9 +71,9 @@ struct SessionRequest {
 class MillingSession {
 public:
     /// Opens the stylus and starts the loop. Project, bench, field, stylus and strokes outlive the session.
-    /// Errors: those of Stylus::open; with `takeName` also those of startRecording.
+    /// Errors: those of StylusDevice::open and TraceRecorder::begin; with `takeName` also those of startRecording.
     static Result<std::unique_ptr<MillingSession>> begin(Project& project, Bench& bench, const ClearanceField& field,
-                                                         Stylus& stylus, StrokeHistory& strokes,
+                                                         const StylusHandle& stylus, StrokeHistory& strokes,
                                                          const SessionRequest& request);
     virtual ~MillingSession(); ///< as `end`, its outcome unheard
 
@@ -103,10 +109,17 @@ public:
     };
     virtual void takeTrace(std::vector<TracePoint>& points) = 0;
 
+    /// The oldest fault that nobody took yet, of the stylus or of the loop that moves it; the session goes on by itself
+    /// when it is over. Error::place: the file with its last two seconds, empty where there is none. What a simulated
+    /// stylus would not feel is no fault.
+    virtual std::optional<Error> takeFault() = 0;
+    /// Of the stylus, whether it is there.
+    virtual DeviceHealth health() const = 0;
+
     /// True when the loop has ended by itself: the stylus finished, or a fault, which `end` then gives.
     virtual bool ended() const = 0;
-    /// Ends the recording and the loop, and closes the stylus. Errors: those of the recorder, the fault that ended the
-    /// loop. Again: the same answer.
+    /// Ends the recording and the loop, and closes the stylus. Errors: those of the recorder and of the trace, the
+    /// fault that ended the loop. Again: the same answer.
     virtual Result<LoopStatistics> end() = 0;
 };
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/trace_file.h"
 
+#include "core/base/csv.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -14,32 +16,23 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t fieldCount = 9;
+constexpr std::size_t fieldCount = 9, tickFieldCount = 11;
 // A quaternion that was rounded to four digits still passes; one that was never normalised does not.
 constexpr double unitTolerance = 1e-3;
 
-using Fields = std::array<std::string_view, fieldCount>;
+using Fields = std::array<std::string_view, tickFieldCount>;
 
 Error invalid(const std::string& origin, std::size_t line, std::string detail) {
     return {ErrorCode::traceInvalid, origin, "line " + std::to_string(line), std::move(detail)};
 }
 
-/// Takes the first line off `rest`.
-std::string_view takeLine(std::string_view& rest) {
-    const std::size_t end = rest.find('\n');
-    std::string_view line = rest.substr(0, end);
-    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
-}
-
-std::optional<Fields> split(std::string_view line) {
+std::optional<Fields> split(std::string_view line, std::size_t count) {
     Fields fields;
-    for (std::size_t i = 0; i < fieldCount; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const std::size_t comma = line.find(',');
-        if ((comma == std::string_view::npos) != (i + 1 == fieldCount)) return std::nullopt;
+        if ((comma == std::string_view::npos) != (i + 1 == count)) return std::nullopt;
         fields[i] = line.substr(0, comma);
-        line.remove_prefix(i + 1 == fieldCount ? line.size() : comma + 1);
+        line.remove_prefix(i + 1 == count ? line.size() : comma + 1);
     }
     return fields;
 }
@@ -51,16 +44,15 @@ std::optional<std::uint32_t> parseButtons(std::string_view text) {
     return value;
 }
 
-Result<StylusState> parseReading(std::string_view line, const std::string& origin, std::size_t number) {
-    const std::optional<Fields> fields = split(line);
-    if (!fields) return invalid(origin, number, "not 9 values between commas");
+/// The columns that both kinds of trace have. The quaternion's length is not looked at.
+Result<StylusState> parsePose(const Fields& fields, const std::string& origin, std::size_t number) {
     std::array<double, fieldCount - 1> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::optional<double> value = parseNumber((*fields)[i]);
+        const std::optional<double> value = parseNumber(fields[i]);
         if (!value) return invalid(origin, number, "value " + std::to_string(i + 1) + " is not a number");
         values[i] = *value;
     }
-    const std::optional<std::uint32_t> buttons = parseButtons(fields->back());
+    const std::optional<std::uint32_t> buttons = parseButtons(fields[fieldCount - 1]);
     if (!buttons) return invalid(origin, number, "buttons is not a whole number from 0 to 4294967295");
 
     StylusState state;
@@ -69,7 +61,24 @@ Result<StylusState> parseReading(std::string_view line, const std::string& origi
     state.pose.rotation = glm::dquat(values[4], values[5], values[6], values[7]);
     state.buttons = *buttons;
     state.valid = true;
-    if (!(std::abs(glm::length(state.pose.rotation) - 1.0) <= unitTolerance))
+    return state;
+}
+
+Result<StylusState> parseReading(std::string_view line, bool ticks, const std::string& origin, std::size_t number) {
+    const std::size_t count = ticks ? tickFieldCount : fieldCount;
+    const std::optional<Fields> fields = split(line, count);
+    if (!fields) return invalid(origin, number, "not " + std::to_string(count) + " values between commas");
+    Result<StylusState> state = parsePose(*fields, origin, number);
+    if (!state) return state;
+    if (ticks) {
+        const std::optional<double> period = parseNumber((*fields)[fieldCount]);
+        if (!period) return invalid(origin, number, "value 10 is not a number");
+        const std::string_view valid = (*fields)[fieldCount + 1];
+        if (valid != "0" && valid != "1") return invalid(origin, number, "value 11 is neither 0 nor 1");
+        state->period = *period;
+        state->valid = valid == "1";
+    }
+    if (state->valid && !(std::abs(glm::length(state->pose.rotation) - 1.0) <= unitTolerance))
         return invalid(origin, number, "the quaternion's length is not 1");
     return state;
 }
@@ -82,27 +91,60 @@ void appendReading(std::string& text, const StylusState& state) {
         text += ',';
     }
     text += std::to_string(state.buttons);
-    text += '\n';
+}
+
+bool hasPeriod(const StylusState& state) {
+    return state.period != 0.0;
+}
+
+bool isFinite(const Pose& pose) {
+    const glm::dquat& q = pose.rotation;
+    return burin::isFinite(pose.position) && burin::isFinite(glm::dvec3(q.x, q.y, q.z)) && std::isfinite(q.w);
 }
 
 } // namespace
 
+void appendTick(std::string& text, const StylusState& state) {
+    StylusState told = state;
+    if (!isFinite(told.pose)) {
+        told.pose = {};
+        told.valid = false;
+    }
+    if (!std::isfinite(told.time)) told.time = 0.0;
+    // Whatever is not above 0 is the same fault to a tick.
+    if (!std::isfinite(told.period) || told.period <= 0.0) told.period = -1.0;
+    appendReading(text, told);
+    text += ',';
+    text += formatShortest(told.period);
+    text += told.valid ? ",1\n" : ",0\n";
+}
+
 std::string formatTrace(std::span<const StylusState> states) {
-    std::string text(traceHeader);
+    const bool ticks = std::ranges::any_of(states, hasPeriod);
+    std::string text(ticks ? tickTraceHeader : traceHeader);
     text += '\n';
-    for (const StylusState& state : states)
-        if (state.valid) appendReading(text, state);
+    for (const StylusState& state : states) {
+        if (ticks) {
+            appendTick(text, state);
+        } else if (state.valid) {
+            appendReading(text, state);
+            text += '\n';
+        }
+    }
     return text;
 }
 
 Result<std::vector<StylusState>> parseTrace(std::string_view text, const std::string& origin) {
     if (text.empty()) return Error{ErrorCode::fileEmpty, origin, "", ""};
-    if (takeLine(text) != traceHeader) return invalid(origin, 1, "the first line must be " + std::string(traceHeader));
+    const std::string_view header = takeLine(text);
+    const bool ticks = header == tickTraceHeader;
+    if (!ticks && header != traceHeader)
+        return invalid(origin, 1, "the first line must be " + std::string(traceHeader));
     std::vector<StylusState> states;
     for (std::size_t number = 2; !text.empty(); ++number) {
-        const Result<StylusState> state = parseReading(takeLine(text), origin, number);
+        const Result<StylusState> state = parseReading(takeLine(text), ticks, origin, number);
         if (!state) return state.error();
-        if (!states.empty() && !(state->time > states.back().time))
+        if (!ticks && !states.empty() && !(state->time > states.back().time))
             return invalid(origin, number, "the time is not later than in the line before");
         states.push_back(*state);
     }

@@ -14,9 +14,8 @@ namespace {
 
 constexpr double unitsAVoxel = 256.0;
 // A way that is shorter across the runs counts as one along them.
-constexpr double leastReach = 1e-9;     // voxels
-constexpr double shortWay = 8.0;        // voxels
-constexpr double roundingMargin = 1e-3; // voxels, of the ends of a row
+constexpr double leastReach = 1e-9; // voxels
+constexpr double shortWay = 8.0;    // voxels
 
 /// Nearest run unit, held within what an int can say.
 std::int32_t unitOf(double voxels) noexcept {
@@ -104,7 +103,7 @@ void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withSta
     upright_.withStart = tilted_.withStart = withStart;
     axis_ = from.axis;
     tilts_ = !isUpright(axis_);
-    rowsOfUpright_.first = std::numeric_limits<std::int32_t>::min() / 2; // none of this way yet
+    rowsOfUpright_.first = rowsOfTilted_.first = std::numeric_limits<std::int32_t>::min() / 2; // none of this way yet
     if (tilts_) return beginTilted(from, toTip);
     beginEnd(upright_.from, from.tip);
     beginEnd(upright_.to, toTip);
@@ -127,30 +126,29 @@ void SpanRows::beginTilted(const LinePose& from, const glm::dvec3& toTip) noexce
     const double depth = std::ceil((reach_ + longestWay_) * unitsAVoxel) + 2.0;
     setWay(tilted_, piece_, axis_, from.tip, toTip, depth);
     tilted_.moves = from.tip != toTip;
-    shadow_ = TiltedShadow(piece_, axis_, glm::dvec2(toTip), glm::length(glm::dvec2(toTip - from.tip)));
-    columns_ = {wholeOf(shadow_.low().x), wholeOf(shadow_.high().x) + 1};
-    rows_ = {wholeOf(shadow_.low().y), wholeOf(shadow_.high().y) + 1};
+    shadow_ = shadowOf(piece_, axis_);
+    const double margin = glm::length(glm::dvec2(toTip - from.tip));
+    margin_ = static_cast<float>(margin);
+    columns_ = {wholeOf(toTip.x + shadow_.low.x - margin), wholeOf(toTip.x + shadow_.high.x + margin) + 1};
+    rows_ = {wholeOf(toTip.y + shadow_.low.y - margin), wholeOf(toTip.y + shadow_.high.y + margin) + 1};
 }
 
-LineStretch SpanRows::tiltedRow(std::int32_t v) const noexcept {
-    const TiltedShadow::Stretch lines = shadow_.row(v);
-    if (!(lines.low <= lines.high)) return {};
-    return {wholeOf(lines.low - roundingMargin) + 1, wholeOf(lines.high + roundingMargin)};
+/// Works out what is met of the rows from `first` on.
+void SpanRows::plan(std::int32_t first) noexcept {
+    if (tilts_)
+        kernels::planTiltedRows(tilted_, shadow_, margin_, first, rowsOfTilted_);
+    else
+        kernels::planRows(upright_, first, rowsOfUpright_);
 }
 
 int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups, EightIntegers* low,
                         EightIntegers* high, RowSpans* stretches) noexcept {
-    if (!tilts_) kernels::planRows(upright_, first, rowsOfUpright_);
+    plan(first);
+    const EightIntegers &begins = tilts_ ? rowsOfTilted_.begin : rowsOfUpright_.begin,
+                        &ends = tilts_ ? rowsOfTilted_.end : rowsOfUpright_.end;
     int count = 0;
     for (int i = 0; i < rows; ++i) {
-        LineStretch met;
-        if (tilts_) {
-            const LineStretch lines = tiltedRow(first + i);
-            if (lines.last >= lines.first) met = {lines.first >> 3, lines.last >> 3};
-        } else {
-            met = {rowsOfUpright_.begin[i], rowsOfUpright_.end[i] - 1};
-        }
-        const std::int32_t begin = std::max(met.first, groups.first), end = std::min(met.last, groups.last) + 1;
+        const std::int32_t begin = std::max(begins[i], groups.first), end = std::min(ends[i], groups.last + 1);
         if (end <= begin) continue;
         stretches[count++] = {first + i, begin, end - begin, low, high};
         low += end - begin;
@@ -161,20 +159,17 @@ int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups,
 
 void SpanRows::spans(std::span<const RowSpans> stretches) noexcept {
     if (stretches.empty()) return;
-    if (!tilts_) {
-        const std::int32_t from = stretches.front().v - rowsOfUpright_.first,
-                           to = stretches.back().v - rowsOfUpright_.first;
-        if (from < 0 || to >= rowsAtOnce) kernels::planRows(upright_, stretches.front().v, rowsOfUpright_);
-    }
+    const std::int32_t planned = tilts_ ? rowsOfTilted_.first : rowsOfUpright_.first;
+    if (stretches.front().v < planned || stretches.back().v >= planned + rowsAtOnce) plan(stretches.front().v);
     switch (shape_) {
     case Shape::ball:
-        return tilts_ ? kernels::tiltedBall(tilted_, stretches)
+        return tilts_ ? kernels::tiltedBall(tilted_, rowsOfTilted_, stretches)
                       : kernels::uprightBall(upright_, rowsOfUpright_, stretches);
     case Shape::flat:
-        return tilts_ ? kernels::tiltedFlat(tilted_, stretches)
+        return tilts_ ? kernels::tiltedFlat(tilted_, rowsOfTilted_, stretches)
                       : kernels::uprightFlat(upright_, rowsOfUpright_, stretches);
     case Shape::bullNose:
-        return tilts_ ? kernels::tiltedBullNose(tilted_, stretches)
+        return tilts_ ? kernels::tiltedBullNose(tilted_, rowsOfTilted_, stretches)
                       : kernels::uprightBullNose(upright_, rowsOfUpright_, stretches);
     }
 }

@@ -81,7 +81,7 @@ public:
     /// @return how many
     int stretches(std::int32_t first, int rows, const LineStretch& groups, EightIntegers* low, EightIntegers* high,
                   RowSpans* stretches) noexcept;
-    /// Fills in the spans of stretches that lie within `rowsAtOnce` rows of each other; where there is none, low >
+    /// Fills in the spans of stretches that lie within `rowsAtOnce` rows of each other; where there is none, low >=
     /// high. Held within the lines' ends.
     void spans(std::span<const RowSpans> stretches) noexcept;
 
@@ -130,7 +130,7 @@ public:
     };
 
 private:
-    LineStretch tiltedRow(std::int32_t v) const noexcept;
+    void plan(std::int32_t first) noexcept;
     void beginTilted(const LinePose& from, const glm::dvec3& toTip) noexcept;
     void beginEnd(End& end, const glm::dvec3& tip) const noexcept;
     void beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept;
@@ -146,10 +146,12 @@ private:
     bool tilts_ = false;
     double reach_ = 0.0;
     glm::dvec3 axis_{0.0, 0.0, 1.0};
-    TiltedShadow shadow_; ///< of a leaning piece at the end of its way, the way counted in
+    TiltedShadow shadow_; ///< of a leaning piece at the end of its way
+    float margin_ = 0.0F; ///< about it, that the way takes up
     Upright upright_;
     UprightRows rowsOfUpright_;
     TiltedPiece tilted_;
+    TiltedRows rowsOfTilted_;
 };
 
 } // namespace burin

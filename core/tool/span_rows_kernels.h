@@ -16,8 +16,11 @@ void uprightBall(const SpanRows::Upright& piece, const SpanRows::UprightRows& ro
 void uprightFlat(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
 void uprightBullNose(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
 
-void tiltedBall(const TiltedPiece& piece, Stretches stretches) noexcept;
-void tiltedFlat(const TiltedPiece& piece, Stretches stretches) noexcept;
-void tiltedBullNose(const TiltedPiece& piece, Stretches stretches) noexcept;
+/// @param margin voxels that the shadow of the way's end is grown by
+void planTiltedRows(const TiltedPiece& piece, const TiltedShadow& shadow, float margin, std::int32_t firstRow,
+                    TiltedRows& rows) noexcept;
+void tiltedBall(const TiltedPiece& piece, const TiltedRows& rows, Stretches stretches) noexcept;
+void tiltedFlat(const TiltedPiece& piece, const TiltedRows& rows, Stretches stretches) noexcept;
+void tiltedBullNose(const TiltedPiece& piece, const TiltedRows& rows, Stretches stretches) noexcept;
 
 } // namespace burin::kernels

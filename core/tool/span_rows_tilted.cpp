@@ -18,53 +18,53 @@ using Rounding = TiltedPiece::Rounding;
 constexpr float nearEnough = 1.0F / 256.0F, nearlyStill = 1.0F / 16384.0F; // voxels
 constexpr int mostSteps = 64;
 
-/// Heights of eight lines, units from an end's base; low > high where there is none.
+/// Heights of eight lines, units from an end's base; low >= high where there is none.
 struct Heights {
     Floats low = floats(nowhere), high = floats(-nowhere);
+    BURIN_INLINE void include(const Heights& more) noexcept {
+        const Integers meets = more.low < more.high;
+        low = meets ? least(low, more.low) : low;
+        high = meets ? most(high, more.high) : high;
+    }
 };
 
-/// A linear number along one row.
+/// A row as an end of the way sees it.
+struct RowFrame {
+    double y = 0.0;     ///< voxels from the tip
+    double partX = 0.0; ///< of the tip's x, beyond its whole part
+    BURIN_INLINE RowFrame(const End& end, std::int32_t v) noexcept : y(v - end.y), partX(end.x - end.wholeX) {}
+};
+
+/// A linear number along one row, of lines a whole number of voxels from an end's whole part.
 struct RowLinear {
     float origin, x;
-    BURIN_INLINE RowLinear(const Linear& number, double y, float more = 0.0F) noexcept
-        : origin(static_cast<float>(number.origin + number.y * y) + more), x(static_cast<float>(number.x)) {}
+    BURIN_INLINE RowLinear(const Linear& number, const RowFrame& row, float more = 0.0F) noexcept
+        : origin(static_cast<float>(number.origin + number.y * row.y - number.x * row.partX) + more)
+        , x(static_cast<float>(number.x)) {}
     BURIN_INLINE Floats at(Floats place) const noexcept { return origin + x * place; }
 };
 
-struct RowSlab {
-    RowLinear middle;
-    float half;
-    BURIN_INLINE RowSlab(const TiltedPiece::Slab& slab, double y, float more = 0.0F) noexcept
-        : middle(slab.middle, y, more), half(slab.half) {}
-};
-
 struct RowCylinder {
-    RowLinear aside, middle;
-    RowSlab slab;
-    float radius, stretch;
-    BURIN_INLINE RowCylinder(const TiltedPiece::Cylinder& cylinder, double y, float more = 0.0F) noexcept
-        : aside(cylinder.aside, y)
-        , middle(cylinder.middle, y, more)
-        , slab(cylinder.slab, y, more)
+    RowLinear aside, middle, floor;
+    float radius, stretch, thickness;
+    BURIN_INLINE RowCylinder(const TiltedPiece::Cylinder& cylinder, const RowFrame& row, float more = 0.0F) noexcept
+        : aside(cylinder.aside, row)
+        , middle(cylinder.middle, row, more)
+        , floor(cylinder.floor, row, more)
         , radius(cylinder.radius)
-        , stretch(cylinder.stretch) {}
+        , stretch(cylinder.stretch)
+        , thickness(cylinder.thickness) {}
 
-    /// Eight lines that meet it.
-    struct Met {
-        Heights heights;
-        Floats inside;           ///< square voxels of half chord across the axis; none of it where not above 0
-        Floats place, slabPlace; ///< of the axis and of the slab's middle
-    };
-    BURIN_INLINE Met at(Floats x) const noexcept {
-        const Floats off = aside.at(x);
-        Met met;
-        met.inside = (radius - off) * (radius + off);
-        met.place = middle.at(x);
-        met.slabPlace = slab.middle.at(x);
-        const Floats half = stretch * rootsOf(met.inside);
-        met.heights.low = most(met.place - half, met.slabPlace - slab.half);
-        met.heights.high = least(met.place + half, met.slabPlace + slab.half);
-        return met;
+    /// Where eight lines meet it without its planes.
+    BURIN_INLINE Heights unheld(Floats x) const noexcept {
+        const Floats off = aside.at(x), inside = (radius - off) * (radius + off);
+        const Floats place = middle.at(x), half = stretch * rootsOf(inside);
+        return {place - half, place + half};
+    }
+    BURIN_INLINE Heights at(Floats x) const noexcept {
+        const Heights all = unheld(x);
+        const Floats low = floor.at(x);
+        return {most(all.low, low), least(all.high, low + thickness)};
     }
 };
 
@@ -121,36 +121,33 @@ BURIN_INLINE void reachRounding(const TiltedPiece& piece, float y, float side, C
 }
 
 /// What the piece covers where it stands, in units from an end's base, + 1/2. Of a bull nose without its rounding.
-template <Rounding rounding>
+template <Rounding rounding, bool rises>
 struct RowPiece {
     const TiltedPiece& piece;
     RowCylinder standing;
-    RowSlab hemisphere;
+    RowLinear equator, face;
     float y;       ///< voxels, from the rounding's middle
     float middleZ; ///< units, of the rounding's middle from the end's base, + 1/2
-    // As in the piece: what a loop stores could be any of it, for all that the compiler knows.
-    float middleX, squareRadius, perStretch, rimAlong, rimReach;
+    float middleX; ///< voxels, of the rounding's middle
+    float square;  ///< square voxels, of a ball in this row
 
     BURIN_INLINE RowPiece(const TiltedPiece& itsPiece, const End& end, std::int32_t v) noexcept
+        : RowPiece(itsPiece, end, RowFrame(end, v)) {}
+    BURIN_INLINE RowPiece(const TiltedPiece& itsPiece, const End& end, const RowFrame& row) noexcept
         : piece(itsPiece)
-        , standing(itsPiece.standing, v - end.y, end.middle)
-        , hemisphere(itsPiece.hemisphere, v - end.y, end.middle)
-        , y(static_cast<float>(v - end.y - itsPiece.middleY))
+        , standing(itsPiece.standing, row, end.middle)
+        , equator(itsPiece.equator, row, end.middle)
+        , face(itsPiece.face, row, end.middle)
+        , y(static_cast<float>(row.y - itsPiece.middleY))
         , middleZ(itsPiece.middleZ + end.middle)
-        , middleX(itsPiece.middleX)
-        , squareRadius(itsPiece.radius * itsPiece.radius)
-        , perStretch(itsPiece.perStretch)
-        , rimAlong(itsPiece.rimAlong)
-        , rimReach(itsPiece.rimReach) {}
+        , middleX(static_cast<float>(row.partX + itsPiece.middleX))
+        , square((itsPiece.radius - y) * (itsPiece.radius + y)) {}
 
-    /// @param rims lines that a rim passes on the way
-    BURIN_INLINE Heights at(Floats fromTip, Integers& rims) const noexcept {
-        const RowCylinder::Met met = standing.at(fromTip);
-        rims = rimsAt(met);
-        const Integers meets = (met.inside > Floats{}) & (met.heights.low < met.heights.high);
-        Heights all{meets ? met.heights.low : floats(nowhere), meets ? met.heights.high : floats(-nowhere)};
-        if constexpr (rounding == Rounding::ball) addHemisphere(fromTip, all);
-        return all;
+    BURIN_INLINE Heights at(Floats x) const noexcept {
+        if constexpr (rounding == Rounding::ball)
+            return ballAt(x);
+        else
+            return standing.at(x);
     }
     /// An end in the corner that a bull nose's rounding takes off lies below its circle and out from it.
     BURIN_INLINE Integers offRounding(Floats x, Floats z) const noexcept {
@@ -160,25 +157,18 @@ struct RowPiece {
     }
 
 private:
-    /// Where a line meets the plane of a face, its distance² from the axis is radius² by little more or less.
-    BURIN_INLINE Integers rimsAt(const RowCylinder::Met& met) const noexcept {
-        const Floats along = (met.slabPlace - met.place) * perStretch;
-        if constexpr (rounding == Rounding::none) { // the same of both faces, which lie as far from the middle
-            const Floats even = met.inside - rimAlong * rimAlong - along * along;
-            return magnitudes(magnitudes(even) - magnitudes((2.0F * rimAlong) * along)) < rimReach;
-        }
-        const Floats upper = along + rimAlong;
-        return magnitudes(met.inside - upper * upper) < rimReach;
-    }
-    BURIN_INLINE void addHemisphere(Floats fromTip, Heights& all) const noexcept {
-        const Floats x = fromTip - middleX;
-        const Floats inside = squareRadius - (x * x + y * y);
-        const Floats half = unitsAVoxel * rootsOf(inside), place = hemisphere.middle.at(fromTip);
-        const Floats low = most(middleZ - half, place - hemisphere.half);
-        const Floats high = least(middleZ + half, place + hemisphere.half);
-        const Integers meets = (inside > Floats{}) & (low < high);
-        all.low = meets ? least(all.low, low) : all.low;
-        all.high = meets ? most(all.high, high) : all.high;
+    /// A ball goes over into its straight part at the equator's plane: each end lies on the side that it would have
+    /// there.
+    BURIN_INLINE Heights ballAt(Floats x) const noexcept {
+        const Heights straight = standing.unheld(x);
+        const Floats off = x - middleX, half = unitsAVoxel * rootsOf(square - off * off), border = equator.at(x);
+        const Floats end = face.at(x), roundLow = middleZ - half, roundHigh = middleZ + half;
+        if constexpr (rises)
+            return {straight.low < border ? roundLow : straight.low,
+                    least(straight.high < border ? roundHigh : straight.high, end)};
+        else
+            return {most(straight.low > border ? roundLow : straight.low, end),
+                    straight.high > border ? roundHigh : straight.high};
     }
 };
 
@@ -188,17 +178,11 @@ struct Part {
     EightFloats low[mostGroups], high[mostGroups];
 };
 
-/// Groups of a part, a bit each.
-struct Marked {
-    std::uint64_t rims = 0;                ///< that a rim passes on the way
-    std::uint64_t offLow = 0, offHigh = 0; ///< with ends that a bull nose's rounding takes off
-};
-
 /// Ends in the corners that the rounding of a bull nose takes off, moved on to it; `count` groups at a time, the last
 /// one with itself.
 template <std::size_t count>
-BURIN_INLINE void takeCorners(const RowPiece<Rounding::bullNose>& row, Floats firstU, float side, std::uint64_t groups,
-                              Part& part) noexcept {
+BURIN_INLINE void takeCorners(const RowPiece<Rounding::bullNose, true>& row, Floats firstU, float side,
+                              std::uint64_t groups, Part& part) noexcept {
     while (groups != 0) {
         CornerEnds<count> ends;
         std::int32_t places[count];
@@ -227,29 +211,46 @@ BURIN_INLINE void takeCorners(const RowPiece<Rounding::bullNose>& row, Floats fi
     }
 }
 
-template <Rounding rounding>
-BURIN_INLINE void coverGroup(const RowPiece<rounding>& row, Floats u, std::int32_t place, Part& part,
-                             Marked& marked) noexcept {
-    Integers rims;
-    const Heights all = row.at(u, rims);
-    store(all.low, part.low[place]);
-    store(all.high, part.high[place]);
-    marked.rims |= std::uint64_t{anyOf(rims)} << place;
-    if constexpr (rounding == Rounding::bullNose) {
+/// What a bull nose covers, of some groups.
+BURIN_INLINE void coverPart(const RowPiece<Rounding::bullNose, true>& row, Floats firstU, std::int32_t count,
+                            Part& part) noexcept {
+    std::uint64_t offLow = 0, offHigh = 0; // a bit a group, with ends that the rounding takes off
+    Floats u = firstU;
+    for (std::int32_t i = 0; i < count; ++i, u += lanes) {
+        const Heights all = row.at(u);
+        store(all.low, part.low[i]);
+        store(all.high, part.high[i]);
         const Integers meets = all.low < all.high;
         const Floats x = u - row.middleX;
         const Floats low = (all.low - row.middleZ) / unitsAVoxel, high = (all.high - row.middleZ) / unitsAVoxel;
-        marked.offLow |= std::uint64_t{anyOf(meets & row.offRounding(x, low))} << place;
-        marked.offHigh |= std::uint64_t{anyOf(meets & row.offRounding(x, high))} << place;
+        offLow |= std::uint64_t{anyOf(meets & row.offRounding(x, low))} << i;
+        offHigh |= std::uint64_t{anyOf(meets & row.offRounding(x, high))} << i;
     }
+    takeCorners<2>(row, firstU, 1.0F, offLow, part);
+    takeCorners<2>(row, firstU, -1.0F, offHigh, part);
 }
 
-template <Rounding rounding>
-BURIN_INLINE void coverCorners(const RowPiece<rounding>& row, Floats firstU, const Marked& marked,
-                               Part& part) noexcept {
+/// Groups of a row, and where their spans go.
+struct Groups {
+    std::int32_t begin = 0, end = 0; ///< counted from the stretch's first
+};
+
+/// Calls `take(heights, places, group)` for what the piece covers of some groups where it stands.
+template <Rounding rounding, bool rises, class Take>
+BURIN_INLINE void forEachGroup(const RowPiece<rounding, rises>& row, Floats firstU, Groups groups,
+                               const Take& take) noexcept {
     if constexpr (rounding == Rounding::bullNose) {
-        takeCorners<2>(row, firstU, 1.0F, marked.offLow, part);
-        takeCorners<2>(row, firstU, -1.0F, marked.offHigh, part);
+        Part part;
+        for (; groups.begin < groups.end; groups.begin += Part::mostGroups) {
+            const std::int32_t count = std::min(groups.end - groups.begin, Part::mostGroups);
+            Floats u = firstU + static_cast<float>(groups.begin * lanes);
+            coverPart(row, u, count, part);
+            for (std::int32_t i = 0; i < count; ++i, u += lanes)
+                take({load(part.low[i]), load(part.high[i])}, u, groups.begin + i);
+        }
+    } else {
+        Floats u = firstU + static_cast<float>(groups.begin * lanes);
+        for (std::int32_t i = groups.begin; i < groups.end; ++i, u += lanes) take(row.at(u), u, i);
     }
 }
 
@@ -258,118 +259,126 @@ struct RowRim {
     RowCylinder wall;
     RowLinear lift;
     float scale;
-    bool present;
     BURIN_INLINE RowRim(const TiltedPiece::Rim& rim, const End& from, std::int32_t v) noexcept
-        : wall(rim.wall, v - from.y)
-        , lift(rim.lift, v - from.y, from.middle)
-        , scale(rim.scale)
-        , present(rim.wall.present) {}
+        : RowRim(rim, from, RowFrame(from, v)) {}
+    BURIN_INLINE RowRim(const TiltedPiece::Rim& rim, const End& from, const RowFrame& row) noexcept
+        : wall(rim.wall, row), lift(rim.lift, row, from.middle), scale(rim.scale) {}
 
-    BURIN_INLINE void add(Floats fromTip, Heights& all) const noexcept {
-        if (!present) return;
-        const RowCylinder::Met met = wall.at(fromTip);
-        const Integers meets = (met.inside > Floats{}) & (met.heights.low < met.heights.high);
-        const Floats level = lift.at(fromTip);
-        all.low = meets ? least(all.low, level + scale * met.heights.low) : all.low;
-        all.high = meets ? most(all.high, level + scale * met.heights.high) : all.high;
+    BURIN_INLINE Heights at(Floats x) const noexcept {
+        const Heights met = wall.at(x);
+        const Floats level = lift.at(x);
+        return {level + scale * met.low, level + scale * met.high};
     }
 };
 
-BURIN_INLINE Floats linesFrom(const End& end, std::int32_t group) noexcept {
-    return floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (group * lanes - end.wholeX)) - end.partX;
+/// Places of a stretch's first group: lines from an end's whole part, which are whole numbers, so that what is found of
+/// a line does not depend on where its stretch begins.
+BURIN_INLINE Floats linesFrom(const End& end, const RowSpans& stretch) noexcept {
+    return floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup * lanes - end.wholeX));
 }
 
-/// Where the spans of a part of a row go.
+/// Where the spans of a row go.
 struct Kept {
     EightIntegers *low, *high;
     Integers base, lineEnd;
-    BURIN_INLINE Kept(const TiltedPiece& piece, const End& end, const RowSpans& stretch, std::int32_t first) noexcept
-        : low(stretch.low + first)
-        , high(stretch.high + first)
-        , base(integers(end.base))
-        , lineEnd(integers(piece.lineEnd)) {}
-    BURIN_INLINE void keep(const Heights& all, std::int32_t group) const noexcept {
-        store(most(wholeOf(all.low) + base, Integers{}), low[group]);
+    BURIN_INLINE Kept(const TiltedPiece& piece, const End& end, const RowSpans& stretch) noexcept
+        : low(stretch.low), high(stretch.high), base(integers(end.base)), lineEnd(integers(piece.lineEnd)) {}
+};
+
+/// Keeps what the piece covers at the end of its way.
+struct KeepEnd : Kept {
+    using Kept::Kept;
+    BURIN_INLINE void operator()(const Heights& all, Floats, std::int32_t group) const noexcept {
+        // What the lines' ends leave of it does not tell whether there was any.
+        store(most(wholeOf(all.low < all.high ? all.low : floats(nowhere)) + base, Integers{}), low[group]);
         store(least(wholeOf(all.high) + base, lineEnd), high[group]);
     }
-    BURIN_INLINE void add(const Heights& all, std::int32_t group) const noexcept {
-        store(most(least(load(low[group]), wholeOf(all.low) + base), Integers{}), low[group]);
-        store(least(most(load(high[group]), wholeOf(all.high) + base), lineEnd), high[group]);
+};
+
+/// Adds what it covers at the start, and the walls that rims leave from there.
+template <std::size_t count>
+struct AddWay : Kept {
+    const std::array<RowRim, count>& walls;
+    BURIN_INLINE AddWay(const TiltedPiece& piece, const RowSpans& stretch,
+                        const std::array<RowRim, count>& itsWalls) noexcept
+        : Kept(piece, piece.from, stretch), walls(itsWalls) {}
+    BURIN_INLINE void operator()(const Heights& start, Floats u, std::int32_t group) const noexcept {
+        Heights all;
+        all.include(start);
+        for (std::size_t i = 0; i < count; ++i) all.include(walls[i].at(u));
+        const Integers oldLow = load(low[group]), oldHigh = load(high[group]),
+                       none = oldLow > integers(SpanRows::none / 2);
+        const Integers newLow = wholeOf(all.low) + base, newHigh = wholeOf(all.high) + base;
+        store(most(none ? newLow : least(oldLow, newLow), Integers{}), low[group]);
+        store(least(none ? newHigh : most(oldHigh, newHigh), lineEnd), high[group]);
     }
 };
 
 /// What the piece covers at the end of its way.
-/// @return groups that a rim passes on the way
-template <Rounding rounding>
-BURIN_INLINE std::uint64_t coverEnd(const TiltedPiece& piece, const RowSpans& stretch, std::int32_t first,
-                                    std::int32_t count, Part& part) noexcept {
-    const RowPiece<rounding> row(piece, piece.to, stretch.v);
-    const Floats firstU = linesFrom(piece.to, stretch.firstGroup + first);
-    const Kept kept(piece, piece.to, stretch, first);
-    Marked marked;
-    Floats u = firstU;
-    if constexpr (rounding == Rounding::bullNose) {
-        for (std::int32_t i = 0; i < count; ++i, u += lanes) coverGroup(row, u, i, part, marked);
-        coverCorners(row, firstU, marked, part);
-        for (std::int32_t i = 0; i < count; ++i) kept.keep({load(part.low[i]), load(part.high[i])}, i);
+template <Rounding rounding, bool rises>
+BURIN_INLINE void coverEnd(const TiltedPiece& piece, const RowSpans& stretch) noexcept {
+    const RowPiece<rounding, rises> row(piece, piece.to, stretch.v);
+    forEachGroup(row, linesFrom(piece.to, stretch), {0, stretch.groups}, KeepEnd(piece, piece.to, stretch));
+}
+
+/// What it covers at the start and on the way, everywhere.
+template <Rounding rounding, bool rises>
+BURIN_INLINE void addWay(const TiltedPiece& piece, const RowSpans& stretch) noexcept {
+    const RowPiece<rounding, rises> row(piece, piece.from, stretch.v);
+    const Floats lines = linesFrom(piece.from, stretch);
+    const RowRim upper(piece.rims[1], piece.from, stretch.v);
+    if constexpr (rounding == Rounding::none) {
+        const std::array walls{RowRim(piece.rims[0], piece.from, stretch.v), upper};
+        forEachGroup(row, lines, {0, stretch.groups}, AddWay(piece, stretch, walls));
     } else {
-        for (std::int32_t i = 0; i < count; ++i, u += lanes) {
-            Integers rims;
-            kept.keep(row.at(u, rims), i);
-            marked.rims |= std::uint64_t{anyOf(rims)} << i;
-        }
-    }
-    return marked.rims;
-}
-
-/// Adds what it covers at the start, and the walls of its rims between, to some groups.
-template <Rounding rounding>
-BURIN_INLINE void addWay(const TiltedPiece& piece, const RowSpans& stretch, std::int32_t first, std::uint64_t groups,
-                         Part& part) noexcept {
-    const RowPiece<rounding> row(piece, piece.from, stretch.v);
-    const RowRim lower(piece.rims[0], piece.from, stretch.v), upper(piece.rims[1], piece.from, stretch.v);
-    const Floats firstU = linesFrom(piece.from, stretch.firstGroup + first);
-    const Kept kept(piece, piece.from, stretch, first);
-    Marked marked;
-    for (std::uint64_t rest = groups; rest != 0; rest &= rest - 1) {
-        const std::int32_t i = std::countr_zero(rest);
-        coverGroup(row, firstU + static_cast<float>(i * lanes), i, part, marked);
-    }
-    coverCorners(row, firstU, marked, part);
-    for (; groups != 0; groups &= groups - 1) {
-        const std::int32_t i = std::countr_zero(groups);
-        Heights all{load(part.low[i]), load(part.high[i])};
-        const Floats u = firstU + static_cast<float>(i * lanes);
-        lower.add(u, all);
-        upper.add(u, all);
-        kept.add(all, i);
+        forEachGroup(row, lines, {0, stretch.groups}, AddWay(piece, stretch, std::array{upper}));
     }
 }
 
-template <Rounding rounding>
-BURIN_INLINE void coverRow(const TiltedPiece& piece, const RowSpans& stretch) noexcept {
-    const std::uint64_t always = piece.withStart || piece.rimsEverywhere ? ~std::uint64_t{0} : 0;
-    Part part;
-    for (std::int32_t first = 0; first < stretch.groups; first += Part::mostGroups) {
-        const std::int32_t count = std::min(stretch.groups - first, Part::mostGroups);
-        const std::uint64_t rims = coverEnd<rounding>(piece, stretch, first, count, part) | always;
-        const std::uint64_t groups = rims & ~std::uint64_t{0} >> (Part::mostGroups - count);
-        if (piece.moves && groups != 0) addWay<rounding>(piece, stretch, first, groups, part);
+/// The same where rims pass.
+template <Rounding rounding, bool rises>
+BURIN_INLINE void addRims(const TiltedPiece& piece, const TiltedRows& rows, const RowSpans& stretch) noexcept {
+    const RowPiece<rounding, rises> row(piece, piece.from, stretch.v);
+    const Floats lines = linesFrom(piece.from, stretch);
+    const std::int32_t lane = stretch.v - rows.first;
+    for (std::size_t i = rounding == Rounding::none ? 0 : 1; i < 2; ++i) {
+        const TiltedRows::RimGroups& groups = rows.rims[i];
+        const auto held = [&](const EightIntegers& group) {
+            return std::clamp(group[lane] - stretch.firstGroup, 0, stretch.groups);
+        };
+        const std::array walls{RowRim(piece.rims[i], piece.from, stretch.v)};
+        const AddWay add(piece, stretch, walls);
+        for (const Groups& part : {Groups{held(groups.outerBegin), held(groups.innerBegin)},
+                                   Groups{held(groups.innerEnd), held(groups.outerEnd)}})
+            forEachGroup(row, lines, part, add);
     }
+}
+
+template <Rounding rounding, bool rises>
+BURIN_INLINE void coverRow(const TiltedPiece& piece, const TiltedRows& rows, const RowSpans& stretch) noexcept {
+    coverEnd<rounding, rises>(piece, stretch);
+    if (!piece.moves) return;
+    if (piece.withStart || piece.rimsEverywhere)
+        addWay<rounding, rises>(piece, stretch);
+    else
+        addRims<rounding, rises>(piece, rows, stretch);
 }
 
 } // namespace
 
-BURIN_VECTORISED void tiltedBall(const TiltedPiece& piece, Stretches stretches) noexcept {
-    for (const RowSpans& stretch : stretches) coverRow<Rounding::ball>(piece, stretch);
+BURIN_VECTORISED void tiltedBall(const TiltedPiece& piece, const TiltedRows& rows, Stretches stretches) noexcept {
+    if (piece.rises)
+        for (const RowSpans& stretch : stretches) coverRow<Rounding::ball, true>(piece, rows, stretch);
+    else
+        for (const RowSpans& stretch : stretches) coverRow<Rounding::ball, false>(piece, rows, stretch);
 }
 
-BURIN_VECTORISED void tiltedFlat(const TiltedPiece& piece, Stretches stretches) noexcept {
-    for (const RowSpans& stretch : stretches) coverRow<Rounding::none>(piece, stretch);
+BURIN_VECTORISED void tiltedFlat(const TiltedPiece& piece, const TiltedRows& rows, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Rounding::none, true>(piece, rows, stretch);
 }
 
-BURIN_VECTORISED void tiltedBullNose(const TiltedPiece& piece, Stretches stretches) noexcept {
-    for (const RowSpans& stretch : stretches) coverRow<Rounding::bullNose>(piece, stretch);
+BURIN_VECTORISED void tiltedBullNose(const TiltedPiece& piece, const TiltedRows& rows, Stretches stretches) noexcept {
+    for (const RowSpans& stretch : stretches) coverRow<Rounding::bullNose, true>(piece, rows, stretch);
 }
 
 } // namespace burin::kernels

@@ -32,11 +32,17 @@ double awayFromZero(double value, double scale) noexcept {
     return std::abs(value) >= least ? value : std::copysign(least, value);
 }
 
-/// Where normal · (x, y, z) lies between two values.
-TiltedPiece::Slab slabOf(const glm::dvec3& normal, double low, double high) noexcept {
+/// Height at which normal · (x, y, z) has a value.
+Linear planeOf(const glm::dvec3& normal, double value) noexcept {
     const double along = awayFromZero(normal.z, glm::length(normal)) / unitsAVoxel;
-    return {linear([&](double x, double y) { return (0.5 * (low + high) - normal.x * x - normal.y * y) / along; }),
-            static_cast<float>(std::abs(0.5 * (high - low) / along))};
+    return linear([&](double x, double y) { return (value - normal.x * x - normal.y * y) / along; });
+}
+
+/// Holds a cylinder to where normal · (x, y, z) lies between two values.
+void setSlab(TiltedPiece::Cylinder& cylinder, const glm::dvec3& normal, double low, double high) noexcept {
+    const double along = awayFromZero(normal.z, glm::length(normal)) / unitsAVoxel;
+    cylinder.floor = planeOf(normal, along > 0.0 ? low : high);
+    cylinder.thickness = static_cast<float>(std::abs((high - low) / along));
 }
 
 /// The wall's places by their heights, for a way that is steep over the disc or an axis that is next to level.
@@ -51,13 +57,12 @@ TiltedPiece::Rim rimByHeight(const glm::dvec3& axis, const glm::dvec3& way, doub
     const double length = glm::length(run);
     if (length < leastRun) return rim;
     const glm::dvec3 direction = run / length, across = glm::cross(axis, direction);
-    rim.wall.present = true;
     rim.wall.stretch = static_cast<float>(unitsAVoxel / length);
     rim.wall.aside = linear([&](double x, double y) { return glm::dot(onFace(x, y, 0.0), across); });
     rim.wall.middle =
         linear([&](double x, double y) { return -glm::dot(onFace(x, y, 0.0), direction) / length * unitsAVoxel; });
     const double more = overlap * std::abs(along);
-    rim.wall.slab = slabOf(axis, height + std::min(along, 0.0) - more, height + std::max(along, 0.0) + more);
+    setSlab(rim.wall, axis, height + std::min(along, 0.0) - more, height + std::max(along, 0.0) + more);
     return rim;
 }
 
@@ -73,11 +78,11 @@ TiltedPiece::Rim rimByPart(const glm::dvec3& axis, const glm::dvec3& way, double
     const glm::dvec3 direction = run / length, across = glm::cross(axis, direction);
     const auto level = [&](double x, double y) { return (height + 0.5 * along - axis.x * x - axis.y * y) / axis.z; };
     const auto onDisc = [&](double x, double y) { return glm::dvec3(x, y, level(x, y)) - height * axis - 0.5 * way; };
-    rim.wall.present = true;
     rim.wall.stretch = static_cast<float>(1.0 / length);
     rim.wall.aside = linear([&](double x, double y) { return glm::dot(onDisc(x, y), across); });
     rim.wall.middle = linear([&](double x, double y) { return -glm::dot(onDisc(x, y), direction) / length; });
-    rim.wall.slab.half = static_cast<float>(0.5 + overlap);
+    rim.wall.floor.origin = -0.5 - overlap;
+    rim.wall.thickness = static_cast<float>(1.0 + 2.0 * overlap);
     rim.lift = linear([&](double x, double y) { return level(x, y) * unitsAVoxel; });
     rim.scale = static_cast<float>(std::abs(rise) * unitsAVoxel);
     return rim;
@@ -100,9 +105,8 @@ TiltedPiece::Rim rimOnWay(const glm::dvec3& axis, const glm::dvec3& way, double 
 void setEnd(TiltedPiece::End& end, const glm::dvec3& tip, double depth) noexcept {
     end.x = tip.x;
     end.y = tip.y;
-    const double wholeX = std::floor(std::clamp(tip.x, -1e9, 1e9));
-    end.wholeX = static_cast<std::int32_t>(wholeX);
-    end.partX = static_cast<float>(tip.x - wholeX);
+    end.wholeX = static_cast<std::int32_t>(std::floor(std::clamp(tip.x, -1e9, 1e9)));
+    end.wholeY = static_cast<std::int32_t>(std::floor(std::clamp(tip.y, -1e9, 1e9)));
     const double height = std::clamp(tip.z * unitsAVoxel, -1e9, 1e9), whole = std::floor(height);
     end.base = static_cast<std::int32_t>(whole - depth);
     end.middle = static_cast<float>(height - whole + depth + 0.5);
@@ -119,8 +123,9 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     tilted.radius = static_cast<float>(radius);
     tilted.flatRadius = static_cast<float>(radius - corner);
     tilted.cornerRadius = static_cast<float>(corner);
+    const double foot = piece.bottom + (ball ? corner : 0.0);
     const glm::dvec3 middle = axis * (piece.bottom + corner);
-    tilted.middleX = static_cast<float>(middle.x);
+    tilted.middleX = middle.x;
     tilted.middleY = middle.y;
     tilted.middleZ = static_cast<float>(middle.z * unitsAVoxel);
     tilted.axisX = static_cast<float>(axis.x);
@@ -131,15 +136,15 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     const glm::dvec2 heading = lean > 1e-12 ? glm::dvec2(axis.x, axis.y) / lean : glm::dvec2(1.0, 0.0);
     const double sine = std::max(lean, 1e-6);
     TiltedPiece::Cylinder& standing = tilted.standing;
-    standing.present = piece.top > piece.bottom + (ball ? corner : 0.0);
     standing.radius = tilted.radius;
     standing.stretch = static_cast<float>(unitsAVoxel / sine);
     standing.aside = {0.0, -heading.y, heading.x};
     standing.middle = {0.0, heading.x * axis.z / sine * unitsAVoxel, heading.y * axis.z / sine * unitsAVoxel};
-    standing.slab = slabOf(axis, piece.bottom + (ball ? corner : 0.0), piece.top);
-    tilted.perStretch = static_cast<float>(sine / unitsAVoxel);
-    tilted.rimAlong = std::copysign(standing.slab.half * tilted.perStretch, tilted.axisZ);
-    tilted.hemisphere = slabOf(axis, piece.bottom - corner, piece.bottom + corner);
+    setSlab(standing, axis, foot, piece.top);
+    tilted.equator = planeOf(axis, foot);
+    tilted.face = planeOf(axis, piece.top);
+    tilted.rises = !std::signbit(axis.z);
+    tilted.firstRim = tilted.rounding == TiltedPiece::Rounding::none ? 0 : 1;
 }
 
 void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& axis, const glm::dvec3& from,
@@ -148,10 +153,12 @@ void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& a
     setEnd(tilted.to, to, depth);
     const glm::dvec3 way = to - from;
     const double farthest = std::hypot(std::max(std::abs(piece.bottom), piece.top), piece.bottomRadius);
-    tilted.rims[0] = {};
-    if (tilted.rounding == TiltedPiece::Rounding::none)
-        tilted.rims[0] = rimOnWay(axis, way, piece.bottom, piece.bottomRadius, farthest);
-    tilted.rims[1] = rimOnWay(axis, way, piece.top, piece.topRadius, farthest);
+    for (int i = tilted.firstRim; i < 2; ++i) {
+        const double height = i == 0 ? piece.bottom : piece.top;
+        TiltedPiece::Rim& rim = tilted.rims[static_cast<std::size_t>(i)];
+        rim = rimOnWay(axis, way, height, piece.bottomRadius, farthest);
+        rim.height = static_cast<float>(height);
+    }
     // What passes a place between the ends and is not there at either is an edge: the place lies within the way of a
     // rim, and its line meets the face's plane within so much of it.
     const double along = std::abs(glm::dot(way, axis)), across = glm::length(glm::cross(way, axis));

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -36,10 +37,13 @@ struct NamedValue {
 // Names of values that Burin itself reads. Any further name may be added to a material.
 inline constexpr std::string_view specificCuttingEnergy = "specific_cutting_energy"; ///< K, J/mm^3 (paper, eq. 11)
 inline constexpr std::string_view radialForceRatio = "radial_force_ratio";           ///< Kr, 1 (paper, eq. 13)
-inline constexpr std::string_view density = "density";                               ///< g/cm^3
-inline constexpr std::string_view surfaceSpeed = "surface_speed";                    ///< carbide, m/min
-inline constexpr std::string_view chipLoadPerDiameter = "chip_load_per_diameter";    ///< fz / D, 1
-inline constexpr std::string_view plungeFeedRatio = "plunge_feed_ratio";             ///< plunge feed / feed, 1
+// Kienzle: K(h) = kc1.1 · (h / 1 mm)^-mc / 1000 of a chip of thickness h; where a material has both, they stand for K.
+inline constexpr std::string_view kienzleForce = "kienzle_kc11";                  ///< kc1.1, N/mm^2
+inline constexpr std::string_view kienzleExponent = "kienzle_mc";                 ///< mc, 1
+inline constexpr std::string_view density = "density";                            ///< g/cm^3
+inline constexpr std::string_view surfaceSpeed = "surface_speed";                 ///< carbide, m/min
+inline constexpr std::string_view chipLoadPerDiameter = "chip_load_per_diameter"; ///< fz / D, 1
+inline constexpr std::string_view plungeFeedRatio = "plunge_feed_ratio";          ///< plunge feed / feed, 1
 
 /// One entry of the property list: the paper's physical domain.
 struct Property {
@@ -80,6 +84,12 @@ private:
 Result<Property> loadMaterial(std::string_view id);
 /// Ids of all materials there are, sorted.
 std::vector<std::string> materialIds();
+/// The file of the user's own library (userResourceDirectory), where `loadMaterial` looks first, that a material of
+/// this id would get. Without `replace` an id that any material has is refused, also one that Burin is shipped with, as
+/// it would be hidden. Errors: argumentInvalid (an id that is none or is taken), fileNotWritable.
+Result<std::filesystem::path> userMaterialFile(const std::string& id, bool replace);
+/// Adds a material to the user's own library. @return its file. Errors: those of userMaterialFile, diskFull.
+Result<std::filesystem::path> saveMaterial(const Property& property, bool replace);
 
 /// A material as JSON text and back; the form of resources/materials and of the project file.
 std::string toJson(const Property& property);

@@ -50,12 +50,21 @@ const std::map<std::string, std::vector<std::string>, std::less<>> uses{
 };
 
 /// The headers that a plugin stands on, beside its own.
-constexpr std::array<std::string_view, 14> pluginInterface{
-    "core/base/error.h",          "core/base/progress.h", "core/base/result.h",
-    "core/base/text.h",           "core/base/units.h",    "core/device/device_driver.h",
-    "core/device/device_fault.h", "core/device/figure.h", "core/device/stylus.h",
-    "core/geometry/box.h",        "core/geometry/pose.h", "core/machine/machine_profile.h",
-    "core/nc/dialect.h",          "core/nc/program.h"};
+constexpr std::array<std::string_view, 15> pluginInterface{"core/base/error.h",
+                                                           "core/base/progress.h",
+                                                           "core/base/result.h",
+                                                           "core/base/text.h",
+                                                           "core/base/units.h",
+                                                           "core/device/deflection.h",
+                                                           "core/device/device_driver.h",
+                                                           "core/device/device_fault.h",
+                                                           "core/device/figure.h",
+                                                           "core/device/stylus.h",
+                                                           "core/geometry/box.h",
+                                                           "core/geometry/pose.h",
+                                                           "core/machine/machine_profile.h",
+                                                           "core/nc/dialect.h",
+                                                           "core/nc/program.h"};
 
 /// What others take as it is, without our tree: its files name each other by their names alone.
 constexpr std::array<std::string_view, 1> handedOut{"plugins/devices/open_stylus/firmware"};
@@ -82,14 +91,17 @@ bool isOcct(std::string_view header) {
 bool isHidapi(std::string_view header) {
     return header.starts_with("hidapi");
 }
+bool isSystemd(std::string_view header) {
+    return header.starts_with("systemd/");
+}
 bool isSqlite(std::string_view header) {
     return header.starts_with("sqlite3");
 }
 
-const std::array<ThirdParty, 5> thirdParties{
-    ThirdParty{"Qt", isQt, {"ui", "app"}}, ThirdParty{"VTK", isVtk, {"ui/scene"}},
+const std::array<ThirdParty, 6> thirdParties{
+    ThirdParty{"Qt", isQt, {"ui", "app"}},           ThirdParty{"VTK", isVtk, {"ui/scene"}},
     ThirdParty{"OpenCASCADE", isOcct, {"core/cad"}}, ThirdParty{"SQLite", isSqlite, {"core/project"}},
-    ThirdParty{"hidapi", isHidapi, {"plugins"}}};
+    ThirdParty{"hidapi", isHidapi, {"plugins"}},     ThirdParty{"libsystemd", isSystemd, {"core/haptics"}}};
 
 std::string firstParts(std::string_view path, std::size_t count) {
     std::size_t end = 0;

@@ -68,7 +68,8 @@ void CommandLineTest::initTestCase() {
 
 void CommandLineTest::helpsWithEachCommand_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command : {"import", "embed", "mill", "path", "post", "verify", "info", "demo", "bench"})
+    for (const char* command :
+         {"import", "embed", "mill", "path", "post", "verify", "info", "calibrate", "demo", "devices", "bench"})
         QTest::newRow(command) << QString(command);
 }
 
@@ -106,6 +107,7 @@ void CommandLineTest::statusTellsWhatWentWrong_data() {
     row("unknown tool", {"mill", "@/cube.burin", "--tool", "spoon"}, 2, "spoon");
     row("unknown stylus", {"mill", "@/cube.burin", "--stylus", "pen"}, 2, "pen");
     row("device that is not there", {"mill", "@/cube.burin", "--stylus", "device:omega"}, 2, "omega");
+    row("trace of the operator", {"mill", "@/cube.burin", "--trace", "@/x.csv"}, 2, "operator");
     row("trace with an error", {"mill", "@/cube.burin", "--stylus", "trace:@/trace.csv"}, 3, "trace.csv");
     row("nothing recorded yet", {"post", "@/cube.burin", "-o", "@/x.ngc"}, 2, "burin mill");
     row("word that no control knows", {"verify", "@/wrong.ngc", "--project", "@/cube.burin", "--tool", "ball-6"}, 3,

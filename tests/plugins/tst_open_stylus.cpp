@@ -242,6 +242,47 @@ private slots:
         QVERIFY(comesTrue([&] { return test.plugged->offs >= before + 3; }));
     }
 
+    /// The device's own watchdog would take 100 ms; the tick hangs for as long as the test wants.
+    void itsMotorsCanBeCutWhileATickHangs() {
+        struct Hanging final : StylusClient {
+            Wrench tick(const StylusState& state) noexcept override {
+                if (hang) held = true;
+                while (hang) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                (state.valid ? valid : invalid)++;
+                return {{1.0, 0.0, 0.0}, {}};
+            }
+            void answered() noexcept override { ++answers; }
+            std::atomic<bool> hang{false}, held{false};
+            std::atomic<int> valid{0}, invalid{0}, answers{0};
+        } client;
+        auto bus = std::make_unique<ScriptedBus>();
+        open_stylus_limits limits = Board::limits();
+        limits.watchdog = 100;
+        PluggedBoard plugged(*bus, limits);
+        const auto driver = makeDriver(std::move(bus));
+        auto made = driver->make("1209:0001:0001", {});
+        QVERIFY(made);
+        const auto stylus = std::move(std::get<std::unique_ptr<SelfPacedStylus>>(*made));
+        QVERIFY(stylus->start(client));
+        QVERIFY(comesTrue([&] { return plugged.force > 0.9; }));
+        QVERIFY(client.answers > 0 && client.answers <= client.valid + client.invalid);
+        client.hang = true;
+        QVERIFY(comesTrue([&] { return client.held.load(); }));
+        const int before = client.invalid, offs = plugged.offs;
+        stylus->cutMotors();
+        QVERIFY(!plugged.motors); // the reports are there when the call returns
+        QCOMPARE(plugged.force.load(), 0.0);
+        QCOMPARE(plugged.offs - offs, 3);
+        client.hang = false;
+        // It goes on by itself: off until it has been armed again, which the readings tell.
+        QVERIFY(comesTrue([&] { return plugged.force > 0.9; }));
+        QVERIFY(client.invalid > before);
+        QVERIFY(plugged.offs - offs >= 3 + Exchange::armingReports);
+        stylus->stop();
+        stylus->cutMotors(); // also when nothing runs
+        QVERIFY(!plugged.motors);
+    }
+
     void whoMayNotUseItIsTold() {
         Fixture test;
         test.bus().forbid();

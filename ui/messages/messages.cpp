@@ -17,6 +17,11 @@ QString given(const std::string& text) {
 } // namespace
 
 // No default: the compiler names every code that has no sentence yet.
+QString Messages::flightSentence(const Error& error) {
+    if (error.place.empty()) return {};
+    return QStringLiteral(" ") + tr("What happened before is in \"%1\".").arg(QString::fromStdString(error.place));
+}
+
 QString Messages::sentence(const Error& error) {
     const QString file = QDir::toNativeSeparators(QString::fromStdString(error.subject));
     const QString subject = subjectText(error.subject);
@@ -87,12 +92,15 @@ QString Messages::sentence(const Error& error) {
         return tr("The device \"%1\" was not found; check its cable and its driver.").arg(subject);
     case ErrorCode::deviceFault:
         return tr("The device \"%1\" reports a fault (%2); its forces are off until you connect it again.")
-            .arg(subject, error.detail.empty() ? detail : deviceReasonText(error.detail));
+                   .arg(subject, error.detail.empty() ? detail : deviceReasonText(error.detail)) +
+               flightSentence(error);
     case ErrorCode::deviceUnplugged:
-        return tr("The device \"%1\" was unplugged, so its forces are off; plug it in again to go on.").arg(subject);
+        return tr("The device \"%1\" was unplugged, so its forces are off; plug it in again to go on.").arg(subject) +
+               flightSentence(error);
     case ErrorCode::deviceStopped:
         return tr("The device \"%1\" has its forces off for now (%2); they fade in again when that is over.")
-            .arg(subject, error.detail.empty() ? detail : deviceReasonText(error.detail));
+                   .arg(subject, error.detail.empty() ? detail : deviceReasonText(error.detail)) +
+               flightSentence(error);
     case ErrorCode::deviceNotAllowed:
         return tr("You have no right to use the device \"%1\" (%2); install Burin's udev rule and plug it in again.")
             .arg(subject, place);

@@ -26,6 +26,9 @@ public:
     /// Words everything in the first of the locale's languages that there is a translation of; English is the source.
     /// Needs a QCoreApplication. False: there is none, and all stays English.
     static bool install(const QLocale& locale);
+
+private:
+    static QString flightSentence(const Error& error);
 };
 
 } // namespace burin

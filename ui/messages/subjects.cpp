@@ -23,6 +23,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "benchmark"),
     BURIN_TEXT("Subject", "body"),
     BURIN_TEXT("Subject", "command"),
+    BURIN_TEXT("Subject", "device"),
     BURIN_TEXT("Subject", "dialect"),
     BURIN_TEXT("Subject", "edit"),
     BURIN_TEXT("Subject", "machine"),

@@ -100,7 +100,9 @@ void Exchange::hearEcho(const Reading& reading, double now) noexcept {
         lastEcho_ = now;
         deafTold_ = false;
         const double roundTrip = now - sentAt_[echo_ & 0xffU];
-        if (roundTrip >= 0.0 && roundTrip < longestRoundTrip) roundTrip_.store(roundTrip, std::memory_order_relaxed);
+        const auto age = static_cast<std::uint16_t>(sent_.load(std::memory_order_relaxed) - echo_);
+        if (age < sentAt_.size() && roundTrip >= 0.0 && roundTrip < longestRoundTrip)
+            roundTrip_.store(roundTrip, std::memory_order_relaxed);
     } else if (!deafTold_ && now - lastEcho_ > deafSeconds) {
         deafTold_ = true;
         faults_.raise(DeviceFault::deaf);
@@ -123,6 +125,10 @@ const StylusState& Exchange::silence(double elapsed) noexcept {
 }
 
 std::array<std::uint8_t, outputSize> Exchange::answer(const Wrench& wrench, double now) noexcept {
+    if (cut_.exchange(false, std::memory_order_acquire)) {
+        arming_ = armingReports;
+        motorsOn_ = false;
+    }
     if (faultsBefore_ != 0 || arming_ > 0) {
         if (faultsBefore_ == 0) --arming_;
         return send({}, false, now);
@@ -135,9 +141,17 @@ std::array<std::uint8_t, outputSize> Exchange::farewell(double now) noexcept {
     return send({}, false, now);
 }
 
+std::array<std::uint8_t, outputSize> Exchange::emergency(int attempt) const noexcept {
+    constexpr unsigned far = 0x8000; // half the range of numbers from those in use
+    Command command;
+    command.sequence = static_cast<std::uint16_t>(sent_.load(std::memory_order_relaxed) + far + unsigned(attempt));
+    return encodeOutput(command);
+}
+
 std::array<std::uint8_t, outputSize> Exchange::send(const Wrench& wrench, bool motors, double now) noexcept {
     Command command;
-    command.sequence = ++sent_;
+    command.sequence = static_cast<std::uint16_t>(sent_.load(std::memory_order_relaxed) + 1U);
+    sent_.store(command.sequence, std::memory_order_relaxed);
     command.echo = sequence_;
     command.motors = motors;
     command.wrench.force = limited(wrench.force, identity_.maximumForce);

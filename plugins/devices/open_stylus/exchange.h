@@ -18,7 +18,7 @@ namespace burin::openstylus {
 /// Motors are asked for only after the device has seen them switched off and reports no fault; so they never come on
 /// by themselves after one.
 ///
-/// Thread: the device's; `health` any. No allocation, lock or exception but in the constructor.
+/// Thread: the device's; `health`, `cut`, `emergency` any. No allocation, lock or exception but in the constructor.
 class Exchange {
 public:
     enum class Outcome : std::uint8_t {
@@ -53,6 +53,10 @@ public:
     std::array<std::uint8_t, outputSize> answer(const Wrench& wrench, double now) noexcept;
     /// Motors off, whatever went before.
     std::array<std::uint8_t, outputSize> farewell(double now) noexcept;
+    /// Any thread: what is being answered right now no longer counts, and the motors are armed anew.
+    void cut() noexcept { cut_.store(true, std::memory_order_release); }
+    /// Any thread: motors off, with a number that no other report has near it. @param attempt 0 …, one report each
+    std::array<std::uint8_t, outputSize> emergency(int attempt) const noexcept;
 
     FaultBox& faults() noexcept { return faults_; }
     /// Any thread; `connected` is not told here.
@@ -68,7 +72,9 @@ private:
     Identity identity_;
     StylusState state_;
     bool known_ = false; ///< a reading has come since the restart
-    std::uint16_t sequence_ = 0, sent_ = 0, echo_ = 0, faultsBefore_ = 0;
+    std::uint16_t sequence_ = 0, echo_ = 0, faultsBefore_ = 0;
+    std::atomic<std::uint16_t> sent_{0}; ///< read by any thread
+    std::atomic<bool> cut_{false};
     std::uint32_t microseconds_ = 0;
     double lastTaken_ = 0.0; ///< s, of the clock of `now`
     double lastEcho_ = 0.0;  ///< s

@@ -88,6 +88,7 @@ DeviceHealth OpenStylus::health() const noexcept {
 Result<void> OpenStylus::start(StylusClient& client) {
     if (thread_.joinable()) return Error{ErrorCode::argumentInvalid, "stylus", "started", "a stylus that stands"};
     stop_.store(false, std::memory_order_relaxed);
+    openEmergencyPort();
     try {
         thread_ = std::thread([this, &client] { run(client); });
     } catch (const std::system_error&) {
@@ -125,7 +126,9 @@ bool OpenStylus::exchangeOnce(StylusClient& client) noexcept {
     if (toldAt_ < heardAt_) { // something was heard since the last tick
         toldAt_ = heardAt_;
         silenceTold_ = false;
-        return port_->write(exchange_.answer(client.tick(exchange_.state()), now()));
+        const bool taken = port_->write(exchange_.answer(client.tick(exchange_.state()), now()));
+        client.answered();
+        return taken;
     }
     if (now() - heardAt_ >= silentAfter_) tellSilence(client);
     return true;
@@ -155,6 +158,7 @@ void OpenStylus::tellSilence(StylusClient& client) noexcept {
     const double at = now();
     if (at - toldAt_ < restSeconds) return;
     (void)client.tick(exchange_.silence(at - toldAt_));
+    client.answered();
     toldAt_ = at;
     if (connected_.load(std::memory_order_relaxed) && !silenceTold_ && at - heardAt_ > faultySilence) {
         silenceTold_ = true;
@@ -182,12 +186,27 @@ void OpenStylus::waitForDevice(StylusClient& client) noexcept {
     connected_.store(true, std::memory_order_relaxed);
 }
 
+void OpenStylus::openEmergencyPort() noexcept {
+    std::unique_ptr<hid::Port> port = hid::openAgain(bus_, speaksProtocol, id_);
+    const std::lock_guard lock(emergency_);
+    emergencyPort_ = std::move(port);
+}
+
+void OpenStylus::cutMotors() noexcept {
+    exchange_.cut();
+    const std::lock_guard lock(emergency_);
+    if (emergencyPort_ == nullptr) return; // unplugged
+    for (int i = 0; i < farewells; ++i) emergencyPort_->write(exchange_.emergency(i));
+}
+
 /// Another device, or one whose limits have changed, is left alone: the session was made for this one's.
 void OpenStylus::look() noexcept {
     std::unique_ptr<hid::Port> port = hid::openAgain(bus_, speaksProtocol, id_);
     if (port == nullptr) return;
     Identity identity;
-    if (askIdentity(*port, identity) == IdentityFault::none && identity == identity_) port_ = std::move(port);
+    if (askIdentity(*port, identity) != IdentityFault::none || !(identity == identity_)) return;
+    port_ = std::move(port);
+    openEmergencyPort();
 }
 
 } // namespace burin::openstylus

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -44,6 +45,10 @@ public:
     void close() noexcept override { stop(); }
     std::optional<Error> takeFault() override;
     DeviceHealth health() const noexcept override;
+    /// Sends "motors off" itself, through a port of its own: the device's thread may be stuck in a tick, or in its
+    /// port. Waits for the device to take it, and takes a lock that is otherwise held only while the device is looked
+    /// for.
+    void cutMotors() noexcept override;
     /// Errors: argumentInvalid (it was started already), outOfMemory.
     Result<void> start(StylusClient& client) override;
     void stop() noexcept override;
@@ -55,11 +60,14 @@ private:
     void tellSilence(StylusClient& client) noexcept;
     void waitForDevice(StylusClient& client) noexcept;
     void look() noexcept;
+    void openEmergencyPort() noexcept;
     bool runs() const noexcept { return !stop_.load(std::memory_order_relaxed); }
 
     hid::Bus& bus_;
     std::unique_ptr<hid::Port> port_; ///< the device's thread while it runs
     Identity identity_;
+    std::mutex emergency_;
+    std::unique_ptr<hid::Port> emergencyPort_; ///< guarded by it; nothing is ever read from this port
     std::string id_, name_;
     Exchange exchange_;
     double silentAfter_;   ///< s

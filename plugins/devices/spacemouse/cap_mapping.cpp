@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/spacemouse/cap_mapping.h"
 
+#include "core/device/deflection.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace burin::spacemouse {
 namespace {
-
-constexpr double linearShare = 0.3; // of the response; the rest goes with the cube
 
 glm::dquat turnBy(const glm::dvec3& turn) noexcept { // rad, axis and angle in one
     const double angle = glm::length(turn);
@@ -23,9 +23,7 @@ glm::dvec3 turned(double x, double y, double z) noexcept {
 } // namespace
 
 double CapMapping::response(std::int16_t counts) noexcept {
-    const double share = std::clamp(static_cast<double>(counts) / fullScale, -1.0, 1.0);
-    const double beyond = std::max(0.0, std::abs(share) - deadZone) / (1.0 - deadZone);
-    return std::copysign(beyond * (linearShare + (1.0 - linearShare) * beyond * beyond), share);
+    return deflectionResponse(static_cast<double>(counts) / fullScale);
 }
 
 void CapMapping::follow(const Pose& target, double step) noexcept {

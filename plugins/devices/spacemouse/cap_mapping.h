@@ -19,7 +19,6 @@ enum class ControlMode : std::uint8_t {
 class CapMapping {
 public:
     static constexpr double fullScale = 350.0;      ///< counts; more is cut off
-    static constexpr double deadZone = 0.05;        ///< of full scale
     static constexpr double topSpeed = 100.0;       ///< mm/s, rate
     static constexpr double topTurn = 1.5;          ///< rad/s, rate
     static constexpr double reach = 40.0;           ///< mm, position
@@ -34,8 +33,7 @@ public:
     /// @param seconds since the call before, >= 0
     const Pose& advance(const std::array<std::int16_t, 6>& axes, double seconds) noexcept;
 
-    /// -1 … 1 of an axis: nothing within the dead zone, then growing smoothly, finely near it and with its cube farther
-    /// out. Odd, rising, continuous, 1 at full scale.
+    /// -1 … 1 of an axis: deflectionResponse of what it counts.
     static double response(std::int16_t counts) noexcept;
 
 private:

@@ -57,20 +57,26 @@ void Session::note(const std::string& text) {
     std::cerr << text << std::endl;
 }
 
+void Session::countMismatches(std::size_t properties) noexcept {
+    recounted_ = true;
+    mismatches_ += properties;
+}
+
 void Session::countInterruptions(std::size_t allocations, std::size_t pageFaults) noexcept {
-    cut_ = true;
+    watched_ = true;
     allocations_ += allocations;
     pageFaults_ += pageFaults;
 }
 
 void Session::finish() {
     clearLine();
-    if (!cut_) return;
     // Whatever was asked for, these say whether its ticks were sound.
-    figures_.push_back(figure("recount.mismatches", static_cast<double>(mismatches_), "properties", 0.0));
+    if (recounted_)
+        figures_.push_back(figure("recount.mismatches", static_cast<double>(mismatches_), "properties", 0.0));
+    check(mismatches_ == 0, "removed volume per property equals a full recount");
+    if (!watched_) return;
     figures_.push_back(figure("tick.allocations", static_cast<double>(allocations_), "calls", 0.0));
     figures_.push_back(figure("tick.page_faults", static_cast<double>(pageFaults_), "faults", 0.0));
-    check(mismatches_ == 0, "removed volume per property equals a full recount");
 }
 
 void Session::clearLine() const {

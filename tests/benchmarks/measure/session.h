@@ -35,11 +35,11 @@ public:
     /// Says something that the figures can't, on standard error.
     void note(const std::string& text);
     /// What the last ticks' sums and the recount of the volume disagree in, in properties.
-    void countMismatches(std::size_t properties) noexcept { mismatches_ += properties; }
+    void countMismatches(std::size_t properties) noexcept;
     /// Heap calls and page faults within ticks.
     void countInterruptions(std::size_t allocations, std::size_t pageFaults) noexcept;
 
-    /// Adds recount.mismatches and tick.*, when anything was cut.
+    /// Adds recount.mismatches and tick.*, as far as they were counted.
     void finish();
     const std::vector<Figure>& figures() const noexcept { return figures_; }
     bool allChecksHold() const noexcept { return failed_ == 0; }
@@ -54,7 +54,7 @@ private:
     bool terminal_;
     std::vector<Figure> figures_;
     std::size_t failed_ = 0, mismatches_ = 0, allocations_ = 0, pageFaults_ = 0;
-    bool cut_ = false;
+    bool recounted_ = false, watched_ = false;
 };
 
 /// The value, or an exception with the error's words.

@@ -90,6 +90,22 @@ std::string metadata(const std::string& id, int version) {
 class TestDeviceRegistry : public QObject {
     Q_OBJECT
 private slots:
+    void aDeviceIsFoundByItsIdOrAnUnmistakableName() {
+        Fixture test;
+        QCOMPARE(test.registry.find("one").error().code, ErrorCode::nameUnknown);
+        QVERIFY(test.registry.find("one").error().detail.empty());
+        test.shelf->put({{"one", "Pen", {}}, {"two", "Pen", {}}, {"three", "Arm", {}}});
+        QCOMPARE(test.registry.find("shelf:two")->id, std::string("shelf:two"));
+        QCOMPARE(test.registry.find("Arm")->id, std::string("shelf:three"));
+        for (const char* none : {"Pen", "pen", "two", simulatedDevice}) {
+            const auto missing = test.registry.find(none);
+            QVERIFY(!missing);
+            QCOMPARE(missing.error().subject, std::string("device"));
+            QCOMPARE(missing.error().place, std::string(none));
+            QCOMPARE(missing.error().detail, std::string("shelf:one, shelf:two, shelf:three"));
+        }
+    }
+
     void theSimulatedStylusIsAlwaysThere() {
         QTemporaryDir folder;
         DeviceRegistry registry(fs::path(folder.path().toStdString()) / "none");

@@ -26,6 +26,7 @@ public:
         return {};
     }
     void stop() noexcept override { client_ = nullptr; }
+    void cutMotors() noexcept override { ++cuts; }
 
     Wrench tick(double time, double x, bool valid = true) {
         StylusState state;
@@ -35,6 +36,7 @@ public:
         return client_->tick(state);
     }
     bool started() const { return client_ != nullptr; }
+    int cuts = 0;
 
 private:
     StylusClient* client_ = nullptr;
@@ -95,6 +97,18 @@ private slots:
         QVERIFY(test.stylus->read(1.022).valid);
         test.device->tick(0.023, 1.0, false); // the device's own word
         QVERIFY(!test.stylus->read(1.023).valid);
+    }
+
+    void whatWasWrittenBeforeACutIsNotRendered() {
+        Fixture test;
+        test.stylus->write({{2.0, 0.0, 0.0}, {}});
+        QCOMPARE(test.device->tick(0.001, 0.0).force.x, 2.0);
+        test.stylus->write({{3.0, 0.0, 0.0}, {}}); // on its way
+        test.stylus->cutMotors();
+        QCOMPARE(test.device->cuts, 1);
+        for (const double time : {0.002, 0.003}) QCOMPARE(test.device->tick(time, 0.0).force, glm::dvec3(0.0));
+        test.stylus->write({{1.0, 0.0, 0.0}, {}});
+        QCOMPARE(test.device->tick(0.004, 0.0).force.x, 1.0);
     }
 
     void theDelayOfTwoClocksIsStated() {

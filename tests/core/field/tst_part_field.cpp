@@ -121,6 +121,7 @@ private slots:
     void randomTetrahedraAgreeWithBruteForce();
     void narrowGapsAndThinWallsKeepTheirSide();
     void spikesBetweenSamplesAreFound();
+    void spikesBesideABrickAreFoundInIt();
     void farPointsAreWithinTheirBound();
     void lowerBoundIsNeverTooMuch();
     void gradientPointsAway();
@@ -242,6 +243,38 @@ void PartFieldTest::spikesBetweenSamplesAreFound() {
         errors.report("pin");
         QVERIFY(errors.overBound <= 0.0);
     }
+}
+
+/// A pin of one voxel close to where two bricks meet, half-way along their common face: the corners of the brick beside
+/// it lie nearer to the flat face that it stands on, which has that brick taken for smooth. The pin's own brick is so
+/// too, or one that is sampled closely (the part's edge passes through) and knows of the pin all the same.
+void PartFieldTest::spikesBesideABrickAreFoundInIt() {
+    const glm::dvec3 corner(-20.0, -20.0, -10.0), top(20.0, 20.0, 0.0);
+    // Bricks are counted from the margin around the part, four voxels: they meet in the plane of the flat face, and
+    // across it at 2 and 18.
+    const double brick = 8.0 * voxel, margin = 4.0 * voxel;
+    QCOMPARE(std::remainder(top.z - (corner.z - margin), brick), 0.0);
+    QCOMPARE(std::remainder(2.0 - (corner.x - margin), brick), 0.0);
+    for (const int axis : {0, 1})
+        for (const double border : {-2.0, 2.0, 18.0}) {
+            const double towards = border == 18.0 ? -1.0 : std::copysign(1.0, border);
+            glm::dvec3 middle(0.0, 0.0, 0.24);
+            middle[axis] = border - towards * 0.05;
+            const glm::dvec3 low = middle - glm::dvec3(0.03, 0.03, 0.25), high = middle + glm::dvec3(0.03, 0.03, 0.25);
+            TriangleMesh mesh = shapes::box(corner, top);
+            append(mesh, shapes::box(low, high));
+            const PartField field = built(mesh);
+            Points points;
+            Errors beside;
+            for (int i = 0; i < 4000; ++i) {
+                glm::dvec3 p(points.number(-2.0, 2.0), points.number(-2.0, 2.0), points.number(0.3, 4.0));
+                p[axis] = border + towards * points.number(0.0, brick);
+                beside.meet(field, p, std::min(shapes::boxDistance(corner, top, p), shapes::boxDistance(low, high, p)),
+                            1e-6);
+            }
+            beside.report("beside a pin");
+            QVERIFY(beside.overBound <= 0.0);
+        }
 }
 
 void PartFieldTest::farPointsAreWithinTheirBound() {

@@ -40,7 +40,58 @@ private slots:
     void doesNotDependOnTheLocale();
     void namesAMissingFile();
     void leavesOutReadingsThatAreNotValid();
+    void ticksComeBackWithTheirPeriods();
+    void ticksThatAreWrongAreNamed_data();
+    void ticksThatAreWrongAreNamed();
 };
+
+/// Valid or not, whatever their times; what is not a number is not valid, and what is no period stays none.
+void TraceFileTest::ticksComeBackWithTheirPeriods() {
+    QVERIFY(rc::check([](std::uint64_t seed) {
+        std::mt19937_64 generator(seed);
+        std::vector<StylusState> states(20);
+        for (StylusState& state : states) {
+            state.time = randomDouble(generator);
+            for (int axis = 0; axis < 3; ++axis) state.pose.position[axis] = randomDouble(generator);
+            state.buttons = static_cast<std::uint32_t>(generator());
+            state.valid = generator() % 3 != 0;
+            state.period = std::abs(randomDouble(generator)) + std::numeric_limits<double>::min();
+        }
+        states[3].pose.position.y = std::numeric_limits<double>::quiet_NaN();
+        states[4].period = std::numeric_limits<double>::infinity();
+        states[5].period = 0.0;
+        const auto read = parseTrace(formatTrace(states), "trace");
+        RC_ASSERT(read.hasValue());
+        RC_ASSERT(read->size() == states.size());
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            const StylusState &wrote = states[i], &got = (*read)[i];
+            RC_ASSERT(got.valid == (wrote.valid && i != 3));
+            RC_ASSERT(got.buttons == wrote.buttons);
+            if (i != 3) RC_ASSERT(std::memcmp(&got.pose, &wrote.pose, sizeof(Pose)) == 0);
+            if (i == 4 || i == 5)
+                RC_ASSERT(got.period < 0.0);
+            else
+                RC_ASSERT(std::memcmp(&got.period, &wrote.period, sizeof(double)) == 0);
+        }
+    }));
+}
+
+void TraceFileTest::ticksThatAreWrongAreNamed_data() {
+    QTest::addColumn<QByteArray>("line");
+    QTest::newRow("no period") << QByteArray("0,1,2,3,1,0,0,0,0");
+    QTest::newRow("a period that is none") << QByteArray("0,1,2,3,1,0,0,0,0,x,1");
+    QTest::newRow("neither valid nor not") << QByteArray("0,1,2,3,1,0,0,0,0,0.001,2");
+    QTest::newRow("a quaternion that is none") << QByteArray("0,1,2,3,0,0,0,0,0,0.001,1");
+}
+
+void TraceFileTest::ticksThatAreWrongAreNamed() {
+    QFETCH(QByteArray, line);
+    const std::string text = std::string(tickTraceHeader) + "\n0,1,2,3,1,0,0,0,0,0.001,1\n" + line.toStdString() + "\n";
+    const auto read = parseTrace(text, "trace");
+    QVERIFY(!read);
+    QCOMPARE(read.error().code, ErrorCode::traceInvalid);
+    QCOMPARE(read.error().place, std::string("line 3"));
+}
 
 void TraceFileTest::anyDoubleComesBackBitByBit() {
     QVERIFY(rc::check([](std::uint64_t seed) {

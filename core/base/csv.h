@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// Takes the first line off `rest`, without its LF or CR LF.
+std::string_view takeLine(std::string_view& rest);
+
+/// The fields of one line between commas (RFC 4180): a field may stand in double quotes, where two of them mean one.
+/// Spaces and tabs around a field are dropped. Nothing: a quote that does not end, or text behind it.
+std::optional<std::vector<std::string>> csvFields(std::string_view line);
+
+/// True for well-formed UTF-8 (RFC 3629).
+bool isUtf8(std::string_view text) noexcept;
+
+} // namespace burin

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/calibration.h"
+
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// What a record says of the coefficients: Ft = K(chip) · drive, Fr = Kr Ft.
+struct ForceObservation {
+    std::size_t line = 0;
+    double drive = 0.0;                    ///< mm²: 1000 MRR / v, N per J/mm³
+    double chip = 0.0;                     ///< mm, > 0
+    double tangential = 0.0, radial = 0.0; ///< N
+    double gain = 1.0;                     ///< error of either force, for 1 N in each component of what was measured
+};
+
+/// @return why the record can't be used; empty: `observation` holds what it says
+std::string observe(const ForceRecord& record, const CalibrationOptions& options, ForceObservation& observation);
+
+/// Robust least squares of Ft = K0 (h / h0)^-mc · drive, h0 the geometric mean of the chips (mc = 0 for a constant K),
+/// and Fr = L (h / h0)^-mc · drive. One thread.
+class ForceFit {
+public:
+    ForceFit(std::vector<ForceObservation> observations, bool withExponent);
+
+    /// A robust fit finds what is far off; least squares of the rest, until nothing changes.
+    void run();
+
+    std::size_t counted() const noexcept;
+    const std::vector<ForceObservation>& observations() const noexcept { return observations_; }
+    /// The robust estimate of K is not above 0.
+    bool pointsAlong() const noexcept { return pointsAlong_; }
+    double referenceChip() const noexcept { return referenceChip_; } ///< mm, h0
+
+    Estimate specificEnergy() const noexcept;                  ///< K0, J/mm³
+    Estimate exponent() const noexcept;                        ///< mc
+    Estimate logarithmOfForceAtOneMillimetre() const noexcept; ///< ln kc1.1, kc1.1 in N/mm²
+    Estimate radialEnergy() const noexcept;                    ///< L, J/mm³
+    /// K0 with the error that it has where mc is known, as the ratio of L and K0 does not depend on it.
+    Estimate energyForRatio() const noexcept;
+    /// Residuals, what was left out and why, chips and noise, into the result.
+    void report(MaterialCalibration& result) const;
+
+private:
+    void startRobustly();
+    void leastSquares();
+    bool select();
+    double basis(const ForceObservation& o) const noexcept;              ///< N per J/mm³: (h / h0)^-mc · drive
+    double tangentialResidual(const ForceObservation& o) const noexcept; ///< N, before its gain
+    double radialResidual(const ForceObservation& o) const noexcept;
+    double medianNoise(bool radial) const;
+    double noise(bool radial) const;
+    double limit() const noexcept;
+
+    std::vector<ForceObservation> observations_;
+    std::vector<bool> counts_;
+    bool withExponent_, pointsAlong_ = false;
+    double referenceChip_ = 1.0;
+    double energy_ = 0.0, exponent_ = 0.0, radialEnergy_ = 0.0;
+    double tangentialScale_ = 0.0, radialScale_ = 0.0; ///< N, noise as the last selection took it
+    /// Of the normal equations of (K0, mc), weighted; inverse: the covariance for noise of 1 N.
+    double energyEnergy_ = 0.0, energyExponent_ = 0.0, exponentExponent_ = 0.0;
+    double basisBasis_ = 0.0;
+};
+
+} // namespace burin

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/axis_turn.h"
+
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double smallestSine = 1e-6;
+
+/// Any direction at a right angle to one.
+glm::dvec3 anyAcross(const glm::dvec3& direction) noexcept {
+    const glm::dvec3 other = std::abs(direction.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    return glm::normalize(glm::cross(direction, other));
+}
+
+} // namespace
+
+double angleBetween(const glm::dvec3& a, const glm::dvec3& b) noexcept {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+glm::dvec3 turnedTowards(const glm::dvec3& from, const glm::dvec3& to, double most) noexcept {
+    if (angleBetween(from, to) <= most) return to;
+    const glm::dvec3 towards = to - from * glm::dot(from, to);
+    const double sine = glm::length(towards);
+    const glm::dvec3 side = sine > smallestSine ? towards / sine : anyAcross(from);
+    return glm::normalize(from * std::cos(most) + side * std::sin(most));
+}
+
+const glm::dvec3& AxisFollower::operator()(const glm::dvec3& wanted, double own, double period) noexcept {
+    axis_ = known_ ? turnedTowards(axis_, wanted, own + speed * period) : wanted;
+    known_ = true;
+    return axis_;
+}
+
+} // namespace burin

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/guide_curve.h"
+
+#include "core/geometry/pose.h"
+
+namespace burin {
+
+Result<GuideCurve> GuideCurve::make(std::vector<glm::dvec3> points, std::vector<glm::dvec3> tangents) {
+    const auto invalid = [](std::size_t point, const char* allowed) {
+        return Error{ErrorCode::argumentInvalid, "curve", "point " + std::to_string(point + 1), allowed};
+    };
+    if (points.size() < 2 || tangents.size() != points.size())
+        return invalid(points.size(), "two points or more, each with a tangent");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!isFinite(points[i]) || !isFinite(tangents[i])) return invalid(i, "finite coordinates");
+        if (i > 0 && points[i] == points[i - 1]) return invalid(i, "a place other than the point before");
+        const double length = glm::length(tangents[i]);
+        if (!(length > 1e-9)) return invalid(i, "a tangent");
+        tangents[i] /= length;
+    }
+    GuideCurve curve;
+    curve.closed_ = points.size() > 2 && glm::length(points.front() - points.back()) < 1e-6;
+    curve.points_ = std::move(points);
+    curve.tangents_ = std::move(tangents);
+    return curve;
+}
+
+glm::dvec3 GuideCurve::tangentAt(std::size_t segment, double share) const noexcept {
+    const glm::dvec3 turned = glm::mix(tangents_[segment], tangents_[segment + 1], share);
+    const double length = glm::length(turned);
+    if (length > 1e-6) return turned / length;
+    return glm::normalize(points_[segment + 1] - points_[segment]);
+}
+
+} // namespace burin

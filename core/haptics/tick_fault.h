@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/device_fault.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace burin {
+
+/// Why a loop gave no force, and lets it fade in again.
+enum class TickFault : std::uint8_t {
+    none,
+    device,  ///< the stylus had no valid reading: it says why itself
+    damaged, ///< a reading that is not finite, or no place
+    tooFast, ///< faster than the stylus is believed, or a jump
+    stalled, ///< the loop came late by more than GapLimits::stalled
+    dead,    ///< no tick for GapLimits::dead: the watchdog cut the motors
+};
+
+/// Words of it, in the order of TickFault; empty where nothing is to be said.
+inline constexpr std::array<TextId, 6> tickFaultReasons{
+    TextId{""},
+    TextId{""},
+    deviceReasons[static_cast<std::size_t>(DeviceFault::damaged)],
+    deviceReasons[static_cast<std::size_t>(DeviceFault::tooFast)],
+    BURIN_TEXT("DeviceReason", "the computer was late with its force"),
+    BURIN_TEXT("DeviceReason", "the computer stood still, and its motors were switched off"),
+};
+
+/// As in names of files.
+constexpr std::string_view nameOf(TickFault fault) noexcept {
+    constexpr std::array<std::string_view, 6> names{"none", "device", "damaged", "too-fast", "stalled", "dead"};
+    return names[static_cast<std::size_t>(fault)];
+}
+
+/// How long the hand may wait for its next force. s
+struct GapLimits {
+    double late;    ///< beyond it: no force in that tick, and counted
+    double stalled; ///< beyond it: forces fade in again
+    double dead;    ///< beyond it: a second thread cuts the motors
+};
+
+/// haptics practice at 1 kHz: 3, 10 and 50 ms; for devices that are slower than that, as many of their periods.
+/// @param period s
+constexpr GapLimits gapLimits(double period) noexcept {
+    const auto atLeast = [](double seconds, double other) { return seconds > other ? seconds : other; };
+    return {atLeast(0.003, 3.0 * period), atLeast(0.010, 10.0 * period), atLeast(0.050, 10.0 * period)};
+}
+
+} // namespace burin

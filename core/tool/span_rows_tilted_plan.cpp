@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tool/span_rows_kernels.h"
+
+namespace burin::kernels {
+
+namespace {
+
+constexpr float far = 1e6F; // voxels, beyond every line
+// Voxels by which more is asked for: roundings don't decide about any line.
+constexpr float slack = 1.0F / 8.0F;
+// A straight side of the shadow that rises by less over the rows is met where the ends are.
+constexpr float leastRise = 1e-6F; // voxels
+
+/// Whole part of numbers, downwards.
+BURIN_INLINE Integers floorsOf(Floats numbers) noexcept {
+    const Integers whole = wholeOf(numbers);
+    return whole + (floatsOf(whole) > numbers); // a comparison that holds is -1
+}
+
+BURIN_INLINE Floats clamped(Floats numbers, float low, float high) noexcept {
+    return least(most(numbers, floats(low)), floats(high));
+}
+
+/// Groups of the places x, voxels from a line that is `whole` from the grid's first.
+BURIN_INLINE Integers groupsOf(Floats x, std::int32_t whole) noexcept {
+    return (floorsOf(clamped(x, -far, far)) + whole) >> 3;
+}
+
+/// side · x of the shadow's outmost place at these y; -far where there is none.
+BURIN_INLINE Floats edgeOf(const TiltedShadow& shadow, Floats y, float side) noexcept {
+    constexpr float rounding = 1e-5F;
+    Floats outmost = floats(-far);
+    for (const TiltedShadow::Ellipse& end : shadow.ends) {
+        const Floats dy = y - end.middle.y, square = 1.0F - dy * dy * end.perSquare;
+        const Floats x = side * (end.middle.x + end.slope * dy) + end.half * rootsOf(square);
+        outmost = square >= floats(-rounding) ? most(outmost, x) : outmost;
+    }
+    const glm::vec2 along = shadow.ends[1].middle - shadow.ends[0].middle;
+    const float rise = along.y < 0.0F ? -along.y : along.y;
+    if (rise < leastRise) return outmost;
+    const float off = slack / rise; // part of the side that a row so far off may meet
+    for (const float sign : {-1.0F, 1.0F}) {
+        const glm::vec2 from = shadow.ends[0].middle + sign * shadow.contact;
+        const Floats part = (y - from.y) / along.y;
+        const Floats one = clamped(part - off, 0.0F, 1.0F), other = clamped(part + off, 0.0F, 1.0F);
+        const Floats x = side * from.x + most(one * (side * along.x), other * (side * along.x));
+        outmost = (part >= floats(-off)) & (part <= floats(1.0F + off)) ? most(outmost, x) : outmost;
+    }
+    return outmost;
+}
+
+/// The shadow with a margin about it.
+BURIN_INLINE void findShadow(const TiltedShadow& shadow, float margin, Floats y, std::int32_t whole, float part,
+                             TiltedRows& rows) noexcept {
+    const float low = static_cast<float>(shadow.low.y), high = static_cast<float>(shadow.high.y);
+    // The outmost place of all that lies within the margin of a row: the edge is convex.
+    const Floats left = least(most(floats(shadow.outmost[0]), y - margin), y + margin);
+    const Floats right = least(most(floats(shadow.outmost[1]), y - margin), y + margin);
+    const Floats first = -edgeOf(shadow, clamped(left, low, high), -1.0F) - (margin + slack);
+    const Floats last = edgeOf(shadow, clamped(right, low, high), 1.0F) + (margin + slack);
+    const Integers meets = (y >= floats(low - margin - slack)) & (y <= floats(high + margin + slack)) & (first <= last);
+    const Integers begin = groupsOf(first + part, whole), end = groupsOf(last + part, whole) + 1;
+    store(begin, rows.begin);
+    store(meets ? end : begin, rows.end);
+}
+
+/// Lines that meet a face's plane so near to its rim. On the plane the rows are chords of a disc, seen aslant.
+BURIN_INLINE void findRim(const TiltedPiece& piece, float height, Floats y, std::int32_t whole, float part,
+                          TiltedRows::RimGroups& groups) noexcept {
+    const float steep = piece.axisZ < 0.0F ? -piece.axisZ : piece.axisZ;
+    const float square = 1.0F - piece.axisY * piece.axisY, perSquare = 1.0F / square;
+    const Floats middle = (height - piece.axisY * y) * (piece.axisX * perSquare) + part;
+    const Floats dy = y - piece.axisY * height, gone = dy * dy;
+    const float radius = piece.radius * piece.radius;
+    const Floats outer = square * (radius + piece.rimReach) - gone, inner = square * (radius - piece.rimReach) - gone;
+    const Floats outerHalf = rootsOf(outer) * (steep * perSquare) + slack;
+    const Floats innerHalf = rootsOf(inner) * (steep * perSquare) - slack;
+    // A row that passes beside the disc by next to nothing is one that touches it.
+    const Integers meets = outer > floats(-slack * piece.radius);
+    const Integers hollow = (inner > Floats{}) & (innerHalf > Floats{});
+    const Integers begin = groupsOf(middle - outerHalf, whole), end = groupsOf(middle + outerHalf, whole) + 1;
+    store(begin, groups.outerBegin);
+    store(meets ? end : begin, groups.outerEnd);
+    const Integers innerBegin = groupsOf(middle - innerHalf, whole) + 1, innerEnd = groupsOf(middle + innerHalf, whole);
+    const Integers parted = hollow & (innerBegin < innerEnd);
+    store(parted ? innerBegin : begin, groups.innerBegin);
+    store(parted ? innerEnd : begin, groups.innerEnd);
+}
+
+} // namespace
+
+BURIN_VECTORISED void planTiltedRows(const TiltedPiece& piece, const TiltedShadow& shadow, float margin,
+                                     std::int32_t firstRow, TiltedRows& rows) noexcept {
+    rows.first = firstRow;
+    const Floats y = floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (firstRow - piece.to.wholeY)) -
+                     static_cast<float>(piece.to.y - piece.to.wholeY);
+    const std::int32_t whole = piece.to.wholeX;
+    const float part = static_cast<float>(piece.to.x - whole);
+    findShadow(shadow, margin, y, whole, part, rows);
+    if (!piece.moves || piece.withStart || piece.rimsEverywhere) return;
+    for (std::size_t i = piece.rounding == TiltedPiece::Rounding::none ? 0 : 1; i < 2; ++i)
+        findRim(piece, piece.rims[i].height, y, whole, part, rows.rims[i]);
+}
+
+} // namespace burin::kernels

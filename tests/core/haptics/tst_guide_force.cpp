@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/operator_hand.h"
+#include "tests/core/haptics/guide_bench.h"
+#include "tests/oracles/allocation_count.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+#include <new>
+#include <random>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+constexpr int seconds = 1000;        // ticks
+constexpr double guideHeight = 20.0; // mm, far above the stock
+
+glm::dvec3 up(double z) {
+    return {0.0, 0.0, z};
+}
+
+/// A step beside a part without stock.
+Bench bareBench(HapticSettings settings = Bench::settings()) {
+    return Bench(settings, ballTool(), stockOnPart(0, false));
+}
+
+GuideSettings guidesOf(std::initializer_list<Guide> wanted) {
+    GuideSettings settings;
+    std::copy(wanted.begin(), wanted.end(), settings.guides.begin());
+    return settings;
+}
+
+/// What a hand feels that goes into guides and out of them again.
+struct Cycles {
+    double worstGain = -1e300;  ///< J that the hand got between two releases, at most: it is as free as it was before
+    double largestChange = 0.0; ///< N, of the force between two ticks
+    double largestForce = 0.0;  ///< N
+    int releases = 0;
+};
+
+/// A hand-arm that swings over guides, `amplitude` mm to each side of a height, its place read in encoder steps.
+Cycles swing(const HandImpedance& impedance, const GuideSettings& guides, double centre, double amplitude,
+             double stiffness, double encoder, double cycleSeconds = 1.0) {
+    HapticSettings settings = Bench::settings();
+    settings.stylus.maximumStiffness.value = stiffness / settings.guideShare;
+    Bench bench = bareBench(settings);
+    bench.step.setGuides(guides);
+    HandArm arm(impedance, HandleInertia{}, HandReaction{.share = 0.0});
+    const auto wish = [&](double time) { return up(centre + amplitude * std::cos(2.0 * pi * time / cycleSeconds)); };
+    Cycles cycles;
+    glm::dvec3 place = wish(0.0), force(0.0);
+    double gained = 0.0;
+    bool held = false;
+    for (int tick = 0; tick < 8 * seconds; ++tick) {
+        const Sample sample = bench.feed(glm::round(place / encoder) * encoder);
+        const glm::dvec3 before = force, from = place;
+        force = bench.step.deviceWrench().force;
+        cycles.largestChange = std::max(cycles.largestChange, glm::length(force - before));
+        cycles.largestForce = std::max(cycles.largestForce, glm::length(force));
+        const bool now = (sample.flags & sampleOnGuide) != 0;
+        if (held && !now) {
+            cycles.worstGain = std::max(cycles.worstGain, gained);
+            gained = 0.0;
+            ++cycles.releases;
+        }
+        held = now;
+        arm.advance(force, period);
+        place = wish((tick + 1) * period) + arm.deviation();
+        gained += glm::dot(force, place - from) / millimetresPerMetre;
+    }
+    return cycles;
+}
+
+} // namespace
+
+class TestGuideForce : public QObject {
+    Q_OBJECT
+private slots:
+    void goingIntoAGuideAndOutGivesNoEnergyAndNoKick_data() {
+        QTest::addColumn<double>("stiffness");
+        QTest::addColumn<double>("encoder");
+        for (const double stiffness : {240.0, 400.0, 800.0, 1500.0})
+            for (const double encoder : {0.02, 0.055})
+                QTest::addRow("%.0f N/m, %.3f mm", stiffness, encoder) << stiffness << encoder;
+    }
+    void goingIntoAGuideAndOutGivesNoEnergyAndNoKick() {
+        QFETCH(double, stiffness);
+        QFETCH(double, encoder);
+        Guide levels = guideOf(GuideKind::levels, 2.0);
+        levels.point = up(guideHeight);
+        const double strongest = std::min(0.6 * 3.0e-3 * stiffness, 1.2); // N, of the pull: half of what is ever sent
+        for (const HandImpedance& hand : {lightHand, middleHand, firmHand})
+            for (const GuideSettings& guides : {guidesOf({planeGuide(up(guideHeight), up(1))}), guidesOf({levels})}) {
+                const double enough = 5.0 + 1.25e3 * strongest / hand.stiffness; // mm, to pull free
+                const Cycles cycles = swing(hand, guides, guideHeight, enough, stiffness, encoder);
+                QVERIFY2(cycles.worstGain <= 0.02e-3, qPrintable(QString::number(cycles.worstGain)));
+                QVERIFY(cycles.releases >= 8);
+                QVERIFY(cycles.largestForce > 0.1);
+                // The spring over an encoder step and 0.1 mm of the hand's own way; 0.1 N of the controller's damper.
+                const double most = 1.5e-3 * stiffness * (encoder + 0.1) + 0.1;
+                QVERIFY2(cycles.largestChange <= most, qPrintable(QString::number(cycles.largestChange)));
+            }
+    }
+
+    void aHandThatTurnsBackAtTheEdgeOfAGuideGainsNothingEither() {
+        for (const double amplitude : {0.4, 0.8, 1.2}) // about the places where it is taken and let go
+            for (const double cycleSeconds : {0.1, 0.25, 0.7}) {
+                const Cycles cycles = swing(lightHand, guidesOf({planeGuide(up(guideHeight), up(1))}),
+                                            guideHeight + 2.5, amplitude, 240.0, 0.02, cycleSeconds);
+                QVERIFY2(cycles.worstGain <= 0.02e-3, qPrintable(QString::number(cycles.worstGain)));
+            }
+    }
+
+    void theForceIsTheSprings() {
+        Bench bench = bareBench();
+        bench.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
+        bench.begin(up(guideHeight + 1.0));
+        const Sample sample = bench.rest(1 * seconds);
+        QVERIFY(sample.flags & sampleOnGuide);
+        QCOMPARE(sample.proxy.tip, up(guideHeight));
+        QCOMPARE(sample.stylusTip, up(guideHeight + 1.0));
+        const double stiffness = 0.6 * 400.0; // N/m: 60 % of the device's limit
+        QVERIFY(std::abs(sample.force.z + stiffness * 1e-3) < 0.01 * stiffness * 1e-3);
+    }
+
+    void aGuideInsideThePartNeverPressesTheToolIn() {
+        Bench bench = bareBench();
+        bench.step.setGuides(guidesOf({planeGuide(up(floorHeight - 1.5), up(1))}));
+        double least = 1e300;
+        bench.onTick = [&](const Sample& sample) { least = std::min(least, sample.proxy.tip.z); };
+        bench.begin(up(floorHeight + 5.0));
+        // Within the guide's reach, above the floor: it draws to the floor, and no farther.
+        bench.moveTo(up(floorHeight + 0.4), 20.0);
+        Sample sample = bench.rest(seconds);
+        QVERIFY(sample.flags & sampleOnGuide);
+        QVERIFY(std::abs(sample.proxy.tip.z - floorHeight) < 1e-3);
+        QVERIFY(sample.force.z < 0.0);
+        QVERIFY(sample.force.z > -240.0 * 0.4e-3 - 1e-6);
+        // In the floor, before the guide: the contact alone, in full.
+        bench.moveTo(up(floorHeight - 1.0), 20.0);
+        sample = bench.rest(seconds);
+        QVERIFY(std::abs(sample.force.z - 0.32) < 0.01 * 0.32);
+        // Beyond the guide both push out, the contact from the guide on.
+        bench.moveTo(up(floorHeight - 2.5), 20.0);
+        sample = bench.rest(seconds);
+        QVERIFY(std::abs(sample.force.z - (0.32 * 1.5 + 0.24 * 1.0)) < 0.01 * 0.72);
+        QVERIFY(least >= floorHeight - 1e-9);
+    }
+
+    void acrossAContactTheGuideStillHolds() {
+        Bench bench = bareBench();
+        bench.step.setGuides(guidesOf({planeGuide({3, 0, 0}, {1, 0, 0})}));
+        bench.begin({3, 0, floorHeight + 1.0});
+        bench.moveTo({4, 0, floorHeight - 1.0}, 20.0);
+        const Sample sample = bench.rest(seconds);
+        QVERIFY(std::abs(sample.proxy.tip.x - 3.0) < 1e-3);
+        QVERIFY(std::abs(sample.force.x + 0.24) < 0.01 * 0.24);
+        QVERIFY(std::abs(sample.force.z - 0.32) < 0.01 * 0.32);
+    }
+
+    void theForceIsContinuousInHandAndTool() {
+        QVERIFY(rc::check("a small move changes what is felt by little", [] {
+            std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+            std::uniform_real_distribution<double> unit(-1.0, 1.0);
+            const auto point = [&](double half) { return half * glm::dvec3(unit(random), unit(random), unit(random)); };
+            // A plane guide with normal n, and a flat contact with normal m that keeps the tool at the nearest point.
+            const glm::dvec3 n = glm::normalize(point(1.0)), m = glm::normalize(point(1.0));
+            const double guideAt = unit(random), contactAt = unit(random);
+            const auto feltAt = [&](const glm::dvec3& hand) {
+                GuidedHand guided;
+                guided.pull = n * (guideAt - glm::dot(n, hand));
+                guided.goal.tip = hand + guided.pull;
+                const double inside = contactAt - glm::dot(m, guided.goal.tip);
+                const glm::dvec3 tool = guided.goal.tip + m * std::max(0.0, inside);
+                const FeltGuides felt = burin::felt(guided, hand, tool);
+                return 320.0 * (tool - felt.from) + 240.0 * felt.pull; // mN
+            };
+            const glm::dvec3 hand = point(2.0);
+            for (int i = 0; i < 100; ++i) {
+                const glm::dvec3 next = hand + point(1e-5);
+                RC_ASSERT(glm::length(feltAt(next) - feltAt(hand)) <= 4.0 * 560.0 * glm::length(next - hand) + 1e-9);
+            }
+        }));
+    }
+
+    void theRecordSaysWhereAGuideHeld() {
+        Bench bench = bareBench();
+        bench.begin(up(guideHeight + 1.0));
+        QVERIFY((bench.rest(200).flags & sampleOnGuide) == 0);
+        bench.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
+        QVERIFY((bench.rest(200).flags & sampleOnGuide) != 0);
+        bench.step.setGuides({});
+        const Sample sample = bench.rest(200);
+        QVERIFY((sample.flags & sampleOnGuide) == 0);
+        QVERIFY(glm::length(sample.force) < 0.01);
+    }
+
+    void aFaultLetsTheHandGo() {
+        Bench bench = bareBench();
+        bench.step.setGuides(guidesOf({planeGuide(up(guideHeight), up(1))}));
+        bench.begin(up(guideHeight + 1.0));
+        bench.rest(200);
+        bench.step(StylusState{}, period);
+        const Sample sample = bench.rest(1);
+        QVERIFY(std::abs(sample.proxy.tip.z - guideHeight) > 0.99); // taken anew, from nothing
+    }
+
+    void switchingGuidesUnderForceNeverKicks() {
+        Bench bench = bareBench();
+        std::mt19937_64 random(7);
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        bench.begin(up(guideHeight));
+        glm::dvec3 before(0.0);
+        double largest = 0.0;
+        bench.onTick = [&](const Sample& sample) {
+            largest = std::max(largest, glm::length(sample.force - before));
+            before = sample.force;
+        };
+        for (int round = 0; round < 200; ++round) {
+            Guide levels = guideOf(GuideKind::levels, 1.0 + 3.0 * std::abs(unit(random)));
+            levels.direction = glm::normalize(glm::dvec3(unit(random), unit(random), 1.0));
+            bench.step.setGuides(guidesOf({planeGuide({0, unit(random), 0}, {unit(random), 1.0, 0}), levels}));
+            if (round % 5 == 0) bench.step.stepGuides(round % 2 == 0 ? 1 : -1);
+            bench.moveTo(up(guideHeight) + 3.0 * glm::dvec3(unit(random), unit(random), unit(random)), 40.0);
+        }
+        QVERIFY2(largest <= 0.16 + 1e-9, qPrintable(QString::number(largest))); // the slew
+    }
+
+    void guidesAllocateNothing() {
+        Bench bench = bareBench();
+        std::vector<glm::dvec3> points, tangents;
+        for (int i = 0; i < 500; ++i) {
+            points.emplace_back(0.1 * i - 20.0, std::sin(0.1 * i), guideHeight);
+            tangents.emplace_back(1.0, std::cos(0.1 * i), 0.0);
+        }
+        const GuideCurve curve = *GuideCurve::make(points, tangents);
+        Guide edge = guideOf(GuideKind::curve), axis = guideOf(GuideKind::axis);
+        edge.curve = &curve;
+        const GuideSettings guides = guidesOf({edge, guideOf(GuideKind::surface, 1.0), guideOf(GuideKind::levels, 1.0),
+                                               guideOf(GuideKind::stepOver, 1.0), axis});
+        bench.begin(up(guideHeight));
+        const std::size_t before = allocationCount.load();
+        bench.step.setGuides(guides);
+        for (int i = 0; i < 3; ++i) {
+            bench.moveTo({8, 3, guideHeight + 1}, 50.0);
+            bench.step.stepGuides(-1);
+            bench.moveTo({-8, 2, floorHeight}, 50.0);
+        }
+        QCOMPARE(allocationCount.load(), before);
+        const auto more = std::make_unique<int>(1);
+        QVERIFY(allocationCount.load() > before);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestGuideForce)
+#include "tst_guide_force.moc"

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
+#include "tests/core/haptics/guide_bench.h"
+
+#include <QtTest>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+constexpr int settled = 150; // ticks: longer than a guide fades
+
+glm::dvec3 up(double z) {
+    return {0.0, 0.0, z};
+}
+
+} // namespace
+
+/// Guides that follow where the tool went: passes, and the way of its axis.
+class TestGuideWays : public QObject {
+    Q_OBJECT
+private slots:
+    void theNextPassKeepsItsDistanceFromTheLastOne() {
+        GuideBench<> bench;
+        const double stepOver = 0.8;
+        bench.use({guideOf(GuideKind::stepOver, stepOver)});
+        const auto wave = [](double x) { return 3.0 * std::sin(0.2 * x); };
+        bench.feed({0, wave(0), 50});
+        bench.cutting = true;
+        for (double x = 0.0; x <= 40.0; x += 0.02) bench.feed({x, wave(x), 50.0});
+        bench.cutting = false;
+        bench.moveTo({40, wave(40) + 0.6, 55});
+        bench.rest(settled);
+        QCOMPARE(bench.last.held, 1U);
+        bench.cutting = true;
+        double worst = 0.0;
+        glm::dvec3 pull = bench.last.pull;
+        for (double x = 40.0; x >= 5.0; x -= 0.02) { // back, a trembling hand beside it, at another height
+            bench.feed({x, wave(x) + 0.7 + 0.2 * std::sin(17.0 * x), 52.0 + 0.1 * x});
+            const glm::dvec3 change = bench.last.pull - pull;
+            pull = bench.last.pull;
+            if (x > 35.0) continue;
+            QVERIFY(glm::length(change) < 0.15); // the hand moves up to 0.08 mm a tick
+            double nearest = 1e9;
+            for (double at = x - 3.0; at <= x + 3.0; at += 0.001)
+                nearest = std::min(nearest, std::hypot(bench.last.goal.tip.x - at, bench.last.goal.tip.y - wave(at)));
+            worst = std::max(worst, std::abs(nearest - stepOver));
+        }
+        QVERIFY2(worst < 0.01, qPrintable(QString::number(worst)));
+        // That pass is the last one now, and the next goes on beyond it.
+        bench.cutting = false;
+        bench.moveTo({10, bench.last.goal.tip.y + 0.5, 52});
+        bench.rest(3 * settled);
+        QVERIFY(bench.last.goal.tip.y > wave(10) + 1.5 * stepOver);
+    }
+
+    void leadAndTiltTurnTheAxisAsTheyAreDefined() {
+        Guide axis = guideOf(GuideKind::axis);
+        axis.lead = 10.0 * pi / 180.0;
+        axis.tilt = 20.0 * pi / 180.0;
+        GuideBench<> bench;
+        bench.use({axis});
+        bench.feed(up(50));
+        glm::dvec3 before = bench.last.goal.axis;
+        for (int i = 1; i <= 1000; ++i) {
+            bench.feed({0.05 * i, 0, 50});
+            const glm::dvec3 now = bench.last.goal.axis;
+            QVERIFY(std::abs(glm::length(now) - 1.0) < 1e-12);
+            QVERIFY(glm::length(now - before) <= AxisFollower::speed * period + 1e-9);
+            before = now;
+        }
+        // Going along +x with the normal +z: lead leans towards +x, tilt to the left, which is +y.
+        const glm::dvec3 expected(std::cos(axis.tilt) * std::sin(axis.lead), std::sin(axis.tilt),
+                                  std::cos(axis.tilt) * std::cos(axis.lead));
+        QVERIFY(glm::length(before - expected) < 1e-9);
+        bench.use({});
+        for (int i = 0; i < 1000; ++i) bench.feed(bench.hand, glm::normalize(glm::dvec3(0.1, 0, 1)));
+        QVERIFY(glm::length(bench.last.goal.axis - glm::normalize(glm::dvec3(0.1, 0, 1))) < 1e-12);
+    }
+
+    void onASphereTheAxisStandsOnItsNormal() {
+        const SphereSolid sphere{15.0};
+        GuideBench<SphereSolid> bench(sphere);
+        Guide axis = guideOf(GuideKind::axis);
+        axis.onSurface = true;
+        axis.lead = 0.2;
+        bench.use({axis, guideOf(GuideKind::surface, 0.0)});
+        const auto at = [](double angle) { return glm::dvec3(18 * std::sin(angle), 0, 18 * std::cos(angle) - 3); };
+        bench.feed(at(0.0));
+        for (int i = 0; i <= 1000; ++i) bench.feed(at(0.0005 * i));
+        const double angle = 0.5;
+        const glm::dvec3 normal(std::sin(angle), 0, std::cos(angle)), forward(std::cos(angle), 0, -std::sin(angle));
+        const glm::dvec3 expected = std::cos(0.2) * normal + std::sin(0.2) * forward;
+        // The way is seen over 0.5 mm of an arc of 18 mm.
+        QVERIFY(glm::length(bench.last.goal.axis - expected) < 0.01);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestGuideWays)
+#include "tst_guide_ways.moc"

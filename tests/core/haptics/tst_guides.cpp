@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/core/haptics/guide_bench.h"
+
+#include "core/base/units.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+constexpr int settled = 150; // ticks: longer than a guide fades
+
+glm::dvec3 up(double z) {
+    return {0.0, 0.0, z};
+}
+double random(double low, double high) {
+    return low + (high - low) *
+                     static_cast<double>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001))) * 1e-6;
+}
+glm::dvec3 randomPoint(double half) {
+    return {random(-half, half), random(-half, half), random(-half, half)};
+}
+glm::dvec3 randomDirection() {
+    for (;;) {
+        const glm::dvec3 way = randomPoint(1.0);
+        if (glm::length(way) > 0.1) return glm::normalize(way);
+    }
+}
+
+/// A circle of radius 20 about z, at a height, in many segments.
+GuideCurve circle(double height, int segments = 4000) {
+    std::vector<glm::dvec3> points, tangents;
+    for (int i = 0; i <= segments; ++i) {
+        const double angle = 2.0 * pi * i / segments;
+        points.emplace_back(20.0 * std::cos(angle), 20.0 * std::sin(angle), height);
+        tangents.emplace_back(-std::sin(angle), std::cos(angle), 0.0);
+    }
+    return *GuideCurve::make(points, tangents);
+}
+
+} // namespace
+
+class TestGuides : public QObject {
+    Q_OBJECT
+private slots:
+    void aPlaneTakesTheHandNearItAndKeepsTheToolOnIt() {
+        GuideBench<> bench(PlaneSolid{}, 1.0);
+        bench.use({planeGuide(up(50), up(1))});
+        bench.feed({0, 0, 52.5});
+        QCOMPARE(bench.rest(settled).held, 0U);
+        QCOMPARE(bench.last.goal.tip, bench.hand); // not near enough: the hand is free
+        bench.moveTo({10, 5, 51.9});
+        QCOMPARE(bench.rest(settled).held, 1U);
+        QVERIFY(glm::length(bench.last.goal.tip - glm::dvec3(10, 5, 50)) < 1e-9);
+        bench.moveTo({20, 5, 52.9}); // farther off than it was taken, but not pushed off
+        QVERIFY(std::abs(bench.rest(settled).goal.tip.z - 50.0) < 1e-9);
+        bench.moveTo({20, 5, 53.1});
+        QCOMPARE(bench.rest(settled).held, 0U);
+        QVERIFY(glm::length(bench.last.goal.tip - bench.hand) < 1e-12);
+    }
+
+    void distancesAreTheHandsOwnWhateverTheScale() {
+        GuideBench<> bench(PlaneSolid{}, 4.0); // 4 mm of the setup are one of the hand
+        bench.use({planeGuide(up(50), up(1))});
+        bench.feed(up(57));
+        QCOMPARE(bench.rest(settled).held, 1U);
+        bench.moveTo(up(61.5), 100.0);
+        QCOMPARE(bench.last.held, 1U);
+        bench.moveTo(up(62.5), 100.0);
+        QCOMPARE(bench.last.held, 0U);
+    }
+
+    void noGuideEverMakesGoalOrPullJump() {
+        QVERIFY(rc::check("they run no faster than the hand and guides that fade", [] {
+            GuideBench<> bench;
+            const GuideCurve curve = circle(50.0, 200);
+            Guide edge = guideOf(GuideKind::curve);
+            edge.curve = &curve;
+            bench.use({guideOf(GuideKind::levels, random(0.5, 8.0)), edge,
+                       planeGuide(randomPoint(10.0) + up(50), randomDirection()),
+                       planeGuide(randomPoint(10.0) + up(50), randomDirection())});
+            bench.feed(randomPoint(10.0) + up(50));
+            glm::dvec3 goal = bench.last.goal.tip, pull = bench.last.pull;
+            for (int leg = 0; leg < 12; ++leg) {
+                if (leg == 5) bench.guides.step(-1);
+                if (leg == 7) bench.use({edge, guideOf(GuideKind::levels, 2.0)});
+                const glm::dvec3 from = bench.hand, target = from + randomPoint(4.0);
+                for (int i = 1; i <= 100; ++i) {
+                    bench.feed(glm::mix(from, target, i / 100.0));
+                    const double moved = glm::length(target - from) / 100.0;
+                    // Own motion across guides that meet at sin 0.2, and 200 mm/s of a guide that fades.
+                    RC_ASSERT(glm::length(bench.last.goal.tip - goal) <= moved * (1.0 + 1.0 / 0.2) + 0.2 + 1e-9);
+                    // 1.8 mm that fade over 0.1 s, smoothly, of as many guides as hold at once.
+                    RC_ASSERT(glm::length(bench.last.pull - pull) <= 3.0 * (1.5 * moved + 0.027) + 1e-9);
+                    goal = bench.last.goal.tip;
+                    pull = bench.last.pull;
+                }
+            }
+        }));
+    }
+
+    void severalPlanesHoldTheToolWhereTheyMeet() {
+        QVERIFY(rc::check("the goal is the nearest point to the hand on all planes", [] {
+            const glm::dvec3 meeting = randomPoint(20.0) + up(60);
+            const glm::dvec3 first = randomDirection(), second = randomDirection();
+            RC_PRE(glm::length(glm::cross(first, second)) > 0.5);
+            GuideBench<> bench;
+            bench.use({planeGuide(meeting, first), planeGuide(meeting, second)});
+            const glm::dvec3 hand = meeting + randomPoint(0.8);
+            bench.feed(hand);
+            bench.rest(settled);
+            RC_ASSERT(bench.last.held == 3U);
+            const glm::dvec3 goal = bench.last.goal.tip, along = glm::normalize(glm::cross(first, second));
+            RC_ASSERT(std::abs(glm::dot(goal - meeting, first)) < 1e-9);
+            RC_ASSERT(std::abs(glm::dot(goal - meeting, second)) < 1e-9);
+            RC_ASSERT(std::abs(glm::dot(goal - hand, along)) < 1e-9); // what no plane holds is the hand's
+        }));
+    }
+
+    void threePlanesHoldAPoint() {
+        GuideBench<> bench;
+        bench.use(
+            {planeGuide({1, 2, 50}, {1, 0, 0}), planeGuide({1, 2, 50}, {0, 1, 0}), planeGuide({1, 2, 50}, up(1))});
+        bench.feed({2, 3, 51});
+        QVERIFY(glm::length(bench.rest(settled).goal.tip - glm::dvec3(1, 2, 50)) < 1e-9);
+        QCOMPARE(bench.last.held, 7U);
+    }
+
+    void ofGuidesThatContradictTheEarlierOneHolds() {
+        GuideBench<> bench;
+        const Guide high = planeGuide(up(51), up(1)), low = planeGuide(up(50), up(1));
+        bench.use({low, high});
+        bench.feed(up(50.9)); // nearer to the later one
+        bench.rest(settled);
+        QCOMPARE(bench.last.held, 1U);
+        QCOMPARE(bench.guides.news(1).is, GuideNews::Is::overruled);
+        QVERIFY(std::abs(bench.last.goal.tip.z - 50.0) < 1e-9);
+        // An earlier one that is switched on while a later one holds takes its place.
+        GuideSettings settings;
+        settings.guides[1] = high;
+        bench.guides.set(settings);
+        bench.rest(3 * settled);
+        QCOMPARE(bench.last.held, 2U);
+        QVERIFY(std::abs(bench.last.goal.tip.z - 51.0) < 1e-9);
+        bench.use({low, high});
+        bench.rest(3 * settled);
+        QCOMPARE(bench.last.held, 1U);
+        QVERIFY(std::abs(bench.last.goal.tip.z - 50.0) < 1e-9);
+    }
+
+    void levelsChangeAtSixTenthsOfTheirDistance() {
+        GuideBench<> bench;
+        Guide levels = guideOf(GuideKind::levels, 2.0);
+        levels.point = up(50);
+        bench.use({levels});
+        bench.feed(up(50.1));
+        QVERIFY(std::abs(bench.rest(settled).goal.tip.z - 50.0) < 1e-9);
+        bench.moveTo(up(48.85)); // past the middle
+        QVERIFY(std::abs(bench.rest(2 * settled).goal.tip.z - 50.0) < 1e-9);
+        bench.moveTo(up(48.75)); // past six tenths
+        QVERIFY(std::abs(bench.rest(3 * settled).goal.tip.z - 48.0) < 1e-9);
+        QCOMPARE(bench.guides.news(0).level, -1);
+        bench.moveTo(up(49.15));
+        QVERIFY(std::abs(bench.rest(3 * settled).goal.tip.z - 48.0) < 1e-9);
+        bench.moveTo(up(49.3));
+        QVERIFY(std::abs(bench.rest(3 * settled).goal.tip.z - 50.0) < 1e-9);
+    }
+
+    void aButtonTakesTheNextLevelBelow() {
+        GuideBench<> bench;
+        Guide levels = guideOf(GuideKind::levels, 5.0);
+        levels.point = up(50);
+        GuideSettings settings;
+        settings.guides[0] = levels;
+        settings.stepButton = 2;
+        bench.guides.set(settings);
+        bench.feed(up(50.5));
+        bench.rest(settled);
+        bench.buttons = 2;
+        bench.rest(3 * settled); // held down: one level only
+        QVERIFY(std::abs(bench.last.goal.tip.z - 45.0) < 1e-9);
+        QVERIFY(bench.last.pull.z < -1.0); // and the hand is drawn there
+        bench.moveTo(up(45.5));
+        bench.buttons = 0;
+        QVERIFY(std::abs(bench.rest(settled).goal.tip.z - 45.0) < 1e-9);
+        bench.moveTo(up(48.2)); // pushed off as ever: the level above takes it
+        QVERIFY(std::abs(bench.rest(3 * settled).goal.tip.z - 50.0) < 1e-9);
+    }
+
+    void aLineLeavesTheWayAlongItFree() {
+        QVERIFY(rc::check("the goal is the hand's projection", [] {
+            Guide line = guideOf(GuideKind::line);
+            line.point = randomPoint(20.0) + up(60);
+            line.direction = randomDirection();
+            GuideBench<> bench;
+            bench.use({line});
+            const glm::dvec3 start = line.point + line.direction * random(-20.0, 20.0) + randomPoint(0.9);
+            bench.feed(start);
+            bench.moveTo(start + line.direction * 5.0);
+            bench.rest(settled);
+            const glm::dvec3 away = bench.hand - line.point;
+            const glm::dvec3 onLine = line.point + line.direction * glm::dot(away, line.direction);
+            RC_ASSERT(glm::length(bench.last.goal.tip - onLine) < 1e-9);
+            RC_ASSERT(std::abs(glm::dot(bench.last.pull, line.direction)) < 1e-9);
+        }));
+    }
+
+    void anEdgeOfThePartIsFollowed() {
+        const GuideCurve curve = circle(50.0);
+        Guide edge = guideOf(GuideKind::curve);
+        edge.curve = &curve;
+        GuideBench<> bench;
+        bench.use({edge});
+        bench.feed({21, 0, 51});
+        bench.rest(settled);
+        QCOMPARE(bench.last.held, 1U);
+        double worst = 0.0;
+        for (int i = 0; i <= 3000; ++i) { // one and a half turns, over the joint
+            const double angle = 3.0 * pi * i / 3000;
+            bench.feed({21 * std::cos(angle), 21 * std::sin(angle), 51});
+            const glm::dvec3 nearest(20 * std::cos(angle), 20 * std::sin(angle), 50);
+            worst = std::max(worst, glm::length(bench.last.goal.tip - nearest));
+        }
+        // 4000 chords: 6e-6 mm from the circle; within one, a chord's slope moves the foot by 1.4 mm · 0.8e-3.
+        QVERIFY2(worst < 2e-3, qPrintable(QString::number(worst)));
+    }
+
+    void aBranchThatComesNearDoesNotTakeTheHandAway() {
+        // Two long straights, 1.2 mm apart, joined far away: a hairpin.
+        const GuideCurve curve = *GuideCurve::make({{0, 0, 50}, {100, 0, 50}, {100, 1.2, 50}, {0, 1.2, 50}},
+                                                   {{1, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, 0, 0}});
+        Guide edge = guideOf(GuideKind::curve);
+        edge.curve = &curve;
+        GuideBench<> bench;
+        bench.use({edge});
+        bench.feed({30, 0.1, 50});
+        bench.rest(settled);
+        bench.moveTo({40, 1.1, 50}); // nearer to the other branch
+        QVERIFY(glm::length(bench.rest(settled).goal.tip - glm::dvec3(40, 0, 50)) < 1e-9);
+    }
+
+    void anOpenEdgeEndsWhereItEnds() {
+        const GuideCurve curve = *GuideCurve::make({{0, 0, 50}, {10, 0, 50}}, {{1, 0, 0}, {1, 0, 0}});
+        Guide edge = guideOf(GuideKind::curve);
+        edge.curve = &curve;
+        GuideBench<> bench;
+        bench.use({edge});
+        bench.feed({9, 0.5, 50});
+        bench.rest(settled);
+        bench.moveTo({12, 0.5, 50});
+        QVERIFY(glm::length(bench.rest(settled).goal.tip - glm::dvec3(10, 0, 50)) < 1e-9);
+        bench.moveTo({13.1, 0.5, 50});
+        QCOMPARE(bench.rest(settled).held, 0U);
+    }
+
+    void theToolKeepsItsDistanceFromThePart() {
+        QVERIFY(rc::check("clearance is the guide's distance, at the nearest such place", [] {
+            const SphereSolid sphere{15.0};
+            GuideBench<SphereSolid> bench(sphere);
+            const double offset = random(0.0, 2.0);
+            bench.use({guideOf(GuideKind::surface, offset)});
+            const glm::dvec3 start = randomDirection() * (18.0 + offset + random(-1.5, 1.5));
+            bench.feed(start - up(3.0)); // centre to tip
+            bench.rest(settled);
+            RC_ASSERT(bench.last.held == 1U);
+            for (int leg = 0; leg < 4; ++leg) {
+                const glm::dvec3 centre = bench.hand + up(3.0);
+                const glm::dvec3 next = glm::normalize(centre + randomPoint(4.0)) * (18.0 + offset + random(-1.5, 1.5));
+                bench.moveTo(next - up(3.0));
+                const glm::dvec3 nearest = glm::normalize(bench.hand + up(3.0)) * (18.0 + offset) - up(3.0);
+                RC_ASSERT(std::abs(bench.field.clearance(bench.last.goal.tip) - offset) < 1e-3);
+                RC_ASSERT(glm::length(bench.last.goal.tip - nearest) < 0.02);
+            }
+        }));
+    }
+
+    void aSurfaceGuideSettlesInAPocketsCorner() {
+        const PocketSolid pocket;
+        GuideBench<PocketSolid> bench(pocket);
+        bench.use({guideOf(GuideKind::surface, 0.5)});
+        bench.feed({0, 0, -10.5}); // a millimetre too deep
+        bench.rest(settled);
+        QCOMPARE(bench.last.held, 1U);
+        bench.moveTo({5.2, 3.2, -10.2}, 20.0); // into the corner of floor and two walls
+        bench.rest(settled);
+        QVERIFY(glm::length(bench.last.goal.tip - glm::dvec3(4.5, 2.5, -9.5)) < 1e-2);
+    }
+
+    void aPlaneAndTheSurfaceGiveAContour() {
+        const SphereSolid sphere{15.0};
+        GuideBench<SphereSolid> bench(sphere);
+        bench.use({planeGuide(up(2.0), up(1)), guideOf(GuideKind::surface, 1.0)});
+        const double ring = std::sqrt(19.0 * 19.0 - 5.0 * 5.0); // of the ball's centre at z = 2 + 3
+        bench.feed({ring + 0.5, 0, 2.8});
+        bench.rest(settled);
+        QCOMPARE(bench.last.held, 3U);
+        for (int i = 0; i <= 500; ++i) {
+            const double angle = 0.002 * i;
+            bench.feed({(ring + 0.5) * std::cos(angle), (ring + 0.5) * std::sin(angle), 2.8});
+            QVERIFY(std::abs(bench.last.goal.tip.z - 2.0) < 1e-6);
+            QVERIFY(std::abs(bench.field.clearance(bench.last.goal.tip) - 1.0) < 1e-4);
+        }
+    }
+
+    void thePullIsAFadingMagnets() {
+        GuideBench<> bench;
+        bench.use({planeGuide(up(50), up(1))});
+        const double strongest = 0.5 * 2.4 / 240.0 * 1000.0; // half the force over the spring
+        bench.feed(up(50));
+        bench.rest(settled);
+        for (double z = -2.99; z < 3.0; z += 0.05) {
+            bench.moveTo(up(50.0 + z), 20.0);
+            QVERIFY(std::abs(bench.last.pull.z + std::copysign(pullAt(std::abs(z), strongest), z)) < 1e-9);
+        }
+    }
+
+    void aDamagedGuideIsRefused() {
+        QVERIFY(checkGuide(planeGuide({}, up(1))));
+        Guide guide = planeGuide({}, up(1));
+        guide.direction = up(2);
+        QCOMPARE(checkGuide(guide).error().code, ErrorCode::argumentInvalid);
+        guide = guideOf(GuideKind::levels, 0.0);
+        QCOMPARE(checkGuide(guide).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(checkGuide(guideOf(GuideKind::curve)).error().code, ErrorCode::argumentInvalid);
+        guide = guideOf(GuideKind::axis);
+        guide.lead = std::nan("");
+        QCOMPARE(checkGuide(guide).error().code, ErrorCode::argumentInvalid);
+        QVERIFY(!GuideCurve::make({{0, 0, 0}, {0, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}));
+        QVERIFY(!GuideCurve::make({{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {0, 0, 0}}));
+        QVERIFY(!GuideCurve::make({{0, 0, 0}}, {{1, 0, 0}}));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestGuides)
+#include "tst_guides.moc"

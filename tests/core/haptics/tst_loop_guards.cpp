@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/loop_clock.h"
+#include "core/haptics/servo_loop.h"
+#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/own_stylus.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <thread>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+void waitFor(double seconds) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+/// Motors that somebody else may cut.
+struct Motors {
+    std::atomic<double> force{0.0};     ///< N, that they render
+    std::atomic<std::int64_t> cutAt{0}; ///< ns
+    std::atomic<int> cuts{0};
+    void cut() noexcept {
+        force = 0.0;
+        cutAt = now();
+        ++cuts;
+    }
+};
+
+/// The floor of `stockOnPart` as a hand presses into it by a millimetre, all the time.
+StylusState pressing(double time) {
+    StylusState state;
+    state.time = time;
+    state.pose.position = {0.0, 0.0, std::max(floorHeight - 1.0, 2.0 - 400.0 * time)};
+    state.valid = true;
+    return state;
+}
+
+/// What a test does at one reading.
+struct Trick {
+    int at = -1;         ///< reading, from 0
+    double blocks = 0.0; ///< s, before the reading
+    void play(int reading) const {
+        if (reading == at) waitFor(blocks);
+    }
+};
+
+/// A stylus that the loop calls.
+class CalledStylus final : public Stylus {
+public:
+    explicit CalledStylus(Motors& motors, Trick trick = {}) : motors_(motors), trick_(trick) {}
+    StylusDescription description() const override { return desktopStylus(); }
+    Result<void> open() override { return {}; }
+    void close() noexcept override {}
+    void cutMotors() noexcept override { motors_.cut(); }
+    StylusState read(double time) noexcept override {
+        trick_.play(readings_++);
+        return pressing(time);
+    }
+    void write(const Wrench& wrench) noexcept override { motors_.force = glm::length(wrench.force); }
+
+private:
+    Motors& motors_;
+    Trick trick_;
+    int readings_ = 0;
+};
+
+/// A stylus with a clock of its own, whose hand presses.
+std::unique_ptr<OwnStylus> ownStylus(Motors& motors, Trick trick = {}) {
+    StylusDescription description = desktopStylus();
+    description.rate = {1000.0, "made up"};
+    return std::make_unique<OwnStylus>(
+        description,
+        [trick](double time, int reading) {
+            trick.play(reading);
+            return pressing(time);
+        },
+        [&motors](const Wrench& wrench) { motors.force = glm::length(wrench.force); }, [&motors] { motors.cut(); });
+}
+
+/// Keeps all that a loop tells.
+class Log final : public TickSink {
+public:
+    Log() {
+        samples.reserve(4000);
+        timings.reserve(4000);
+    }
+    AtEdge edge() noexcept override { return samples.size() < 4000 ? AtEdge::tick : AtEdge::full; }
+    void tick(const Sample& sample, const TickTiming& timing) noexcept override {
+        samples.push_back(sample);
+        timings.push_back(timing);
+    }
+    std::vector<Sample> samples;
+    std::vector<TickTiming> timings;
+};
+
+/// A field that keeps whoever asks it waiting once.
+class BlockingField final : public ClearanceField {
+public:
+    FieldSample at(const glm::dvec3& tip) const noexcept override {
+        if (blocks.exchange(false)) {
+            blockedAt = now();
+            waitFor(seconds);
+        }
+        return field_.at(tip);
+    }
+    double errorBound() const noexcept override { return field_.errorBound(); }
+    double spacing() const noexcept override { return field_.spacing(); }
+
+    mutable std::atomic<bool> blocks{false};
+    mutable std::atomic<std::int64_t> blockedAt{0};
+    double seconds = 0.0;
+
+private:
+    FloorField field_{FloorSolid{}, 3.0};
+};
+
+struct Alarm final : LoopAlarm {
+    void loopDied() noexcept override { ++deaths; }
+    std::atomic<int> deaths{0};
+};
+
+enum class Kind { called, own };
+
+/// Runs a loop over a stylus of a kind until its hand has pressed for a while.
+struct LoopRun {
+    LoopRun(Kind kind, Trick trick, double seconds, double rampSeconds = 0.0) {
+        HapticSettings haptic = Bench::settings();
+        haptic.rampSeconds = rampSeconds;
+        Bench bench(haptic);
+        CalledStylus called(motors, trick);
+        const auto own = ownStylus(motors, trick);
+        ServoSettings settings;
+        settings.maximumSeconds = seconds;
+        const StylusHandle stylus = kind == Kind::called ? StylusHandle(called) : StylusHandle(*own);
+        const Result<LoopStatistics> result = runServoLoop(stylus, bench.step, log, settings, stop);
+        if (result) statistics = *result;
+    }
+    /// The tick whose reading was kept waiting.
+    std::size_t afterGap(double atLeast) const {
+        for (std::size_t i = 1; i < log.timings.size(); ++i)
+            if (log.timings[i].over - log.timings[i - 1].over >= nanoseconds(atLeast)) return i;
+        return 0;
+    }
+    Motors motors;
+    Log log;
+    std::atomic<bool> stop{false};
+    LoopStatistics statistics;
+};
+
+} // namespace
+
+/// What a loop does about time, whoever keeps it. Where a bound of time is stated, it is one that a busy machine can
+/// only make longer, or one that what was done is measured against.
+class TestLoopGuards : public QObject {
+    Q_OBJECT
+private slots:
+    /// The force is what the call returns that brought the pose.
+    void aSelfPacedStylusIsAnsweredInItsOwnCall() {
+        const LoopRun run(Kind::own, {}, 0.5);
+        QCOMPARE(run.statistics.ticks, std::uint64_t{run.log.samples.size()});
+        QVERIFY(run.log.samples.size() > 10);
+        double pressed = 0.0;
+        for (std::size_t i = 0; i < run.log.samples.size(); ++i) {
+            const Sample& sample = run.log.samples[i];
+            pressed = std::max(pressed, glm::length(sample.force));
+            QCOMPARE(sample.tick, std::uint64_t{i});
+            QCOMPARE(sample.device.position, run.log.timings[i].reading.pose.position);
+        }
+        QVERIFY(pressed > 0.2);                 // N: 1 mm into the floor
+        QCOMPARE(run.motors.force.load(), 0.0); // and nothing is left of it
+        QVERIFY(run.statistics.simulatedSeconds >= 0.499);
+    }
+
+    void aFullSinkEndsASelfPacedLoopToo() {
+        struct Full final : TickSink {
+            AtEdge edge() noexcept override { return ticks < 20 ? AtEdge::tick : AtEdge::full; }
+            void tick(const Sample&, const TickTiming&) noexcept override { ++ticks; }
+            int ticks = 0;
+        } sink;
+        Bench bench;
+        Motors motors;
+        const auto stylus = ownStylus(motors);
+        const std::atomic<bool> stop{false};
+        const auto result = runServoLoop(*stylus, bench.step, sink, {}, stop);
+        QVERIFY(!result);
+        QCOMPARE(result.error().code, ErrorCode::recordingOverflow);
+        QCOMPARE(sink.ticks, 20);
+        const auto fast = runServoLoop(*stylus, bench.step, sink, {.pace = Pace::fast}, stop);
+        QCOMPARE(fast.error().code, ErrorCode::argumentInvalid);
+    }
+
+    void aForceThatComesTooLateIsWithheld_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<double>("gap");
+        QTest::addColumn<bool>("fadesIn");
+        for (const auto& [name, kind] : {std::pair{"called", Kind::called}, {"self-paced", Kind::own}}) {
+            QTest::addRow("%s, 5 ms", name) << int(kind) << 0.005 << false;
+            QTest::addRow("%s, 20 ms", name) << int(kind) << 0.020 << true;
+        }
+    }
+    /// Three milliseconds: no force in that tick, and it is counted. Ten: forces fade in again.
+    void aForceThatComesTooLateIsWithheld() {
+        QFETCH(int, kind);
+        QFETCH(double, gap);
+        QFETCH(bool, fadesIn);
+        constexpr double ramp = 0.05;
+        const LoopRun run(static_cast<Kind>(kind), {150, gap}, 0.5, ramp);
+        const std::size_t late = run.afterGap(gap);
+        QVERIFY(late > 0 && late + 1 < run.log.samples.size());
+        QCOMPARE(run.log.samples[late].force, glm::dvec3(0.0));
+        QVERIFY((run.log.samples[late].flags & sampleForcesOff) != 0);
+        QVERIFY(run.statistics.late >= 1);
+        QVERIFY(run.log.timings.back().late >= 1);
+        if (!fadesIn) return;
+        // The step hears of a gap with the reading after it.
+        bool told = false;
+        for (std::size_t i = late; i < std::min(late + 3, run.log.samples.size()); ++i)
+            told = told || run.log.timings[i].fault == TickFault::stalled;
+        QVERIFY(told);
+        const std::size_t faded = std::min(late + 5, run.log.samples.size() - 1);
+        QVERIFY((run.log.samples[faded].flags & sampleForcesOff) != 0);
+    }
+
+    void aStepThatHangsCostsTheMotors_data() {
+        QTest::addColumn<int>("kind");
+        QTest::newRow("called") << int(Kind::called);
+        QTest::newRow("self-paced") << int(Kind::own);
+    }
+    /// 60 ms are what the figure `stop.ms` allows on a quiet machine; a busy one may give the watchdog its turn later.
+    /// Here they are shown to be off long before the step is over.
+    void aStepThatHangsCostsTheMotors() {
+        QFETCH(int, kind);
+        BlockingField field;
+        field.seconds = 1.5;
+        RunVolume volume = stockOnPart();
+        HapticStep step(volume, field, ballTool(), Bench::settings());
+        Motors motors;
+        CalledStylus called(motors);
+        const auto own = ownStylus(motors);
+        Log log;
+        Alarm alarm;
+        std::atomic<bool> stop{false};
+        ServoSettings settings;
+        settings.alarm = &alarm;
+        Result<LoopStatistics> result = LoopStatistics{};
+        std::thread loop([&] {
+            const StylusHandle stylus = kind == int(Kind::called) ? StylusHandle(called) : StylusHandle(*own);
+            result = runServoLoop(stylus, step, log, settings, stop);
+        });
+        const auto until = now() + nanoseconds(20.0);
+        while (motors.force < 0.2 && now() < until) waitFor(0.001);
+        QVERIFY(motors.force >= 0.2);
+        const int before = motors.cuts;
+        field.blocks = true;
+        while (motors.cuts == before && now() < until) waitFor(0.0005);
+        const std::int64_t cutAt = motors.cutAt, blockedAt = field.blockedAt;
+        QCOMPARE(motors.force.load(), 0.0);
+        QVERIFY2(seconds(cutAt - blockedAt) < 1.0, qPrintable(QString::number(seconds(cutAt - blockedAt))));
+        QVERIFY(seconds(cutAt - blockedAt) > 0.040); // not at the first hiccup
+        waitFor(0.2);
+        QCOMPARE(motors.force.load(), 0.0);       // and off they stay
+        QCOMPARE(motors.cuts.load(), before + 1); // told once
+        // Then the step goes on: what it had worked out is not sent, and forces come back.
+        while (motors.force < 0.2 && now() < until) waitFor(0.001);
+        stop = true;
+        loop.join();
+        QVERIFY(result.hasValue());
+        QVERIFY(result->cuts >= 1 && alarm.deaths == int(result->cuts));
+        QVERIFY(result->cutSeconds >= 0.050 && result->cutSeconds < 1.0);
+        std::size_t after = 0;
+        for (std::size_t i = 1; i < log.timings.size(); ++i)
+            if (log.timings[i].over >= blockedAt + nanoseconds(1.4) && after == 0) after = i;
+        QVERIFY(after > 0);
+        QCOMPARE(log.samples[after].force, glm::dvec3(0.0));
+        QVERIFY((log.samples[after].flags & sampleForceLate) != 0);
+    }
+
+    /// Nobody is to be alarmed by a loop that stands because it was asked to, or by a device that is away.
+    void aLoopThatStandsIsNotDead() {
+        struct Standing final : TickSink {
+            AtEdge edge() noexcept override { return ticks == 20 && edges++ < 150 ? AtEdge::stand : AtEdge::tick; }
+            void tick(const Sample&, const TickTiming& timing) noexcept override {
+                if (++ticks == 21) firstInterval = timing.interval;
+            }
+            int ticks = 0, edges = 0;
+            std::int64_t firstInterval = -1;
+        } sink;
+        Bench bench;
+        Motors motors;
+        CalledStylus stylus(motors);
+        const std::atomic<bool> stop{false};
+        ServoSettings settings;
+        settings.maximumSeconds = 0.4;
+        const auto result = runServoLoop(stylus, bench.step, sink, settings, stop);
+        QVERIFY(result.hasValue());
+        QCOMPARE(sink.firstInterval, std::int64_t{0}); // standing is no gap
+    }
+
+    void theStatisticsTellTheIntervals() {
+        const LoopRun run(Kind::called, {}, 0.3);
+        const LoopStatistics& s = run.statistics;
+        QVERIFY(s.intervalP50 > 0.0 && s.intervalP50 <= s.intervalP99 && s.intervalP99 <= s.intervalP999);
+        QVERIFY(s.intervalP999 <= s.intervalMaximum);
+        // The mean of all intervals is the time between the first and the last force.
+        std::int64_t sum = 0;
+        for (const TickTiming& timing : run.log.timings) sum += timing.interval;
+        QCOMPARE(sum, run.log.timings.back().over - run.log.timings.front().over);
+    }
+
+    /// Slower devices are not late with each of their ticks.
+    void limitsOfGapsGoWithThePeriod() {
+        QCOMPARE(gapLimits(0.001).late, 0.003);
+        QCOMPARE(gapLimits(0.001).stalled, 0.010);
+        QCOMPARE(gapLimits(0.00025).late, 0.003);
+        QCOMPARE(gapLimits(0.00025).dead, 0.050);
+        QCOMPARE(gapLimits(0.01).late, 0.03);
+        QVERIFY(gapLimits(0.01).dead >= gapLimits(0.01).stalled);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLoopGuards)
+#include "tst_loop_guards.moc"
