@@ -20,21 +20,6 @@ namespace {
 const glm::dvec3 upright(0.0, 0.0, 1.0);
 const glm::dvec3 chosenAxis = glm::normalize(glm::dvec3(0.35, -0.2, 0.9));
 
-/// A field with the frame that owns it.
-class OwnedField final : public PoseBoundary {
-public:
-    explicit OwnedField(std::unique_ptr<const ClearanceField> field) : field_(std::move(field)), boundary_(*field_) {}
-    PoseSample at(const ToolPose& pose, double enough) noexcept override { return boundary_.at(pose, enough); }
-    double errorBound() const noexcept override { return boundary_.errorBound(); }
-    double spacing() const noexcept override { return boundary_.spacing(); }
-    double overlap() const noexcept override { return boundary_.overlap(); }
-    double reach() const noexcept override { return boundary_.reach(); }
-
-private:
-    std::unique_ptr<const ClearanceField> field_;
-    FixedAxisBoundary boundary_;
-};
-
 std::vector<glm::dvec3> alongEdges(const glm::dvec3& low, const glm::dvec3& high) {
     std::vector<glm::dvec3> points;
     for (int axis = 0; axis < 3; ++axis)
@@ -226,7 +211,7 @@ BoundaryLayers pushBackLayers(const PushBackScene& scene, const Tool& tool, Push
         if (!built) std::abort();
         field = std::make_unique<TurnedField>(std::move(*built));
     }
-    return BoundaryLayers(std::make_unique<OwnedField>(std::move(field)));
+    return BoundaryLayers(std::make_unique<FixedAxisBoundary>(std::move(field)));
 }
 
 PushBackFigures measurePushBack(const PushBackScene& scene, const Tool& tool, BoundaryLayers& layers,
