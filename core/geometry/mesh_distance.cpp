@@ -136,7 +136,7 @@ public:
 
     ClosestPoint closest(const glm::dvec3& point, double within) const noexcept {
         if (empty()) within = std::numeric_limits<double>::infinity();
-        const Found found = empty() ? Found{} : nearest(point, within);
+        const Found found = empty() || !isFinite(point) ? Found{} : nearest(point, within);
         if (!found.any) return {point, within, within, 0, glm::dvec3(0.0)};
         return signedAnswer(found, point);
     }
@@ -174,7 +174,7 @@ public:
     ToolClearance clearance(std::span<const RevolvedPiece> tool, ToolPose pose, double within,
                             const ClearanceTolerance& tie, ClearanceMemory* memory) const noexcept {
         const ToolClearance free{within, pose.tip, pose.axis, 0, glm::dvec3(0.0)};
-        if (empty() || tool.empty()) return free;
+        if (empty() || tool.empty() || !isFinite(pose.tip) || !isFinite(pose.axis)) return free;
         pose.axis = unitOr(pose.axis, {0.0, 0.0, 1.0});
 
         ToolClearance answer = free;

@@ -59,7 +59,7 @@ public:
     MeshDistance& operator=(MeshDistance&&) noexcept;
 
     /// @param within stop looking beyond this distance, mm. Where there is nothing nearer, distance and signedDistance
-    /// are `within` (the sign is not known then), the point is the asked one.
+    /// are `within` (the sign is not known then), the point is the asked one; so for a point that is not finite.
     ClosestPoint closest(const glm::dvec3& point, double within = 1e300) const;
 
     /// Triangles by numbers of this object's own, for `closestOf`: all that are no farther than `within` from a point,
@@ -72,7 +72,8 @@ public:
     /// Apart or touching: the distance between tool and mesh. Otherwise minus the greater of two depths: of the mesh's
     /// deepest point in a piece, and in the solid of the deepest of the axis' points (ends of the pieces, centres of
     /// their roundings). So it changes no faster than the tool moves. Exact to 1e-6 mm for every piece.
-    /// Clearances above `within` are answered as `within`; meshPoint is the tip and away the axis then.
+    /// Clearances above `within` are answered as `within`; meshPoint is the tip and away the axis then. A pose that is
+    /// not finite touches nothing.
     /// @param tolerance  mm: by so much the answer may be too great, which is quicker where much of the mesh is equally
     /// near or deep
     ToolClearance clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within = 1e300,

@@ -5,6 +5,9 @@
 #include "core/field/tool_field.h"
 #include "core/haptics/pose_boundary.h"
 
+#include <memory>
+#include <utility>
+
 namespace burin {
 
 /// A field over tips as a boundary: the tool has the axis that the field was made for.
@@ -12,6 +15,9 @@ class FixedAxisBoundary final : public PoseBoundary {
 public:
     /// @param field outlives the object
     explicit FixedAxisBoundary(const ClearanceField& field) noexcept : field_(&field) {}
+    /// @param field never null; goes with the object
+    explicit FixedAxisBoundary(std::unique_ptr<const ClearanceField> field) noexcept
+        : owned_(std::move(field)), field_(owned_.get()) {}
 
     PoseSample at(const ToolPose& pose, double) noexcept override {
         const FieldSample sample = field_->at(pose.tip);
@@ -23,6 +29,7 @@ public:
     double reach() const noexcept override { return 0.0; }
 
 private:
+    std::unique_ptr<const ClearanceField> owned_;
     const ClearanceField* field_;
 };
 

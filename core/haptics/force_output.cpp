@@ -26,6 +26,7 @@ PassivityController::Settings controllerSettings(const HapticSettings& settings,
 ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     : coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
     , guideSpring_(couplingGains(settings.stylus, settings.guideShare, settings.tickPeriod), settings.mapping.scale)
+    , turnCoupling_(settings)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
     , passivity_(controllerSettings(settings, coupling_.stiffness()))
     , limiter_(settings.maximumForce(), coupling_.stiffness(), settings.tickPeriod)
@@ -38,12 +39,15 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
     for (Coupling* spring : {&coupling_, &guideSpring_}) spring->setScale(hand.mapping.scale);
     cuttingRendering_.setWorkspaceScale(hand.mapping.scale);
     const glm::dvec3 inDevice = hand.mapping.directionToDevice(wanted(motion, cutting, hand, guided, period));
-    if (hand.reading == Reading::late || !isFinite(inDevice)) {
+    const glm::dvec3 turn = hand.clutched ? glm::dvec3(0.0) : motion.turnBehind;
+    const glm::dvec3 turning = hand.mapping.directionToDevice(turnCoupling_.torque(turn));
+    if (hand.reading == Reading::late || !isFinite(inDevice) || !isFinite(turning)) {
         none(hand.reading != Reading::late, sample);
         return;
     }
     const glm::dvec3 passive = passivity_(inDevice, hand, period);
     wrench_.force = limiter_(passive) * ramp_.weight();
+    wrench_.torque = turning * ramp_.weight();
     passivity_.sent(wrench_.force);
     sample.force = hand.mapping.directionToSetup(wrench_.force);
     if (limiter_.saturated() && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
@@ -80,6 +84,7 @@ void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
     wrench_ = {};
     sample.force = glm::dvec3(0.0);
     sample.flags |= sampleForcesOff;
+    turnCoupling_.reset();
     limiter_.reset();
     passivity_.reset();
     if (fadesIn) fadeIn();
@@ -87,6 +92,7 @@ void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
 
 void ForceOutput::fadeIn() noexcept {
     wrench_ = {};
+    turnCoupling_.reset();
     limiter_.reset();
     passivity_.reset();
     ramp_.restart();

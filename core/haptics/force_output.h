@@ -11,6 +11,7 @@
 #include "core/haptics/motion_estimator.h"
 #include "core/haptics/passivity_controller.h"
 #include "core/haptics/tool_motion.h"
+#include "core/haptics/turn_coupling.h"
 #include "core/recording/sample.h"
 
 namespace burin {
@@ -43,6 +44,7 @@ private:
                       double period) noexcept;
 
     Coupling coupling_, guideSpring_;
+    TurnCoupling turnCoupling_;
     CuttingForceRendering cuttingRendering_;
     PassivityController passivity_;
     ForceLimiter limiter_;

@@ -17,9 +17,9 @@ constexpr double smallestStep = 1e-5;        // mm; a shorter one is rest
 constexpr double smallestTurn = 1e-8;        // rad
 constexpr double smallestImprovement = 1e-9; // mm
 constexpr double usableGradient = 0.2;       // below it (a medial axis) the direction is noise
-constexpr int mostLooks = 24;                // at the boundary in one tick, before the whole way is looked at
+constexpr int mostLooks = 20;                // at the boundary in one tick, before the whole way is looked at
 constexpr int chordSamples = 128;
-constexpr int mostBacktracks = 4;
+constexpr int mostBacktracks = 3;
 /// What a turn counts in strides: between two looks the farthest point moves by half a spacing at most.
 constexpr double turnShare = 0.5;
 constexpr double sightInSpacings = 8.0;   // so far ahead clearances are asked for
@@ -114,8 +114,8 @@ PoseVector Way::shortened(const PoseVector& offset, double most, double turnWeig
     const double whole = motion(offset, turnWeight), travel = glm::length(offset.move);
     const double turn = glm::length(offset.turn);
     double part = whole > most ? most / whole : 1.0;
-    if (part * travel > travelLeft_) part = travelLeft_ / travel;
-    if (part * turn > turnLeft_ * turnLength_) part = turnLeft_ * turnLength_ / turn;
+    if (travel > 0.0 && part * travel > travelLeft_) part = travelLeft_ / travel;
+    if (turn > 0.0 && part * turn > turnLeft_ * turnLength_) part = turnLeft_ * turnLength_ / turn;
     return part < 1.0 ? offset * part : offset;
 }
 
@@ -219,7 +219,7 @@ bool Way::shorten(const PoseVector& offset) noexcept {
 
 bool Way::acceptable(const ToolPose& pose, const PoseSample& sample) noexcept {
     if (!(gap(sample) >= 0.0)) return false;
-    if (length(between(pose, goal_)) > length(rest()) - smallestImprovement) return false;
+    if (!(length(between(pose, goal_)) <= length(rest()) - smallestImprovement)) return false;
     if (glm::length(pose.tip - pose_.tip) > travelLeft_ * (1.0 + 1e-12)) return false;
     if (turnLength_ > 0.0 && glm::length(turnBetween(pose_.axis, pose.axis)) > turnLeft_ * (1.0 + 1e-12)) return false;
     if (glm::length(pose.tip - start_) > room_) return false;
@@ -228,8 +228,8 @@ bool Way::acceptable(const ToolPose& pose, const PoseSample& sample) noexcept {
 
 bool Way::accept(const ToolPose& pose, const PoseSample& sample) noexcept {
     planes_.moveOrigin(between(pose_, pose), gap(sample));
-    travelLeft_ -= glm::length(pose.tip - pose_.tip);
-    turnLeft_ -= glm::length(turnBetween(pose_.axis, pose.axis));
+    travelLeft_ = std::max(0.0, travelLeft_ - glm::length(pose.tip - pose_.tip));
+    turnLeft_ = std::max(0.0, turnLeft_ - glm::length(turnBetween(pose_.axis, pose.axis)));
     pose_ = pose;
     sample_ = sample;
     vertices_[static_cast<std::size_t>(vertexCount_++)] = pose;

@@ -12,7 +12,10 @@ namespace burin {
 namespace {
 
 constexpr double voxelsPerTick = 6.0; // of travel, at least
-constexpr double voxelsOfRoom = 2.0;  // that a tip makes in a tick for an axis
+/// The same where the axis is free: each look at the boundary is dearer there, and a tool that was held and comes free
+/// has time to catch up.
+constexpr double voxelsPerTickFree = 2.0;
+constexpr double voxelsOfRoom = 2.0; // that a tip makes in a tick for an axis
 constexpr int parkingSamples = 256;
 
 bool rendersTorque(const StylusDescription& stylus) noexcept {
@@ -38,7 +41,7 @@ ToolMover::ToolMover(BoundaryLayers& layers, const Tool& tool, const Grid& grid,
     , turnLengthAtScale1_(turnLength(settings))
     , room_(voxelsOfRoom * grid.edge())
     , topOfWorkpiece_(grid.box().high.z)
-    , slowestTravel_(voxelsPerTick * grid.edge() / settings.tickPeriod)
+    , slowestTravel_((settings.axis.free ? voxelsPerTickFree : voxelsPerTick) * grid.edge() / settings.tickPeriod)
     , handSpeed_(settings.stylus.maximumSpeed.value)
     , longestPeriod_(ReadingGuard::lateTicks * settings.tickPeriod)
     , brake_(tool.cutter, grid)

@@ -20,21 +20,6 @@ namespace {
 const glm::dvec3 upright(0.0, 0.0, 1.0);
 const glm::dvec3 chosenAxis = glm::normalize(glm::dvec3(0.35, -0.2, 0.9));
 
-/// A field with the frame that owns it.
-class OwnedField final : public PoseBoundary {
-public:
-    explicit OwnedField(std::unique_ptr<const ClearanceField> field) : field_(std::move(field)), boundary_(*field_) {}
-    PoseSample at(const ToolPose& pose, double enough) noexcept override { return boundary_.at(pose, enough); }
-    double errorBound() const noexcept override { return boundary_.errorBound(); }
-    double spacing() const noexcept override { return boundary_.spacing(); }
-    double overlap() const noexcept override { return boundary_.overlap(); }
-    double reach() const noexcept override { return boundary_.reach(); }
-
-private:
-    std::unique_ptr<const ClearanceField> field_;
-    FixedAxisBoundary boundary_;
-};
-
 std::vector<glm::dvec3> alongEdges(const glm::dvec3& low, const glm::dvec3& high) {
     std::vector<glm::dvec3> points;
     for (int axis = 0; axis < 3; ++axis)
@@ -175,7 +160,7 @@ PushBackScene partPushBackScene(std::string name, const TriangleMesh& mesh) {
     Box region = box.grown(1.0);
     region.low.z = middle.z;
     PushBackScene made = scene(std::move(name), false, mesh, {}, region, {middle.x, middle.y, box.high.z + 2.0});
-    made.distance = [solid = made.mesh](const glm::dvec3& p) { return solid->closest(p, 4.0).signedDistance; };
+    made.distance = [solid = made.mesh](const glm::dvec3& p) { return solid->closest(p, 15.0).signedDistance; };
     made.points = mesh.vertices;
     return made;
 }
@@ -226,7 +211,7 @@ BoundaryLayers pushBackLayers(const PushBackScene& scene, const Tool& tool, Push
         if (!built) std::abort();
         field = std::make_unique<TurnedField>(std::move(*built));
     }
-    return BoundaryLayers(std::make_unique<OwnedField>(std::move(field)));
+    return BoundaryLayers(std::make_unique<FixedAxisBoundary>(std::move(field)));
 }
 
 PushBackFigures measurePushBack(const PushBackScene& scene, const Tool& tool, BoundaryLayers& layers,
@@ -241,8 +226,9 @@ PushBackFigures measurePushBack(const PushBackScene& scene, const Tool& tool, Bo
     layers.setAllowance(run.allowance);
     const Proxy proxy(layers);
     ProxyStride stride;
-    stride.travel = 6.0 * run.voxel;
-    stride.turn = run.axis == PushBackAxis::freeWithoutTorque || run.axis == PushBackAxis::freeWithTorque ? 0.025 : 0.0;
+    const bool free = run.axis == PushBackAxis::freeWithoutTorque || run.axis == PushBackAxis::freeWithTorque;
+    stride.travel = (free ? 2.2 : 6.0) * run.voxel; // as the tool mover's
+    stride.turn = free ? 0.025 : 0.0;
     stride.yields = run.axis == PushBackAxis::freeWithTorque ? ProxyStride::Yields::both : ProxyStride::Yields::tip;
     stride.turnLength = 30.0;
     stride.room = 2.0 * run.voxel;
@@ -267,6 +253,34 @@ PushBackFigures measurePushBack(const PushBackScene& scene, const Tool& tool, Bo
         pose = step.pose;
     }
     return figures;
+}
+
+PushBackGouges pushBackGouges(std::span<const PushBackScene> scenes, int ticks, double voxel) {
+    PushBackGouges gouges;
+    double worstShare = -1.0;
+    for (const PushBackScene& scene : scenes)
+        for (const Tool& tool : pushBackTools())
+            for (const PushBackAxis axis : {PushBackAxis::upright, PushBackAxis::chosen,
+                                            PushBackAxis::freeWithoutTorque, PushBackAxis::freeWithTorque}) {
+                BoundaryLayers layers = pushBackLayers(scene, tool, axis, voxel, 0.5);
+                for (const bool pressing : {true, false}) {
+                    PushBackRun run;
+                    run.axis = axis;
+                    run.voxel = voxel;
+                    run.ticks = ticks;
+                    run.pressing = pressing;
+                    const PushBackFigures figures = measurePushBack(scene, tool, layers, run);
+                    const double deepest = std::max(figures.gouge, figures.gougeOnTheWay) / voxel;
+                    double& greatest = scene.smooth ? gouges.smooth : gouges.edge;
+                    greatest = std::max(greatest, deepest);
+                    const double share = deepest / (scene.smooth ? smoothGougeLimit : edgeGougeLimit);
+                    if (share <= worstShare) continue;
+                    worstShare = share;
+                    gouges.worst =
+                        scene.name + ", " + tool.id + ", " + nameOf(axis) + (pressing ? ", pressing" : ", at random");
+                }
+            }
+    return gouges;
 }
 
 } // namespace burin::oracles

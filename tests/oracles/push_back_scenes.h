@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,18 @@ struct PushBackFigures {
     int mostIterations = 0;
     std::vector<double> microseconds; ///< of each tick's proxy, this thread's processor time
 };
+
+/// Greatest gouges of many runs, in voxels: at the ends of ticks and on the way between them.
+struct PushBackGouges {
+    double smooth = 0.0; ///< in scenes without edges
+    double edge = 0.0;   ///< in those with edges
+    std::string worst;   ///< the run with the greatest share of what its kind of scene allows
+};
+/// Every tool and every kind of axis in every scene, pressing and at random. Cost: about a second for 300 ticks a run
+/// and a field of each tool, more for parts.
+PushBackGouges pushBackGouges(std::span<const PushBackScene> scenes, int ticks, double voxel = 0.5);
+inline constexpr double smoothGougeLimit = 0.05; ///< voxels
+inline constexpr double edgeGougeLimit = 0.5;    ///< voxels
 
 /// Moves a proxy under a hand through a scene and measures every tick. Deterministic for a seed.
 PushBackFigures measurePushBack(const PushBackScene& scene, const Tool& tool, BoundaryLayers& layers,

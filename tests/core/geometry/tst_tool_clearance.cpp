@@ -90,6 +90,7 @@ private slots:
     void toleranceIsKept();
     void withinCaps();
     void emptyMeshIsFree();
+    void whatIsNotFiniteTouchesNothing();
 };
 
 void ToolClearanceTest::triangleAgainstThirds() {
@@ -305,6 +306,14 @@ void ToolClearanceTest::withinCaps() {
     const MeshDistance distance(shapes::box({-20, -20, -10}, {20, 20, 0}));
     QCOMPARE(distance.clearance(std::array{ball(3.0)}, {{0, 0, 5}, {0, 0, 1}}, 2.0).clearance, 2.0);
     QVERIFY(std::abs(distance.clearance(std::array{ball(3.0)}, {{0, 0, 5}, {0, 0, 1}}, 5.5).clearance - 5.0) < 1e-8);
+}
+
+void ToolClearanceTest::whatIsNotFiniteTouchesNothing() {
+    const MeshDistance distance(shapes::box({-20, -20, -10}, {20, 20, 0}));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    QCOMPARE(distance.clearance(std::array{ball(3.0)}, {{0, nan, 0}, {0, 0, 1}}, 2.0).clearance, 2.0);
+    QCOMPARE(distance.clearance(std::array{ball(3.0)}, {{0, 0, 0}, {nan, 0, 1}}, 2.0).clearance, 2.0);
+    QCOMPARE(distance.closest({0, 0, nan}, 3.0).distance, 3.0);
 }
 
 void ToolClearanceTest::emptyMeshIsFree() {
