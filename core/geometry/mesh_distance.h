@@ -88,17 +88,25 @@ private:
     std::unique_ptr<const Tree> tree_;
 };
 
-/// Asks for the clearance of one tool with one axis, one tip after the other: as MeshDistance::clearance, and faster
-/// where a tip is near the last ones, whose nearest and deepest points of the mesh bound what there is to be found. One
-/// thread each; the mesh and the tool must outlive it.
+/// Asks for the clearance of one tool, one pose after the other: as MeshDistance::clearance, and faster where a pose is
+/// near the last ones, whose nearest and deepest points of the mesh bound what there is to be found. Of points that are
+/// equally near, which one is answered may depend on the poses asked before. One thread each; the mesh and the tool
+/// must outlive it.
 class ClearanceAsker {
 public:
-    ClearanceAsker(const MeshDistance& part, std::span<const RevolvedPiece> tool, const glm::dvec3& axis);
+    /// Allocates. @param axis  of the tips that are asked without one
+    ClearanceAsker(const MeshDistance& part, std::span<const RevolvedPiece> tool,
+                   const glm::dvec3& axis = {0.0, 0.0, 1.0});
     ~ClearanceAsker();
     ClearanceAsker(const ClearanceAsker&) = delete;
     ClearanceAsker& operator=(const ClearanceAsker&) = delete;
 
-    ToolClearance ask(const glm::dvec3& tip, double within, const ClearanceTolerance& tolerance);
+    /// No allocation.
+    ToolClearance ask(const glm::dvec3& tip, double within, const ClearanceTolerance& tolerance) noexcept {
+        return ask(ToolPose{tip, axis_}, within, tolerance);
+    }
+    /// The axis may turn from pose to pose. No allocation.
+    ToolClearance ask(const ToolPose& pose, double within, const ClearanceTolerance& tolerance) noexcept;
 
 private:
     const MeshDistance& part_;

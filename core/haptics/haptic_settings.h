@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/device/stylus.h"
+#include "core/haptics/axis_mode.h"
 #include "core/haptics/workspace_mapping.h"
 
 namespace burin {
@@ -11,6 +12,7 @@ namespace burin {
 struct HapticSettings {
     WorkspaceMapping mapping;
     StylusDescription stylus;        ///< whose limits bound everything that is sent
+    AxisMode axis;                   ///< has to fit the boundary that the tool is given
     double allowance = 0.0;          ///< mm left on the part
     double cuttingSpeed = 1000.0;    ///< mm/s of the flutes' edge
     double cuttingForceGain = 1.0;   ///< 1: the hardest material's reference cut gives 0.6 of the maximum force

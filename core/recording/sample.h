@@ -22,6 +22,7 @@ enum SampleFlag : std::uint32_t {
     sampleMemoryFull = 1u << 5,    ///< the reserved memory of the volume is used up: cutting stopped
     sampleSpindleOff = 1u << 6,    ///< the tool only moved: nothing was cut, stock did not hold it; never part of a path
     sampleOnGuide = 1u << 7,       ///< a guide held the hand, or turned the tool's axis
+    sampleAxisHeld = 1u << 8,      ///< the axis does not follow the stylus: there is no room, and no torque to feel it
     sampleForceLate = 1u << 10,    ///< the force came too late for its reading: zero was sent instead
 };
 

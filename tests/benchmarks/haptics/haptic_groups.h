@@ -10,5 +10,7 @@ void tickFigures(Session& session);         ///< tick.*: what a tick costs
 void contactForceFigures(Session& session); ///< press.*, free.*
 void stabilityFigures(Session& session);    ///< energy.*, nohand.*, noise.*
 void guardFigures(Session& session);        ///< guards.*
+void stopFigures(Session& session);         ///< stop.*
+void deviceFigures(Session& session);       ///< hid.*
 
 } // namespace burin::benchmarks

@@ -8,6 +8,6 @@ int main(int argc, char** argv) {
     using namespace burin::benchmarks;
     return run({"burin-bench-haptics",
                 "Figures of the haptic loop: cost, push-back, stability, guards",
-                {contactForceFigures, stabilityFigures, guardFigures, tickFigures}},
+                {contactForceFigures, stabilityFigures, guardFigures, stopFigures, tickFigures, deviceFigures}},
                argc, argv);
 }

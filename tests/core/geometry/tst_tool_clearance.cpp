@@ -262,13 +262,16 @@ void ToolClearanceTest::askingOneAfterTheOtherIsTheSame() {
             const std::vector<RevolvedPiece> tool = *rc::gen::inRange(0, 2) == 0
                                                         ? wholeTool(ball(3.0))
                                                         : std::vector<RevolvedPiece>{random::piece(), random::piece()};
-            const glm::dvec3 axis = random::direction();
+            glm::dvec3 axis = random::direction();
+            const bool turns = *rc::gen::arbitrary<bool>();
             ClearanceAsker asker(distance, tool, axis);
             glm::dvec3 tip = random::point(30.0);
             for (int i = 0; i < 30; ++i) {
                 tip = i % 10 == 9 ? random::point(30.0) : tip + random::point(i % 3 == 0 ? 4.0 : 0.5);
+                if (turns) axis = i % 10 == 7 ? random::direction() : glm::normalize(axis + random::point(0.05));
                 const double within = i % 4 == 0 ? random::number(0.0, 5.0) : 1e300;
-                const ToolClearance found = asker.ask(tip, within, {});
+                const ToolClearance found =
+                    turns ? asker.ask(ToolPose{tip, axis}, within, {}) : asker.ask(tip, within, {});
                 const ToolClearance wanted = distance.clearance(tool, {tip, axis}, within);
                 RC_ASSERT(std::abs(found.clearance - wanted.clearance) < 1e-6);
             }
