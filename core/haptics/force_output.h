@@ -34,7 +34,8 @@ public:
 
     /// The hand felt nothing in the last tick.
     bool quiet() const noexcept;
-    /// Of the last tick, device frame.
+    /// Of the last tick, device frame. Where the device has to carry its handle and does not do so itself, with the
+    /// force that does: constant, within the maximum, fading in and gone with the other forces.
     const Wrench& wrench() const noexcept { return wrench_; }
     double couplingStiffness() const noexcept { return coupling_.stiffness(); } ///< N/m, device space
     const ForceLimiter& limiter() const noexcept { return limiter_; }
@@ -47,10 +48,13 @@ private:
     TurnCoupling turnCoupling_;
     CuttingForceRendering cuttingRendering_;
     PassivityController passivity_;
+    glm::dvec3 lift_; ///< N, device frame, against the handle's weight
     ForceLimiter limiter_;
     ForceRamp ramp_;
     MotionEstimator toolMotion_;
     Wrench wrench_;
+    glm::dvec3 rendered_{0.0};    ///< N, device frame: the wrench's force without the lift
+    bool cuttingGaveWay_ = false; ///< in the last tick, to what holds the tool
 };
 
 } // namespace burin

@@ -40,7 +40,7 @@ struct Sample {
     Pose device;                    ///< mm, device frame
     glm::dvec3 stylusTip{0.0};      ///< where the mapped hand wants the tip, mm
     ToolPose proxy;                 ///< where the tool is; never inside the part grown by the allowance
-    glm::dvec3 force{0.0};          ///< N, sent to the device, setup frame
+    glm::dvec3 force{0.0};          ///< N, rendered by the device, setup frame; without what only carries its handle
     glm::dvec3 cuttingForce{0.0};   ///< N, unscaled, setup frame
     double reportedRemoval = 0.0;   ///< mm³, the smooth figure that drives the force
     std::array<RemovedMaterial, 8> removed{}; ///< exact, by material
