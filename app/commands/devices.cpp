@@ -41,7 +41,8 @@ std::vector<Limit> limitsOf(const StylusDescription& stylus) {
             limit("workspace_radius_mm", "workspace radius", stylus.workspaceRadius),
             limit("position_step_mm", "position step", stylus.positionStep),
             limit("rotation_step_rad", "rotation step", stylus.rotationStep),
-            limit("speed_max_mm_per_s", "greatest speed", stylus.maximumSpeed)};
+            limit("speed_max_mm_per_s", "greatest speed", stylus.maximumSpeed),
+            limit("handle_mass_kg", "handle's mass", stylus.handleMass)};
 }
 
 json jsonOf(const DeviceHealth& health) {

@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <map>
 #include <optional>
 
 namespace burin {
@@ -25,9 +26,21 @@ struct MillArguments {
     bool realtime = false, fast = false;
     double seconds = 0.0, rate = 1000.0;
     int deadMan = 0; ///< button, from 1; 0: none
+    std::string grip = "firm", intent = "passes";
     std::optional<double> allowance;
     OperatorRequest hand;
 };
+
+/// The names, in the order that CLI11 lists them.
+const std::map<std::string, OperatorIntent> intents{{"contour", OperatorIntent::contour},
+                                                    {"hostile", OperatorIntent::hostile},
+                                                    {"passes", OperatorIntent::passes},
+                                                    {"scribble", OperatorIntent::scribble}};
+
+HandImpedance gripOf(const std::string& name) {
+    if (name == "light") return lightHand;
+    return name == "middle" ? middleHand : firmHand;
+}
 
 json jsonOf(const TakeOutcome& outcome) {
     return {{"take", outcome.take},
@@ -130,6 +143,8 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     if (!work.arguments.trace.empty())
         return Error{ErrorCode::argumentInvalid, "--trace", "operator", "a trace or a device as the stylus"};
     OperatorRequest request = work.arguments.hand;
+    request.hand = gripOf(work.arguments.grip);
+    request.intent = intents.at(work.arguments.intent);
     request.allowance = work.arguments.allowance.value_or(request.allowance);
     request.timeLimit = work.arguments.seconds;
     request.pace = work.pace;
@@ -178,6 +193,16 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     return context.progress().cancelled() ? static_cast<int>(ErrorClass::cancelled) : 0;
 }
 
+void addOperator(CLI::App& command, MillArguments& arguments) {
+    command.add_option("--seed", arguments.hand.seed, "Of the operator's tremor and whims")->capture_default_str();
+    command.add_option("--grip", arguments.grip, "How firmly the operator holds the stylus")
+        ->check(CLI::IsMember({"light", "middle", "firm"}))
+        ->capture_default_str();
+    command.add_option("--intent", arguments.intent, "What the operator is after")
+        ->check(CLI::IsMember(intents))
+        ->capture_default_str();
+}
+
 } // namespace
 
 void registerMill(CLI::App& program, CommandContext& context, int& status) {
@@ -212,7 +237,7 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
     command
         ->add_option("--step-over", arguments->hand.finishingStepOver, "Between finishing passes, mm; 0: by the tool")
         ->check(CLI::Range(0.0, 100.0));
-    command->add_option("--seed", arguments->hand.seed, "Of the operator's tremor")->capture_default_str();
+    addOperator(*command, *arguments);
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runMill(*arguments, context); });
 }

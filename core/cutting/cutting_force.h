@@ -12,28 +12,63 @@ namespace burin {
 /// reads plain arrays.
 struct CuttingCoefficients {
     struct Entry {
-        double specificEnergy = 0.0; ///< K, J/mm³
-        double radialRatio = 0.0;    ///< Kr, 1
+        double specificEnergy = 0.0;  ///< K, J/mm³, where there is no law of the chip
+        double kienzleForce = 0.0;    ///< kc1.1, N/mm²; 0: K is constant
+        double kienzleExponent = 0.0; ///< mc
+        double radialRatio = 0.0;     ///< Kr, 1
+        /// J/mm³: K of the mean chip in a slot at the feed that the table gives for the tool, whatever the hand's is.
+        double tableEnergy = 0.0;
+
+        /// K, J/mm³. Kienzle's law holds for chips of 0.005 to 1 mm; beyond, K stays what it is there, as nobody
+        /// publishes what an edge does to thinner chips than it is sharp. @param chip mm, mean thickness
+        double energyAt(double chip) const noexcept;
     };
     std::array<Entry, 256> byProperty{};
+    double hardest = 0.0; ///< J/mm³, the greatest tableEnergy of what is machinable
 };
-CuttingCoefficients cuttingCoefficients(const PropertyList& properties);
+/// @param diameter mm, of the tool
+CuttingCoefficients cuttingCoefficients(const PropertyList& properties, double diameter);
 
-/// Force of one cut on the tool, N, setup frame, unscaled.
+/// A tool on a turning spindle, as the force sees it.
+struct SpinningTool {
+    double radius = 0.0;         ///< mm, of the flutes where they are widest, > 0
+    double edgeSpeed = 0.0;      ///< v, mm/s, of the flutes' edge, > 0
+    double teethPerSecond = 0.0; ///< 1/s
+};
+SpinningTool spinningTool(const Tool& tool, double edgeSpeed) noexcept;
+
+/// mm²: what the flutes show along their motion when they cut a slot of so much depth. @param depth mm from the tip
+double slotArea(const Cutter& cutter, double depth);
+
+/// What a tick's cut does to the tool.
 struct CuttingForce {
+    // As the paper has it: unscaled, by the speed that the hand has. Setup frame.
     double tangential = 0.0;  ///< N: sum over materials of 1000 K MRR / v (paper, eqs. 11, 12, 14)
     double radial = 0.0;      ///< N: sum of Kr Ft (eq. 13)
     double removalRate = 0.0; ///< mm³/s
     glm::dvec3 force{0.0};    ///< against the motion (tangential) and away from the removed material (radial)
+
+    // What of it does not go with the hand's speed: what is felt.
+    bool cuts = false;        ///< the spindle turns, and nothing kept the flutes from cutting
+    glm::dvec3 motion{0.0};   ///< mm, of the place where material is removed, setup frame
+    double volume = 0.0;      ///< mm³, as reported
+    double area = 0.0;        ///< mm²: what meets the material, seen along the motion: volume over way
+    double energy = 0.0;      ///< J/mm³: tableEnergy of this tick's mix of materials
+    double radialRatio = 0.0; ///< Kr of the mix
+    glm::dvec3 away{0.0};     ///< unit: from the removed material towards the tool
+    double reference = 0.0;   ///< N: 1000 K A of the reference cut, which gives the scale
 };
 
-/// @param cut          what the tick removed; its reported volumes drive the force
-/// @param motion       of the tip in this tick, mm
-/// @param tip          at the end of the tick, mm
-/// @param cuttingSpeed of the flutes' edge, mm/s, > 0
-/// @param period       of the tick, s, > 0
-CuttingForce cuttingForce(const CutResult& cut, const CuttingCoefficients& coefficients, const glm::dvec3& motion,
-                          const glm::dvec3& tip, double cuttingSpeed, double period) noexcept;
+/// The force of one tick. K is that of the mean chip, whose thickness is feed per tooth · (area along the motion /
+/// engaged surface): in a slot 2 fz / pi. Where the engagement is not known, a slot's is taken.
+///
+/// Tangential: against the motion of the place where material is removed, a turning axis included. Radial: from that
+/// place towards the axis; within a third of the radius it leans over to the axis' own direction, so that a tool that
+/// plunges is pushed back along its axis and nothing jumps.
+/// @param cut    what the tick removed; its reported volumes drive the force
+/// @param from, to tool poses, setup frame. @param period of the tick, s, > 0
+CuttingForce cuttingForce(const CutResult& cut, const CuttingCoefficients& coefficients, const SpinningTool& tool,
+                          const ToolPose& from, const ToolPose& to, double period) noexcept;
 
 /// What a tool does in a material by the tables: the feed that the machine gets, whatever the hand's speed was.
 struct CuttingConditions {

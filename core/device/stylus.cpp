@@ -39,6 +39,7 @@ const char* faultyFigure(const StylusDescription& of) {
         {"position step", stated(of.positionStep)},
         {"rotation step", stated(of.rotationStep)},
         {"maximum speed", stated(of.maximumSpeed)},
+        {"handle mass", stated(of.handleMass)},
     };
     for (const auto& figure : figures)
         if (!figure.good) return figure.name;

@@ -37,7 +37,9 @@ struct StylusDescription {
     Figure<"mm"> positionStep; ///< what its encoders resolve
     Figure<"rad"> rotationStep;
     Figure<"mm/s"> maximumSpeed{1000.0, "Burin: no hand works faster on a desktop device"}; ///< faster is a fault
-    bool simulated = false; ///< nobody's hand is moved: what is written is shown, not felt
+    Figure<"kg"> handleMass;    ///< that hangs on the hand with the motors off, where it is held
+    bool carriesHandle = false; ///< the device lifts its handle by itself, by springs, weights or its own force
+    bool simulated = false;     ///< nobody's hand is moved: what is written is shown, not felt
 
     bool hasMotors() const noexcept { return actuated.translations > 0 || actuated.rotations > 0; }
 };
@@ -52,7 +54,7 @@ struct StylusState {
     Pose pose;
     std::uint32_t buttons = 0; ///< bit 0: the first button
     bool valid = false;        ///< false: the device had nothing to say this tick
-    double period = 0.0;       ///< s since the reading before, where only the stylus knows: a recording; 0: the loop does
+    double period = 0.0; ///< s since the reading before, where only the stylus knows: a recording; 0: the loop does
 };
 
 /// What a device shall render. Device frame, about the stylus' tip.

@@ -50,10 +50,21 @@ struct AxisPoint {
     }
 };
 
-/// No point of the mesh was nearer to a piece, and none is by more than the tip has moved since.
+/// No point of the mesh was nearer to a piece, and none is by more than the piece's farthest point has moved since.
 struct PieceBound {
     double atLeast = -std::numeric_limits<double>::infinity(); ///< mm, may be negative
-    glm::dvec3 tip{0.0};
+    ToolPose pose;
+
+    /// mm: no point of the piece moves by more. Of the turns that take one axis to the other, the least one moves a
+    /// point of the axis with it, and one beside it by no more than its distance times the axis' chord on top.
+    double movedBy(const RevolvedPiece& piece, const ToolPose& to) const noexcept {
+        const glm::dvec3 moved = to.tip - pose.tip;
+        if (to.axis == pose.axis) return glm::length(moved);
+        const glm::dvec3 turned = to.axis - pose.axis;
+        const double ends =
+            std::max(glm::length(moved + piece.bottom * turned), glm::length(moved + piece.top * turned));
+        return ends + piece.widestRadius() * glm::length(turned);
+    }
 };
 
 struct ClearanceMemory {
@@ -125,7 +136,7 @@ public:
 
     ClosestPoint closest(const glm::dvec3& point, double within) const noexcept {
         if (empty()) within = std::numeric_limits<double>::infinity();
-        const Found found = empty() ? Found{} : nearest(point, within);
+        const Found found = empty() || !isFinite(point) ? Found{} : nearest(point, within);
         if (!found.any) return {point, within, within, 0, glm::dvec3(0.0)};
         return signedAnswer(found, point);
     }
@@ -163,7 +174,7 @@ public:
     ToolClearance clearance(std::span<const RevolvedPiece> tool, ToolPose pose, double within,
                             const ClearanceTolerance& tie, ClearanceMemory* memory) const noexcept {
         const ToolClearance free{within, pose.tip, pose.axis, 0, glm::dvec3(0.0)};
-        if (empty() || tool.empty()) return free;
+        if (empty() || tool.empty() || !isFinite(pose.tip) || !isFinite(pose.axis)) return free;
         pose.axis = unitOr(pose.axis, {0.0, 0.0, 1.0});
 
         ToolClearance answer = free;
@@ -240,8 +251,8 @@ private:
         for (std::size_t n = 0; n < tool.size(); ++n) {
             const std::size_t i = (first + n) % tool.size();
             PieceBound& bound = memory->pieces[i];
-            if (bound.atLeast - glm::length(pose.tip - bound.tip) >= found.distance) continue;
-            bound = {meet(PlacedPiece(tool[i], pose), i, tie, found), pose.tip};
+            if (bound.atLeast - bound.movedBy(tool[i], pose) >= found.distance) continue;
+            bound = {meet(PlacedPiece(tool[i], pose), i, tie, found), pose};
         }
         return found;
     }
@@ -372,8 +383,8 @@ ClearanceAsker::ClearanceAsker(const MeshDistance& part, std::span<const Revolve
 }
 ClearanceAsker::~ClearanceAsker() = default;
 
-ToolClearance ClearanceAsker::ask(const glm::dvec3& tip, double within, const ClearanceTolerance& tolerance) {
-    return part_.tree_->clearance(tool_, {tip, axis_}, within, tolerance, memory_.get());
+ToolClearance ClearanceAsker::ask(const ToolPose& pose, double within, const ClearanceTolerance& tolerance) noexcept {
+    return part_.tree_->clearance(tool_, pose, within, tolerance, memory_.get());
 }
 
 } // namespace burin

@@ -59,7 +59,7 @@ public:
     MeshDistance& operator=(MeshDistance&&) noexcept;
 
     /// @param within stop looking beyond this distance, mm. Where there is nothing nearer, distance and signedDistance
-    /// are `within` (the sign is not known then), the point is the asked one.
+    /// are `within` (the sign is not known then), the point is the asked one; so for a point that is not finite.
     ClosestPoint closest(const glm::dvec3& point, double within = 1e300) const;
 
     /// Triangles by numbers of this object's own, for `closestOf`: all that are no farther than `within` from a point,
@@ -72,7 +72,8 @@ public:
     /// Apart or touching: the distance between tool and mesh. Otherwise minus the greater of two depths: of the mesh's
     /// deepest point in a piece, and in the solid of the deepest of the axis' points (ends of the pieces, centres of
     /// their roundings). So it changes no faster than the tool moves. Exact to 1e-6 mm for every piece.
-    /// Clearances above `within` are answered as `within`; meshPoint is the tip and away the axis then.
+    /// Clearances above `within` are answered as `within`; meshPoint is the tip and away the axis then. A pose that is
+    /// not finite touches nothing.
     /// @param tolerance  mm: by so much the answer may be too great, which is quicker where much of the mesh is equally
     /// near or deep
     ToolClearance clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within = 1e300,
@@ -88,17 +89,25 @@ private:
     std::unique_ptr<const Tree> tree_;
 };
 
-/// Asks for the clearance of one tool with one axis, one tip after the other: as MeshDistance::clearance, and faster
-/// where a tip is near the last ones, whose nearest and deepest points of the mesh bound what there is to be found. One
-/// thread each; the mesh and the tool must outlive it.
+/// Asks for the clearance of one tool, one pose after the other: as MeshDistance::clearance, and faster where a pose is
+/// near the last ones, whose nearest and deepest points of the mesh bound what there is to be found. Of points that are
+/// equally near, which one is answered may depend on the poses asked before. One thread each; the mesh and the tool
+/// must outlive it.
 class ClearanceAsker {
 public:
-    ClearanceAsker(const MeshDistance& part, std::span<const RevolvedPiece> tool, const glm::dvec3& axis);
+    /// Allocates. @param axis  of the tips that are asked without one
+    ClearanceAsker(const MeshDistance& part, std::span<const RevolvedPiece> tool,
+                   const glm::dvec3& axis = {0.0, 0.0, 1.0});
     ~ClearanceAsker();
     ClearanceAsker(const ClearanceAsker&) = delete;
     ClearanceAsker& operator=(const ClearanceAsker&) = delete;
 
-    ToolClearance ask(const glm::dvec3& tip, double within, const ClearanceTolerance& tolerance);
+    /// No allocation.
+    ToolClearance ask(const glm::dvec3& tip, double within, const ClearanceTolerance& tolerance) noexcept {
+        return ask(ToolPose{tip, axis_}, within, tolerance);
+    }
+    /// The axis may turn from pose to pose. No allocation.
+    ToolClearance ask(const ToolPose& pose, double within, const ClearanceTolerance& tolerance) noexcept;
 
 private:
     const MeshDistance& part_;

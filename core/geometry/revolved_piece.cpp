@@ -42,6 +42,28 @@ double radiusAt(const RevolvedPiece& piece, double height) noexcept {
     return piece.bottomRadius + part * (piece.topRadius - piece.bottomRadius);
 }
 
+ProfilePoint farthestIn(const RevolvedPiece& piece, double radial, double axial) noexcept {
+    const auto extent = [&](const ProfilePoint& point) { return point.radius * radial + point.height * axial; };
+    const auto farther = [&](const ProfilePoint& a, const ProfilePoint& b) { return extent(a) >= extent(b) ? a : b; };
+    const double length = std::hypot(radial, axial), outwards = radial / length, upwards = axial / length;
+    const double corner = piece.cornerRadius;
+    ProfilePoint farthest{piece.topRadius, piece.top};
+    if (!(corner > 0.0))
+        farthest = farther(farthest, {piece.bottomRadius, piece.bottom});
+    else if (axial < 0.0)
+        farthest = farther(farthest,
+                           {piece.bottomRadius - corner + corner * outwards, piece.bottom + corner + corner * upwards});
+    else
+        farthest = farther(farthest, {piece.bottomRadius, piece.bottom + corner});
+    if (piece.bulges()) {
+        const ProfilePoint onArc{piece.bulgeCentreRadius + piece.bulgeRadius * outwards,
+                                 piece.bulgeCentreHeight + piece.bulgeRadius * upwards};
+        if (onArc.height > piece.bottom && onArc.height < piece.top && onArc.radius > 0.0)
+            farthest = farther(farthest, onArc);
+    }
+    return farthest;
+}
+
 } // namespace burin
 
 namespace burin::profile {

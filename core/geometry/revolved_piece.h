@@ -55,6 +55,15 @@ std::optional<HeightRange> heightsAt(const RevolvedPiece& piece, double radius) 
 /// Radius of the piece at a height between its faces, mm.
 double radiusAt(const RevolvedPiece& piece, double height) noexcept;
 
+/// A ring of a solid of revolution.
+struct ProfilePoint {
+    double radius = 0.0; ///< mm from the axis
+    double height = 0.0; ///< mm above the tip
+};
+/// The piece's farthest ring in a direction, given by its parts away from the axis and along it (`radial` >= 0, not
+/// both 0): where radius · radial + height · axial is greatest.
+ProfilePoint farthestIn(const RevolvedPiece& piece, double radial, double axial) noexcept;
+
 /// Signed distance with its slopes along the two cylinder coordinates: unit length together, except on the piece's
 /// inner ridges, where they are those of one of the faces that meet there (a subgradient).
 struct PieceDistance {

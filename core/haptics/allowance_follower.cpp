@@ -6,13 +6,18 @@
 
 namespace burin {
 
-glm::dvec3 AllowanceFollower::advance(const Proxy& proxy, const glm::dvec3& tip, double period) noexcept {
-    const double step = speed * period;
-    inForce_ += std::clamp(wanted_ - inForce_, -step, step);
-    if (proxy.feasible(tip, inForce_)) return tip;
+void AllowanceFollower::limitTo(const ToolPose& tool) noexcept {
+    const double clearance = layers_->partClearance(tool);
+    if (clearance < layers_->allowance()) layers_->setAllowance(std::max(clearance, 0.0));
+}
+
+ToolPose AllowanceFollower::advance(const Proxy& proxy, const ToolPose& tool, double period) noexcept {
+    const double step = speed * period, inForce = layers_->allowance();
+    layers_->setAllowance(inForce + std::clamp(wanted_ - inForce, -step, step));
+    if (proxy.feasible(tool)) return tool;
     // Along an edge the gradient is not unit length: a little more way than clearance is wanted.
-    const glm::dvec3 out = proxy.retreat(tip, inForce_, 4.0 * step);
-    limitTo(proxy.clearance(out));
+    const ToolPose out = proxy.retreat(tool, 4.0 * step);
+    limitTo(out);
     return out;
 }
 

@@ -2,44 +2,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/brake_on_contact.h"
 
+#include "core/cutting/pose_steps.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace burin {
 
 BrakeOnContact::BrakeOnContact(const Cutter& cutter, const Grid& grid)
-    : tool_(pieces(cutter)), fluteCount_(flutePieces(cutter).size()), check_(grid) {
+    : tool_(pieces(cutter)), fluteCount_(flutePieces(cutter).size()), reach_(reachOf(tool_)), check_(grid) {
     // Tools a stride apart overlap by more than half of the thinnest piece.
     double thinnest = tool_.front().widestRadius();
     for (const RevolvedPiece& piece : tool_) thinnest = std::min(thinnest, piece.widestRadius());
     stride_ = std::max(thinnest, 0.05);
 }
 
-ShankContact BrakeOnContact::standing(const RunVolume& workpiece, std::size_t mayTouch,
-                                      const glm::dvec3& tip) noexcept {
-    return check_.at(workpiece, tool_, mayTouch, {tip, {0.0, 0.0, 1.0}});
+ShankContact BrakeOnContact::standing(const RunVolume& workpiece, std::size_t mayTouch, const ToolPose& pose) noexcept {
+    return check_.at(workpiece, tool_, mayTouch, pose);
 }
 
-ShankContact BrakeOnContact::at(const RunVolume& workpiece, const glm::dvec3& tip) noexcept {
-    return standing(workpiece, fluteCount_, tip);
+ShankContact BrakeOnContact::at(const RunVolume& workpiece, const ToolPose& pose) noexcept {
+    return standing(workpiece, fluteCount_, pose);
 }
 
-ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, const glm::dvec3& from,
-                                      const glm::dvec3& to) noexcept {
+ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept {
     return onTheWay(workpiece, fluteCount_, from, to);
 }
 
-ShankContact BrakeOnContact::onTheWayWithFlutes(const RunVolume& workpiece, const glm::dvec3& from,
-                                                const glm::dvec3& to) noexcept {
+ShankContact BrakeOnContact::onTheWayWithFlutes(const RunVolume& workpiece, const ToolPose& from,
+                                                const ToolPose& to) noexcept {
     return onTheWay(workpiece, 0, from, to);
 }
 
-ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, std::size_t mayTouch, const glm::dvec3& from,
-                                      const glm::dvec3& to) noexcept {
-    const int steps = std::clamp(static_cast<int>(std::ceil(glm::length(to - from) / stride_)), 1, 16);
+ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, std::size_t mayTouch, const ToolPose& from,
+                                      const ToolPose& to) noexcept {
+    const double way = glm::length(to.tip - from.tip) + reach_ * glm::length(to.axis - from.axis);
+    const int steps = std::clamp(static_cast<int>(std::ceil(way / stride_)), 1, 16);
+    const PoseSteps motion(from, to, reach_, stride_);
     for (int i = 1; i <= steps; ++i) {
-        const glm::dvec3 tip = i == steps ? to : glm::mix(from, to, static_cast<double>(i) / steps);
-        const ShankContact contact = standing(workpiece, mayTouch, tip);
+        const ShankContact contact =
+            standing(workpiece, mayTouch, motion.poseAt(static_cast<double>(i) / static_cast<double>(steps)));
         if (!contact.touches) continue;
         const ShankContact before = standing(workpiece, mayTouch, from);
         if (!before.touches || contact.volume >= before.volume) return contact;

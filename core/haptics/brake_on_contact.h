@@ -15,21 +15,22 @@ class BrakeOnContact {
 public:
     BrakeOnContact(const Cutter& cutter, const Grid& grid);
 
-    /// @param from a tip, mm, where the tool stands; @param to where it is wanted. No allocation.
-    ShankContact onTheWay(const RunVolume& workpiece, const glm::dvec3& from, const glm::dvec3& to) noexcept;
+    /// @param from where the tool stands; @param to where it is wanted; the axis turns evenly. No allocation.
+    ShankContact onTheWay(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept;
     /// The same with the flutes, for a tool that can't cut: it must not move into stock that would stay.
-    ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const glm::dvec3& from, const glm::dvec3& to) noexcept;
-    ShankContact at(const RunVolume& workpiece, const glm::dvec3& tip) noexcept;
+    ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept;
+    ShankContact at(const RunVolume& workpiece, const ToolPose& pose) noexcept;
     /// The workpiece changed otherwise than by cutting.
     void workpieceChanged() noexcept { check_.forget(); }
 
 private:
-    ShankContact standing(const RunVolume& workpiece, std::size_t mayTouch, const glm::dvec3& tip) noexcept;
-    ShankContact onTheWay(const RunVolume& workpiece, std::size_t mayTouch, const glm::dvec3& from,
-                          const glm::dvec3& to) noexcept;
+    ShankContact standing(const RunVolume& workpiece, std::size_t mayTouch, const ToolPose& pose) noexcept;
+    ShankContact onTheWay(const RunVolume& workpiece, std::size_t mayTouch, const ToolPose& from,
+                          const ToolPose& to) noexcept;
 
     std::vector<RevolvedPiece> tool_; ///< flutes, shank, holder
     std::size_t fluteCount_ = 1;
+    double reach_; ///< mm, of the tool's farthest point from the tip
     ContactCheck check_;
     double stride_ = 1.0; ///< mm; looked at so often on the way, nothing is stepped over
 };

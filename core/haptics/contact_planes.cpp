@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 namespace {
@@ -11,42 +12,126 @@ namespace {
 constexpr double sameFaceCosine = 0.98;
 /// mm; below what a path can tell apart, far above rounding at the size of a workpiece.
 constexpr double rounding = 1e-9;
+/// Share of its length that a normal must have of its own, beyond what the others span.
+constexpr double leastOwnShare = 1e-6;
 
-/// Nearest point to `goal` on one plane.
-glm::dvec3 onPlane(const ContactPlane& a, const glm::dvec3& goal) noexcept {
-    return goal - a.normal * (glm::dot(a.normal, goal) + a.gap);
-}
+template <class Value>
+using Each = std::array<Value, ContactPlanes::capacity>;
 
-/// Nearest point to `goal` on the line that two planes share; false where they are parallel.
-bool onLine(const ContactPlane& a, const ContactPlane& b, const glm::dvec3& goal, glm::dvec3& point) noexcept {
-    const double c = glm::dot(a.normal, b.normal);
-    const double determinant = 1.0 - c * c;
-    if (determinant < 1e-6) return false;
-    const double missingA = -a.gap - glm::dot(a.normal, goal), missingB = -b.gap - glm::dot(b.normal, goal);
-    const double alongA = (missingA - c * missingB) / determinant, alongB = (missingB - c * missingA) / determinant;
-    // A negative multiplier would hold the point at a plane that pulls instead of pushing.
-    if (alongA < 0.0 || alongB < 0.0) return false;
-    point = goal + a.normal * alongA + b.normal * alongB;
-    return true;
-}
+/// How hard each of some planes pushes when together they hold a goal back: the normals times the forces take the goal
+/// to the nearest allowed place.
+class PlaneForces {
+public:
+    PlaneForces(const ContactPlanes& planes, const PoseVector& goal) noexcept : count_(planes.size()) {
+        for (int i = 0; i < count_; ++i) {
+            missing_[at(i)] = -planes[i].gap - dot(planes[i].normal, goal);
+            for (int j = 0; j <= i; ++j)
+                products_[at(i)][at(j)] = products_[at(j)][at(i)] = dot(planes[i].normal, planes[j].normal);
+        }
+    }
 
-/// The point that three planes share; false where they share none or a line.
-bool atCorner(const ContactPlane& a, const ContactPlane& b, const ContactPlane& c, glm::dvec3& point) noexcept {
-    const glm::dvec3 bc = glm::cross(b.normal, c.normal), ca = glm::cross(c.normal, a.normal),
-                     ab = glm::cross(a.normal, b.normal);
-    const double determinant = glm::dot(a.normal, bc);
-    if (std::abs(determinant) < 1e-4) return false;
-    point = (-a.gap * bc - b.gap * ca - c.gap * ab) / determinant;
-    return true;
-}
+    const Each<double>& solve() noexcept {
+        for (int round = 0; round < 3 * ContactPlanes::capacity; ++round) {
+            const int plane = mostViolated();
+            if (plane < 0) break;
+            active_[activeCount_++] = plane;
+            if (!settle()) { // it says nothing that the others don't
+                --activeCount_;
+                useless_[at(plane)] = true;
+            }
+        }
+        return force_;
+    }
+
+private:
+    static std::size_t at(int index) noexcept { return static_cast<std::size_t>(index); }
+
+    int mostViolated() const noexcept {
+        int most = -1;
+        double worst = rounding;
+        for (int i = 0; i < count_; ++i) {
+            const auto end = active_.begin() + static_cast<std::ptrdiff_t>(activeCount_);
+            if (useless_[at(i)] || std::find(active_.begin(), end, i) != end) continue;
+            double violation = missing_[at(i)];
+            for (int j = 0; j < count_; ++j) violation -= products_[at(i)][at(j)] * force_[at(j)];
+            if (!(violation > worst)) continue;
+            worst = violation;
+            most = i;
+        }
+        return most;
+    }
+
+    /// Forces that meet the active planes exactly; those that would pull leave, one by one.
+    bool settle() noexcept {
+        for (bool first = true; activeCount_ > 0; first = false) {
+            Each<double> wanted{};
+            if (!meetActive(wanted)) return !first;
+            double share = 1.0;
+            for (std::size_t i = 0; i < activeCount_; ++i) {
+                const double now = force_[at(active_[i])];
+                if (wanted[i] <= 0.0) share = std::min(share, now / (now - wanted[i]));
+            }
+            if (!(share >= 0.0)) return false; // rounding: the new one itself pulls
+            std::size_t kept = 0;
+            for (std::size_t i = 0; i < activeCount_; ++i) {
+                double& force = force_[at(active_[i])];
+                force += share * (wanted[i] - force);
+                if (share < 1.0 && force <= 0.0)
+                    force = 0.0;
+                else
+                    active_[kept++] = active_[i];
+            }
+            if (share >= 1.0) return true;
+            if (kept == activeCount_) return false; // rounding
+            activeCount_ = kept;
+        }
+        return true;
+    }
+
+    /// Cholesky's method. False: the active planes depend on each other.
+    bool meetActive(Each<double>& wanted) const noexcept {
+        Each<Each<double>> root{};
+        for (std::size_t i = 0; i < activeCount_; ++i) {
+            const Each<double>& products = products_[at(active_[i])];
+            for (std::size_t j = 0; j <= i; ++j) {
+                double rest = products[at(active_[j])];
+                for (std::size_t k = 0; k < j; ++k) rest -= root[i][k] * root[j][k];
+                if (j < i)
+                    root[i][j] = rest / root[j][j];
+                else if (rest > leastOwnShare * leastOwnShare * products[at(active_[i])])
+                    root[i][i] = std::sqrt(rest);
+                else
+                    return false;
+            }
+            double value = missing_[at(active_[i])];
+            for (std::size_t k = 0; k < i; ++k) value -= root[i][k] * wanted[k];
+            wanted[i] = value / root[i][i];
+        }
+        for (std::size_t i = activeCount_; i-- > 0;) {
+            for (std::size_t k = i + 1; k < activeCount_; ++k) wanted[i] -= root[k][i] * wanted[k];
+            wanted[i] /= root[i][i];
+        }
+        return true;
+    }
+
+    int count_;
+    Each<double> missing_{}, force_{};
+    Each<Each<double>> products_{};
+    Each<int> active_{};
+    Each<bool> useless_{};
+    std::size_t activeCount_ = 0;
+};
 
 } // namespace
 
 void ContactPlanes::add(ContactPlane plane) noexcept {
     plane.gap = std::max(plane.gap, 0.0);
     const auto begin = planes_.begin(), end = planes_.begin() + size_;
-    const auto same = std::find_if(
-        begin, end, [&](const ContactPlane& held) { return glm::dot(held.normal, plane.normal) > sameFaceCosine; });
+    const auto same = std::find_if(begin, end, [&](const ContactPlane& held) {
+        return glm::dot(held.normal.move, plane.normal.move) >
+                   sameFaceCosine * glm::length(held.normal.move) * glm::length(plane.normal.move) &&
+               glm::length(held.normal.turn - plane.normal.turn) <= sameArm_;
+    });
     if (same != end) {
         *same = plane;
         return;
@@ -58,39 +143,28 @@ void ContactPlanes::add(ContactPlane plane) noexcept {
     *std::max_element(begin, end, [](const ContactPlane& a, const ContactPlane& b) { return a.gap < b.gap; }) = plane;
 }
 
-bool ContactPlanes::allows(const glm::dvec3& point) const noexcept {
+bool ContactPlanes::allows(const PoseVector& change) const noexcept {
     return std::all_of(planes_.begin(), planes_.begin() + size_, [&](const ContactPlane& plane) {
-        return glm::dot(plane.normal, point) >= -plane.gap - rounding;
+        return dot(plane.normal, change) >= -plane.gap - 2.0 * rounding;
     });
 }
 
-glm::dvec3 ContactPlanes::nearestTo(const glm::dvec3& goal) const noexcept {
+PoseVector ContactPlanes::nearestTo(const PoseVector& goal) const noexcept {
     if (allows(goal)) return goal;
-    glm::dvec3 best(0.0);
-    double bestDistance = glm::dot(goal, goal);
-    const auto consider = [&](const glm::dvec3& point) {
-        const glm::dvec3 rest = point - goal;
-        const double distance = glm::dot(rest, rest);
-        if (distance >= bestDistance || !allows(point)) return;
-        best = point;
-        bestDistance = distance;
-    };
-    glm::dvec3 point;
-    for (int i = 0; i < size_; ++i) {
-        consider(onPlane((*this)[i], goal));
-        for (int j = i + 1; j < size_; ++j)
-            if (onLine((*this)[i], (*this)[j], goal, point)) consider(point);
-    }
-    if (size_ == capacity && atCorner(planes_[0], planes_[1], planes_[2], point)) consider(point);
-    return best;
+    PlaneForces forces(*this, goal);
+    const Each<double>& force = forces.solve();
+    PoseVector nearest = goal;
+    for (int i = 0; i < size_; ++i) nearest = nearest + (*this)[i].normal * force[static_cast<std::size_t>(i)];
+    const PoseVector rest = nearest - goal;
+    return allows(nearest) && dot(rest, rest) < dot(goal, goal) ? nearest : PoseVector{};
 }
 
-void ContactPlanes::moveOrigin(const glm::dvec3& offset, double clearance) noexcept {
+void ContactPlanes::moveOrigin(const PoseVector& offset, double clearance) noexcept {
     constexpr double bend = 1e-4; // mm, as fine as the proxy rests at the surface
     int kept = 0;
     for (int i = 0; i < size_; ++i) {
         ContactPlane plane = (*this)[i];
-        plane.gap += glm::dot(plane.normal, offset);
+        plane.gap += dot(plane.normal, offset);
         if (plane.gap < clearance - bend) continue;
         plane.gap = std::max(plane.gap, 0.0);
         planes_[static_cast<std::size_t>(kept++)] = plane;

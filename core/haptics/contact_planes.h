@@ -2,43 +2,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <glm/glm.hpp>
+#include "core/haptics/pose_vector.h"
 
 #include <array>
 
 namespace burin {
 
-/// A boundary, linearised: points x with dot(normal, x - origin) >= -gap are allowed.
+/// A boundary, linearised: changes x of a pose with dot(normal, x) >= -gap are allowed.
 struct ContactPlane {
-    glm::dvec3 normal{0.0}; ///< unit, out of the part
-    double gap = 0.0;       ///< mm from the origin to the plane, >= 0: the origin is allowed
+    PoseVector normal; ///< of the clearance: `move` about unit length, out of what bounds
+    double gap = 0.0;  ///< mm of clearance at the origin, >= 0: the origin is allowed
 };
 
-/// Up to three planes that hold a point back together, all relative to one origin. Three determine a corner; a
-/// fourth could only repeat it.
+/// Up to eight planes that hold a tool back together, all relative to one origin. A pose has five freedoms, so five
+/// determine where it comes to rest; the others are faces nearby.
 class ContactPlanes {
 public:
-    static constexpr int capacity = 3;
+    static constexpr int capacity = 8;
+
+    /// @param sameArm mm: contacts whose arms are no farther apart can be one face
+    explicit ContactPlanes(double sameArm = 0.0) noexcept : sameArm_(sameArm) {}
 
     int size() const noexcept { return size_; }
     const ContactPlane& operator[](int index) const noexcept { return planes_[static_cast<std::size_t>(index)]; }
+    void clear() noexcept { size_ = 0; }
 
-    /// Takes a plane in. One that points nearly the same way as a plane held already takes its place: it is the same
-    /// face, read anew. A fourth one takes the place of the plane farthest away.
+    /// Takes a plane in. One that points nearly the same way as a plane held already, and is met at the same arm, takes
+    /// its place: it is the same face, read anew. One too many takes the place of the plane farthest away.
     void add(ContactPlane plane) noexcept;
 
-    /// The allowed point nearest to `goal`; both relative to the origin, mm. The origin itself where rounding leaves
-    /// nothing better.
-    glm::dvec3 nearestTo(const glm::dvec3& goal) const noexcept;
+    /// The allowed change nearest to `goal`; both relative to the origin. The origin itself where rounding leaves
+    /// nothing better. The active planes are found by the method of Lawson and Hanson (Solving Least Squares Problems,
+    /// 1974, ch. 23) for the forces that hold the tool there: none of them pulls.
+    PoseVector nearestTo(const PoseVector& goal) const noexcept;
 
-    /// Moves the origin by `offset`, mm. Drops planes that claim less clearance than the field's `clearance` at the new
-    /// origin: the surface has bent away from them.
-    void moveOrigin(const glm::dvec3& offset, double clearance) noexcept;
+    /// Moves the origin. Drops planes that claim less than the true `clearance` at the new origin: the surface has bent
+    /// away from them.
+    void moveOrigin(const PoseVector& offset, double clearance) noexcept;
 
 private:
-    bool allows(const glm::dvec3& point) const noexcept;
+    bool allows(const PoseVector& change) const noexcept;
     std::array<ContactPlane, capacity> planes_{};
     int size_ = 0;
+    double sameArm_;
 };
 
 } // namespace burin

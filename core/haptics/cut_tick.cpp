@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/cut_tick.h"
 
+#include "core/base/units.h"
 #include "core/haptics/recorded_removal.h"
 
 #include <algorithm>
@@ -13,15 +14,34 @@ namespace {
 // A tool that cuts takes a row of scanlines at least so often. The reported removal looks a voxel ahead; without this
 // a tool on its way to the stock would feel it before it touches.
 constexpr double idleVoxels = 2.0;
+// Of way, of either filter of the area that is felt: the ripple of a voxel's period shrinks to a 90th.
+constexpr double areaVoxels = 1.5;
+
+// Of the area that is felt: a tick that meets so much of it tells what the flutes stand in.
+constexpr double tellingShare = 0.5;
+
+/// mm: half a voxel, or two steps of the device's encoders.
+double playOf(const Grid& grid, const HapticSettings& settings) noexcept {
+    return std::max(0.5 * grid.edge(), 2.0 * settings.stylus.positionStep.value * settings.mapping.scale);
+}
+
+/// mm from the tip: a radius deep, or what the tool bears.
+double referenceDepth(const Tool& tool) noexcept {
+    const double radius = tool.cutter.radius();
+    return tool.maximumDepthOfCut > 0.0 ? std::min(radius, tool.maximumDepthOfCut) : radius;
+}
 
 } // namespace
 
 CutTick::CutTick(RunVolume& workpiece, const Tool& tool, const HapticSettings& settings)
     : workpiece_(&workpiece)
-    , coefficients_(cuttingCoefficients(workpiece.properties()))
+    , coefficients_(cuttingCoefficients(workpiece.properties(), tool.cutter.diameter))
     , removal_(tool.cutter, workpiece.grid(), Writing::deferred)
-    , cuttingSpeed_(settings.cuttingSpeed)
-    , onButton_(settings.cutsOnButton) {}
+    , tool_(spinningTool(tool, settings.cuttingSpeed))
+    , area_(areaVoxels * workpiece.grid().edge(), playOf(workpiece.grid(), settings))
+    , onButton_(settings.cutsOnButton) {
+    felt_.reference = newtonMillimetresPerJoule * coefficients_.hardest * slotArea(tool.cutter, referenceDepth(tool));
+}
 
 void CutTick::takeUp() noexcept {
     takesUp_ = true;
@@ -34,16 +54,22 @@ CuttingForce CutTick::operator()(ToolMotion& motion, double period, Sample& samp
     if (stands || takesUp_ || motion.shankContact || memoryFull_) {
         removal_.approach(*workpiece_, motion.to);
         takesUp_ = false;
-        return {};
+        area_.fade(period);
+        return asFelt({});
     }
     const CutResult cut = take(motion.from, motion.to);
     recordRemoval(cut, workpiece_->properties(), sample);
     sample.reportedRemoval = cut.reported;
     const glm::dvec3 way = motion.way();
     travelSinceRemoval_ = cut.volume > 0.0 ? 0.0 : travelSinceRemoval_ + glm::length(way);
-    CuttingForce force;
-    if (travelSinceRemoval_ <= idleVoxels * workpiece_->grid().edge())
-        force = cuttingForce(cut, coefficients_, way, motion.to.tip, cuttingSpeed_, period);
+    CuttingForce force = cuttingForce(cut, coefficients_, tool_, motion.from, motion.to, period);
+    if (travelSinceRemoval_ > idleVoxels * workpiece_->grid().edge()) {
+        const glm::dvec3 moved = force.motion;
+        force = {};
+        force.cuts = true;
+        force.motion = moved;
+    }
+    area_.add(force.volume, force.motion);
     sample.cuttingForce = force.force;
     if (cut.outOfMemory) {
         memoryFull_ = true;
@@ -52,7 +78,25 @@ CuttingForce CutTick::operator()(ToolMotion& motion, double period, Sample& samp
         motion.normal = glm::dvec3(0.0);
         motion.barred = true;
     }
-    return force;
+    return asFelt(force);
+}
+
+CuttingForce CutTick::asFelt(const CuttingForce& force) noexcept {
+    if (force.area > 0.0) {
+        // A tick that takes its share of the area tells the mix at once. One that only reports what the runs still
+        // lagged, perhaps of the material before, says nothing of what the flutes stand in.
+        const double share = std::clamp(force.area / (tellingShare * area_.value()), 0.0, 1.0), weight = share * share;
+        felt_.energy += weight * (force.energy - felt_.energy);
+        felt_.radialRatio += weight * (force.radialRatio - felt_.radialRatio);
+        felt_.away = force.away;
+    }
+    CuttingForce result = force;
+    result.area = area_.value();
+    result.energy = felt_.energy;
+    result.radialRatio = felt_.radialRatio;
+    result.away = felt_.away;
+    result.reference = felt_.reference;
+    return result;
 }
 
 /// A sample holds all that was cut between it and the one before, so that replaying takes gives the same workpiece:
@@ -83,6 +127,7 @@ void CutTick::settle() noexcept {
 
 void CutTick::workpieceChanged() noexcept {
     removal_.reset();
+    area_.reset();
     travelSinceRemoval_ = std::numeric_limits<double>::infinity();
     memoryFull_ = false;
 }

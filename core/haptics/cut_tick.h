@@ -4,6 +4,7 @@
 
 #include "core/cutting/cutting_force.h"
 #include "core/cutting/removal.h"
+#include "core/haptics/engaged_area.h"
 #include "core/haptics/haptic_settings.h"
 #include "core/haptics/tool_motion.h"
 #include "core/recording/sample.h"
@@ -25,8 +26,9 @@ public:
     /// As `takeUp`, though the tool has been moving: the next tick does not cut.
     void skipOne() noexcept { takesUp_ = true; }
 
-    /// Cuts what the flutes swept, and says what was removed. A motion that ran out of memory is taken back, as part of
-    /// its way is uncut.
+    /// Cuts what the flutes swept, and says what was removed: the paper's force of this very tick; area and mix of
+    /// materials as they are felt, the area smoothed (EngagedArea), the mix that of the last tick that removed
+    /// anything. A motion that ran out of memory is taken back, as part of its way is uncut.
     CuttingForce operator()(ToolMotion& motion, double period, Sample& sample) noexcept;
 
     bool settled() const noexcept { return removal_.settled(); }
@@ -40,11 +42,14 @@ public:
 
 private:
     CutResult take(const ToolPose& from, const ToolPose& to) noexcept;
+    CuttingForce asFelt(const CuttingForce& force) noexcept;
 
     RunVolume* workpiece_;
     CuttingCoefficients coefficients_;
     MaterialRemoval removal_;
-    double cuttingSpeed_;           ///< mm/s
+    SpinningTool tool_;
+    EngagedArea area_;
+    CuttingForce felt_;             ///< area and mix as they are felt
     double travelSinceRemoval_ = 0; ///< mm
     bool onButton_;
     bool released_ = true, buttonDown_ = false;

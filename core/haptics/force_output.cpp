@@ -8,10 +8,10 @@
 namespace burin {
 namespace {
 
-constexpr double cuttingShare = 0.6; // of the force that is allowed at all
-
 CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings, double stiffness) noexcept {
-    return {settings.cuttingForceScale, stiffness, cuttingShare * settings.maximumForce(), settings.mapping.scale};
+    return {settings.cuttingForceGain, stiffness,
+            settings.maximumForce(),   settings.friction,
+            settings.mapping.scale,    settings.stylus.positionStep.value};
 }
 
 PassivityController::Settings controllerSettings(const HapticSettings& settings, double stiffness) noexcept {
@@ -21,14 +21,24 @@ PassivityController::Settings controllerSettings(const HapticSettings& settings,
     return {damping, std::min(damping, loss), std::lround(stylus.delay.value / settings.tickPeriod)};
 }
 
+/// N, device frame: what carries the handle. No more than half of what may be sent: the rest is for what is felt.
+glm::dvec3 liftOf(const HapticSettings& settings) noexcept {
+    constexpr double standardGravity = 9.80665, most = 0.5; // m/s², 1
+    const StylusDescription& stylus = settings.stylus;
+    if (stylus.carriesHandle || stylus.actuated.translations < 3) return glm::dvec3(0.0);
+    return {0.0, 0.0, std::min(stylus.handleMass.value * standardGravity, most * settings.maximumForce())};
+}
+
 } // namespace
 
 ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     : coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
     , guideSpring_(couplingGains(settings.stylus, settings.guideShare, settings.tickPeriod), settings.mapping.scale)
+    , turnCoupling_(settings)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
     , passivity_(controllerSettings(settings, coupling_.stiffness()))
-    , limiter_(settings.maximumForce(), coupling_.stiffness(), settings.tickPeriod)
+    , lift_(liftOf(settings))
+    , limiter_(settings.maximumForce() - glm::length(lift_), coupling_.stiffness(), settings.tickPeriod)
     , ramp_(settings.rampSeconds)
     , toolMotion_(settings.stylus.positionStep.value * settings.mapping.scale)
     , forceButtons_(settings.forceButtons) {}
@@ -39,22 +49,28 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
     for (Coupling* spring : {&coupling_, &guideSpring_}) spring->setScale(hand.mapping.scale);
     cuttingRendering_.setWorkspaceScale(hand.mapping.scale);
     const glm::dvec3 inDevice = hand.mapping.directionToDevice(wanted(motion, cutting, hand, guided, period));
+    const glm::dvec3 turn = hand.clutched ? glm::dvec3(0.0) : motion.turnBehind;
+    const glm::dvec3 turning = hand.mapping.directionToDevice(turnCoupling_.torque(turn));
     const bool letGo = forceButtons_ != 0 && (hand.buttons & forceButtons_) == 0;
-    if (hand.reading == Reading::late || letGo || !isFinite(inDevice)) {
+    if (hand.reading == Reading::late || letGo || !isFinite(inDevice) || !isFinite(turning)) {
         none(letGo || hand.reading != Reading::late, sample);
         return;
     }
     const glm::dvec3 passive = passivity_(inDevice, hand, period);
-    wrench_.force = limiter_(passive) * ramp_.weight();
-    passivity_.sent(wrench_.force);
-    sample.force = hand.mapping.directionToSetup(wrench_.force);
-    if (limiter_.saturated() && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
+    rendered_ = limiter_(passive) * ramp_.weight();
+    wrench_.force = rendered_ + lift_ * ramp_.weight();
+    wrench_.torque = turning * ramp_.weight();
+    // A lift does no work but what the handle's own weight takes back: it is not the loop's energy.
+    passivity_.sent(rendered_);
+    sample.force = hand.mapping.directionToSetup(rendered_);
+    if ((limiter_.saturated() || cuttingGaveWay_) && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
     if (!ramp_.complete()) sample.flags |= sampleForcesOff;
     ramp_.advance(period);
 }
 
 glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
                                const GuidedHand& guided, double period) noexcept {
+    cuttingGaveWay_ = false;
     if (hand.clutched) {
         cuttingRendering_.reset();
         return glm::dvec3(0.0);
@@ -69,19 +85,26 @@ glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cut
     state.rests = hand.rests;
     const glm::dvec3 away = state.proxy - state.hand;
     if (motion.barred && glm::length(away) > 1e-6) state.normal = glm::normalize(away);
-    return coupling_.force(state) + guideSpring_.force(guides.pull, guides.across, hand.rests) +
-           cuttingRendering_(cutting, motion.way(), motion.to.tip, period);
+    const glm::dvec3 contact = coupling_.force(state);
+    const double load = std::max(0.0, glm::dot(contact, state.normal));
+    const glm::dvec3 held = contact + guideSpring_.force(guides.pull, guides.across, hand.rests);
+    const glm::dvec3 cuts = cuttingRendering_(cutting, {motion.way(), state.proxyVelocity, state.normal, load, period});
+    const glm::dvec3 room = besideHeld(held, cuts, limiter_.maximum());
+    cuttingGaveWay_ = room != cuts;
+    return held + room;
 }
 
 bool ForceOutput::quiet() const noexcept {
     constexpr double felt = 0.02; // N: what a desktop device can render and a hand notice
-    return glm::length(wrench_.force) < felt;
+    return glm::length(rendered_) < felt;
 }
 
 void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
     wrench_ = {};
+    rendered_ = glm::dvec3(0.0);
     sample.force = glm::dvec3(0.0);
     sample.flags |= sampleForcesOff;
+    turnCoupling_.reset();
     limiter_.reset();
     passivity_.reset();
     if (fadesIn) fadeIn();
@@ -89,6 +112,8 @@ void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
 
 void ForceOutput::fadeIn() noexcept {
     wrench_ = {};
+    turnCoupling_.reset();
+    rendered_ = glm::dvec3(0.0);
     limiter_.reset();
     passivity_.reset();
     ramp_.restart();

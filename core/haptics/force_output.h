@@ -11,6 +11,7 @@
 #include "core/haptics/motion_estimator.h"
 #include "core/haptics/passivity_controller.h"
 #include "core/haptics/tool_motion.h"
+#include "core/haptics/turn_coupling.h"
 #include "core/recording/sample.h"
 
 namespace burin {
@@ -33,7 +34,8 @@ public:
 
     /// The hand felt nothing in the last tick.
     bool quiet() const noexcept;
-    /// Of the last tick, device frame.
+    /// Of the last tick, device frame. Where the device has to carry its handle and does not do so itself, with the
+    /// force that does: constant, within the maximum, fading in and gone with the other forces.
     const Wrench& wrench() const noexcept { return wrench_; }
     double couplingStiffness() const noexcept { return coupling_.stiffness(); } ///< N/m, device space
     const ForceLimiter& limiter() const noexcept { return limiter_; }
@@ -43,13 +45,17 @@ private:
                       double period) noexcept;
 
     Coupling coupling_, guideSpring_;
+    TurnCoupling turnCoupling_;
     CuttingForceRendering cuttingRendering_;
     PassivityController passivity_;
+    glm::dvec3 lift_; ///< N, device frame, against the handle's weight
     ForceLimiter limiter_;
     ForceRamp ramp_;
     MotionEstimator toolMotion_;
     std::uint32_t forceButtons_;
     Wrench wrench_;
+    glm::dvec3 rendered_{0.0};    ///< N, device frame: the wrench's force without the lift
+    bool cuttingGaveWay_ = false; ///< in the last tick, to what holds the tool
 };
 
 } // namespace burin

@@ -54,6 +54,24 @@ glm::dvec3 directionAt(const Polyline& line, const PolylineFoot& foot) noexcept 
     return length > smallestMix ? mixed / length : here;
 }
 
+/// All that is nearer to the part than a distance, as a boundary for tips.
+class OffsetSurface final : public PoseBoundary {
+public:
+    OffsetSurface(const ClearanceField& field, double distance) noexcept : field_(field), distance_(distance) {}
+    PoseSample at(const ToolPose& pose, double) noexcept override {
+        const FieldSample sample = field_.at(pose.tip);
+        return {sample.clearance - distance_, sample.gradient, glm::dvec3(0.0), sample.fine};
+    }
+    double errorBound() const noexcept override { return field_.errorBound(); }
+    double spacing() const noexcept override { return field_.spacing(); }
+    double overlap() const noexcept override { return 0.0; }
+    double reach() const noexcept override { return 0.0; }
+
+private:
+    const ClearanceField& field_;
+    double distance_;
+};
+
 } // namespace
 
 void GuideShape::set(const Guide& guide) noexcept {
@@ -129,13 +147,16 @@ GuideFoot GuideShape::surfaceFoot(const GuideSurroundings& around, const glm::dv
     if (!held && !here.fine) return {};
     const glm::dvec3 start = held && foot_.known ? foot_.point : hand;
     if (here.clearance >= guide_.distance) return surfaceFromOutside(around.field, hand, start);
-    const Proxy proxy(around.field);
-    const glm::dvec3 feasible = proxy.retreat(start, guide_.distance, surfaceTravel);
-    if (!proxy.feasible(feasible, guide_.distance)) return {};
-    const ProxyStep step = proxy.advance(feasible, hand, guide_.distance, surfaceTravel);
+    OffsetSurface surface(around.field, guide_.distance);
+    const Proxy proxy(surface);
+    const ToolPose feasible = proxy.retreat({start}, surfaceTravel);
+    if (!proxy.feasible(feasible)) return {};
+    ProxyStride stride;
+    stride.travel = surfaceTravel;
+    const ProxyStep step = proxy.advance(feasible, {hand}, stride);
     const bool there =
-        around.field.at(step.tip).clearance - guide_.distance <= surfaceTolerance * around.field.spacing();
-    return {there, step.tip, 0.0};
+        around.field.at(step.pose.tip).clearance - guide_.distance <= surfaceTolerance * around.field.spacing();
+    return {there, step.pose.tip, 0.0};
 }
 
 /// From outside the nearest point is where the hand lies straight above the surface: projections onto the tangent plane

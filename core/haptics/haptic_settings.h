@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/device/stylus.h"
+#include "core/haptics/axis_mode.h"
 #include "core/haptics/workspace_mapping.h"
 
 #include <cstdint>
@@ -13,9 +14,11 @@ namespace burin {
 struct HapticSettings {
     WorkspaceMapping mapping;
     StylusDescription stylus;        ///< whose limits bound everything that is sent
+    AxisMode axis;                   ///< has to fit the boundary that the tool is given
     double allowance = 0.0;          ///< mm left on the part
     double cuttingSpeed = 1000.0;    ///< mm/s of the flutes' edge
-    double cuttingForceScale = 0.01; ///< rendered / real cutting force
+    double cuttingForceGain = 1.0;   ///< 1: the hardest material's reference cut gives 0.6 of the maximum force
+    double friction = 0.15;          ///< Coulomb's coefficient of the tool on what it slides on without cutting it
     double couplingShare = 0.8;      ///< of the stylus' maximum stiffness
     double guideShare = 0.6;         ///< of the stylus' maximum stiffness, for the springs of guides
     double forceShare = 0.6;         ///< of the stylus' maximum force

@@ -2,15 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/haptic_step.h"
 
+#include "core/haptics/fixed_axis_boundary.h"
+
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace burin {
 
 HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const Tool& tool,
                        const HapticSettings& settings)
+    : HapticStep(workpiece, BoundaryLayers(std::make_unique<FixedAxisBoundary>(field)), tool, settings) {}
+
+HapticStep::HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& tool, const HapticSettings& settings)
     : input_(settings)
-    , guides_(field, settings)
-    , mover_(field, tool, workpiece.grid(), settings)
+    , layers_(std::move(layers))
+    , part_(layers_.part())
+    , guides_(part_, settings)
+    , mover_(layers_, tool, workpiece.grid(), settings)
     , cut_(workpiece, tool, settings)
     , output_(settings) {}
 
@@ -36,6 +45,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
         output_.none(true, sample);
         return sample;
     }
+    part_.setAxis(mover_.pose().axis);
     const GuidedHand guided = guides_(hand, mover_.pose(), cut_.spindleTurns(), period);
     if (guided.held != 0) sample.flags |= sampleOnGuide;
     mover_.setScale(hand.mapping.scale);
@@ -45,6 +55,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     sample.proxy = mover_.pose();
     if (motion.shankContact) sample.flags |= sampleShankContact;
     if (motion.normal != glm::dvec3(0.0)) sample.flags |= sampleOnBoundary;
+    if (motion.axisHeld) sample.flags |= sampleAxisHeld;
     output_(motion, cutting, hand, guided, period, sample);
     return sample;
 }

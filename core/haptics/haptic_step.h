@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/field/tool_field.h"
 #include "core/haptics/cut_tick.h"
 #include "core/haptics/force_output.h"
 #include "core/haptics/guide_set.h"
 #include "core/haptics/hand_input.h"
+#include "core/haptics/part_at_axis.h"
 #include "core/haptics/tool_mover.h"
 
 namespace burin {
@@ -15,8 +17,13 @@ namespace burin {
 /// Thread: the one writer of the workpiece.
 class HapticStep {
 public:
-    /// All references but the settings must outlive the object; the tool is copied.
+    /// The workpiece must outlive the object; the tool is copied.
+    /// @param layers what bounds the tool; made for the axis mode of the settings
+    HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& tool, const HapticSettings& settings);
+    /// The part alone, as a field for the axis of the settings. It must outlive the object.
     HapticStep(RunVolume& workpiece, const ClearanceField& field, const Tool& tool, const HapticSettings& settings);
+    HapticStep(const HapticStep&) = delete;
+    HapticStep& operator=(const HapticStep&) = delete;
 
     /// @param state what the stylus read; @param period s since the tick before, > 0.
     /// @return the tick's record; what goes to the device is `deviceWrench`.
@@ -39,6 +46,10 @@ public:
     /// Scale, turn, clutch, recentring: see Workspace. Between two ticks.
     void setWorkspace(const WorkspaceSettings& workspace) noexcept { input_.setWorkspace(workspace); }
     const Workspace& workspace() const noexcept { return input_.workspace(); }
+    /// Takes effect with the next tick, without a kick: a layer that the tool is inside of waits until it is clear.
+    /// @param layer its number in the layers that the step was made with
+    void switchLayer(std::size_t layer, bool on) noexcept { layers_.switchTo(layer, on); }
+    const BoundaryLayers& layers() const noexcept { return layers_; }
     /// Writes what was cut to the workpiece, which lags by up to 16 ticks. For whoever reads it for good: before a
     /// snapshot that is to be restored, undo, saving, amounts; pictures need not. Loop's thread, between two ticks.
     void settle() noexcept { cut_.settle(); }
@@ -63,6 +74,8 @@ private:
     bool start(const ToolPose& hand) noexcept;
 
     HandInput input_;
+    BoundaryLayers layers_;
+    PartAtAxis part_;
     GuideSet guides_;
     ToolMover mover_;
     CutTick cut_;

@@ -48,7 +48,7 @@ VirtualOperator::VirtualOperator(std::vector<IntentPoint> intent, const Workspac
     : intent_(std::move(intent))
     , mapping_(mapping)
     , settings_(settings)
-    , arm_(settings.hand, settings.handle, settings.reaction)
+    , arm_(settings.hand, settings.handle, settings.reaction, settings.integrationStep)
     , tremor_(settings.tremor, settings.seed) {}
 
 Result<void> VirtualOperator::open() {

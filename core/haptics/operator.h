@@ -29,10 +29,11 @@ struct OperatorSettings {
     HandImpedance hand = firmHand;
     HandleInertia handle;
     HandReaction reaction;
-    MotionLimits motion{.maximumSpeed = 500.0}; ///< device frame: mm of the device; half of what counts as a fault
-    double encoderStep = 0.02;                  ///< mm, device frame; 0: exact
-    double tremor = 0.05;                       ///< mm rms along each axis, device frame; 0: a calm hand
-    std::uint64_t seed = 1;                     ///< of the tremor
+    MotionLimits motion{.maximumSpeed = 500.0};  ///< device frame: mm of the device; half of what counts as a fault
+    double integrationStep = HandArm::usualStep; ///< s, of hand and handle
+    double encoderStep = 0.02;                   ///< mm, device frame; 0: exact
+    double tremor = 0.05;                        ///< mm rms along each axis, device frame; 0: a calm hand
+    std::uint64_t seed = 1;                      ///< of the tremor
 };
 
 /// A stylus held by a simulated hand that follows an intent. It reads back what a device would: the hand's place,

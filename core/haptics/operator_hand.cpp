@@ -10,14 +10,12 @@
 
 namespace burin {
 
-namespace {
-constexpr double longestStep = 50e-6; // s: a thousandth of the fastest hand's period
-} // namespace
-
-HandArm::HandArm(const HandImpedance& hand, const HandleInertia& handle, const HandReaction& reaction) noexcept
+HandArm::HandArm(const HandImpedance& hand, const HandleInertia& handle, const HandReaction& reaction,
+                 double step) noexcept
     : mass_(hand.mass + handle.mass)
     , damping_(hand.damping + handle.damping)
     , stiffness_(hand.stiffness)
+    , longestStep_(step >= finestStep ? step : finestStep)
     , reaction_(reaction) {}
 
 glm::dvec3 HandArm::accelerationAt(const glm::dvec3& deviation, const glm::dvec3& velocity,
@@ -42,7 +40,7 @@ void HandArm::step(const glm::dvec3& force, double h) noexcept {
 void HandArm::advance(const glm::dvec3& force, double seconds) noexcept {
     if (reaction_.share > 0.0)
         leaning_ += (-reaction_.share * force - leaning_) * (1.0 - std::exp(-seconds / reaction_.seconds));
-    const int steps = std::max(1, static_cast<int>(std::ceil(seconds / longestStep - 1e-9)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(seconds / longestStep_ - 1e-9)));
     for (int i = 0; i < steps; ++i) step(force + leaning_, seconds / steps);
 }
 

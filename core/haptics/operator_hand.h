@@ -41,9 +41,14 @@ struct HandReaction {
 /// and what remains is what the device's force does to the hand.
 class HandArm {
 public:
-    HandArm(const HandImpedance& hand, const HandleInertia& handle, const HandReaction& reaction) noexcept;
+    static constexpr double usualStep = 50e-6; ///< s: a thousandth of the fastest hand's period
+    static constexpr double finestStep = 1e-6; ///< s
 
-    /// Integrates with Runge-Kutta steps of at most 50 µs; the force is held, as a device's amplifier holds it.
+    /// @param step s, of the integration at most; 10 to 20 µs where energies of µJ are measured. Not below finestStep.
+    HandArm(const HandImpedance& hand, const HandleInertia& handle, const HandReaction& reaction,
+            double step = usualStep) noexcept;
+
+    /// Integrates with Runge-Kutta steps; the force is held, as a device's amplifier holds it.
     /// @param force N. @param seconds > 0. No allocation.
     void advance(const glm::dvec3& force, double seconds) noexcept;
     /// A mechanical stop: moves the deviation and takes away the velocity along `outward` (unit length).
@@ -58,7 +63,7 @@ private:
                               const glm::dvec3& force) const noexcept;
     void step(const glm::dvec3& force, double seconds) noexcept;
 
-    double mass_, damping_, stiffness_;
+    double mass_, damping_, stiffness_, longestStep_;
     HandReaction reaction_;
     glm::dvec3 deviation_{0.0};
     glm::dvec3 velocity_{0.0};

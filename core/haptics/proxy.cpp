@@ -2,227 +2,336 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/proxy.h"
 
-#include "core/geometry/pose.h"
+#include "core/cutting/pose_steps.h"
 #include "core/haptics/contact_planes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 namespace {
 
-constexpr double smallestStep = 1e-8;        // mm; a shorter one is rest
+constexpr double smallestStep = 1e-5;        // mm; a shorter one is rest
+constexpr double smallestTurn = 1e-8;        // rad
 constexpr double smallestImprovement = 1e-9; // mm
 constexpr double usableGradient = 0.2;       // below it (a medial axis) the direction is noise
+constexpr int mostLooks = 20;                // at the boundary in one tick, before the whole way is looked at
 constexpr int chordSamples = 128;
+constexpr int mostBacktracks = 3;
+/// What a turn counts in strides: between two looks the farthest point moves by half a spacing at most.
+constexpr double turnShare = 0.5;
+constexpr double sightInSpacings = 8.0;   // so far ahead clearances are asked for
+constexpr double stiffTurnLength = 1.0e4; // mm: a tip yields by all but a ten-thousandth of what stops a turn
+constexpr double rounding = 1e-9;         // mm by which a pose may have become infeasible since it was accepted
 
 /// One tick's way of the proxy, from vertex to vertex.
 class Way {
 public:
-    Way(const ClearanceField& field, const glm::dvec3& from, const glm::dvec3& goal, double allowance,
-        double chordTolerance, double maximumTravel) noexcept
-        : field_(field)
-        , goal_(goal)
-        , allowance_(allowance)
+    Way(PoseBoundary& boundary, const ToolPose& from, const PoseSample& sample, double chordTolerance,
+        const ProxyStride& stride) noexcept
+        : boundary_(boundary)
+        , spacing_(boundary.spacing())
+        , reach_(boundary.reach())
+        , overlap_(boundary.overlap())
         , tolerance_(0.5 * chordTolerance)
-        , travelLeft_(maximumTravel)
-        , tip_(from)
-        , sample_(field.at(from)) {
+        , travelLeft_(stride.travel)
+        , turnLeft_(stride.turn)
+        , pose_(from)
+        , sample_(sample) {
         vertices_[0] = from;
     }
 
-    ProxyStep run() noexcept;
+    /// As far towards a goal as the boundary lets the tool.
+    /// @param turnLength mm, of the metric; 0: the axis stands @param room mm from here that the tip may be led away
+    /// @return true when it settled, false when iterations or travel ended it
+    bool towards(const ToolPose& goal, double turnLength, double room, int iterations) noexcept;
+    ProxyStep end() noexcept;
+    const ToolPose& pose() const noexcept { return pose_; }
 
 private:
-    double gap(const FieldSample& sample) const noexcept { return sample.clearance - allowance_; }
-    glm::dvec3 rest() const noexcept { return goal_ - tip_; }
+    double gap(const PoseSample& sample) const noexcept { return sample.clearance; }
+    PoseVector rest() const noexcept { return between(pose_, goal_); }
+    PoseVector between(const ToolPose& from, const ToolPose& to) const noexcept;
+    ToolPose moved(const PoseVector& offset) const noexcept;
+    PoseVector normal(const PoseSample& sample) const noexcept;
+    double motion(const PoseVector& offset, double turnWeight) const noexcept;
+    PoseVector shortened(const PoseVector& offset, double most, double turnWeight) const noexcept;
+    PoseSample look(const ToolPose& pose) noexcept;
 
+    bool canMove() const noexcept {
+        return travelLeft_ > smallestStep || (turnLength_ > 0.0 && turnLeft_ > smallestTurn);
+    }
     bool advanceOnce() noexcept;
     bool advanceFree() noexcept;
     bool advanceAlongSurface() noexcept;
-    bool correctOntoSurface(glm::dvec3 tip, FieldSample sample) noexcept;
-    bool shorten(const glm::dvec3& offset) noexcept;
-    bool acceptable(const glm::dvec3& tip, const FieldSample& sample) const noexcept;
-    bool accept(const glm::dvec3& tip, const FieldSample& sample) noexcept;
-    bool clearBetween(const glm::dvec3& a, const glm::dvec3& b) const noexcept;
-    void keepStraightWayClear() noexcept;
+    bool correctOntoSurface(ToolPose pose, PoseSample sample) noexcept;
+    bool shorten(const PoseVector& offset) noexcept;
+    bool acceptable(const ToolPose& pose, const PoseSample& sample) noexcept;
+    bool accept(const ToolPose& pose, const PoseSample& sample) noexcept;
+    bool clearBetween(const ToolPose& a, const ToolPose& b) noexcept;
+    void keepWholeWayClear() noexcept;
 
-    const ClearanceField& field_;
-    glm::dvec3 goal_;
-    double allowance_;
-    double tolerance_;
-    double travelLeft_;
-    glm::dvec3 tip_;
-    FieldSample sample_;
+    PoseBoundary& boundary_;
+    const double spacing_, reach_, overlap_, tolerance_;
+    ToolPose goal_;
+    double turnLength_ = 0.0;
+    glm::dvec3 start_{0.0};
+    double room_ = 0.0;
+    double travelLeft_; ///< mm
+    double turnLeft_;   ///< rad
+    ToolPose pose_;
+    PoseSample sample_;
     ContactPlanes planes_;
-    std::array<glm::dvec3, Proxy::maximumIterations + 1> vertices_{};
+    std::array<ToolPose, Proxy::maximumIterations + 1> vertices_{};
     int vertexCount_ = 1;
+    int iterations_ = 0, looks_ = 0;
+    bool settled_ = false;
 };
 
-ProxyStep Way::run() noexcept {
-    ProxyStep step;
-    bool settled = false;
-    while (!settled && step.iterations < Proxy::maximumIterations && travelLeft_ > smallestStep) {
-        settled = !advanceOnce();
-        ++step.iterations;
+PoseVector Way::between(const ToolPose& from, const ToolPose& to) const noexcept {
+    return {to.tip - from.tip, turnLength_ > 0.0 ? turnLength_ * turnBetween(from.axis, to.axis) : glm::dvec3(0.0)};
+}
+
+ToolPose Way::moved(const PoseVector& offset) const noexcept {
+    if (!(turnLength_ > 0.0)) return {pose_.tip + offset.move, pose_.axis};
+    return {pose_.tip + offset.move, turned(pose_.axis, offset.turn / turnLength_)};
+}
+
+/// What the clearance gains with a change of pose.
+PoseVector Way::normal(const PoseSample& sample) const noexcept {
+    return {sample.gradient, turnLength_ > 0.0 ? sample.turning / turnLength_ : glm::dvec3(0.0)};
+}
+
+/// mm. @param turnWeight 1: no point of the tool moves by more
+double Way::motion(const PoseVector& offset, double turnWeight) const noexcept {
+    const double turn = turnLength_ > 0.0 ? turnWeight * reach_ * glm::length(offset.turn) / turnLength_ : 0.0;
+    return glm::length(offset.move) + turn;
+}
+
+PoseVector Way::shortened(const PoseVector& offset, double most, double turnWeight) const noexcept {
+    const double whole = motion(offset, turnWeight), travel = glm::length(offset.move);
+    const double turn = glm::length(offset.turn);
+    double part = whole > most ? most / whole : 1.0;
+    if (travel > 0.0 && part * travel > travelLeft_) part = travelLeft_ / travel;
+    if (turn > 0.0 && part * turn > turnLeft_ * turnLength_) part = turnLeft_ * turnLength_ / turn;
+    return part < 1.0 ? offset * part : offset;
+}
+
+PoseSample Way::look(const ToolPose& pose) noexcept {
+    ++looks_;
+    const double sight = gap(sample_) > spacing_ ? sightInSpacings : 1.0;
+    return boundary_.at(pose, std::min(motion(rest(), 1.0), sight * spacing_) + spacing_);
+}
+
+bool Way::towards(const ToolPose& goal, double turnLength, double room, int iterations) noexcept {
+    goal_ = goal;
+    turnLength_ = turnLength;
+    start_ = pose_.tip;
+    room_ = room;
+    // Two contacts of a tool no farther apart than the linearisation holds are one.
+    planes_ = ContactPlanes(turnLength > 0.0 ? spacing_ / turnLength : 0.0);
+    settled_ = false;
+    const int last = std::min(iterations_ + iterations, Proxy::maximumIterations);
+    while (!settled_ && iterations_ < last && looks_ < mostLooks && canMove()) {
+        settled_ = !advanceOnce();
+        ++iterations_;
     }
-    keepStraightWayClear();
-    step.tip = tip_;
-    const double length = glm::length(sample_.gradient);
-    const bool pressed = settled || glm::dot(sample_.gradient, rest()) < 0.0;
+    return settled_;
+}
+
+ProxyStep Way::end() noexcept {
+    keepWholeWayClear();
+    ProxyStep step;
+    step.pose = pose_;
+    step.iterations = iterations_;
+    const double steepness = glm::length(sample_.gradient);
+    const PoseVector missing = rest();
+    const bool pressed = settled_ || dot(normal(sample_), missing) < 0.0;
     step.onBoundary =
-        pressed && gap(sample_) <= Proxy::contactGap && glm::length(rest()) > 1e-6 && length > usableGradient;
-    if (step.onBoundary) step.normal = sample_.gradient / length;
+        pressed && gap(sample_) <= Proxy::contactGap && length(missing) > 1e-6 && steepness > usableGradient;
+    if (step.onBoundary) step.normal = sample_.gradient / steepness;
     return step;
 }
 
-/// False: nothing brings the tip nearer to the goal.
+/// False: nothing brings the tool nearer to the goal.
 bool Way::advanceOnce() noexcept {
-    if (glm::length(rest()) < smallestStep) return false;
+    if (length(rest()) < smallestStep) return false;
     // A coarse sample bounds the step but its direction is too rough to slide along.
     const bool readable = sample_.fine && glm::length(sample_.gradient) > usableGradient;
-    if (gap(sample_) > field_.spacing() || !readable) return advanceFree();
+    if (gap(sample_) > spacing_ || !readable) return advanceFree();
     return advanceAlongSurface();
 }
 
 /// No surface within the clearance: straight towards the goal.
 bool Way::advanceFree() noexcept {
-    planes_ = {};
-    const double reach = std::max(gap(sample_), 0.5 * field_.spacing());
-    const glm::dvec3 offset = clampLength(rest(), std::min(reach, travelLeft_));
-    const glm::dvec3 tip = tip_ + offset;
-    const FieldSample sample = field_.at(tip);
-    if (acceptable(tip, sample)) return accept(tip, sample);
-    return correctOntoSurface(tip, sample) || shorten(offset);
+    planes_.clear();
+    const PoseVector offset = shortened(rest(), std::max(gap(sample_), 0.5 * spacing_), 1.0);
+    const ToolPose pose = moved(offset);
+    const PoseSample sample = look(pose);
+    if (acceptable(pose, sample)) return accept(pose, sample);
+    return correctOntoSurface(pose, sample) || shorten(offset);
 }
 
 /// Sequential linearisation: solve for the planes known, look where that leads, take in the plane found there.
 bool Way::advanceAlongSurface() noexcept {
-    const double length = glm::length(sample_.gradient);
-    planes_.add({sample_.gradient / length, gap(sample_) - Proxy::restingGap});
-    glm::dvec3 offset(0.0);
+    planes_.add({normal(sample_), gap(sample_) - Proxy::restingGap});
+    PoseVector offset;
     for (int round = 0; round < ContactPlanes::capacity; ++round) {
-        offset = clampLength(planes_.nearestTo(rest()), std::min(field_.spacing(), travelLeft_));
-        if (glm::length(offset) < smallestStep) return false;
-        const glm::dvec3 tip = tip_ + offset;
-        const FieldSample sample = field_.at(tip);
-        if (acceptable(tip, sample)) return accept(tip, sample);
+        offset = shortened(planes_.nearestTo(rest()), spacing_, turnShare);
+        if (length(offset) < smallestStep) return false;
+        const ToolPose pose = moved(offset);
+        const PoseSample sample = look(pose);
+        if (acceptable(pose, sample)) return accept(pose, sample);
         if (gap(sample) >= 0.0) break; // the way there cuts an edge
-        if (correctOntoSurface(tip, sample)) return true;
-        const double steepness = glm::length(sample.gradient);
-        if (steepness < usableGradient) break;
-        const glm::dvec3 normal = sample.gradient / steepness;
-        planes_.add({normal, gap(sample) - Proxy::restingGap - glm::dot(normal, offset)});
+        if (correctOntoSurface(pose, sample)) return true;
+        if (glm::length(sample.gradient) < usableGradient) break;
+        const PoseVector there = normal(sample);
+        planes_.add({there, gap(sample) - Proxy::restingGap - dot(there, offset)});
     }
     return shorten(offset);
 }
 
-/// Newton's method from an infeasible tip out to the surface.
-bool Way::correctOntoSurface(glm::dvec3 tip, FieldSample sample) noexcept {
+/// Newton's method from an infeasible pose out to the surface.
+bool Way::correctOntoSurface(ToolPose pose, PoseSample sample) noexcept {
     for (int step = 0; step < 3; ++step) {
-        const double steepness = glm::length(sample.gradient);
-        if (steepness < usableGradient) return false;
-        tip += sample.gradient * ((Proxy::restingGap - gap(sample)) / (steepness * steepness));
-        sample = field_.at(tip);
-        if (gap(sample) >= 0.0) return acceptable(tip, sample) && accept(tip, sample);
+        if (glm::length(sample.gradient) < usableGradient) return false;
+        const PoseVector out = normal(sample);
+        const PoseVector correction = out * ((Proxy::restingGap - gap(sample)) / dot(out, out));
+        pose.tip += correction.move;
+        if (turnLength_ > 0.0) pose.axis = turned(pose.axis, correction.turn / turnLength_);
+        sample = look(pose);
+        if (gap(sample) >= 0.0) return acceptable(pose, sample) && accept(pose, sample);
     }
     return false;
 }
 
-bool Way::shorten(const glm::dvec3& offset) noexcept {
+bool Way::shorten(const PoseVector& offset) noexcept {
     double part = 0.5;
     for (int halving = 0; halving < 6; ++halving, part *= 0.5) {
-        const glm::dvec3 tip = tip_ + offset * part;
-        const FieldSample sample = field_.at(tip);
-        if (acceptable(tip, sample)) return accept(tip, sample);
+        const ToolPose pose = moved(offset * part);
+        const PoseSample sample = look(pose);
+        if (acceptable(pose, sample)) return accept(pose, sample);
     }
     return false;
 }
 
-bool Way::acceptable(const glm::dvec3& tip, const FieldSample& sample) const noexcept {
+bool Way::acceptable(const ToolPose& pose, const PoseSample& sample) noexcept {
     if (!(gap(sample) >= 0.0)) return false;
-    if (glm::length(goal_ - tip) > glm::length(rest()) - smallestImprovement) return false;
-    if (glm::length(tip - tip_) > travelLeft_ * (1.0 + 1e-12)) return false;
-    return clearBetween(tip_, tip);
+    if (!(length(between(pose, goal_)) <= length(rest()) - smallestImprovement)) return false;
+    if (glm::length(pose.tip - pose_.tip) > travelLeft_ * (1.0 + 1e-12)) return false;
+    if (turnLength_ > 0.0 && glm::length(turnBetween(pose_.axis, pose.axis)) > turnLeft_ * (1.0 + 1e-12)) return false;
+    if (glm::length(pose.tip - start_) > room_) return false;
+    return motion(between(pose_, pose), 1.0) <= overlap_ || clearBetween(pose_, pose);
 }
 
-bool Way::accept(const glm::dvec3& tip, const FieldSample& sample) noexcept {
-    planes_.moveOrigin(tip - tip_, gap(sample));
-    travelLeft_ -= glm::length(tip - tip_);
-    tip_ = tip;
+bool Way::accept(const ToolPose& pose, const PoseSample& sample) noexcept {
+    planes_.moveOrigin(between(pose_, pose), gap(sample));
+    travelLeft_ = std::max(0.0, travelLeft_ - glm::length(pose.tip - pose_.tip));
+    turnLeft_ = std::max(0.0, turnLeft_ - glm::length(turnBetween(pose_.axis, pose.axis)));
+    pose_ = pose;
     sample_ = sample;
-    vertices_[static_cast<std::size_t>(vertexCount_++)] = tip;
+    vertices_[static_cast<std::size_t>(vertexCount_++)] = pose;
     return true;
 }
 
-/// Samples the straight way, in strides no longer than the clearance or a quarter of a cell: no wall thicker than that
-/// is jumped over. Half of the tolerance is left for what lies between two samples.
-bool Way::clearBetween(const glm::dvec3& a, const glm::dvec3& b) const noexcept {
-    const double length = glm::length(b - a);
-    const double stride = 0.25 * field_.spacing();
-    if (length <= 0.0) return true;
-    const glm::dvec3 direction = (b - a) / length;
-    double along = std::max(a == tip_ ? gap(sample_) : 0.0, std::min(stride, 0.5 * length));
+/// Samples the way, in strides no longer than the clearance or a quarter of a cell: no wall thicker than that is jumped
+/// over. Half of the tolerance is left for what lies between two samples.
+bool Way::clearBetween(const ToolPose& a, const ToolPose& b) noexcept {
+    const double turn = a.axis == b.axis ? 0.0 : reach_ * glm::length(b.axis - a.axis);
+    const double whole = glm::length(b.tip - a.tip) + turnShare * turn;
+    const double stride = 0.25 * spacing_;
+    if (whole <= 0.0) return true;
+    const PoseSteps way(a, b, std::max(reach_, 1.0), spacing_);
+    double along = std::max(&a == &pose_ ? turnShare * gap(sample_) : 0.0, std::min(stride, 0.5 * whole));
     for (int i = 0; i < chordSamples; ++i) {
-        if (along >= length) return true;
-        const double here = gap(field_.at(a + direction * along));
+        if (along >= whole) return true;
+        ++looks_;
+        const double here = gap(boundary_.at(way.poseAt(along / whole), std::min(whole - along, spacing_)));
         if (here < -tolerance_) return false;
-        along += std::max(here, stride);
+        along += std::max(turnShare * here, stride);
     }
     return false;
 }
 
-/// Goes back to the last vertex that can be reached from the first in a straight line.
-void Way::keepStraightWayClear() noexcept {
-    const auto vertex = [&](int index) { return vertices_[static_cast<std::size_t>(index)]; };
-    if (vertexCount_ <= 2 || clearBetween(vertex(0), vertex(vertexCount_ - 1))) return;
-    int good = 1, bad = vertexCount_ - 1;
-    while (bad - good > 1) {
-        const int middle = (good + bad) / 2;
-        (clearBetween(vertex(0), vertex(middle)) ? good : bad) = middle;
+/// Goes back to a vertex that can be reached from the first on the way that is cut; the last such, as far as a few
+/// looks tell.
+void Way::keepWholeWayClear() noexcept {
+    const auto vertex = [&](int index) -> const ToolPose& { return vertices_[static_cast<std::size_t>(index)]; };
+    const bool lookedAt = vertexCount_ == 1 || (vertexCount_ == 2 && overlap_ <= 0.0);
+    if (lookedAt || clearBetween(vertex(0), vertex(vertexCount_ - 1))) return;
+    int good = 0, bad = vertexCount_ - 1;
+    for (int tries = 0; bad - good > 1 && (tries < mostBacktracks || good == 0); ++tries) {
+        const int middle = tries < mostBacktracks ? (good + bad) / 2 : 1;
+        if (clearBetween(vertex(0), vertex(middle)))
+            good = middle;
+        else if (middle == 1)
+            break;
+        else
+            bad = middle;
     }
-    tip_ = vertex(good);
-    sample_ = field_.at(tip_);
+    pose_ = vertex(good);
+    sample_ = look(pose_);
+}
+
+bool isFinite(const ToolPose& pose) noexcept {
+    return burin::isFinite(pose.tip) && burin::isFinite(pose.axis) && glm::length(pose.axis) > 0.5;
 }
 
 } // namespace
 
 double Proxy::chordTolerance() const noexcept {
-    return std::max(0.002, 0.25 * field_->errorBound());
+    return std::max(0.002, 0.25 * boundary_->errorBound());
 }
 
-bool Proxy::feasible(const glm::dvec3& tip, double allowance) const noexcept {
-    return field_->at(tip).clearance >= allowance;
+bool Proxy::feasible(const ToolPose& pose) const noexcept {
+    return boundary_->at(pose, boundary_->spacing()).clearance >= 0.0;
 }
 
-ProxyStep Proxy::advance(const glm::dvec3& from, const glm::dvec3& goal, double allowance,
-                         double maximumTravel) const noexcept {
-    if (!isFinite(goal) || !feasible(from, allowance)) {
-        ProxyStep stays;
-        stays.tip = from;
-        return stays;
+ProxyStep Proxy::advance(const ToolPose& from, const ToolPose& goal, const ProxyStride& stride) const noexcept {
+    constexpr double anywhere = std::numeric_limits<double>::infinity();
+    ProxyStep stays;
+    stays.pose = from;
+    if (!isFinite(goal)) return stays;
+    const PoseSample sample = boundary_->at(from, (1.0 + sightInSpacings) * boundary_->spacing());
+    if (!(sample.clearance >= -rounding)) return stays;
+    Way way(*boundary_, from, sample, chordTolerance(), stride);
+    if (!(stride.turn > 0.0)) {
+        way.towards({goal.tip, from.axis}, 0.0, anywhere, maximumIterations);
+        return way.end();
     }
-    return Way(*field_, from, goal, allowance, chordTolerance(), maximumTravel).run();
+    if (stride.yields == ProxyStride::Yields::both) {
+        way.towards(goal, stride.turnLength, anywhere, maximumIterations);
+    } else {
+        way.towards({from.tip, goal.axis}, stiffTurnLength, stride.room, maximumIterations / 2);
+        way.towards({goal.tip, way.pose().axis}, 0.0, anywhere, maximumIterations);
+    }
+    ProxyStep step = way.end();
+    const double behind = glm::length(turnBetween(from.axis, goal.axis));
+    const double left = glm::length(turnBetween(step.pose.axis, goal.axis));
+    step.axisHeld = left > axisTolerance && behind - left < 0.5 * std::min(behind, stride.turn);
+    return step;
 }
 
-glm::dvec3 Proxy::retreat(const glm::dvec3& from, double allowance, double maximumTravel) const noexcept {
-    glm::dvec3 tip = from;
-    FieldSample sample = field_->at(tip);
+ToolPose Proxy::retreat(const ToolPose& from, double maximumTravel) const noexcept {
+    const double spacing = boundary_->spacing();
+    ToolPose pose = from;
+    PoseSample sample = boundary_->at(pose, spacing);
     double left = maximumTravel;
-    for (int i = 0; i < maximumIterations && sample.clearance < allowance && left > smallestStep; ++i) {
+    for (int i = 0; i < maximumIterations && sample.clearance < 0.0 && left > smallestStep; ++i) {
         const double steepness = glm::length(sample.gradient);
         if (steepness < usableGradient) break;
-        const double wanted = (allowance + restingGap - sample.clearance) / steepness;
-        const double length = std::min({wanted, left, field_->spacing()});
-        const glm::dvec3 next = tip + sample.gradient * (length / steepness);
-        const FieldSample there = field_->at(next);
+        const double wanted = (restingGap - sample.clearance) / steepness;
+        const double step = std::min({wanted, left, spacing});
+        const ToolPose next{pose.tip + sample.gradient * (step / steepness), pose.axis};
+        const PoseSample there = boundary_->at(next, spacing);
         if (there.clearance <= sample.clearance) break;
-        tip = next;
+        pose = next;
         sample = there;
-        left -= length;
+        left -= step;
     }
-    return tip;
+    return pose;
 }
 
 } // namespace burin

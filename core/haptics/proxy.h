@@ -2,52 +2,68 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/field/tool_field.h"
+#include "core/haptics/pose_boundary.h"
+
+#include <cstdint>
 
 namespace burin {
 
-/// The nearest tip that the boundary allows (god-object: Zilles & Salisbury 1995; Ruspini 1997), axis fixed.
+/// How a tool may follow the hand in one tick.
+struct ProxyStride {
+    double travel = 0.0; ///< mm; the tip's way is no longer
+    double turn = 0.0;   ///< rad that the axis may turn; 0: it stands
+    /// What gives way where hand and boundary disagree.
+    enum class Yields : std::uint8_t {
+        both, ///< as the turn length weighs them
+        tip,  ///< the axis follows the hand, the tip makes room for it; then the tip goes where the axis lets it
+    } yields = Yields::both;
+    double turnLength = 1.0; ///< mm: a turn by 1 rad counts as so much of the tip's way; > 0. Yields::both
+    double room = 0.0;       ///< mm of the tip's way that the axis may claim for itself. Yields::tip
+};
+
+/// The nearest pose that the boundary allows (god-object: Zilles & Salisbury 1995; Ruspini 1997).
 struct ProxyStep {
-    glm::dvec3 tip{0.0};     ///< mm
+    ToolPose pose;
     bool onBoundary = false; ///< held back
-    glm::dvec3 normal{0.0};  ///< of the boundary at the tip, unit, out of the part; zero when free
+    glm::dvec3 normal{0.0};  ///< of the boundary at the pose, by the tip, unit, outwards; zero when free
+    bool axisHeld = false;   ///< the boundary keeps the axis from where the hand wants it
     int iterations = 0;
 };
 
-/// Moves a proxy from a feasible tip towards a goal without passing the surface clearance = allowance: marches in
-/// steps no longer than the clearance, slides along up to three planes solved together, never accepts an infeasible
-/// tip. Feasible means clearance >= allowance.
-/// The straight way from `from` to the answer is feasible too, but for `chordTolerance`: what is swept or written to a
-/// path between two ticks keeps to the boundary as well as the ticks themselves.
+/// Moves a proxy from a feasible pose towards a goal without passing the boundary: marches in steps no longer than the
+/// clearance, slides along planes solved together, never accepts an infeasible pose. Feasible means clearance >= 0.
+/// The way from `from` to the answer (tip straight, axis turning evenly: PoseSteps) is feasible too, but for
+/// `chordTolerance`: what is swept or written to a path between two ticks keeps to the boundary as well as the ticks
+/// themselves. Lengths of ways are those of the tool's farthest point, so that a turn sweeps nothing unseen.
 /// Every accepted step comes nearer to the goal, so the proxy rests where the goal rests.
-/// A function of its arguments: no state, no allocation, any thread.
+/// A function of its arguments, as far as the boundary is; no allocation; the boundary's thread.
 class Proxy {
 public:
     static constexpr int maximumIterations = 24;
-    /// mm of clearance, beyond the allowance, that the proxy rests at when it is pressed against the boundary.
+    /// mm of clearance that the proxy rests at when it is pressed against the boundary.
     static constexpr double restingGap = 1e-4;
-    /// mm of clearance, beyond the allowance, up to which a proxy counts as touching the boundary.
+    /// mm of clearance up to which a proxy counts as touching the boundary.
     static constexpr double contactGap = 1e-3;
+    /// rad that the axis may be off the hand's without counting as held.
+    static constexpr double axisTolerance = 1e-3;
 
-    explicit Proxy(const ClearanceField& field) noexcept : field_(&field) {}
+    /// @param boundary outlives the object
+    explicit Proxy(PoseBoundary& boundary) noexcept : boundary_(&boundary) {}
 
-    /// @param from feasible; an infeasible one stays where it is. @param goal mm, anywhere.
-    /// @param maximumTravel mm; length of the way is no longer.
-    ProxyStep advance(const glm::dvec3& from, const glm::dvec3& goal, double allowance,
-                      double maximumTravel) const noexcept;
+    /// @param from feasible; an infeasible one stays where it is. @param goal anywhere.
+    ProxyStep advance(const ToolPose& from, const ToolPose& goal, const ProxyStride& stride) const noexcept;
 
-    /// Moves an infeasible tip out along the clearance's gradient, by `maximumTravel` (mm) at most. A tip that gains no
-    /// clearance any more (a pocket too narrow for the allowance) stays.
-    glm::dvec3 retreat(const glm::dvec3& from, double allowance, double maximumTravel) const noexcept;
+    /// Moves an infeasible tool out along the clearance's gradient, its axis standing, by `maximumTravel` (mm) at most.
+    /// One that gains no clearance any more (a pocket too narrow for the allowance) stays.
+    ToolPose retreat(const ToolPose& from, double maximumTravel) const noexcept;
 
-    bool feasible(const glm::dvec3& tip, double allowance) const noexcept;
-    double clearance(const glm::dvec3& tip) const noexcept { return field_->at(tip).clearance; }
+    bool feasible(const ToolPose& pose) const noexcept;
 
-    /// mm below the allowance that the straight way between two ticks may have.
+    /// mm below 0 that the clearance may have on the way between two ticks.
     double chordTolerance() const noexcept;
 
 private:
-    const ClearanceField* field_;
+    PoseBoundary* boundary_;
 };
 
 } // namespace burin

@@ -2,87 +2,144 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/tool_mover.h"
 
+#include "core/haptics/pose_vector.h"
 #include "core/haptics/reading_guard.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin {
 namespace {
 
 constexpr double voxelsPerTick = 6.0; // of travel, at least
+/// The same where the axis is free: each look at the boundary is dearer there, and a tool that was held and comes free
+/// has time to catch up.
+constexpr double voxelsPerTickFree = 2.0;
+constexpr double voxelsOfRoom = 2.0; // that a tip makes in a tick for an axis
 constexpr int parkingSamples = 256;
+
+bool rendersTorque(const StylusDescription& stylus) noexcept {
+    return stylus.actuated.rotations > 0 && stylus.maximumTurningStiffness.value > 0.0 &&
+           stylus.maximumStiffness.value > 0.0;
+}
+
+/// Weighs turns against moves as the coupling's springs do, so that the tool rests where they hold least energy: where
+/// a tool without weight would rest that hangs on the hand by them.
+/// @return mm, in a workspace of scale 1
+double turnLength(const HapticSettings& settings) noexcept {
+    if (!rendersTorque(settings.stylus)) return 1.0;
+    const double newtonsPerMillimetre = settings.stylus.maximumStiffness.value * 1e-3;
+    return std::sqrt(settings.stylus.maximumTurningStiffness.value / newtonsPerMillimetre);
+}
 
 } // namespace
 
-ToolMover::ToolMover(const ClearanceField& field, const Tool& tool, const Grid& grid, const HapticSettings& settings)
-    : topOfWorkpiece_(grid.box().high.z)
-    , spacing_(field.spacing())
-    , slowestTravel_(voxelsPerTick * grid.edge() / settings.tickPeriod)
+ToolMover::ToolMover(BoundaryLayers& layers, const Tool& tool, const Grid& grid, const HapticSettings& settings)
+    : layers_(layers)
+    , axis_(settings.axis)
+    , yields_(rendersTorque(settings.stylus) ? ProxyStride::Yields::both : ProxyStride::Yields::tip)
+    , turnLengthAtScale1_(turnLength(settings))
+    , room_(voxelsOfRoom * grid.edge())
+    , topOfWorkpiece_(grid.box().high.z)
+    , slowestTravel_((settings.axis.free ? voxelsPerTickFree : voxelsPerTick) * grid.edge() / settings.tickPeriod)
     , handSpeed_(settings.stylus.maximumSpeed.value)
     , longestPeriod_(ReadingGuard::lateTicks * settings.tickPeriod)
     , brake_(tool.cutter, grid)
-    , proxy_(field)
-    , allowance_(settings.allowance) {
+    , proxy_(layers)
+    , allowance_(layers, settings.allowance) {
     setScale(settings.mapping.scale);
 }
 
 /// A tool as fast as the fastest hand that is believed follows it without a lag, hence without a force.
 void ToolMover::setScale(double scale) noexcept {
     travelPerSecond_ = std::max(slowestTravel_, 1.1 * handSpeed_ * scale);
+    turnLength_ = turnLengthAtScale1_ * scale;
+}
+
+ToolPose ToolMover::wanted(const ToolPose& hand) const noexcept {
+    return {hand.tip, axis_.free ? hand.axis : axis_.direction};
+}
+
+ProxyStride ToolMover::stride(double period) const noexcept {
+    const double time = std::min(period, longestPeriod_);
+    ProxyStride stride;
+    stride.travel = travelPerSecond_ * time;
+    stride.turn = axis_.free ? turnSpeed * time : 0.0;
+    stride.yields = yields_;
+    stride.turnLength = turnLength_;
+    stride.room = room_;
+    return stride;
 }
 
 bool ToolMover::start(const ToolPose& hand, const CutTick& cut) noexcept {
     allowance_.settle();
-    if (!proxy_.feasible(hand.tip, allowance_.inForce())) return false;
-    if (cut.spindleTurns() && brake_.at(cut.workpiece(), hand.tip).touches) return false;
-    pose_.tip = hand.tip;
+    layers_.settle();
+    const ToolPose pose = wanted(hand);
+    if (!proxy_.feasible(pose)) return false;
+    if (cut.spindleTurns() && brake_.at(cut.workpiece(), pose).touches) return false;
+    pose_ = pose;
     return true;
 }
 
-ToolPose ToolMover::parkedAbove(const ToolPose& hand) const noexcept {
-    ToolPose pose{hand.tip};
+ToolPose ToolMover::parkedAbove(const ToolPose& hand) noexcept {
+    ToolPose pose = wanted(hand);
+    const double spacing = layers_.spacing();
     for (int i = 0; i < parkingSamples; ++i) {
-        const double missing = allowance_.inForce() - proxy_.clearance(pose.tip);
-        if (!(missing > 0.0)) return pose;
-        pose.tip.z += std::max(missing, spacing_);
+        const double clearance = layers_.at(pose, spacing).clearance;
+        if (!(clearance < 0.0)) return pose;
+        pose.tip += std::max(-clearance, spacing) * pose.axis;
     }
     pose.tip.z = std::max(pose.tip.z, topOfWorkpiece_);
     return pose;
 }
 
 ToolMotion ToolMover::move(const ToolPose& hand, double period, CutTick& cut) noexcept {
-    const double travel = travelPerSecond_ * std::min(period, longestPeriod_);
     ToolMotion motion{pose_, pose_};
-    const glm::dvec3 standing = allowance_.advance(proxy_, pose_.tip, period);
-    ProxyStep step = proxy_.advance(standing, hand.tip, allowance_.inForce(), travel);
-    if (barred(step.tip, cut, motion)) {
+    layers_.settle(pose_);
+    const ToolPose standing = allowance_.advance(proxy_, pose_, period);
+    const ToolPose goal = wanted(hand);
+    ProxyStep step = proxy_.advance(standing, goal, stride(period));
+    if (barred(step.pose, cut, motion)) {
         motion.barred = true;
-        // Held sideways, a tool can still be pulled out along its axis.
-        const glm::dvec3 above(standing.x, standing.y, std::max(standing.z, hand.tip.z));
-        step = proxy_.advance(standing, above, allowance_.inForce(), travel);
-        if (step.tip == pose_.tip || barred(step.tip, cut, motion)) step = {pose_.tip, false, glm::dvec3(0.0), 0};
+        step = aroundContact(standing, goal, stride(period), cut, motion);
     }
-    motion.to.tip = step.tip;
+    motion.to = step.pose;
     if (step.onBoundary) motion.normal = step.normal;
+    if (axis_.free) motion.turnBehind = turnBetween(goal.axis, motion.to.axis);
+    motion.axisHeld = step.axisHeld && yields_ == ProxyStride::Yields::tip;
     return motion;
 }
 
-bool ToolMover::barred(const glm::dvec3& to, CutTick& cut, ToolMotion& motion) noexcept {
+/// Held sideways, a tool can still be pulled out along its axis.
+ProxyStep ToolMover::aroundContact(const ToolPose& standing, const ToolPose& goal, ProxyStride stride, CutTick& cut,
+                                   ToolMotion& motion) noexcept {
+    const double out = glm::dot(goal.tip - standing.tip, standing.axis);
+    stride.turn = 0.0;
+    ProxyStep step =
+        proxy_.advance(standing, {standing.tip + std::max(out, 0.0) * standing.axis, standing.axis}, stride);
+    if (step.pose.tip != pose_.tip && !barred(step.pose, cut, motion)) return step;
+    ProxyStep stays;
+    stays.pose = pose_;
+    stays.axisHeld = axis_.free && glm::length(goal.axis - pose_.axis) > Proxy::axisTolerance;
+    return stays;
+}
+
+bool ToolMover::barred(const ToolPose& to, CutTick& cut, ToolMotion& motion) noexcept {
     if (!cut.spindleTurns()) return false;
-    ShankContact contact = brake_.onTheWay(cut.workpiece(), pose_.tip, to);
+    ShankContact contact = brake_.onTheWay(cut.workpiece(), pose_, to);
     // What is touched may be gone, though not yet written.
     if (contact.touches && !cut.settled()) {
         cut.settle();
-        contact = brake_.onTheWay(cut.workpiece(), pose_.tip, to);
+        contact = brake_.onTheWay(cut.workpiece(), pose_, to);
     }
     if (contact.touches) shank_ = contact;
     motion.shankContact = motion.shankContact || contact.touches;
-    return contact.touches || (cut.memoryFull() && brake_.onTheWayWithFlutes(cut.workpiece(), pose_.tip, to).touches);
+    return contact.touches || (cut.memoryFull() && brake_.onTheWayWithFlutes(cut.workpiece(), pose_, to).touches);
 }
 
 void ToolMover::arrive(const ToolMotion& motion) noexcept {
     pose_ = motion.to;
-    if (motion.barred) allowance_.limitTo(proxy_.clearance(pose_.tip));
+    if (motion.barred) allowance_.limitTo(pose_);
 }
 
 } // namespace burin

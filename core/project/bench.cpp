@@ -137,7 +137,7 @@ Result<void> replayTake(const Take& take, const Tool& tool, Bench& bench, const 
         const bool cut = std::any_of(sample.removed.begin(), sample.removed.end(),
                                      [](const RemovedMaterial& removed) { return removed.units > 0; });
         if (!cut || undone.holds(i)) continue;
-        const CutResult result = removal.cut(workpiece, take.samples[i - 1].proxy.tip, sample.proxy.tip);
+        const CutResult result = removal.cut(workpiece, take.samples[i - 1].proxy, sample.proxy);
         if (result.outOfMemory)
             return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
     }

@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/haptics/hostile_stylus.h"
 #include "core/project/milling_session.h"
 
 #include <algorithm>
@@ -90,6 +91,61 @@ Result<MillingPlan> planFor(const Bench& bench, const ClearanceField& field, con
     return planMilling(field, bench.tool, wanted);
 }
 
+/// Where a hand without a plan moves: from a little above the stock down to its middle.
+Box freeRegion(const Bench& bench) {
+    Box region = bench.setup.stock;
+    region.high.z += travelHeight;
+    region.low.z = bench.setup.stock.centre().z;
+    return region;
+}
+
+double freeSeconds(const OperatorRequest& request) {
+    constexpr double usual = 20.0;
+    return request.timeLimit > 0.0 ? request.timeLimit : usual;
+}
+
+/// What the operator means to do, and in which takes.
+Result<void> addStages(const Bench& bench, const ClearanceField& field, const OperatorRequest& request,
+                       OperatorPlan& planned) {
+    const bool freeHand = bench.model->bodies.empty();
+    if (request.intent == OperatorIntent::scribble) {
+        ScribbleRequest scribble{.region = freeRegion(bench), .seconds = freeSeconds(request), .seed = request.seed};
+        Result<std::vector<IntentPoint>> way = planScribble(scribble);
+        if (!way) return std::move(way).error();
+        planned.stages = {{BURIN_TEXT("Take", "scribble").text, std::move(*way), request.allowance}};
+        return {};
+    }
+    if (request.intent == OperatorIntent::contour && !freeHand) {
+        ContourRequest contour;
+        contour.stock = bench.setup.stock;
+        contour.bottom = bench.model->box().low.z;
+        contour.levelDepth = request.levelDepth;
+        contour.press = request.press;
+        Result<std::vector<IntentPoint>> way = planContours(field, bench.tool, contour);
+        if (!way) return std::move(way).error();
+        planned.stages = {{BURIN_TEXT("Take", "contours").text, std::move(*way), 0.0}};
+        return {};
+    }
+    Result<MillingPlan> plan = planFor(bench, field, request, planned.hand, planned.mapping.scale);
+    if (!plan) return std::move(plan).error();
+    planned.plan = std::move(*plan);
+    planned.stages = {{(freeHand ? BURIN_TEXT("Take", "free hand") : BURIN_TEXT("Take", "roughing")).text,
+                       planned.plan.roughing, freeHand ? 0.0 : request.allowance},
+                      {BURIN_TEXT("Take", "finishing").text, planned.plan.finishing, 0.0}};
+    return {};
+}
+
+HostileSettings hostility(const Bench& bench, const OperatorRequest& request) {
+    HostileSettings settings;
+    settings.stylus = touchLikeStylus();
+    const WorkspaceMapping mapping = mappingFor(bench, settings.stylus);
+    const Box region = freeRegion(bench);
+    settings.region = {mapping.toDevice(region.low), mapping.toDevice(region.high)};
+    settings.hand = request.hand;
+    settings.seed = request.seed;
+    return settings;
+}
+
 } // namespace
 
 WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus) {
@@ -140,35 +196,46 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceFi
 Result<OperatorPlan> planOperator(const Bench& bench, const ClearanceField& field, const OperatorRequest& request) {
     OperatorPlan planned;
     planned.hand.seed = request.seed;
+    planned.hand.hand = request.hand;
     planned.mapping = mappingFor(bench, planned.hand.stylus);
-    Result<MillingPlan> plan = planFor(bench, field, request, planned.hand, planned.mapping.scale);
-    if (!plan) return std::move(plan).error();
-    planned.plan = std::move(*plan);
-    const bool freeHand = bench.model->bodies.empty();
-    planned.stages = {{(freeHand ? BURIN_TEXT("Take", "free hand") : BURIN_TEXT("Take", "roughing")).text,
-                       planned.plan.roughing, freeHand ? 0.0 : request.allowance},
-                      {BURIN_TEXT("Take", "finishing").text, planned.plan.finishing, 0.0}};
+    Result<void> made = addStages(bench, field, request, planned);
+    if (!made) return std::move(made).error();
     std::erase_if(planned.stages, [](const OperatorStage& stage) { return stage.intent.empty(); });
     return planned;
 }
 
 Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ClearanceField& field,
                                          const OperatorRequest& request, const std::atomic<bool>& stop) {
-    Result<OperatorPlan> planned = planOperator(bench, field, request);
-    if (!planned) return std::move(planned).error();
     OperatorOutcome outcome;
-    for (const OperatorStage& stage : planned->stages) {
+    const auto record = [&](Stylus& stylus, const std::string& name, double allowance,
+                            const WorkspaceMapping& mapping) -> Result<void> {
         if (stop.load()) return Error{ErrorCode::cancelled, "milling", {}, {}};
-        VirtualOperator stylus(stage.intent, planned->mapping, planned->hand);
         TakeRequest take;
-        take.name = stage.name;
-        take.allowance = stage.allowance;
-        take.mapping = planned->mapping;
+        take.name = name;
+        take.allowance = allowance;
+        take.mapping = mapping;
         take.pace = request.pace;
         if (request.timeLimit > 0.0) take.maximumSeconds = request.timeLimit;
+        if (request.intent == OperatorIntent::hostile) take.maximumSeconds = freeSeconds(request); // it never ends
         Result<TakeOutcome> recorded = recordTake(project, bench, field, stylus, take, stop);
         if (!recorded) return std::move(recorded).error();
         outcome.takes.push_back(*recorded);
+        return {};
+    };
+    if (request.intent == OperatorIntent::hostile) {
+        HostileStylus stylus(hostility(bench, request));
+        const WorkspaceMapping mapping = mappingFor(bench, stylus.description());
+        if (Result<void> milled = record(stylus, BURIN_TEXT("Take", "hostile hand").text, request.allowance, mapping);
+            !milled)
+            return std::move(milled).error();
+        return outcome;
+    }
+    Result<OperatorPlan> planned = planOperator(bench, field, request);
+    if (!planned) return std::move(planned).error();
+    for (const OperatorStage& stage : planned->stages) {
+        VirtualOperator stylus(stage.intent, planned->mapping, planned->hand);
+        if (Result<void> milled = record(stylus, stage.name, stage.allowance, planned->mapping); !milled)
+            return std::move(milled).error();
     }
     outcome.plan = std::move(planned->plan);
     return outcome;

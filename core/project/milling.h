@@ -5,6 +5,7 @@
 #include "core/device/stylus_handle.h"
 #include "core/haptics/haptic_step.h"
 #include "core/haptics/operator.h"
+#include "core/haptics/operator_intents.h"
 #include "core/haptics/operator_plan.h"
 #include "core/haptics/servo_loop.h"
 #include "core/project/bench.h"
@@ -50,13 +51,15 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceFi
 
 /// What the virtual operator is asked to do.
 struct OperatorRequest {
+    OperatorIntent intent = OperatorIntent::passes;
+    HandImpedance hand = firmHand;  ///< that holds the stylus
     double allowance = 0.5;         ///< mm, roughing
     double press = 2.0;             ///< mm into the part, finishing
     double levelDepth = 0.0;        ///< mm, between roughing levels; 0: the plan's own rule
     double roughingStepOver = 0.0;  ///< mm; 0: the plan's own rule
     double finishingStepOver = 0.0; ///< mm; 0: the plan's own rule
     double finishingDepth = 0.0;    ///< mm of stock that finishing may take at once; 0: the distance of the levels
-    double timeLimit = 0.0;         ///< s for both; 0: none
+    double timeLimit = 0.0;         ///< s for all takes; 0: none, and 20 s of a scribble or of hostility
     std::uint64_t seed = 1;         ///< of the hand's tremor
     Pace pace = Pace::fast;
 };

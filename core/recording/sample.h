@@ -22,6 +22,7 @@ enum SampleFlag : std::uint32_t {
     sampleMemoryFull = 1u << 5,    ///< the reserved memory of the volume is used up: cutting stopped
     sampleSpindleOff = 1u << 6,    ///< the tool only moved: nothing was cut, stock did not hold it; never part of a path
     sampleOnGuide = 1u << 7,       ///< a guide held the hand, or turned the tool's axis
+    sampleAxisHeld = 1u << 8,      ///< the axis does not follow the stylus: there is no room, and no torque to feel it
     sampleForceLate = 1u << 10,    ///< the force came too late for its reading: zero was sent instead
 };
 
@@ -39,7 +40,7 @@ struct Sample {
     Pose device;                    ///< mm, device frame
     glm::dvec3 stylusTip{0.0};      ///< where the mapped hand wants the tip, mm
     ToolPose proxy;                 ///< where the tool is; never inside the part grown by the allowance
-    glm::dvec3 force{0.0};          ///< N, sent to the device, setup frame
+    glm::dvec3 force{0.0};          ///< N, rendered by the device, setup frame; without what only carries its handle
     glm::dvec3 cuttingForce{0.0};   ///< N, unscaled, setup frame
     double reportedRemoval = 0.0;   ///< mm³, the smooth figure that drives the force
     std::array<RemovedMaterial, 8> removed{}; ///< exact, by material

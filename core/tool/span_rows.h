@@ -138,10 +138,7 @@ private:
     RevolvedPiece piece_;
     Shape shape_ = Shape::ball;
     double radius_ = 0.0, longestWay_ = 0.0;
-    double depth_ = 0.0;    ///< units, below a rounding's middle that heights count from
-    bool clipsLow_ = false; ///< lines behind the piece can't be lower than at the start
-    bool clips_ = false;    ///< lines behind the piece can't have more
-    double behind_ = 0.0;   ///< slope of the way downwards: how far behind its axis a ball still goes deeper
+    double depth_ = 0.0; ///< units, below a rounding's middle that heights count from
     LineStretch rows_, columns_;
     bool tilts_ = false;
     double reach_ = 0.0;

@@ -134,7 +134,7 @@ BURIN_INLINE void keep(const Across& across, Integers firstLine, Integers endLin
 
 } // namespace
 
-BURIN_VECTORISED void planRows(const Upright& piece, std::int32_t firstRow, Rows& rows) noexcept {
+BURIN_VECTORISED_TO_AVX512 void planRows(const Upright& piece, std::int32_t firstRow, Rows& rows) noexcept {
     rows.first = firstRow;
     const Integers v = Integers{0, 1, 2, 3, 4, 5, 6, 7} + firstRow;
     const Floats fromY = floatsOf(v - piece.from.wholeY) - piece.from.partY;

@@ -45,7 +45,8 @@ BURIN_INLINE Floats edgeOf(const TiltedShadow& shadow, Floats y, float side) noe
         const Floats part = (y - from.y) / along.y;
         const Floats one = clamped(part - off, 0.0F, 1.0F), other = clamped(part + off, 0.0F, 1.0F);
         const Floats x = side * from.x + most(one * (side * along.x), other * (side * along.x));
-        outmost = (part >= floats(-off)) & (part <= floats(1.0F + off)) ? most(outmost, x) : outmost;
+        const Integers meets = (part >= floats(-off)) & (part <= floats(1.0F + off));
+        outmost = meets ? most(outmost, x) : outmost;
     }
     return outmost;
 }
@@ -90,8 +91,8 @@ BURIN_INLINE void findRim(const TiltedPiece& piece, float height, Floats y, std:
 
 } // namespace
 
-BURIN_VECTORISED void planTiltedRows(const TiltedPiece& piece, const TiltedShadow& shadow, float margin,
-                                     std::int32_t firstRow, TiltedRows& rows) noexcept {
+BURIN_VECTORISED_TO_AVX512 void planTiltedRows(const TiltedPiece& piece, const TiltedShadow& shadow, float margin,
+                                               std::int32_t firstRow, TiltedRows& rows) noexcept {
     rows.first = firstRow;
     const Floats y = floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (firstRow - piece.to.wholeY)) -
                      static_cast<float>(piece.to.y - piece.to.wholeY);

@@ -270,15 +270,15 @@ BURIN_INLINE void coverRow(const Upright& piece, const Rows& rows, const RowSpan
 
 } // namespace
 
-BURIN_VECTORISED void uprightBall(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+BURIN_VECTORISED_TO_AVX512 void uprightBall(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
     for (const RowSpans& stretch : stretches) coverRow<Shape::ball>(piece, rows, stretch);
 }
 
-BURIN_VECTORISED void uprightFlat(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+BURIN_VECTORISED_TO_AVX512 void uprightFlat(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
     for (const RowSpans& stretch : stretches) coverRow<Shape::flat>(piece, rows, stretch);
 }
 
-BURIN_VECTORISED void uprightBullNose(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+BURIN_VECTORISED_TO_AVX512 void uprightBullNose(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
     for (const RowSpans& stretch : stretches) coverRow<Shape::bullNose>(piece, rows, stretch);
 }
 

@@ -42,7 +42,7 @@ bool broken(const Sample& sample, const glm::dvec3& force, const glm::dvec3& bef
 Verdict judge(std::size_t ticks, unsigned seed) {
     HapticSettings settings = test::Bench::settings();
     settings.rampSeconds = 0.05;
-    settings.cuttingForceScale = 1.0;
+    settings.cuttingForceGain = 100.0;
     test::Bench bench(settings, test::ballTool(5.0, 12.0));
     const std::uint64_t part = bench.volume.amounts().units[2];
     const Bounds bounds = boundsOf(settings);

@@ -1,79 +1,57 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/loop_clock.h"
 #include "core/haptics/servo_loop.h"
 #include "tests/benchmarks/haptics/haptic_groups.h"
-#include "tests/core/haptics/haptic_bench.h"
-
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <thread>
+#include "tests/benchmarks/measure/replay.h"
+#include "tests/core/haptics/pressed_stylus.h"
 
 namespace burin::benchmarks {
 
 namespace {
 
-constexpr double limit = 60.0;   // ms
-constexpr double hangs = 0.2;    // s, that the loop is kept from going on
-constexpr std::size_t runs = 20; // the worst counts
-
-/// A hand that presses on the floor; once its motors push it hangs in a reading, until somebody has cut them.
-class HangingStylus final : public Stylus {
+/// Samples go nowhere.
+class NoSink final : public TickSink {
 public:
-    StylusDescription description() const override { return test::desktopStylus(); }
-    Result<void> open() override { return {}; }
-    void close() noexcept override {}
-    void cutMotors() noexcept override {
-        if (hungAt_ > 0 && cutAt_ == 0) cutAt_ = now();
-    }
-    StylusState read(double time) noexcept override {
-        if (pushes_ && hungAt_ == 0) {
-            hungAt_ = sentAt_;
-            std::this_thread::sleep_for(std::chrono::duration<double>(hangs));
-        }
-        StylusState state;
-        state.time = time;
-        state.pose.position = {0.0, 0.0, std::max(test::floorHeight - 1.0, 2.0 - 200.0 * time)};
-        state.valid = true;
-        return state;
-    }
-    void write(const Wrench& wrench) noexcept override {
-        sentAt_ = now();
-        pushes_ = glm::length(wrench.force) > 0.2;
-    }
-    bool finished() const noexcept override { return hungAt_ > 0; }
-    /// ms from the last force that was sent until the motors were off; how long it hung if nobody cut them.
-    double stopped() const noexcept { return 1e3 * (cutAt_ > 0 ? seconds(cutAt_ - hungAt_) : hangs); }
-
-private:
-    std::atomic<std::int64_t> hungAt_{0}, cutAt_{0};
-    std::int64_t sentAt_ = 0;
-    bool pushes_ = false;
-};
-
-struct Nowhere final : TickSink {
     AtEdge edge() noexcept override { return AtEdge::tick; }
     void tick(const Sample&, const TickTiming&) noexcept override {}
 };
+
+/// A loop at 1 kHz whose hand presses is stopped in the middle of a tick: from then until the motors are off, ms.
+double stopTime() {
+    constexpr double longEnough = 0.3; // s that the tick hangs
+    constexpr double patience = 20.0;  // s until the figure is given up
+    test::BlockingField field;
+    field.seconds = longEnough;
+    RunVolume volume = test::stockOnPart();
+    HapticStep step(volume, field, test::ballTool(), test::Bench::settings());
+    test::Motors motors;
+    test::CalledStylus stylus(motors);
+    NoSink sink;
+    std::atomic<bool> stop{false};
+    std::thread loop([&] { static_cast<void>(runServoLoop(stylus, step, sink, {}, stop)); });
+    const std::int64_t until = now() + nanoseconds(patience);
+    while (motors.force < 0.2 && now() < until) test::waitFor(0.001);
+    const int before = motors.cuts;
+    field.blocks = true;
+    while (motors.cuts == before && now() < until) test::waitFor(0.001);
+    const double spent = motors.cuts == before ? 1e3 * patience : 1e3 * burin::seconds(motors.cutAt - field.blockedAt);
+    stop = true;
+    loop.join();
+    return spent;
+}
 
 } // namespace
 
 void stopFigures(Session& session) {
     if (!session.wants("stop.")) return;
-    std::vector<double> milliseconds;
-    for (std::size_t run = 0; run < runs; ++run) {
-        session.stage("stop.ms");
-        test::Bench bench;
-        HangingStylus stylus;
-        Nowhere sink;
-        const std::atomic<bool> stop{false};
-        ServoSettings settings;
-        settings.maximumSeconds = 5.0;
-        require(runServoLoop(stylus, bench.step, sink, settings, stop), "a servo loop");
-        milliseconds.push_back(stylus.stopped());
+    session.stage("stop.ms");
+    std::vector<double> times;
+    for (int run = 0; run < 9; ++run) {
+        Session::throwIfCancelled();
+        times.push_back(stopTime());
     }
-    session.add(figure("stop.ms", std::ranges::max(milliseconds), "ms", limit));
+    session.add(figure("stop.ms", percentile(times, 0.5), "ms", 60.0));
+    session.add(figure("stop.worst_ms", percentile(times, 1.0), "ms"));
 }
 
 } // namespace burin::benchmarks

@@ -72,6 +72,7 @@ private slots:
         row("a turn step without source", "rotation step", [](StylusDescription& s) { s.rotationStep.value = 1e-3; });
         row("no workspace", "workspace radius", [](StylusDescription& s) { s.workspaceRadius = {}; });
         row("no speed", "maximum speed", [](StylusDescription& s) { s.maximumSpeed = {}; });
+        row("a mass that nobody states", "handle mass", [](StylusDescription& s) { s.handleMass.value = 0.05; });
         row("motors without force", "maximum force and stiffness", [](StylusDescription& s) { s.maximumForce = {}; });
         row("motors without stiffness", "maximum force and stiffness",
             [](StylusDescription& s) { s.maximumStiffness = {}; });

@@ -72,6 +72,7 @@ private slots:
     void isConvexAndSteepByOne();
     void slopeIsASubgradient();
     void heightsAndRadiiAgreeWithTheDistance();
+    void nothingOfThePieceIsFartherThanItsFarthest();
 };
 
 void RevolvedPieceTest::knownValues() {
@@ -141,6 +142,18 @@ void RevolvedPieceTest::heightsAndRadiiAgreeWithTheDistance() {
         }
         const double height = piece.bottom + random::number(0.0, 1.0) * (piece.top - piece.bottom);
         RC_ASSERT(std::abs(signedDistance(piece, std::max(radiusAt(piece, height), 0.0), height)) < 1e-7);
+    }));
+}
+
+void RevolvedPieceTest::nothingOfThePieceIsFartherThanItsFarthest() {
+    QVERIFY(rc::check("any direction", [] {
+        const RevolvedPiece piece = random::piece();
+        const double angle = random::number(-0.5 * std::numbers::pi, 0.5 * std::numbers::pi);
+        const double radial = std::cos(angle), axial = std::sin(angle);
+        const ProfilePoint farthest = farthestIn(piece, radial, axial);
+        RC_ASSERT(std::abs(signedDistance(piece, farthest.radius, farthest.height)) < 1e-7);
+        for (const glm::dvec2& point : outline(piece))
+            RC_ASSERT(point.x * radial + point.y * axial <= farthest.radius * radial + farthest.height * axial + 1e-9);
     }));
 }
 

@@ -90,6 +90,7 @@ private slots:
     void toleranceIsKept();
     void withinCaps();
     void emptyMeshIsFree();
+    void whatIsNotFiniteTouchesNothing();
 };
 
 void ToolClearanceTest::triangleAgainstThirds() {
@@ -262,13 +263,16 @@ void ToolClearanceTest::askingOneAfterTheOtherIsTheSame() {
             const std::vector<RevolvedPiece> tool = *rc::gen::inRange(0, 2) == 0
                                                         ? wholeTool(ball(3.0))
                                                         : std::vector<RevolvedPiece>{random::piece(), random::piece()};
-            const glm::dvec3 axis = random::direction();
+            glm::dvec3 axis = random::direction();
+            const bool turns = *rc::gen::arbitrary<bool>();
             ClearanceAsker asker(distance, tool, axis);
             glm::dvec3 tip = random::point(30.0);
             for (int i = 0; i < 30; ++i) {
                 tip = i % 10 == 9 ? random::point(30.0) : tip + random::point(i % 3 == 0 ? 4.0 : 0.5);
+                if (turns) axis = i % 10 == 7 ? random::direction() : glm::normalize(axis + random::point(0.05));
                 const double within = i % 4 == 0 ? random::number(0.0, 5.0) : 1e300;
-                const ToolClearance found = asker.ask(tip, within, {});
+                const ToolClearance found =
+                    turns ? asker.ask(ToolPose{tip, axis}, within, {}) : asker.ask(tip, within, {});
                 const ToolClearance wanted = distance.clearance(tool, {tip, axis}, within);
                 RC_ASSERT(std::abs(found.clearance - wanted.clearance) < 1e-6);
             }
@@ -302,6 +306,14 @@ void ToolClearanceTest::withinCaps() {
     const MeshDistance distance(shapes::box({-20, -20, -10}, {20, 20, 0}));
     QCOMPARE(distance.clearance(std::array{ball(3.0)}, {{0, 0, 5}, {0, 0, 1}}, 2.0).clearance, 2.0);
     QVERIFY(std::abs(distance.clearance(std::array{ball(3.0)}, {{0, 0, 5}, {0, 0, 1}}, 5.5).clearance - 5.0) < 1e-8);
+}
+
+void ToolClearanceTest::whatIsNotFiniteTouchesNothing() {
+    const MeshDistance distance(shapes::box({-20, -20, -10}, {20, 20, 0}));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    QCOMPARE(distance.clearance(std::array{ball(3.0)}, {{0, nan, 0}, {0, 0, 1}}, 2.0).clearance, 2.0);
+    QCOMPARE(distance.clearance(std::array{ball(3.0)}, {{0, 0, 0}, {nan, 0, 1}}, 2.0).clearance, 2.0);
+    QCOMPARE(distance.closest({0, 0, nan}, 3.0).distance, 3.0);
 }
 
 void ToolClearanceTest::emptyMeshIsFree() {

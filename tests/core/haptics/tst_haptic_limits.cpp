@@ -50,7 +50,7 @@ private slots:
     void hostileTicksNeverBreakTheLimits() {
         HapticSettings settings = Bench::settings();
         settings.rampSeconds = 0.05;
-        settings.cuttingForceScale = 1.0;
+        settings.cuttingForceGain = 100.0;
         Bench bench(settings, ballTool(5.0, 12.0));
         const double largest = settings.forceShare * settings.stylus.maximumForce.value;
         // The ramp's own slope comes on top of the slew limit: at most 1.5 of its share of a tick.

@@ -144,34 +144,6 @@ private slots:
         QVERIFY(std::abs(reported - removed) < 0.05 * removed);
     }
 
-    void cuttingIsFeltAgainstTheMotionWithinItsShare() {
-        HapticSettings settings = Bench::settings();
-        settings.cuttingForceScale = 0.001;
-        Bench bench(settings);
-        bench.begin({-30, 0, -3});
-        bench.moveTo({-10, 0, -3}, 30.0);
-        double rendered = 0.0, unscaled = 0.0;
-        int ticks = 0;
-        bench.onTick = [&](const Sample& sample) {
-            rendered -= sample.force.x;
-            unscaled -= sample.cuttingForce.x;
-            ++ticks;
-            QVERIFY(glm::length(sample.force) <= 0.6 * 0.6 * 4.0 + 1e-9);
-        };
-        bench.moveTo({10, 0, -3}, 30.0);
-        // Slot of a ball, 3 mm deep: half a disc of radius 3 moves through the stock. All of it lies ahead, so the
-        // radial part, 0.3 of the tangential one, points back as well.
-        const double area = 0.5 * pi * 9.0;
-        const double expected = 1.3 * 1000.0 * 0.7 * area * 30.0 / 1000.0;
-        QVERIFY2(std::abs(unscaled / ticks - expected) <= 0.05 * expected,
-                 qPrintable(QString::number(unscaled / ticks)));
-        QVERIFY2(std::abs(rendered / ticks - 0.001 * expected) <= 0.05 * 0.001 * expected,
-                 qPrintable(QString::number(rendered / ticks)));
-        // At rest nothing pushes on.
-        bench.onTick = [](const Sample&) {};
-        QVERIFY(glm::length(bench.rest(300).force) < 0.01);
-    }
-
     void startInsideThePartKeepsTheForceOffUntilClear() {
         HapticSettings settings = Bench::settings();
         settings.rampSeconds = 0.2;

@@ -79,7 +79,7 @@ private slots:
     void theStepStaysWithinItsLimitsWithGuidesUnderIt() {
         HapticSettings settings = Bench::settings();
         settings.rampSeconds = 0.05;
-        settings.cuttingForceScale = 1.0;
+        settings.cuttingForceGain = 100.0;
         Bench bench(settings, ballTool(5.0, 12.0));
         HostileStylus hostile(strayingInTheStock(3));
         SeededRandom random(9);

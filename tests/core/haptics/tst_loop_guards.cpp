@@ -4,6 +4,7 @@
 #include "core/haptics/servo_loop.h"
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/core/haptics/own_stylus.h"
+#include "tests/core/haptics/pressed_stylus.h"
 
 #include <QtTest>
 
@@ -14,60 +15,6 @@ using namespace burin;
 using namespace burin::test;
 
 namespace {
-
-void waitFor(double seconds) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-}
-
-/// Motors that somebody else may cut.
-struct Motors {
-    std::atomic<double> force{0.0};     ///< N, that they render
-    std::atomic<std::int64_t> cutAt{0}; ///< ns
-    std::atomic<int> cuts{0};
-    void cut() noexcept {
-        force = 0.0;
-        cutAt = now();
-        ++cuts;
-    }
-};
-
-/// The floor of `stockOnPart` as a hand presses into it by a millimetre, all the time.
-StylusState pressing(double time) {
-    StylusState state;
-    state.time = time;
-    state.pose.position = {0.0, 0.0, std::max(floorHeight - 1.0, 2.0 - 400.0 * time)};
-    state.valid = true;
-    return state;
-}
-
-/// What a test does at one reading.
-struct Trick {
-    int at = -1;         ///< reading, from 0
-    double blocks = 0.0; ///< s, before the reading
-    void play(int reading) const {
-        if (reading == at) waitFor(blocks);
-    }
-};
-
-/// A stylus that the loop calls.
-class CalledStylus final : public Stylus {
-public:
-    explicit CalledStylus(Motors& motors, Trick trick = {}) : motors_(motors), trick_(trick) {}
-    StylusDescription description() const override { return desktopStylus(); }
-    Result<void> open() override { return {}; }
-    void close() noexcept override {}
-    void cutMotors() noexcept override { motors_.cut(); }
-    StylusState read(double time) noexcept override {
-        trick_.play(readings_++);
-        return pressing(time);
-    }
-    void write(const Wrench& wrench) noexcept override { motors_.force = glm::length(wrench.force); }
-
-private:
-    Motors& motors_;
-    Trick trick_;
-    int readings_ = 0;
-};
 
 /// A stylus with a clock of its own, whose hand presses.
 std::unique_ptr<OwnStylus> ownStylus(Motors& motors, Trick trick = {}) {
@@ -96,27 +43,6 @@ public:
     }
     std::vector<Sample> samples;
     std::vector<TickTiming> timings;
-};
-
-/// A field that keeps whoever asks it waiting once.
-class BlockingField final : public ClearanceField {
-public:
-    FieldSample at(const glm::dvec3& tip) const noexcept override {
-        if (blocks.exchange(false)) {
-            blockedAt = now();
-            waitFor(seconds);
-        }
-        return field_.at(tip);
-    }
-    double errorBound() const noexcept override { return field_.errorBound(); }
-    double spacing() const noexcept override { return field_.spacing(); }
-
-    mutable std::atomic<bool> blocks{false};
-    mutable std::atomic<std::int64_t> blockedAt{0};
-    double seconds = 0.0;
-
-private:
-    FloorField field_{FloorSolid{}, 3.0};
 };
 
 struct Alarm final : LoopAlarm {

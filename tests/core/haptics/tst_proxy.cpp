@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/proxy.h"
 #include "tests/core/haptics/analytic_fields.h"
+#include "tests/core/haptics/tip_proxy.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -57,7 +57,7 @@ double leastClearance(const Field& field, const glm::dvec3& a, const glm::dvec3&
 template <class Field>
 void dragAndCompare(const Field& field, double allowance, const std::function<glm::dvec3(double)>& goalAt,
                     const Nearest& nearest, double maximumLag) {
-    const Proxy proxy(field);
+    TipProxy proxy(field);
     glm::dvec3 tip = nearest(goalAt(0.0));
     tip += field.at(tip).gradient * 1e-3;
     QVERIFY(proxy.feasible(tip, allowance));
@@ -65,7 +65,7 @@ void dragAndCompare(const Field& field, double allowance, const std::function<gl
     constexpr int ticks = 2000;
     for (int i = 0; i <= ticks; ++i) {
         const glm::dvec3 goal = goalAt(static_cast<double>(i) / ticks);
-        const ProxyStep step = proxy.advance(tip, goal, allowance, noLimit);
+        const TipProxy::Step step = proxy.advance(tip, goal, allowance, noLimit);
         QVERIFY(field.clearance(step.tip) >= allowance);
         QVERIFY(step.onBoundary);
         tip = step.tip;
@@ -81,7 +81,7 @@ template <class Field>
 bool neverEnters(const Field& field, const glm::dvec3& start, double extent) {
     return rc::check([&] {
         const double allowance = random(0.0, 0.5);
-        const Proxy proxy(field);
+        TipProxy proxy(field);
         glm::dvec3 tip = start;
         RC_PRE(proxy.feasible(tip, allowance));
         for (int i = 0; i < 60; ++i) {
@@ -89,7 +89,7 @@ bool neverEnters(const Field& field, const glm::dvec3& start, double extent) {
             if (*rc::gen::arbitrary<bool>()) goal = tip + randomPoint(1.0);
             const double travel = random(0.05, 6.0);
             for (int tick = 0; tick < 4; ++tick) {
-                const ProxyStep step = proxy.advance(tip, goal, allowance, travel);
+                const TipProxy::Step step = proxy.advance(tip, goal, allowance, travel);
                 RC_ASSERT(field.clearance(step.tip) >= allowance);
                 RC_ASSERT(leastClearance(field, tip, step.tip) >= allowance - proxy.chordTolerance());
                 RC_ASSERT(glm::length(step.tip - tip) <= travel + 1e-9);
@@ -108,8 +108,8 @@ class TestProxy : public QObject {
 private slots:
     void isAtTheGoalWhereNothingIsInTheWay() {
         const BallField field(PlaneSolid{}, radius, 0.25, 1.0);
-        const Proxy proxy(field);
-        const ProxyStep step = proxy.advance({0, 0, 20}, {15, -3, 4}, 0.2, noLimit);
+        TipProxy proxy(field);
+        const TipProxy::Step step = proxy.advance({0, 0, 20}, {15, -3, 4}, 0.2, noLimit);
         QCOMPARE(step.tip, glm::dvec3(15, -3, 4));
         QVERIFY(!step.onBoundary);
         QCOMPARE(step.normal, glm::dvec3(0.0));
@@ -153,7 +153,7 @@ private slots:
     void settlesInTheCornersOfAPocket() {
         const PocketSolid pocket;
         const BallField field(pocket, radius);
-        const Proxy proxy(field);
+        TipProxy proxy(field);
         const double allowance = 0.2;
         const glm::dvec3 limit(pocket.half.x - radius - allowance, pocket.half.y - radius - allowance,
                                -pocket.depth + allowance);
@@ -166,7 +166,7 @@ private slots:
             QVERIFY2(glm::length(tip - expected) < 1e-3, qPrintable(QString::number(glm::length(tip - expected))));
             // Steady contact: not the last bit moves.
             for (int tick = 0; tick < 100; ++tick) {
-                const ProxyStep step = proxy.advance(tip, goal, allowance, noLimit);
+                const TipProxy::Step step = proxy.advance(tip, goal, allowance, noLimit);
                 QCOMPARE(step.tip, tip);
                 QVERIFY(step.onBoundary);
             }
@@ -175,7 +175,7 @@ private slots:
 
     void handTremorInSteadyContactGivesNoMoreThanItself() {
         const BallField field(TorusSolid{}, radius);
-        const Proxy proxy(field);
+        TipProxy proxy(field);
         glm::dvec3 tip(12, 0, 10);
         const glm::dvec3 goal(12.5, 0.5, 1.0);
         for (int tick = 0; tick < 20; ++tick) tip = proxy.advance(tip, goal, 0.0, noLimit).tip;
@@ -194,7 +194,7 @@ private slots:
         for (double spacing : {0.05, 0.25, 0.5}) {
             const BallField field(WallSolid{1.0}, 0.0, spacing);
             QVERIFY(rc::check([&] {
-                const Proxy proxy(field);
+                TipProxy proxy(field);
                 glm::dvec3 tip(random(0.5, 15.0), 0, 0);
                 for (int tick = 0; tick < 200; ++tick) {
                     const glm::dvec3 goal = tip + glm::dvec3(random(-20.0, 5.0), random(-9.0, 9.0), random(-9.0, 9.0));
@@ -218,7 +218,7 @@ private slots:
 
     void reachesTheOtherSideAroundAConvexPart() {
         const BallField field(SphereSolid{10.0}, radius, 0.25, 1.0);
-        const Proxy proxy(field);
+        TipProxy proxy(field);
         glm::dvec3 tip(20, 0, 0);
         // A goal on the other side, off the line through the centre: a local minimum holds it nowhere.
         for (int tick = 0; tick < 200; ++tick) tip = proxy.advance(tip, {-20, 6, 0}, 0.0, noLimit).tip;
@@ -227,7 +227,7 @@ private slots:
 
     void retreatsUntilTheAllowanceIsKept() {
         const BallField field(SphereSolid{10.0}, radius);
-        const Proxy proxy(field);
+        TipProxy proxy(field);
         const glm::dvec3 touching = glm::normalize(glm::dvec3(1, 2, 3)) * 13.0 - up(radius);
         const glm::dvec3 a = proxy.retreat(touching, 0.5, 0.1);
         QVERIFY(std::abs(glm::length(a - touching) - 0.1) < 1e-9);
@@ -238,7 +238,7 @@ private slots:
     void retreatInANarrowPocketStaysInTheMiddle() {
         const PocketSolid narrow{{8.0, 3.2}, 10.0};
         const BallField field(narrow, radius);
-        const Proxy proxy(field);
+        TipProxy proxy(field);
         glm::dvec3 tip(0, -0.1, -5);
         for (int tick = 0; tick < 100; ++tick) tip = proxy.retreat(tip, 0.5, 0.01);
         QVERIFY(field.clearance(tip) >= 0.1);

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
-#include "core/haptics/proxy.h"
 #include "core/tool/tool.h"
+#include "tests/core/haptics/tip_proxy.h"
 
 #include <QtTest>
 
 #include <optional>
 
 using namespace burin;
+using burin::test::TipProxy;
 
 namespace {
 
@@ -91,7 +92,7 @@ private slots:
 
     void pressedIntoAFreeformPartItStaysOnIt() {
         const Part& part = *torus_;
-        const Proxy proxy(part.field);
+        TipProxy proxy(part.field);
         for (double allowance : {0.0, 0.3}) {
             const double reach = minor + 3.0 + allowance;
             glm::dvec3 tip(major, 0, reach - 3.0 + 0.1);
@@ -105,7 +106,7 @@ private slots:
                                      std::sin(about));
                 const glm::dvec3 goal = ring + (reach - 2.0) * out - glm::dvec3(0, 0, 3.0);
                 const glm::dvec3 nearest = ring + reach * out - glm::dvec3(0, 0, 3.0);
-                const ProxyStep step = proxy.advance(tip, goal, allowance, 2.0);
+                const TipProxy::Step step = proxy.advance(tip, goal, allowance, 2.0);
                 deepest = std::min(deepest, part.clearance(tip, step.tip) - allowance);
                 if (i > 20) highest = std::max(highest, part.clearance(step.tip) - allowance);
                 if (i > 20) farthest = std::max(farthest, glm::length(step.tip - nearest));
@@ -121,7 +122,7 @@ private slots:
     void aFlatCutterPressedOverSharpEdgesStaysOut() {
         const glm::dvec3 half(8.0, 6.0, 4.0);
         const Part part = Part::make(boxMesh(half), CutterType::flat);
-        const Proxy proxy(part.field);
+        TipProxy proxy(part.field);
         glm::dvec3 tip(0, 0, 6);
         double deepest = 1e300;
         constexpr int ticks = 1500;
@@ -129,7 +130,7 @@ private slots:
             // Around and over the box, always aimed at a point inside the box grown by the tool.
             const double t = 25.0 * i / ticks;
             const glm::dvec3 goal(10.0 * std::cos(t), 8.0 * std::sin(1.3 * t), 1.0 + 2.0 * std::cos(0.7 * t));
-            const ProxyStep step = proxy.advance(tip, goal, 0.0, 2.0);
+            const TipProxy::Step step = proxy.advance(tip, goal, 0.0, 2.0);
             deepest = std::min(deepest, part.clearance(tip, step.tip));
             tip = step.tip;
         }
@@ -138,7 +139,7 @@ private slots:
 
     void steadyContactDoesNotTremble() {
         const Part& part = *torus_;
-        const Proxy proxy(part.field);
+        TipProxy proxy(part.field);
         for (int i = 0; i < 50; ++i) {
             const glm::dvec3 goal(11.0 + 0.1 * i, 0.37 * i, 1.0 + 0.05 * i);
             glm::dvec3 tip = glm::dvec3(goal.x, goal.y, 9.0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/device/stylus.h"
 #include "core/project/bench.h"
 
 #include <atomic>

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/field/tool_field.h"
+#include "core/haptics/pose_boundary.h"
+
+#include <memory>
+#include <utility>
+
+namespace burin {
+
+/// A field over tips as a boundary: the tool has the axis that the field was made for.
+class FixedAxisBoundary final : public PoseBoundary {
+public:
+    /// @param field outlives the object
+    explicit FixedAxisBoundary(const ClearanceField& field) noexcept : field_(&field) {}
+    /// @param field never null; goes with the object
+    explicit FixedAxisBoundary(std::unique_ptr<const ClearanceField> field) noexcept
+        : owned_(std::move(field)), field_(owned_.get()) {}
+
+    PoseSample at(const ToolPose& pose, double) noexcept override {
+        const FieldSample sample = field_->at(pose.tip);
+        return {sample.clearance, sample.gradient, glm::dvec3(0.0), sample.fine};
+    }
+    double errorBound() const noexcept override { return field_->errorBound(); }
+    double spacing() const noexcept override { return field_->spacing(); }
+    double overlap() const noexcept override { return 0.0; }
+    double reach() const noexcept override { return 0.0; }
+
+private:
+    std::unique_ptr<const ClearanceField> owned_;
+    const ClearanceField* field_;
+};
+
+} // namespace burin

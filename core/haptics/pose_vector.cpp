@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/pose_vector.h"
+
+namespace burin {
+
+glm::dvec3 turnBetween(const glm::dvec3& from, const glm::dvec3& to) noexcept {
+    if (from == to) return glm::dvec3(0.0);
+    const glm::dvec3 normal = glm::cross(from, to);
+    const double sine = glm::length(normal), cosine = glm::dot(from, to);
+    if (sine > 1e-12) return normal * (std::atan2(sine, cosine) / sine);
+    if (cosine > 0.0) return normal; // a sine that small is its angle
+    const glm::dvec3 other = std::abs(from.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    return glm::normalize(glm::cross(from, other)) * std::acos(-1.0);
+}
+
+glm::dvec3 turned(const glm::dvec3& axis, const glm::dvec3& turn) noexcept {
+    const glm::dvec3 across = turn - glm::dot(turn, axis) * axis;
+    const double angle = glm::length(across);
+    if (!(angle > 0.0)) return axis;
+    return glm::normalize(std::cos(angle) * axis + (std::sin(angle) / angle) * glm::cross(across, axis));
+}
+
+} // namespace burin

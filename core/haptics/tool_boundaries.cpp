@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/tool_boundaries.h"
+
+#include "core/haptics/envelope_boundary.h"
+#include "core/haptics/mesh_boundary.h"
+
+namespace burin {
+
+void addLayers(BoundaryLayers& layers, std::span<const Obstacle> obstacles, const Envelope& envelope, const Tool& tool,
+               double voxel) {
+    for (const Obstacle& obstacle : obstacles)
+        layers.add(std::make_unique<MeshBoundary>(std::make_shared<const MeshDistance>(meshOf(obstacle)),
+                                                  pieces(tool.cutter), voxel, obstacle.margin),
+                   obstacle.on);
+    if (!envelope.tips.empty() || !envelope.tools.empty())
+        layers.add(std::make_unique<EnvelopeBoundary>(envelope, pieces(tool.cutter), voxel));
+}
+
+} // namespace burin

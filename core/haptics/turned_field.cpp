@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/turned_field.h"
+
+#include <utility>
+
+namespace burin {
+namespace {
+
+/// From a frame to one whose z lies along an axis.
+glm::dmat3 along(const glm::dvec3& axis) noexcept {
+    const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 y = glm::normalize(glm::cross(axis, other));
+    return glm::transpose(glm::dmat3(glm::cross(y, axis), y, axis));
+}
+
+/// Corners that were one stay one, to the last bit.
+TriangleMesh turned(std::span<const Triangle> triangles, const glm::dmat3& turn) {
+    TriangleMesh mesh;
+    mesh.vertices.reserve(3 * triangles.size());
+    mesh.triangles.reserve(triangles.size());
+    for (const Triangle& triangle : triangles) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const glm::dvec3& corner : triangle) mesh.vertices.push_back(turn * corner);
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
+Box turned(const Box& box, const glm::dmat3& turn) {
+    Box around;
+    for (int i = 0; i < 8; ++i)
+        around.include(turn * glm::dvec3(i & 1 ? box.low.x : box.high.x, i & 2 ? box.low.y : box.high.y,
+                                         i & 4 ? box.low.z : box.high.z));
+    return around;
+}
+
+} // namespace
+
+Result<TurnedField> TurnedField::build(const MeshDistance& part, const glm::dvec3& axis,
+                                       const ToolFieldRequest& request, Progress& progress) {
+    if (!(std::abs(glm::length(axis) - 1.0) < 1e-6))
+        return Error{ErrorCode::argumentInvalid, "axis", {}, "a vector of unit length"};
+    if (request.tips.empty()) return Error{ErrorCode::argumentInvalid, "tips", {}, "a box that is not empty"};
+    const glm::dmat3 turn = along(glm::normalize(axis));
+    ToolFieldRequest seen = request;
+    seen.tips = turned(request.tips, turn);
+    Result<ToolField> field = ToolField::build(MeshDistance(turned(part.triangles(), turn)), seen, progress);
+    if (!field) return std::move(field).error();
+    return TurnedField(turn, std::move(*field));
+}
+
+FieldSample TurnedField::at(const glm::dvec3& tip) const noexcept {
+    FieldSample sample = field_.at(turn_ * tip);
+    sample.gradient = sample.gradient * turn_; // the transposed turn takes it back
+    return sample;
+}
+
+} // namespace burin

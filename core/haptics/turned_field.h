@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/field/tool_field.h"
+
+namespace burin {
+
+/// The clearance of a tool whose axis stands in any direction (3+2): a ToolField of the part as seen along it.
+class TurnedField final : public ClearanceField {
+public:
+    /// @param axis of unit length, setup frame, towards the holder
+    /// @param request tool and setup frame as for ToolField::build. Cost and errors: those of ToolField::build.
+    static Result<TurnedField> build(const MeshDistance& part, const glm::dvec3& axis, const ToolFieldRequest& request,
+                                     Progress& progress);
+
+    FieldSample at(const glm::dvec3& tip) const noexcept override;
+    double errorBound() const noexcept override { return field_.errorBound(); }
+    double spacing() const noexcept override { return field_.spacing(); }
+    std::size_t memoryBytes() const noexcept { return field_.memoryBytes(); }
+
+private:
+    TurnedField(const glm::dmat3& turn, ToolField field) noexcept : turn_(turn), field_(std::move(field)) {}
+
+    glm::dmat3 turn_; ///< from the setup frame to one whose z is along the axis
+    ToolField field_;
+};
+
+} // namespace burin

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/tool/span_rows_kernels.h"
+
+// Within core/tool: what a leaning piece covers of rows of lines, eight lines at a time. Rows are prepared eight at a
+// time, and then taken one by one.
+namespace burin::kernels {
+
+using Linear = TiltedPiece::Linear;
+using Rounding = TiltedPiece::Rounding;
+
+/// Heights of eight lines, units from an end's base; low >= high where there is none.
+struct Heights {
+    Floats low = floats(nowhere), high = floats(-nowhere);
+    BURIN_INLINE void include(const Heights& more) noexcept {
+        const Integers meets = more.low < more.high;
+        low = meets ? least(low, more.low) : low;
+        high = meets ? most(high, more.high) : high;
+    }
+};
+
+/// Eight rows as an end of the way sees them.
+struct RowFrames {
+    double y[lanes];    ///< voxels from the tip
+    double partX = 0.0; ///< of the tip's x, beyond its whole part
+    BURIN_INLINE RowFrames(const TiltedPiece::End& end, std::int32_t first) noexcept : partX(end.x - end.wholeX) {
+        for (int row = 0; row < lanes; ++row) y[row] = first + row - end.y;
+    }
+};
+
+/// A number for each of eight rows: what a linear one is at the line on an end's whole part.
+struct RowsLinear {
+    float origin[lanes], x;
+    BURIN_INLINE RowsLinear(const Linear& number, const RowFrames& rows, float more = 0.0F) noexcept
+        : x(static_cast<float>(number.x)) {
+        for (int row = 0; row < lanes; ++row)
+            origin[row] = static_cast<float>(number.origin + number.y * rows.y[row] - number.x * rows.partX) + more;
+    }
+};
+/// A linear number along one row, of lines a whole number of voxels from an end's whole part.
+struct RowLinear {
+    float origin, x;
+    BURIN_INLINE RowLinear(const RowsLinear& rows, int row) noexcept : origin(rows.origin[row]), x(rows.x) {}
+    BURIN_INLINE Floats at(Floats place) const noexcept { return origin + x * place; }
+};
+
+struct RowsCylinder {
+    RowsLinear aside, middle, floor;
+    float radius, stretch, thickness;
+    BURIN_INLINE RowsCylinder(const TiltedPiece::Cylinder& cylinder, const RowFrames& rows, float more = 0.0F) noexcept
+        : aside(cylinder.aside, rows)
+        , middle(cylinder.middle, rows, more)
+        , floor(cylinder.floor, rows, more)
+        , radius(cylinder.radius)
+        , stretch(cylinder.stretch)
+        , thickness(cylinder.thickness) {}
+};
+struct RowCylinder {
+    RowLinear aside, middle, floor;
+    float radius, stretch, thickness;
+    BURIN_INLINE RowCylinder(const RowsCylinder& rows, int row) noexcept
+        : aside(rows.aside, row)
+        , middle(rows.middle, row)
+        , floor(rows.floor, row)
+        , radius(rows.radius)
+        , stretch(rows.stretch)
+        , thickness(rows.thickness) {}
+
+    /// Where eight lines meet it without its planes.
+    BURIN_INLINE Heights unheld(Floats x) const noexcept {
+        const Floats off = aside.at(x), inside = (radius - off) * (radius + off);
+        const Floats place = middle.at(x), half = stretch * rootsOf(inside);
+        return {place - half, place + half};
+    }
+    BURIN_INLINE Heights at(Floats x) const noexcept {
+        const Heights all = unheld(x);
+        const Floats low = floor.at(x);
+        return {most(all.low, low), least(all.high, low + thickness)};
+    }
+};
+
+/// The piece where it stands at an end of its way.
+struct RowsPiece {
+    const TiltedPiece& piece;
+    RowsCylinder standing;
+    RowsLinear equator, face;
+    float y[lanes];         ///< voxels, of the rows from the rounding's middle
+    float square[lanes];    ///< square voxels, of a ball in them
+    float middleX, middleZ; ///< voxels; units from the end's base, + 1/2: of the rounding's middle
+    BURIN_INLINE RowsPiece(const TiltedPiece& itsPiece, const TiltedPiece::End& end, std::int32_t first) noexcept
+        : RowsPiece(itsPiece, end, RowFrames(end, first)) {}
+    BURIN_INLINE RowsPiece(const TiltedPiece& itsPiece, const TiltedPiece::End& end, const RowFrames& rows) noexcept
+        : piece(itsPiece)
+        , standing(itsPiece.standing, rows, end.middle)
+        , equator(itsPiece.equator, rows, end.middle)
+        , face(itsPiece.face, rows, end.middle)
+        , middleX(static_cast<float>(rows.partX + itsPiece.middleX))
+        , middleZ(itsPiece.middleZ + end.middle) {
+        for (int row = 0; row < lanes; ++row) {
+            y[row] = static_cast<float>(rows.y[row] - itsPiece.middleY);
+            square[row] = (itsPiece.radius - y[row]) * (itsPiece.radius + y[row]);
+        }
+    }
+};
+
+/// What the piece covers where it stands, in units from an end's base, + 1/2. Of a bull nose without its rounding.
+template <Rounding rounding, bool rises>
+struct RowPiece {
+    const TiltedPiece& piece;
+    RowCylinder standing;
+    RowLinear equator, face;
+    float y;       ///< voxels, from the rounding's middle
+    float square;  ///< square voxels, of a ball in this row
+    float middleX; ///< voxels, of the rounding's middle
+    float middleZ; ///< units, of the rounding's middle from the end's base, + 1/2
+    BURIN_INLINE RowPiece(const RowsPiece& rows, int row) noexcept
+        : piece(rows.piece)
+        , standing(rows.standing, row)
+        , equator(rows.equator, row)
+        , face(rows.face, row)
+        , y(rows.y[row])
+        , square(rows.square[row])
+        , middleX(rows.middleX)
+        , middleZ(rows.middleZ) {}
+
+    BURIN_INLINE Heights at(Floats x) const noexcept {
+        if constexpr (rounding == Rounding::ball)
+            return ballAt(x);
+        else
+            return standing.at(x);
+    }
+    /// An end in the corner that a bull nose's rounding takes off lies below its circle and out from it.
+    BURIN_INLINE Integers offRounding(Floats x, Floats z) const noexcept {
+        const Floats along = x * piece.axisX + y * piece.axisY + z * piece.axisZ;
+        const Floats across = x * x + y * y + z * z - along * along;
+        return (along < Floats{}) & (across > piece.flatRadius * piece.flatRadius);
+    }
+
+private:
+    /// A ball goes over into its straight part at the equator's plane: each end lies on the side that it would have
+    /// there.
+    BURIN_INLINE Heights ballAt(Floats x) const noexcept {
+        const Heights straight = standing.unheld(x);
+        const Floats off = x - middleX, half = unitsAVoxel * rootsOf(square - off * off), border = equator.at(x);
+        const Floats end = face.at(x), roundLow = middleZ - half, roundHigh = middleZ + half;
+        if constexpr (rises)
+            return {straight.low < border ? roundLow : straight.low,
+                    least(straight.high < border ? roundHigh : straight.high, end)};
+        else
+            return {most(straight.low > border ? roundLow : straight.low, end),
+                    straight.high > border ? roundHigh : straight.high};
+    }
+};
+
+/// What lies between the ends of the way: the wall that a rim leaves, seen from the start.
+struct RowsRim {
+    RowsCylinder wall;
+    RowsLinear lift;
+    float scale;
+    BURIN_INLINE RowsRim(const TiltedPiece::Rim& rim, const TiltedPiece::End& from, std::int32_t first) noexcept
+        : RowsRim(rim, from, RowFrames(from, first)) {}
+    BURIN_INLINE RowsRim(const TiltedPiece::Rim& rim, const TiltedPiece::End& from, const RowFrames& rows) noexcept
+        : wall(rim.wall, rows), lift(rim.lift, rows, from.middle), scale(rim.scale) {}
+};
+struct RowRim {
+    RowCylinder wall;
+    RowLinear lift;
+    float scale;
+    BURIN_INLINE RowRim(const RowsRim& rows, int row) noexcept
+        : wall(rows.wall, row), lift(rows.lift, row), scale(rows.scale) {}
+
+    BURIN_INLINE Heights at(Floats x) const noexcept {
+        const Heights met = wall.at(x);
+        const Floats level = lift.at(x);
+        return {level + scale * met.low, level + scale * met.high};
+    }
+};
+
+} // namespace burin::kernels

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/core/haptics/haptic_bench.h"
+
+#include <QtTest>
+#include <rapidcheck.h>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+double number(double low, double high) {
+    return low + (high - low) * static_cast<double>(*rc::gen::inRange(0, 1'000'001)) * 1e-6;
+}
+
+} // namespace
+
+/// What of cutting, sliding and weight reaches the hand.
+class FeltForcesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void cuttingIsFeltAgainstTheMotionWithinItsShare() {
+        HapticSettings settings = Bench::settings();
+        Bench bench(settings);
+        bench.begin({-30, 0, -3});
+        bench.moveTo({-10, 0, -3}, 30.0);
+        double rendered = 0.0, unscaled = 0.0;
+        int ticks = 0;
+        bench.onTick = [&](const Sample& sample) {
+            rendered -= sample.force.x;
+            unscaled -= sample.cuttingForce.x;
+            ++ticks;
+            QVERIFY(glm::length(sample.force) <= 0.6 * 4.0 + 1e-9);
+        };
+        bench.moveTo({10, 0, -3}, 30.0);
+        // Slot of a ball, 3 mm deep: half a disc of radius 3 moves through the stock. All of it lies ahead, so the
+        // radial part, 0.3 of the tangential one, points back as well. It is the reference cut of its only material:
+        // 0.6 of the 2.4 N that are allowed.
+        const double area = 0.5 * pi * 9.0;
+        const double expected = 1.3 * 1000.0 * 0.7 * area * 30.0 / 1000.0;
+        QVERIFY2(std::abs(unscaled / ticks - expected) <= 0.05 * expected,
+                 qPrintable(QString::number(unscaled / ticks)));
+        const double felt = 1.3 * 0.6 * 2.4;
+        QVERIFY2(std::abs(rendered / ticks - felt) <= 0.05 * felt, qPrintable(QString::number(rendered / ticks)));
+        // At rest it holds as dry friction does, and neither pushes on nor lets go.
+        bench.onTick = [](const Sample&) {};
+        const glm::dvec3 held = bench.rest(50).force;
+        QVERIFY(glm::length(bench.rest(300).force - held) < 1e-3);
+        QVERIFY(glm::length(held) <= felt * 1.02);
+        // Back in the slot there is nothing to cut, and out of it nothing at all.
+        bench.moveTo({4, 0, -3}, 30.0);
+        QVERIFY(glm::length(bench.rest(1).force) < 0.1);
+        bench.moveTo({4, 0, 3}, 30.0);
+        QVERIFY(glm::length(bench.rest(1).force) < 0.01);
+    }
+
+    /// Half immersed, the wall pushes the tool away from it; but a force across the motion of a tool that rests would
+    /// drive the hand, so it goes when the tool does.
+    void aWallPushesAMovingToolAside() {
+        Bench bench;
+        bench.begin({-30, 0, -3});
+        bench.moveTo({30, 0, -3}, 60.0);
+        bench.moveTo({30, 0, 5}, 60.0);
+        bench.moveTo({-30, 3, 5}, 200.0);
+        bench.moveTo({-30, 3, -3}, 60.0);
+        bench.moveTo({-10, 3, -3}, 30.0); // stock on the left, at y from 3 to 6
+        double along = 0.0, aside = 0.0;
+        int ticks = 0;
+        bench.onTick = [&](const Sample& sample) {
+            along -= sample.force.x;
+            aside -= sample.force.y;
+            ++ticks;
+        };
+        bench.moveTo({5, 3, -3}, 30.0);
+        // A cylinder's quarter that meets stock, weighed by its flux, lies 0.785 radius ahead and 0.5 to the left: of
+        // Kr = 0.3 that is 0.16 aside, beside 1 + 0.25 against the motion. A ball's lies a little nearer to its axis.
+        QVERIFY2(aside > 0.08 * along && aside < 0.16 * along, qPrintable(QString::number(aside / along)));
+        bench.onTick = [](const Sample&) {};
+        const Sample rest = bench.rest(300);
+        QVERIFY(std::abs(rest.force.y) < 0.02);
+        QVERIFY(-rest.force.x > 0.8 * along / ticks);
+    }
+
+    /// On what it does not cut the tool slides as Coulomb has it: friction times load, against the slide, at rest no
+    /// more than that.
+    void slidingOnThePartRubs() {
+        HapticSettings settings = Bench::settings();
+        settings.friction = 0.2;
+        Bench bench(settings, ballTool(), stockOnPart(0, false));
+        bench.begin({-10, 0, 3});
+        bench.moveTo({-10, 0, floorHeight - 3.0}, 50.0);
+        bench.moveTo({0, 0, floorHeight - 3.0}, 30.0);
+        const double load = 0.32 * 3.0;
+        bench.onTick = [&](const Sample& sample) {
+            QVERIFY(std::abs(sample.force.x + 0.2 * load) < 0.01 * load);
+            QVERIFY(std::abs(sample.force.z - load) < 0.01 * load);
+        };
+        bench.moveTo({5, 0, floorHeight - 3.0}, 30.0);
+        bench.rest(200);
+        bench.onTick = [](const Sample&) {};
+        bench.moveTo({5, 0, floorHeight + 1.0}, 50.0);
+        QVERIFY(glm::length(bench.rest(20).force) < 1e-6);
+    }
+
+    /// 0.05 kg hang on the hand: 0.49 N up, in the device's frame however it is turned, and nothing of it in the
+    /// record.
+    void theMotorsCarryTheHandle_data() {
+        QTest::addColumn<double>("mass");
+        QTest::addColumn<bool>("carriesItself");
+        QTest::addColumn<double>("lift");
+        QTest::newRow("a stylus") << 0.05 << false << 0.05 * 9.80665;
+        QTest::newRow("a device with a counterweight") << 0.05 << true << 0.0;
+        QTest::newRow("one that is too heavy for its motors") << 5.0 << false << 0.5 * 0.6 * 4.0;
+    }
+    void theMotorsCarryTheHandle() {
+        QFETCH(double, mass);
+        QFETCH(bool, carriesItself);
+        QFETCH(double, lift);
+        HapticSettings settings = Bench::settings();
+        settings.stylus.handleMass = {mass, "made up"};
+        settings.stylus.carriesHandle = carriesItself;
+        settings.mapping.rotation = glm::angleAxis(1.0, glm::dvec3(1, 0, 0));
+        Bench bench(settings, ballTool(), stockOnPart(0, false));
+        bench.begin(settings.mapping.toDevice({0, 0, 3}));
+        const Sample free = bench.rest(5);
+        QVERIFY(glm::length(free.force) < 1e-9);
+        QVERIFY(glm::length(bench.step.deviceWrench().force - glm::dvec3(0, 0, lift)) < 1e-9);
+        // Pressed hard, lift and contact together stay within what may be sent, and both are there.
+        bench.onTick = [&](const Sample& sample) {
+            const glm::dvec3 sent = bench.step.deviceWrench().force;
+            QVERIFY(glm::length(sent) <= 0.6 * 4.0 + 1e-9);
+            QVERIFY(glm::length(sent - glm::dvec3(0, 0, lift) - settings.mapping.directionToDevice(sample.force)) <
+                    1e-9);
+        };
+        bench.moveTo(settings.mapping.toDevice({0, 0, floorHeight - 12.0}), 50.0);
+        const Sample pressed = bench.rest(100);
+        QVERIFY(pressed.flags & sampleForceSaturated);
+        QVERIFY(std::abs(glm::length(pressed.force) - (0.6 * 4.0 - lift)) < 1e-6);
+        // No force with a reading that is none, no lift either.
+        StylusState broken;
+        bench.step(broken, period);
+        QCOMPARE(bench.step.deviceWrench().force, glm::dvec3(0.0));
+    }
+
+    /// The part comes first: what is cut gives way to it, and the record says so.
+    void theCuttingForceGivesWayToWhatHoldsTheTool() {
+        QVERIFY(rc::check([] {
+            const glm::dvec3 held(number(-3, 3), number(-3, 3), number(-3, 3));
+            const glm::dvec3 cutting(number(-3, 3), number(-3, 3), number(-3, 3));
+            const glm::dvec3 room = besideHeld(held, cutting, 2.4);
+            const double share = glm::dot(room, cutting) / std::max(1e-12, glm::dot(cutting, cutting));
+            RC_ASSERT(share >= 0.0 && share <= 1.0 + 1e-12);
+            RC_ASSERT(glm::length(room - share * cutting) < 1e-9); // its direction is kept
+            const double both = glm::length(held + room);
+            if (glm::length(held + cutting) <= 2.4) RC_ASSERT(share > 1.0 - 1e-9);
+            if (glm::length(held) <= 2.4) RC_ASSERT(both <= 2.4 + 1e-9);
+            // No other share within the maximum is larger, none comes nearer where there is none.
+            for (double other = 0.0; other <= 1.0; other += 0.05) {
+                const double then = glm::length(held + other * cutting);
+                if (then <= 2.4) RC_ASSERT(share >= other - 1e-9);
+                if (both > 2.4 + 1e-9) RC_ASSERT(then >= both - 1e-9);
+            }
+        }));
+    }
+};
+
+QTEST_APPLESS_MAIN(FeltForcesTest)
+#include "tst_felt_forces.moc"
