@@ -357,6 +357,14 @@
         <source>its limits are out of range</source>
         <translation>seine Grenzwerte sind unglaubwürdig</translation>
     </message>
+    <message>
+        <source>the computer was late with its force</source>
+        <translation>der Rechner kam mit seiner Kraft zu spät</translation>
+    </message>
+    <message>
+        <source>the computer stood still, and its motors were switched off</source>
+        <translation>der Rechner stand still, und die Motoren wurden abgeschaltet</translation>
+    </message>
 </context>
 <context>
     <name>Edit</name>
@@ -700,6 +708,10 @@
     <message>
         <source>The device &quot;%1&quot; speaks version %2 of its protocol, but this Burin needs %3; update its firmware.</source>
         <translation>Das Gerät „%1“ spricht Version %2 seines Protokolls, dieses Burin braucht aber %3; bringen Sie seine Firmware auf den neuesten Stand.</translation>
+    </message>
+    <message>
+        <source> (what led to it is in &quot;%1&quot;).</source>
+        <translation> (was dazu führte, steht in „%1“).</translation>
     </message>
 </context>
 <context>
@@ -1062,6 +1074,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>benchmark</source>
         <translation>Benchmark</translation>
     </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -1076,6 +1092,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>finishing</source>
         <translation>Schlichten</translation>
+    </message>
+    <message>
+        <source>scribble</source>
+        <translation>Gekritzel</translation>
+    </message>
+    <message>
+        <source>contours</source>
+        <translation>Konturen</translation>
+    </message>
+    <message>
+        <source>hostile hand</source>
+        <translation>rohe Hand</translation>
     </message>
 </context>
 <context>
@@ -1553,10 +1581,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Virtual operator %1 ×</source>
         <translation>Virtueller Bediener, %1 ×</translation>
     </message>
-    <message>
-        <source>Mouse</source>
-        <translation>Maus</translation>
-    </message>
 </context>
 <context>
     <name>burin::Meters</name>
@@ -1619,6 +1643,46 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Ticks per second that are really reached</source>
         <translation>Tatsächlich erreichte Takte je Sekunde</translation>
+    </message>
+    <message>
+        <source>real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>real time, by RealtimeKit</source>
+        <translation>Echtzeit, durch RealtimeKit</translation>
+    </message>
+    <message>
+        <source>raised, by RealtimeKit</source>
+        <translation>erhöht, durch RealtimeKit</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>Interval, p99.9</source>
+        <translation>Abstand, p99,9</translation>
+    </message>
+    <message>
+        <source>999 of 1000 forces come no later than this after the one before</source>
+        <translation>999 von 1000 Kräften kommen nicht später als so lange nach der vorigen</translation>
+    </message>
+    <message>
+        <source>Withheld</source>
+        <translation>Zurückgehalten</translation>
+    </message>
+    <message>
+        <source>Forces that were ready more than 3 ms after the one before, and not sent</source>
+        <translation>Kräfte, die mehr als 3 ms nach der vorigen fertig waren und nicht gesendet wurden</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Vorrang</translation>
+    </message>
+    <message>
+        <source>What the system grants the haptic loop; the limits in force (rtprio) or RealtimeKit give real time</source>
+        <translation>Was das System der Haptikschleife zugesteht; Echtzeit geben die geltenden Grenzen (rtprio) oder RealtimeKit</translation>
     </message>
 </context>
 <context>
@@ -1743,10 +1807,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Werkzeug weglegen</translation>
     </message>
     <message>
-        <source>The tool follows the mouse</source>
-        <translation>Das Werkzeug folgt der Maus</translation>
-    </message>
-    <message>
         <source>Stop the recording first.</source>
         <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
     </message>
@@ -1765,6 +1825,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>A stroke stays at the height of its first place, less the depth of cut</source>
         <translation>Ein Zug bleibt auf der Höhe seines Anfangs, abzüglich der Zustellung</translation>
+    </message>
+    <message>
+        <source>Stylus</source>
+        <translation>Stift</translation>
+    </message>
+    <message>
+        <source>What leads the tool</source>
+        <translation>Was das Werkzeug führt</translation>
+    </message>
+    <message>
+        <source>The tool follows the stylus</source>
+        <translation>Das Werkzeug folgt dem Stift</translation>
     </message>
 </context>
 <context>
@@ -1788,6 +1860,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The virtual operator has the tool; stop it to mill yourself.</source>
         <translation>Der virtuelle Bediener führt das Werkzeug; zum Selbstfräsen beenden.</translation>
+    </message>
+    <message>
+        <source>%1 (not plugged in)</source>
+        <translation>%1 (nicht angeschlossen)</translation>
     </message>
 </context>
 <context>
@@ -2228,8 +2304,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wird abgebrochen</translation>
     </message>
     <message>
-        <source>Ticks per second of the haptic loop that were really reached, and what 99.9 % of them cost at most.</source>
-        <translation>Tatsächlich erreichte Takte je Sekunde der Haptikschleife, und was 99,9 % davon höchstens kosten.</translation>
+        <source>Ticks per second of the haptic loop that were really reached, how long 999 of 1000 forces let wait for the next one at most, what a tick costs at most, and ticks that were skipped.</source>
+        <translation>Tatsächlich erreichte Takte je Sekunde der Haptikschleife, wie lange 999 von 1000 Kräften höchstens auf die nächste warten lassen, was ein Takt höchstens kostet, und ausgelassene Takte.</translation>
     </message>
 </context>
 <context>
@@ -2263,14 +2339,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>%1 × %2 × %3 Voxel · %4 MB</translation>
     </message>
     <message>
-        <source>Mouse</source>
-        <translation>Maus</translation>
-    </message>
-    <message>
-        <source>%1 Hz · p99.9 %2 µs</source>
-        <translation>%1 Hz · p99,9 %2 µs</translation>
-    </message>
-    <message>
         <source>Saved 1 minute ago</source>
         <translation>Vor 1 Minute gespeichert</translation>
     </message>
@@ -2280,6 +2348,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>Vor %n Minute gespeichert</numerusform>
             <numerusform>Vor %n Minuten gespeichert</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 Hz · p99.9 %2 ms, work %3 µs · %4 missed</source>
+        <translation>%1 Hz · p99,9 %2 ms, Arbeit %3 µs · %4 ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -2386,6 +2458,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The workpiece matches these settings.</source>
         <translation>Das Werkstück entspricht diesen Einstellungen.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::StylusController</name>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Connecting %1</source>
+        <translation>%1 wird verbunden</translation>
     </message>
 </context>
 <context>

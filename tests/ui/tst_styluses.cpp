@@ -151,6 +151,9 @@ private slots:
             bench.importPart(BURIN_FIXTURES "/models/cube.brep", false);
         });
         QTRY_VERIFY_WITH_TIMEOUT(bench.setup.usable(), 60000);
+        Setup coarse = bench.setup.setup();
+        coarse.voxel = 1.0; // mm: soon embedded
+        bench.setup.edit(coarse);
         bench.bench.embed();
         QTRY_VERIFY_WITH_TIMEOUT(bench.bench.ready(), 60000);
         bench.styluses.start(shelf.registry);
