@@ -96,7 +96,7 @@ private slots:
                     BoundaryLayers layers = pushBackLayers(scene, tool, axis, voxel, 0.5);
                     PushBackRun run;
                     run.axis = axis;
-                    run.ticks = 90;
+                    run.ticks = 60;
                     press(scene, tool, layers, run);
                 }
     }
