@@ -7,6 +7,9 @@
 namespace burin::benchmarks {
 
 void tickFigures(Session& session);         ///< tick.*: what a tick costs
+void pushBackFigures(Session& session);     ///< proxy.*
+void slotFigures(Session& session);         ///< slot.*
+void shankFigures(Session& session);        ///< shank.*
 void contactForceFigures(Session& session); ///< press.*, free.*
 void stabilityFigures(Session& session);    ///< energy.*, nohand.*, noise.*
 void guardFigures(Session& session);        ///< guards.*

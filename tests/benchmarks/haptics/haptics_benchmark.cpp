@@ -8,6 +8,7 @@ int main(int argc, char** argv) {
     using namespace burin::benchmarks;
     return run({"burin-bench-haptics",
                 "Figures of the haptic loop: cost, push-back, stability, guards",
-                {contactForceFigures, stabilityFigures, guardFigures, stopFigures, tickFigures, deviceFigures}},
+                {pushBackFigures, contactForceFigures, stabilityFigures, slotFigures, shankFigures, guardFigures,
+                 stopFigures, tickFigures, deviceFigures}},
                argc, argv);
 }
