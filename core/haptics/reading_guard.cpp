@@ -24,12 +24,12 @@ Reading ReadingGuard::check(const StylusState& state, double period) noexcept {
     const glm::dvec3 moved = known_ ? state.pose.position - last_.position : glm::dvec3(0.0);
     last_ = state.pose;
     known_ = true;
-    if (!std::isfinite(period) || period <= 0.0 || period > stalledTicks * nominalPeriod_) return Reading::fault;
+    if (!std::isfinite(period) || period <= 0.0 || period > gaps_.stalled) return Reading::fault;
     const double distance = glm::length(moved);
     // A tick that came early must not make a calm hand look fast.
     if (!(distance <= largestJump) || distance > maximumSpeed_ * std::max(period, nominalPeriod_))
         return Reading::fault;
-    return period > lateTicks * nominalPeriod_ ? Reading::late : Reading::good;
+    return period > gaps_.late ? Reading::late : Reading::good;
 }
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/device/stylus.h"
+#include "core/haptics/tick_fault.h"
 
 namespace burin {
 
@@ -15,13 +16,11 @@ enum class Reading : std::uint8_t {
 /// Judges what a stylus read before anything acts on it.
 class ReadingGuard {
 public:
-    static constexpr double largestJump = 20.0;  ///< mm in one tick; no hand does that
-    static constexpr double lateTicks = 3.0;     ///< periods
-    static constexpr double stalledTicks = 10.0; ///< periods
+    static constexpr double largestJump = 20.0; ///< mm in one tick; no hand does that
 
     /// @param nominalPeriod s
     ReadingGuard(const StylusDescription& stylus, double nominalPeriod) noexcept
-        : maximumSpeed_(stylus.maximumSpeed.value), nominalPeriod_(nominalPeriod) {}
+        : maximumSpeed_(stylus.maximumSpeed.value), nominalPeriod_(nominalPeriod), gaps_(gapLimits(nominalPeriod)) {}
 
     /// After a fault the next finite reading is a new start: nobody knows where the hand has been meanwhile. A jump
     /// is a fault once; what follows is measured from where it went.
@@ -31,6 +30,7 @@ public:
 
 private:
     double maximumSpeed_, nominalPeriod_;
+    GapLimits gaps_;
     Pose last_;
     bool known_ = false;
 };

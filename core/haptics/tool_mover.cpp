@@ -3,7 +3,7 @@
 #include "core/haptics/tool_mover.h"
 
 #include "core/haptics/pose_vector.h"
-#include "core/haptics/reading_guard.h"
+#include "core/haptics/tick_fault.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ ToolMover::ToolMover(BoundaryLayers& layers, const Tool& tool, const Grid& grid,
     , topOfWorkpiece_(grid.box().high.z)
     , slowestTravel_((settings.axis.free ? voxelsPerTickFree : voxelsPerTick) * grid.edge() / settings.tickPeriod)
     , handSpeed_(settings.stylus.maximumSpeed.value)
-    , longestPeriod_(ReadingGuard::lateTicks * settings.tickPeriod)
+    , longestPeriod_(gapLimits(settings.tickPeriod).late)
     , brake_(tool.cutter, grid)
     , proxy_(layers)
     , allowance_(layers, settings.allowance) {
