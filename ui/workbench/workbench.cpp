@@ -13,6 +13,7 @@ Workbench::Workbench(QObject* parent)
     , bench(desk_, this)
     , session(desk_, this)
     , mill(desk_, bench, session, this)
+    , guides(desk_, bench, mill, session, this)
     , showMe(desk_, bench, session, this)
     , path(desk_, bench, this)
     , program(desk_, bench, path, this) {
@@ -27,7 +28,7 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model, &setup, &tool, &bench, &session, &mill, &showMe, &path, &program};
+    return {&document, &model, &setup, &tool, &bench, &session, &mill, &guides, &showMe, &path, &program};
 }
 
 void Workbench::wire() {

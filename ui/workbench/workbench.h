@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/workbench/document_controller.h"
+#include "ui/workbench/guide_controller.h"
 #include "ui/workbench/mill_controller.h"
 #include "ui/workbench/model_controller.h"
 #include "ui/workbench/path_controller.h"
@@ -36,6 +37,7 @@ public:
     BenchController bench;
     SessionRunner session;
     MillController mill;
+    GuideController guides;
     ShowMe showMe;
     PathController path;
     ProgramController program;
