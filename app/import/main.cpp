@@ -76,6 +76,7 @@ burin::WorkerAnswer toAnswer(burin::Result<T> result) {
 burin::WorkerAnswer answerTo(const burin::WorkerRequest& request) {
     if (const auto* read = std::get_if<burin::ReadRequest>(&request))
         return toAnswer(burin::readModel(*read, reportFraction));
+    if (const auto* edges = std::get_if<burin::EdgeRequest>(&request)) return toAnswer(burin::followEdges(*edges));
     return toAnswer(burin::measureDistances(*std::get_if<burin::DistanceRequest>(&request), reportFraction));
 }
 

@@ -3,6 +3,7 @@
 #include "core/cad/import.h"
 
 #include "core/base/file.h"
+#include "core/cad/part_edge.h"
 #include "core/cad/worker_process.h"
 
 #include <algorithm>
@@ -91,6 +92,20 @@ Result<std::vector<double>> exactSignedDistances(const std::string& brep, std::s
     return distances;
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, "exact distances", {}, std::to_string(points.size()) + " points"};
+}
+
+Result<std::vector<PartEdge>> partEdges(const std::string& brep, double chord, const ImportOptions& options,
+                                        Progress& progress) try {
+    const std::string subject = "B-rep";
+    if (brep.empty()) return Error{ErrorCode::argumentInvalid, subject, "", "a model with a B-rep"};
+    if (!isPositive(chord)) return Error{ErrorCode::argumentInvalid, "chord", std::to_string(chord), "> 0 mm"};
+    auto answers = runWorkers({EdgeRequest{brep, chord}}, options, subject, progress);
+    if (!answers) return std::move(answers).error();
+    auto* edges = std::get_if<std::vector<PartEdge>>(&answers->front());
+    if (!edges) return Error{ErrorCode::importCrashed, subject, {}, "it answered something else"};
+    return std::move(*edges);
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "edges", {}, {}};
 }
 
 } // namespace burin

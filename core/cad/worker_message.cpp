@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::uint32_t requestMark = 0x51525542; // "BURQ"
 constexpr std::uint32_t frameMark = 0x46525542;   // "BURF"
-constexpr std::uint32_t messageVersion = 1;
+constexpr std::uint32_t messageVersion = 2;
 
-enum class FrameKind : std::uint32_t { progress, error, model, distances };
+enum class FrameKind : std::uint32_t { progress, error, model, distances, edges };
 
 struct FrameHead {
     std::uint32_t mark = frameMark;
@@ -77,6 +77,15 @@ void write(ByteWriter& to, const Model& model) {
     to.text(model.brep);
 }
 
+void write(ByteWriter& to, const std::vector<PartEdge>& edges) {
+    to.value(static_cast<std::uint64_t>(edges.size()));
+    for (const PartEdge& edge : edges) {
+        to.list(edge.points);
+        to.list(edge.tangents);
+        to.value(edge.length);
+    }
+}
+
 bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -135,6 +144,27 @@ std::optional<Model> readModel(ByteReader& from) {
     return model;
 }
 
+bool isSound(const PartEdge& edge) {
+    return edge.points.size() >= 2 && edge.tangents.size() == edge.points.size() && std::isfinite(edge.length) &&
+           std::all_of(edge.points.begin(), edge.points.end(), isFinite) &&
+           std::all_of(edge.tangents.begin(), edge.tangents.end(), isFinite);
+}
+
+std::optional<std::vector<PartEdge>> readEdges(ByteReader& from) {
+    constexpr std::size_t leastEdge = 24; // bytes
+    std::vector<PartEdge> edges;
+    for (std::uint64_t left = from.count(leastEdge); left > 0; --left) {
+        PartEdge edge;
+        edge.points = from.list<glm::dvec3>();
+        edge.tangents = from.list<glm::dvec3>();
+        edge.length = from.value<double>();
+        if (!from.good() || !isSound(edge)) return std::nullopt;
+        edges.push_back(std::move(edge));
+    }
+    if (!from.finished()) return std::nullopt;
+    return edges;
+}
+
 std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
     ByteReader from(bytes);
     switch (kind) {
@@ -159,6 +189,11 @@ std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
         if (from.finished() && finite) return WorkerAnswer(std::move(distances));
         return std::nullopt;
     }
+    case FrameKind::edges: {
+        std::optional<std::vector<PartEdge>> edges = readEdges(from);
+        if (edges) return WorkerAnswer(std::move(*edges));
+        return std::nullopt;
+    }
     }
     return std::nullopt;
 }
@@ -176,6 +211,10 @@ FrameKind writeFrame(ByteWriter& to, const WorkerFrame& frame) {
     if (const auto* model = std::get_if<Model>(&answer)) {
         write(to, *model);
         return FrameKind::model;
+    }
+    if (const auto* edges = std::get_if<std::vector<PartEdge>>(&answer)) {
+        write(to, *edges);
+        return FrameKind::edges;
     }
     to.list(*std::get_if<std::vector<double>>(&answer));
     return FrameKind::distances;
@@ -195,6 +234,9 @@ std::string encodeRequest(const WorkerRequest& request) {
     } else if (const auto* distance = std::get_if<DistanceRequest>(&request)) {
         to.text(distance->brep);
         to.list(distance->points);
+    } else if (const auto* edges = std::get_if<EdgeRequest>(&request)) {
+        to.text(edges->brep);
+        to.value(edges->chord);
     }
     return to.take();
 }
@@ -204,17 +246,23 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
     if (from.value<std::uint32_t>() != requestMark || from.value<std::uint32_t>() != messageVersion)
         return std::nullopt;
     WorkerRequest request;
-    if (from.value<std::uint8_t>() == 0) {
+    const auto kind = from.value<std::uint8_t>();
+    if (kind == 0) {
         ReadRequest read;
         read.file = from.text();
         read.meshChord = from.value<double>();
         read.stlUnit = from.value<double>();
         request = std::move(read);
-    } else {
+    } else if (kind == 1) {
         DistanceRequest distance;
         distance.brep = from.text();
         distance.points = from.list<glm::dvec3>();
         request = std::move(distance);
+    } else {
+        EdgeRequest edges;
+        edges.brep = from.text();
+        edges.chord = from.value<double>();
+        request = std::move(edges);
     }
     if (!from.finished()) return std::nullopt;
     return request;

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/cad/model.h"
+#include "core/cad/part_edge.h"
 
 #include <glm/glm.hpp>
 
@@ -32,10 +33,16 @@ struct DistanceRequest {
     std::vector<glm::dvec3> points; ///< mm
 };
 
-using WorkerRequest = std::variant<ReadRequest, DistanceRequest>;
+/// Follow the edges.
+struct EdgeRequest {
+    std::string brep;     ///< `Model::brep`
+    double chord = 0.005; ///< mm
+};
+
+using WorkerRequest = std::variant<ReadRequest, DistanceRequest, EdgeRequest>;
 
 /// The end of the program's work.
-using WorkerAnswer = std::variant<Error, Model, std::vector<double>>;
+using WorkerAnswer = std::variant<Error, Model, std::vector<double>, std::vector<PartEdge>>;
 
 /// How far the program is, 0 … 1.
 struct WorkerProgress {

@@ -50,6 +50,14 @@ Result<void> checkGuide(const Guide& guide);
 /// Errors: of the first guide that is on and does not do.
 Result<void> checkGuides(const GuideSettings& settings);
 
+/// What became of a guide, for whoever shows it.
+struct GuideNews {
+    enum class Is : std::uint8_t { off, away, holding, overruled };
+    Is is = Is::off;
+    std::int32_t level = 0;
+    double distance = 0.0; ///< mm, of the hand from it, as far as it is known
+};
+
 /// How near a guide takes the hand, and how far off it lets go, in the device's mm: what a hand feels does not depend
 /// on the scale. Published snap distances are 1.5 to 3 mm (OpenHaptics' examples).
 struct GuideReach {

@@ -17,14 +17,6 @@ struct GuidedHand {
     std::uint32_t held = 0; ///< bit i: guide i holds
 };
 
-/// What became of a guide, for whoever shows it.
-struct GuideNews {
-    enum class Is : std::uint8_t { off, away, holding, overruled };
-    Is is = Is::off;
-    std::int32_t level = 0;
-    double distance = 0.0; ///< mm, of the hand from it, as far as it is known
-};
-
 /// All guides of a session, solved together: the hand's wish becomes a guided goal on every guide that holds. A guide
 /// takes the hand within GuideReach::capture and lets go beyond release; a guide that contradicts one that holds waits
 /// (overruled), or, if it stands before it in the settings, makes it leave first. All changes fade over rampSeconds.

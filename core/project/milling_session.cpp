@@ -92,6 +92,9 @@ public:
     Result<void> undoStroke() override;
     Result<void> redoStroke() override;
     void setAllowance(double allowance) override;
+    Result<void> setGuides(const GuideSettings& guides) override;
+    void stepGuides(int levels) override { loop_.stepGuides(levels); }
+    void setWorkspace(const WorkspaceSettings& workspace) override { loop_.setWorkspace(workspace); }
     bool newest(SessionState& state) override;
     bool newestView(WorkpieceView& view) override;
     void takeTrace(std::vector<TracePoint>& points) override;
@@ -254,6 +257,12 @@ void LiveSession::setAllowance(double allowance) {
     loop_.setAllowance(allowance);
 }
 
+Result<void> LiveSession::setGuides(const GuideSettings& guides) {
+    if (Result<void> good = checkGuides(guides); !good) return good;
+    loop_.setGuides(guides);
+    return {};
+}
+
 bool LiveSession::newest(SessionState& state) {
     collectStrokes();
     strokes_.tidy();
@@ -279,6 +288,9 @@ bool LiveSession::newest(SessionState& state) {
     state.removalRate = news.removalRate * bench_.embedded.workpiece.grid().unitVolume();
     state.shankPiece = news.shank.piece;
     state.shankTouches = news.shank.property;
+    state.guides = news.guides;
+    state.workspaceScale = news.workspaceScale;
+    state.clutched = news.clutched;
     return true;
 }
 

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "core/device/stylus_handle.h"
+#include "core/haptics/guide.h"
 #include "core/haptics/servo_loop.h"
-#include "core/haptics/workspace_mapping.h"
+#include "core/haptics/workspace.h"
 #include "core/project/bench.h"
 #include "core/project/stroke_history.h"
 #include "core/recording/sample.h"
@@ -38,6 +39,9 @@ struct SessionState {
     double removalRate = 0.0;    ///< mm³/s, mean of the last 100 ms
     std::uint8_t shankPiece = 0; ///< place in pieces(cutter) of what touches; meaningful with sampleShankContact
     PropertyIndex shankTouches = airProperty; ///< what it touches
+    std::array<GuideNews, GuideSettings::capacity> guides{};
+    double workspaceScale = 1.0; ///< mm of setup per mm of device
+    bool clutched = false;       ///< the hand moves, the tool stays
 };
 
 /// A workpiece at a moment, for drawing.
@@ -94,6 +98,13 @@ public:
     virtual Result<void> redoStroke() = 0;
     /// Without a kick. @param allowance mm, >= 0
     virtual void setAllowance(double allowance) = 0;
+
+    /// From the next tick on, without a kick. Their curves outlive the session. Errors: those of checkGuides.
+    virtual Result<void> setGuides(const GuideSettings& guides) = 0;
+    /// The next level of the guides that hold one; a pass ends. @param levels +1: along their normal
+    virtual void stepGuides(int levels) = 0;
+    /// From the next tick on, without a kick: see Workspace.
+    virtual void setWorkspace(const WorkspaceSettings& workspace) = 0;
 
     /// The newest tick. False when there is none since the last call.
     virtual bool newest(SessionState& state) = 0;

@@ -45,11 +45,21 @@ void SessionLoop::begin() noexcept {
     step_.releaseSpindle(true);
 }
 
+/// What the owner wants otherwise from the next tick on.
+void SessionLoop::takeSettings() noexcept {
+    double allowance = 0.0;
+    if (allowances_.take(allowance)) step_.setAllowance(allowance);
+    GuideSettings guides;
+    if (guides_.take(guides)) step_.setGuides(guides);
+    WorkspaceSettings workspace;
+    if (workspaces_.take(workspace)) step_.setWorkspace(workspace);
+    if (levels_.load(std::memory_order_relaxed) != 0) step_.stepGuides(levels_.exchange(0, std::memory_order_relaxed));
+}
+
 AtEdge SessionLoop::edge() noexcept {
     fulfil();
     if (standing_) return AtEdge::stand;
-    double allowance = 0.0;
-    if (allowances_.take(allowance)) step_.setAllowance(allowance);
+    takeSettings();
     if (resume_.load(std::memory_order_relaxed) && resume_.exchange(false, std::memory_order_acquire))
         step_.resumeCutting();
     giveView();
@@ -75,7 +85,11 @@ void SessionLoop::tick(const Sample& sample, const TickTiming& timing) noexcept 
     }
     rate_.add(units, timing.period);
     if (figures_.add(timing)) figuresOut_.post(figures_.newest());
-    news_.post({sample, timing, ++ticks_, recording_.take, rate_.unitsPerSecond(), cutting, step_.shankContact()});
+    TickNews news{sample, timing, ++ticks_, recording_.take, rate_.unitsPerSecond(), cutting, step_.shankContact()};
+    for (std::size_t i = 0; i < news.guides.size(); ++i) news.guides[i] = step_.guides().news(i);
+    news.workspaceScale = step_.workspace().mapping().scale;
+    news.clutched = step_.workspace().clutched();
+    news_.post(news);
 }
 
 void SessionLoop::follow(const Sample& sample, bool cutting) noexcept {

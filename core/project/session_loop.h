@@ -23,6 +23,9 @@ struct TickNews {
     double removalRate = 0.0; ///< run units a second
     bool cutting = false;
     ShankContact shank;
+    std::array<GuideNews, GuideSettings::capacity> guides{};
+    double workspaceScale = 1.0; ///< mm of setup per mm of device
+    bool clutched = false;
 };
 
 /// The loop's side of a session: follows takes and strokes from tick to tick, and does at a tick's edge what its owner
@@ -50,6 +53,9 @@ public:
     void wishTake(const Recording& recording) noexcept;
     bool fulfilled() const noexcept { return wish_.load(std::memory_order_acquire) == Wish::none; }
     void setAllowance(double allowance) noexcept { allowances_.post(allowance); }
+    void setGuides(const GuideSettings& guides) noexcept { guides_.post(guides); }
+    void setWorkspace(const WorkspaceSettings& workspace) noexcept { workspaces_.post(workspace); }
+    void stepGuides(int levels) noexcept { levels_.fetch_add(levels, std::memory_order_relaxed); }
     void resumeCutting() noexcept { resume_.store(true, std::memory_order_release); }
     bool strokeUnderWay() const noexcept { return strokeOpen_.load(std::memory_order_acquire); }
     bool takeNews(TickNews& news) noexcept { return news_.take(news); }
@@ -71,6 +77,7 @@ public:
 private:
     bool recording() const noexcept { return recording_.take != 0; }
     void begin() noexcept;
+    void takeSettings() noexcept;
     void giveView();
     WorkpieceView view();
     void follow(const Sample& sample, bool cutting) noexcept;
@@ -87,6 +94,9 @@ private:
     Recording wished_;
     std::atomic<bool> resume_{false}, viewWish_{false};
     Mailbox<double> allowances_;
+    Mailbox<GuideSettings> guides_;
+    Mailbox<WorkspaceSettings> workspaces_;
+    std::atomic<int> levels_{0}; ///< to step, upwards
 
     Ring<Sample> samples_{sampleCapacity};
     Ring<MillingSession::TracePoint> trace_{traceCapacity};

@@ -106,6 +106,8 @@ void CommandLineTest::statusTellsWhatWentWrong_data() {
     row("no project", {"mill", "@/none.burin"}, 3, "none.burin");
     row("unknown tool", {"mill", "@/cube.burin", "--tool", "spoon"}, 2, "spoon");
     row("unknown stylus", {"mill", "@/cube.burin", "--stylus", "pen"}, 2, "pen");
+    row("unknown grip", {"mill", "@/cube.burin", "--grip", "iron"}, 2, "iron");
+    row("unknown intent", {"mill", "@/cube.burin", "--intent", "harm"}, 2, "harm");
     row("device that is not there", {"mill", "@/cube.burin", "--stylus", "device:omega"}, 2, "omega");
     row("trace of the operator", {"mill", "@/cube.burin", "--trace", "@/x.csv"}, 2, "operator");
     row("trace with an error", {"mill", "@/cube.burin", "--stylus", "trace:@/trace.csv"}, 3, "trace.csv");

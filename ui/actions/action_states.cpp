@@ -26,12 +26,20 @@ void ActionStates::update() {
     enable(ActionId::record, bench.bench.ready() && !showing);
     enable(ActionId::showMe, bench.setup.usable() && !showing && !bench.mill.active());
     enable(ActionId::stopShow, showing);
+    enable(ActionId::nearestEdge, bench.guides.hasEdges() && !bench.guides.full());
+    enable(ActionId::levelAbove, bench.mill.active());
+    enable(ActionId::levelBelow, bench.mill.active());
+    enable(ActionId::clutch, bench.guides.hasDevice());
+    enable(ActionId::recentre, bench.guides.hasDevice());
+    enable(ActionId::alignHand, bench.guides.hasDevice());
     enable(ActionId::newPath, !bench.mill.takes().empty() && bench.bench.embedded());
     enable(ActionId::evaluatePath, bench.path.stored().has_value() && bench.bench.embedded());
     enable(ActionId::post, bench.path.evaluated() != nullptr && !bench.path.outdated());
     updateUndo();
     actions_[ActionId::millMode]->setChecked(bench.mill.active());
     actions_[ActionId::record]->setChecked(bench.mill.recording());
+    actions_[ActionId::guides]->setChecked(bench.guides.on());
+    actions_[ActionId::clutch]->setChecked(bench.guides.clutched());
 }
 
 void ActionStates::updateUndo() {

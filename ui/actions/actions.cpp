@@ -80,6 +80,22 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Watch a virtual operator mill this part."), "Ctrl+M"},
     Row{ActionId::stopShow, "stopShowAction", QT_TRANSLATE_NOOP("Actions", "S&top the virtual operator"),
         QT_TRANSLATE_NOOP("Actions", "Stop; what was recorded stays."), "Ctrl+."},
+    Row{ActionId::guides, "guidesAction", QT_TRANSLATE_NOOP("Actions", "&Guides hold"),
+        QT_TRANSLATE_NOOP("Actions", "Switch all guides of the hand on or off."), "G", true},
+    Row{ActionId::nearestEdge, "nearestEdgeAction", QT_TRANSLATE_NOOP("Actions", "Guide along the nearest &edge"),
+        QT_TRANSLATE_NOOP("Actions", "Lead the hand along the edge of the part that is nearest to the tool."), "E"},
+    Row{ActionId::levelAbove, "levelAboveAction", QT_TRANSLATE_NOOP("Actions", "Level &above"),
+        QT_TRANSLATE_NOOP("Actions", "The guide takes the next level above, or ends the pass."), "Ctrl+PgUp"},
+    Row{ActionId::levelBelow, "levelBelowAction", QT_TRANSLATE_NOOP("Actions", "Level &below"),
+        QT_TRANSLATE_NOOP("Actions", "The guide takes the next level below, or ends the pass."), "Ctrl+PgDown"},
+    Row{ActionId::clutch, "clutchAction", QT_TRANSLATE_NOOP("Actions", "&Clutch"),
+        QT_TRANSLATE_NOOP("Actions", "The hand moves, the tool stays."), "C", true},
+    Row{ActionId::recentre, "recentreAction", QT_TRANSLATE_NOOP("Actions", "Re&centre"),
+        QT_TRANSLATE_NOOP("Actions", "As the hand works on, it comes back to the middle of the device's reach."),
+        "Ctrl+R"},
+    Row{ActionId::alignHand, "alignHandAction", QT_TRANSLATE_NOOP("Actions", "A&lign the hand with the view"),
+        QT_TRANSLATE_NOOP("Actions", "What goes to the right of the picture follows a hand that goes to the right."),
+        "Ctrl+L"},
     Row{ActionId::newPath, "newPathAction", QT_TRANSLATE_NOOP("Actions", "&New path"),
         QT_TRANSLATE_NOOP("Actions", "Make a path of the recordings, with the edits of the main job."), "Ctrl+P"},
     Row{ActionId::evaluatePath, "evaluatePathAction", QT_TRANSLATE_NOOP("Actions", "&Evaluate"),
@@ -109,6 +125,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
     }
     (*this)[ActionId::millMode]->setChecked(false);
     (*this)[ActionId::record]->setChecked(false);
+    (*this)[ActionId::clutch]->setChecked(false);
     (*this)[ActionId::quit]->setMenuRole(QAction::QuitRole);
     (*this)[ActionId::preferences]->setMenuRole(QAction::PreferencesRole);
     (*this)[ActionId::about]->setMenuRole(QAction::AboutRole);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/haptics/guide.h"
 #include "core/haptics/tick_sink.h"
 #include "core/path/edit.h"
 #include "core/project/project.h"
@@ -14,6 +15,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -81,6 +83,19 @@ struct MillState {
     bool showing = false; ///< the virtual operator mills
     QStringList styluses; ///< what can be milled with
     int stylus = 0;       ///< of these
+};
+
+struct GuideState {
+    std::vector<Guide> guides; ///< the upper one stays where not all can hold
+    bool on = true;            ///< as a whole
+    bool full = false;         ///< no more can be added
+    bool edges = false;        ///< the part has edges to follow
+    bool live = false;         ///< mill mode: `news` counts
+    std::array<GuideNews, GuideSettings::capacity> news{};
+    glm::dvec3 zero{0.0};   ///< mm, of the program, in the setup frame
+    bool hasDevice = false; ///< a device is in the hand, not the mouse
+    double scale = 1.0;     ///< mm of the tool per mm of the hand
+    bool clutched = false;
 };
 
 struct PathState {

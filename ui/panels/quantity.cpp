@@ -13,6 +13,8 @@ namespace burin {
 
 namespace {
 
+constexpr double radiansPerDegree = pi / 180.0;
+
 struct NamedUnit {
     Quantity quantity;
     const char* text; ///< UTF-8, lower case
@@ -37,6 +39,10 @@ constexpr std::array namedUnits{
     NamedUnit{Quantity::time, "s", 1.0},
     NamedUnit{Quantity::time, "ms", 0.001},
     NamedUnit{Quantity::frequency, "hz", 1.0},
+    NamedUnit{Quantity::angle, "°", radiansPerDegree},
+    NamedUnit{Quantity::angle, "rad", 1.0},
+    NamedUnit{Quantity::ratio, "×", 1.0},
+    NamedUnit{Quantity::ratio, "x", 1.0},
 };
 
 std::optional<double> unitSize(const QString& text, Quantity quantity, LengthUnit unit) {
@@ -60,6 +66,10 @@ DisplayUnit displayUnit(Quantity quantity, LengthUnit unit) {
         return {QStringLiteral("s"), 1.0, 3, false};
     case Quantity::frequency:
         return {QStringLiteral("Hz"), 1.0, 2, false};
+    case Quantity::angle:
+        return {QStringLiteral("°"), radiansPerDegree, 2, false};
+    case Quantity::ratio:
+        return {QStringLiteral("×"), 1.0, 3, false};
     }
     return {};
 }

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// What a number on a panel measures. Inside: mm, mm/s, s, Hz.
-enum class Quantity { length, speed, time, frequency };
+/// What a number on a panel measures. Inside: mm, mm/s, s, Hz, rad, 1.
+enum class Quantity { length, speed, time, frequency, angle, ratio };
 
 /// How a quantity is shown.
 struct DisplayUnit {

@@ -29,6 +29,13 @@ QString draggedFile(const QMimeData& data) {
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
 }
 
+/// What lies to the right in the picture, setup frame.
+glm::dvec3 rightOf(const Viewport& viewport) {
+    const double middle = 0.5 * viewport.height();
+    return viewport.sight(QPointF(viewport.width(), middle)).rayDirection -
+           viewport.sight(QPointF(0.0, middle)).rayDirection;
+}
+
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -132,6 +139,14 @@ void MainWindow::connectActions() {
     });
     on(ActionId::showMe, [this] { workbench_.showHowItIsDone(); });
     on(ActionId::stopShow, [this] { workbench_.showMe.stop(); });
+    on(ActionId::guides, [this](bool wanted) { workbench_.guides.setOn(wanted); });
+    on(ActionId::nearestEdge, [this] { workbench_.guides.add(GuideKind::curve); });
+    on(ActionId::levelAbove, [this] { workbench_.guides.stepLevel(1); });
+    on(ActionId::levelBelow, [this] { workbench_.guides.stepLevel(-1); });
+    on(ActionId::clutch, [this](bool wanted) { workbench_.guides.setClutched(wanted); });
+    on(ActionId::alignHand, [this] { workbench_.guides.alignWith(rightOf(*viewport_)); });
+    on(ActionId::recentre, [this] { workbench_.guides.recentre(); });
+    connect(panels_->guides, &GuidePanel::alignmentRequested, actions_[ActionId::alignHand], &QAction::trigger);
     on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
     on(ActionId::evaluatePath, [this] { workbench_.path.evaluate(); });
     on(ActionId::post, [this] { workbench_.program.post(programName(workbench_)); });

@@ -23,6 +23,18 @@ QWidget* scrolling(QWidget* panel, const char* name) {
     return area;
 }
 
+/// One panel above another, as one.
+QWidget* stacked(QWidget* upper, QWidget* lower) {
+    auto* both = new QWidget;
+    auto* column = new QVBoxLayout(both);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(upper);
+    column->addWidget(lower);
+    column->addStretch(1);
+    return both;
+}
+
 } // namespace
 
 PanelStack::PanelStack(QWidget* parent)
@@ -33,6 +45,7 @@ PanelStack::PanelStack(QWidget* parent)
     , tool(new ToolPanel)
     , allowance(new AllowancePanel)
     , mill(new MillPanel)
+    , guides(new GuidePanel)
     , path(new PathPanel)
     , program(new ProgramPanel)
     , meters(new Meters)
@@ -45,7 +58,7 @@ PanelStack::PanelStack(QWidget* parent)
                                                                   {material, "materialPage"},
                                                                   {tool, "toolPage"},
                                                                   {allowance, "allowancePage"},
-                                                                  {mill, "millPage"},
+                                                                  {stacked(mill, guides), "millPage"},
                                                                   {path, "pathPage"},
                                                                   {program, "programPage"}}};
     for (const auto& [panel, name] : panels) stack_->addWidget(scrolling(panel, name));

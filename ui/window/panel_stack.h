@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/panels/allowance_panel.h"
+#include "ui/panels/guide_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
@@ -33,6 +34,7 @@ public:
     ToolPanel* tool;
     AllowancePanel* allowance;
     MillPanel* mill;
+    GuidePanel* guides; ///< below the mill panel
     PathPanel* path;
     ProgramPanel* program;
     Meters* meters;

@@ -15,6 +15,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , tool(workbench, *stage.panels.tool, this)
     , allowance(workbench, *stage.panels.allowance, this)
     , mill(workbench, millMode, *stage.panels.mill, this)
+    , guides(workbench, *stage.panels.guides, this)
     , path(workbench, *stage.panels.path, this)
     , program(workbench, *stage.panels.program, this)
     , meters(workbench, *stage.panels.meters, this)
@@ -23,8 +24,9 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , scene(workbench, stage.viewport, actions, this) {}
 
 void Presenters::setUnit(LengthUnit unit) {
-    for (Presenter* presenter : std::initializer_list<Presenter*>{&part, &stock, &material, &tool, &allowance, &mill,
-                                                                  &path, &program, &meters, &status, &job, &scene})
+    for (Presenter* presenter :
+         std::initializer_list<Presenter*>{&part, &stock, &material, &tool, &allowance, &mill, &guides, &path, &program,
+                                           &meters, &status, &job, &scene})
         presenter->setUnit(unit);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/window/guide_presenter.h"
 #include "ui/window/job_presenter.h"
 #include "ui/window/mill_presenter.h"
 #include "ui/window/panel_stack.h"
@@ -34,6 +35,7 @@ public:
     ToolPresenter tool;
     AllowancePresenter allowance;
     MillPresenter mill;
+    GuidePresenter guides;
     PathPresenter path;
     ProgramPresenter program;
     MeterPresenter meters;

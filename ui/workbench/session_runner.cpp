@@ -98,6 +98,18 @@ void SessionRunner::setAllowance(double millimetres) {
     if (session_) session_->setAllowance(millimetres);
 }
 
+Result<void> SessionRunner::setGuides(const GuideSettings& guides) {
+    return session_ ? session_->setGuides(guides) : Result<void>{};
+}
+
+void SessionRunner::stepGuides(int levels) {
+    if (session_) session_->stepGuides(levels);
+}
+
+void SessionRunner::setWorkspace(const WorkspaceSettings& workspace) {
+    if (session_) session_->setWorkspace(workspace);
+}
+
 void SessionRunner::look() {
     if (!session_) return;
     if (session_->newest(state_)) emit ticked();

@@ -34,6 +34,9 @@ public:
     void undoStroke(Then then);
     void redoStroke(Then then);
     void setAllowance(double millimetres);
+    Result<void> setGuides(const GuideSettings& guides);
+    void stepGuides(int levels);
+    void setWorkspace(const WorkspaceSettings& workspace);
 
     bool running() const noexcept { return session_ != nullptr; }
     const SessionState& state() const noexcept { return state_; }

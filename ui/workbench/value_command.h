@@ -37,6 +37,6 @@ private:
 };
 
 /// Kinds of values, for merging.
-enum ValueKind : int { allowanceValue = 1, voxelValue, marginValue, pathEditValue };
+enum ValueKind : int { allowanceValue = 1, voxelValue, marginValue, pathEditValue, guideValue /* and, with its place, of each guide */ };
 
 } // namespace burin

@@ -14,6 +14,7 @@ Workbench::Workbench(QObject* parent)
     , styluses(desk_, this)
     , session(desk_, this)
     , mill(desk_, bench, session, styluses, this)
+    , guides(desk_, bench, mill, session, this)
     , showMe(desk_, bench, session, this)
     , path(desk_, bench, this)
     , program(desk_, bench, path, this) {
@@ -28,7 +29,7 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model, &setup, &tool, &bench, &styluses, &session, &mill, &showMe, &path, &program};
+    return {&document, &model, &setup, &tool, &bench, &styluses, &session, &mill, &guides, &showMe, &path, &program};
 }
 
 void Workbench::wire() {

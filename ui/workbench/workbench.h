@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/workbench/document_controller.h"
+#include "ui/workbench/guide_controller.h"
 #include "ui/workbench/mill_controller.h"
 #include "ui/workbench/model_controller.h"
 #include "ui/workbench/path_controller.h"
@@ -38,6 +39,7 @@ public:
     StylusController styluses; ///< outlives the session, whose stylus may be of one of its drivers
     SessionRunner session;
     MillController mill;
+    GuideController guides;
     ShowMe showMe;
     PathController path;
     ProgramController program;

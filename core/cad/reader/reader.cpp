@@ -6,6 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/cad/reader/body_mesh.h"
 #include "core/cad/reader/cad_file.h"
+#include "core/cad/reader/edge_curve.h"
 #include "core/cad/reader/exact_distance.h"
 #include "core/cad/reader/file_format.h"
 #include "core/cad/reader/measure.h"
@@ -172,6 +173,14 @@ Result<T> guarded(Work work) {
     }
 }
 
+Result<TopoDS_Shape> shapeOf(const std::string& brep) {
+    TopoDS_Shape shape;
+    std::istringstream stream(brep);
+    BinTools::Read(shape, stream);
+    if (shape.IsNull() || countFaces(shape) == 0) return Error{ErrorCode::fileDamaged, {}, {}, "no faces"};
+    return shape;
+}
+
 } // namespace
 
 Result<Model> readModel(const ReadRequest& request, const std::function<void(double)>& report) {
@@ -181,17 +190,23 @@ Result<Model> readModel(const ReadRequest& request, const std::function<void(dou
 Result<std::vector<double>> measureDistances(const DistanceRequest& request,
                                              const std::function<void(double)>& report) {
     return guarded<std::vector<double>>([&]() -> Result<std::vector<double>> {
-        TopoDS_Shape shape;
-        std::istringstream stream(request.brep);
-        BinTools::Read(shape, stream);
-        if (shape.IsNull() || countFaces(shape) == 0) return Error{ErrorCode::fileDamaged, {}, {}, "no faces"};
-        ExactDistance measure(shape);
+        const Result<TopoDS_Shape> shape = shapeOf(request.brep);
+        if (!shape) return shape.error();
+        ExactDistance measure(*shape);
         std::vector<double> distances;
         for (const glm::dvec3& point : request.points) {
             distances.push_back(measure.signedDistance(point));
             report(static_cast<double>(distances.size()) / static_cast<double>(request.points.size()));
         }
         return distances;
+    });
+}
+
+Result<std::vector<PartEdge>> followEdges(const EdgeRequest& request) {
+    return guarded<std::vector<PartEdge>>([&]() -> Result<std::vector<PartEdge>> {
+        const Result<TopoDS_Shape> shape = shapeOf(request.brep);
+        if (!shape) return shape.error();
+        return edgeCurves(*shape, request.chord);
     });
 }
 

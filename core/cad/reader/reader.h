@@ -17,4 +17,7 @@ Result<Model> readModel(const ReadRequest& request, const std::function<void(dou
 /// Exact signed distances of the points, in order. Errors, with an empty subject: fileDamaged, importOutOfMemory.
 Result<std::vector<double>> measureDistances(const DistanceRequest& request, const std::function<void(double)>& report);
 
+/// Errors, with an empty subject: fileDamaged, importOutOfMemory.
+Result<std::vector<PartEdge>> followEdges(const EdgeRequest& request);
+
 } // namespace burin

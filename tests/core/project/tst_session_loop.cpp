@@ -38,6 +38,42 @@ struct LoopUnderTest {
 class TestSessionLoop : public QObject {
     Q_OBJECT
 private slots:
+    void guidesAndWorkspaceComeInAtATicksEdge() {
+        LoopUnderTest test;
+        const auto tick = [&](int number) {
+            const std::size_t before = allocationCount;
+            if (test.loop->edge() != AtEdge::tick) return Sample{};
+            const Sample sample = test.step(test.hand.read(0.001 * number), 0.001);
+            test.loop->tick(sample, {});
+            return allocationCount == before ? sample : Sample{};
+        };
+        const glm::dvec3 tip = tick(0).stylusTip;
+        TickNews news;
+        GuideSettings guides;
+        guides.guides[2].on = true;
+        guides.guides[2].kind = GuideKind::levels;
+        guides.guides[2].point = tip;
+        guides.guides[2].distance = 0.5;
+        test.loop->setGuides(guides);
+        WorkspaceSettings workspace;
+        workspace.scale = 3.0;
+        workspace.clutched = true;
+        test.loop->setWorkspace(workspace);
+        Sample last;
+        for (int i = 1; i < 200; ++i) last = tick(i);
+        QVERIFY((last.flags & sampleOnGuide) != 0);
+        QVERIFY(test.loop->takeNews(news));
+        QCOMPARE(news.guides[2].is, GuideNews::Is::holding);
+        QCOMPARE(news.guides[0].is, GuideNews::Is::off);
+        QCOMPARE(news.workspaceScale, 3.0);
+        QVERIFY(news.clutched);
+        const int level = news.guides[2].level;
+        test.loop->stepGuides(-1);
+        for (int i = 200; i < 600; ++i) tick(i);
+        QVERIFY(test.loop->takeNews(news));
+        QCOMPARE(news.guides[2].level, level - 1);
+    }
+
     /// Takes, strokes, views, figures: none of it allocates in the loop, whatever the owner keeps of it.
     void noTickAllocates() {
         LoopUnderTest test;

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/window_steps.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QScrollArea>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+/// Brings a widget of the mill page into sight.
+void scrollTo(WindowDriver& driver, const char* name) {
+    auto* page = driver.visible<QScrollArea>("millPage");
+    auto* widget = driver.window().findChild<QWidget*>(QLatin1String(name));
+    if (page && widget) page->ensureWidgetVisible(widget);
+    QCoreApplication::processEvents();
+}
+
+} // namespace
+
+class TestWindowGuides : public QObject {
+    Q_OBJECT
+private slots:
+    void aStrokeBesideAPlaneIsMilledOnIt();
+};
+
+void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
+    WindowDriver driver;
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(makeReady(driver));
+    QVERIFY(driver.step(JobStep::mill));
+    auto* kind = driver.window().findChild<QComboBox*>("guideKind");
+    QVERIFY(kind);
+    kind->setCurrentIndex(1);
+    scrollTo(driver, "addGuideButton");
+    QVERIFY(driver.clickOn("addGuideButton"));
+    QVERIFY(driver.waitFor([&] { return bench.guides.guides().size() == 1; }, 3000));
+    QCOMPARE(bench.guides.guides()[0].kind, GuideKind::plane);
+    Guide plane = bench.guides.guides()[0];
+    plane.direction = {0, 1, 0};
+    const double zero = bench.setup.setup().workOffset.y; // strokes are told from there
+    plane.point.y = zero;
+    bench.guides.change(0, plane);
+
+    QVERIFY(driver.clickOn("recordButton"));
+    QVERIFY(driver.waitFor([&] { return bench.mill.recording(); }, 5000));
+    double farthest = 0.0, wanted = 0.0;
+    bool told = false;
+    QObject::connect(&bench.session, &SessionRunner::ticked, this, [&] {
+        const SessionState& state = bench.session.state();
+        told = told || state.guides[0].is == GuideNews::Is::holding;
+        if (!state.cutting || std::abs(state.sample.proxy.tip.x - bench.setup.setup().workOffset.x) > 8.0) return;
+        farthest = std::max(farthest, std::abs(state.sample.proxy.tip.y - zero));
+        wanted = std::max(wanted, std::abs(state.sample.stylusTip.y - zero));
+    });
+    millLine(driver, {-20, 1.2}, {20, 1.2});
+    QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 3000));
+    QVERIFY(told);
+    QVERIFY2(wanted > 1.0, qPrintable(QString::number(wanted)));
+    QVERIFY2(farthest < 0.01, qPrintable(QString::number(farthest)));
+    scrollTo(driver, "recentreButton");
+    driver.shoot("guides");
+
+    driver.key(Qt::Key_Escape);
+    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
+    driver.key(Qt::Key_G); // all of them, by the keyboard
+    QVERIFY(driver.waitFor([&] { return !bench.guides.on(); }, 3000));
+    QVERIFY(!driver.window().findChild<QCheckBox*>("guidesSwitch")->isChecked());
+}
+
+QTEST_MAIN(TestWindowGuides)
+#include "tst_window_guides.moc"

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/guide_card.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
+#include "ui/panels/field_row.h"
+#include "ui/panels/length_field.h"
+#include "ui/panels/texts.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <utility>
+
+namespace burin {
+namespace {
+
+constexpr double farthest = 10'000.0;                              // mm
+constexpr double largestDistance = 100.0, smallestDistance = 0.01; // mm
+constexpr double steepest = 1.4;                                   // rad, as checkGuide
+
+/// The axis that a direction is nearest to.
+int axisOf(const glm::dvec3& direction) {
+    const glm::dvec3 size = glm::abs(direction);
+    if (size.z >= size.x && size.z >= size.y) return 2;
+    return size.y >= size.x ? 1 : 0;
+}
+
+} // namespace
+
+QString guideName(GuideKind kind) {
+    switch (kind) {
+    case GuideKind::plane:
+        return GuideCard::tr("Plane");
+    case GuideKind::levels:
+        return GuideCard::tr("Levels");
+    case GuideKind::line:
+        return GuideCard::tr("Line");
+    case GuideKind::curve:
+        return GuideCard::tr("Edge of the part");
+    case GuideKind::surface:
+        return GuideCard::tr("Distance from the part");
+    case GuideKind::stepOver:
+        return GuideCard::tr("Step-over");
+    case GuideKind::axis:
+        return GuideCard::tr("Lead and tilt");
+    }
+    return {};
+}
+
+GuideCard::GuideCard(std::size_t place, const Guide& guide, QWidget* parent) : QFrame(parent), guide_(guide) {
+    setProperty("look", "card");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 6, 8, 8);
+    column->setSpacing(4);
+    const QString name = QStringLiteral("guide%1").arg(place);
+    addHead(name);
+    addFigures(name);
+    showGuide(guide, glm::dvec3(0.0));
+    showNews(nullptr, LengthUnit::millimetre);
+}
+
+void GuideCard::addHead(const QString& name) {
+    switch_ = new QCheckBox(guideName(guide_.kind), this);
+    switch_->setObjectName(name + QStringLiteral("Switch"));
+    switch_->setToolTip(tr("Switch this guide on or off"));
+    connect(switch_, &QCheckBox::clicked, this, [this](bool on) {
+        guide_.on = on;
+        emit edited(guide_);
+    });
+    news_ = new QLabel(this);
+    news_->setObjectName(name + QStringLiteral("News"));
+    news_->setProperty("look", "small");
+    auto* remove =
+        makeIconButton(QStringLiteral("remove"), tr("Remove this guide"), name + QStringLiteral("Remove"), this);
+    connect(remove, &QToolButton::clicked, this, &GuideCard::removalRequested);
+    auto* head = new QHBoxLayout;
+    head->addWidget(switch_, 1);
+    head->addWidget(news_);
+    head->addWidget(remove);
+    static_cast<QVBoxLayout*>(layout())->addLayout(head);
+}
+
+void GuideCard::addDirection(const QString& name, const QString& label) {
+    direction_ = new ChoiceBox(this);
+    direction_->setObjectName(name + QStringLiteral("Direction"));
+    direction_->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
+    layout()->addWidget(new FieldRow(label, direction_, tr("Along which axis of the setup"), this));
+    connect(direction_, &QComboBox::activated, this, [this](int axis) {
+        guide_.direction = glm::dvec3(0.0);
+        guide_.direction[axis] = 1.0;
+        showGuide(guide_, zero_);
+        emit edited(guide_);
+    });
+}
+
+QuantityField* GuideCard::addField(const QString& name, const QString& label, const QString& toolTip,
+                                   QuantityField* field, std::function<double&(Guide&)> value, int axis) {
+    field->setObjectName(name);
+    layout()->addWidget(new FieldRow(label, field, toolTip, this));
+    field->setAccessibleName(guideName(guide_.kind) + QStringLiteral(", ") + label);
+    fields_.push_back({field, std::move(value), axis});
+    connect(field, &QuantityField::valueEdited, this, [this, place = fields_.size() - 1](double wanted) {
+        const Field& of = fields_[place];
+        of.value(guide_) = of.axis < 0 ? wanted : wanted + zero_[of.axis];
+        emit edited(guide_);
+    });
+    return field;
+}
+
+void GuideCard::addPlace(const QString& name, int axis, const QString& toolTip) {
+    static constexpr std::array<char, 3> letters{'X', 'Y', 'Z'};
+    const QString letter(QLatin1Char(letters[static_cast<std::size_t>(axis)]));
+    QuantityField* field = addField(
+        name + letter, letter, toolTip, new LengthField(this),
+        [axis](Guide& guide) -> double& { return guide.point[axis]; }, axis);
+    field->limit(-farthest, farthest);
+}
+
+void GuideCard::addFigures(const QString& name) {
+    const auto distance = [&](const QString& label, const QString& toolTip, double least) {
+        addField(name + QStringLiteral("Distance"), label, toolTip, new LengthField(this), [](Guide& guide) -> double& {
+            return guide.distance;
+        })->limit(least, largestDistance);
+    };
+    const auto places = [&](const QString& toolTip) {
+        for (int axis = 0; axis < 3; ++axis) addPlace(name, axis, toolTip);
+    };
+    switch (guide_.kind) {
+    case GuideKind::plane:
+        addDirection(name, tr("Across"));
+        places(tr("Where the plane is"));
+        break;
+    case GuideKind::levels:
+        addDirection(name, tr("Across"));
+        distance(tr("Apart"), tr("From one level to the next"), smallestDistance);
+        places(tr("Where one of the levels is"));
+        break;
+    case GuideKind::line:
+        addDirection(name, tr("Along"));
+        places(tr("Where the line is"));
+        break;
+    case GuideKind::surface:
+        distance(tr("Distance"), tr("How far the cutter keeps from the part"), 0.0);
+        break;
+    case GuideKind::stepOver:
+        distance(tr("Step-over"), tr("How far the next pass keeps from the last one"), smallestDistance);
+        break;
+    case GuideKind::axis:
+        addField(name + QStringLiteral("Lead"), tr("Lead"), tr("How far the tool leans to where it goes"),
+                 new QuantityField(Quantity::angle, this), [](Guide& guide) -> double& { return guide.lead; })
+            ->limit(-steepest, steepest);
+        addField(name + QStringLiteral("Tilt"), tr("Tilt"), tr("How far the tool leans to the left of where it goes"),
+                 new QuantityField(Quantity::angle, this), [](Guide& guide) -> double& { return guide.tilt; })
+            ->limit(-steepest, steepest);
+        onSurface_ = new QCheckBox(tr("From the part's surface"), this);
+        onSurface_->setObjectName(name + QStringLiteral("OnSurface"));
+        onSurface_->setToolTip(tr("Lead and tilt start from the part's surface, else from the Z axis"));
+        layout()->addWidget(onSurface_);
+        connect(onSurface_, &QCheckBox::clicked, this, [this](bool on) {
+            guide_.onSurface = on;
+            emit edited(guide_);
+        });
+        break;
+    case GuideKind::curve:
+        break; // it is where the edge is
+    }
+}
+
+void GuideCard::showGuide(const Guide& guide, const glm::dvec3& zero) {
+    guide_ = guide;
+    zero_ = zero;
+    switch_->setChecked(guide.on); // `clicked` is the user's alone
+    const int along = axisOf(guide.direction);
+    if (direction_) direction_->setCurrentIndex(along);
+    if (onSurface_) onSurface_->setChecked(guide.onSurface);
+    for (const Field& field : fields_) {
+        const double value = field.value(guide_);
+        field.field->showValue(field.axis < 0 ? value : value - zero[field.axis]);
+        // A plane has one place, a line two: those that say something are shown.
+        if (field.axis >= 0)
+            field.field->parentWidget()->setVisible((guide.kind == GuideKind::line) != (field.axis == along));
+    }
+}
+
+void GuideCard::showNews(const GuideNews* news, LengthUnit unit) {
+    QString text;
+    if (news != nullptr && news->is == GuideNews::Is::holding)
+        text = guide_.kind == GuideKind::levels ? tr("holds level %1").arg(news->level) : tr("holds");
+    if (news != nullptr && news->is == GuideNews::Is::overruled) text = tr("waits for another");
+    if (news != nullptr && news->is == GuideNews::Is::away && guide_.kind != GuideKind::axis)
+        text = tr("%1 off").arg(lengthText(news->distance, unit));
+    if (news_->text() != text) news_->setText(text);
+}
+
+void GuideCard::setUnit(LengthUnit unit) {
+    for (const Field& field : fields_) field.field->setLengthUnit(unit);
+}
+
+} // namespace burin

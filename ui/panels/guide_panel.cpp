@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/guide_panel.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
+#include "ui/panels/field_row.h"
+#include "ui/panels/guide_card.h"
+#include "ui/panels/notice.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/panels/quantity_field.h"
+
+#include <QCheckBox>
+
+#include <array>
+
+namespace burin {
+namespace {
+
+constexpr std::array offered{GuideKind::levels,  GuideKind::plane,    GuideKind::line, GuideKind::curve,
+                             GuideKind::surface, GuideKind::stepOver, GuideKind::axis};
+constexpr double smallestScale = 0.05, largestScale = 50.0;
+
+} // namespace
+
+class GuidePanel::Fields : public QObject {
+public:
+    explicit Fields(GuidePanel* panel);
+    void refresh();
+    void setUnit(LengthUnit wanted);
+
+    GuideState state;
+
+private:
+    void addHead();
+    void addWorkspace();
+    void rebuildCards();
+    void refreshAdd();
+    GuideKind wanted() const { return offered[static_cast<std::size_t>(kind_->currentIndex())]; }
+
+    GuidePanel* panel_;
+    QVBoxLayout *column_, *list_;
+    QCheckBox* on_;
+    ChoiceBox* kind_;
+    QPushButton *add_, *above_, *below_, *clutch_, *recentre_, *align_;
+    QuantityField* scale_;
+    QLabel* none_;
+    Notice* mouse_;
+    std::vector<GuideCard*> cards_;
+    LengthUnit unit_ = LengthUnit::millimetre;
+};
+
+GuidePanel::Fields::Fields(GuidePanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
+    column_->addWidget(makeSectionTitle(GuidePanel::tr("Guides"), panel));
+    addHead();
+    none_ = makeWrappedLabel(panel);
+    none_->setProperty("look", "quiet");
+    setWrappedText(none_, GuidePanel::tr("Nothing leads the hand. A guide takes the tool when it comes near, and lets "
+                                         "go when it is pushed off."));
+    column_->addWidget(none_);
+    list_ = new QVBoxLayout;
+    list_->setSpacing(8);
+    column_->addLayout(list_);
+    addWorkspace();
+    column_->addStretch(1);
+}
+
+void GuidePanel::Fields::addHead() {
+    on_ = new QCheckBox(GuidePanel::tr("Guides hold"), panel_);
+    on_->setObjectName(QStringLiteral("guidesSwitch"));
+    on_->setToolTip(GuidePanel::tr("Switch all guides on or off"));
+    column_->addWidget(on_);
+    connect(on_, &QCheckBox::clicked, panel_, &GuidePanel::guidesToggled);
+    kind_ = new ChoiceBox(panel_);
+    kind_->setObjectName(QStringLiteral("guideKind"));
+    kind_->setAccessibleName(GuidePanel::tr("Kind of guide"));
+    kind_->setToolTip(GuidePanel::tr("What the next guide shall be"));
+    for (const GuideKind kind : offered) kind_->addItem(guideName(kind));
+    add_ = makeButton(GuidePanel::tr("Add"), QStringLiteral("add"), QStringLiteral("addGuideButton"), panel_);
+    connect(kind_, &QComboBox::currentIndexChanged, this, [this] { refreshAdd(); });
+    connect(add_, &QPushButton::clicked, this, [this] { emit panel_->guideWanted(wanted()); });
+    auto* both = new QHBoxLayout;
+    both->setSpacing(8);
+    both->addWidget(kind_, 1);
+    both->addWidget(add_);
+    column_->addLayout(both);
+    above_ = makeButton(GuidePanel::tr("Level above"), {}, QStringLiteral("levelAboveButton"), panel_);
+    below_ = makeButton(GuidePanel::tr("Level below"), {}, QStringLiteral("levelBelowButton"), panel_);
+    connect(above_, &QPushButton::clicked, this, [this] { emit panel_->levelStepped(1); });
+    connect(below_, &QPushButton::clicked, this, [this] { emit panel_->levelStepped(-1); });
+    auto* steps = new QHBoxLayout;
+    steps->setSpacing(8);
+    steps->addWidget(above_, 1);
+    steps->addWidget(below_, 1);
+    column_->addLayout(steps);
+}
+
+void GuidePanel::Fields::addWorkspace() {
+    column_->addWidget(makeSectionTitle(GuidePanel::tr("Hand and tool"), panel_));
+    scale_ = new QuantityField(Quantity::ratio, panel_);
+    scale_->setObjectName(QStringLiteral("workspaceScaleField"));
+    scale_->limit(smallestScale, largestScale);
+    column_->addWidget(new FieldRow(GuidePanel::tr("Scale"), scale_,
+                                    GuidePanel::tr("How far the tool goes for the hand's way"), panel_));
+    connect(scale_, &QuantityField::valueEdited, panel_, &GuidePanel::scaleEdited);
+    clutch_ = makeButton(GuidePanel::tr("Clutch"), {}, QStringLiteral("clutchButton"), panel_);
+    clutch_->setCheckable(true);
+    recentre_ = makeButton(GuidePanel::tr("Recentre"), {}, QStringLiteral("recentreButton"), panel_);
+    // The state decides what is on: a click is a wish.
+    connect(clutch_, &QPushButton::clicked, this, [this] {
+        clutch_->setChecked(state.clutched);
+        emit panel_->clutchToggled(!state.clutched);
+    });
+    connect(recentre_, &QPushButton::clicked, panel_, &GuidePanel::recentreRequested);
+    align_ = makeButton(GuidePanel::tr("Align with the view"), {}, QStringLiteral("alignHandButton"), panel_);
+    connect(align_, &QPushButton::clicked, panel_, &GuidePanel::alignmentRequested);
+    auto* both = new QHBoxLayout;
+    both->setSpacing(8);
+    both->addWidget(clutch_, 1);
+    both->addWidget(recentre_, 1);
+    column_->addLayout(both);
+    column_->addWidget(align_);
+    mouse_ = new Notice(panel_);
+    mouse_->setObjectName(QStringLiteral("workspaceNotice"));
+    column_->addWidget(mouse_);
+}
+
+void GuidePanel::Fields::rebuildCards() {
+    for (GuideCard* card : cards_) {
+        list_->removeWidget(card);
+        card->hide();
+        card->deleteLater(); // one of them may be telling of its own removal
+    }
+    cards_.clear();
+    for (std::size_t i = 0; i < state.guides.size(); ++i) {
+        auto* card = new GuideCard(i, state.guides[i], panel_);
+        card->setUnit(unit_);
+        list_->addWidget(card);
+        connect(card, &GuideCard::edited, this, [this, i](const Guide& guide) { emit panel_->guideEdited(i, guide); });
+        connect(card, &GuideCard::removalRequested, this, [this, i] { emit panel_->guideRemovalRequested(i); });
+        cards_.push_back(card);
+    }
+}
+
+void GuidePanel::Fields::refreshAdd() {
+    const bool edge = wanted() == GuideKind::curve;
+    const QString reason = state.full             ? GuidePanel::tr("There are as many guides as can be.")
+                           : edge && !state.edges ? GuidePanel::tr("This part is a mesh, which has no edges to follow.")
+                                                  : QString();
+    enableUnless(add_, reason,
+                 edge ? GuidePanel::tr("A guide along the edge of the part that is nearest to the tool")
+                      : GuidePanel::tr("One more guide; of those that contradict, the upper one holds"));
+}
+
+void GuidePanel::Fields::refresh() {
+    const bool same = std::equal(cards_.begin(), cards_.end(), state.guides.begin(), state.guides.end(),
+                                 [](const GuideCard* card, const Guide& guide) { return card->kind() == guide.kind; });
+    if (!same) rebuildCards();
+    bool steps = false;
+    for (std::size_t i = 0; i < cards_.size(); ++i) {
+        cards_[i]->showGuide(state.guides[i], state.zero);
+        cards_[i]->showNews(state.live ? &state.news[i] : nullptr, unit_);
+        steps = steps || state.guides[i].kind == GuideKind::levels || state.guides[i].kind == GuideKind::stepOver;
+    }
+    on_->setChecked(state.on);
+    none_->setVisible(state.guides.empty());
+    refreshAdd();
+    const QString noLevel = !steps        ? GuidePanel::tr("No guide has levels or passes.")
+                            : !state.live ? GuidePanel::tr("Take the tool in hand first.")
+                                          : QString();
+    enableUnless(above_, noLevel, GuidePanel::tr("The guide takes the next level above, or ends the pass"));
+    enableUnless(below_, noLevel, GuidePanel::tr("The guide takes the next level below, or ends the pass"));
+    const QString noDevice =
+        state.hasDevice
+            ? QString()
+            : GuidePanel::tr("The mouse points at the bench itself. With a device in hand, its movements are "
+                             "scaled here.");
+    scale_->setEnabled(state.hasDevice);
+    if (state.hasDevice) scale_->showValue(state.scale);
+    clutch_->setChecked(state.clutched);
+    enableUnless(clutch_, noDevice, GuidePanel::tr("The hand moves, the tool stays"));
+    enableUnless(align_, noDevice,
+                 GuidePanel::tr("What goes to the right of the picture follows a hand that goes to the right"));
+    enableUnless(recentre_, noDevice,
+                 GuidePanel::tr("As the hand works on, it comes back to the middle of the device's reach"));
+    mouse_->tell(Notice::Kind::information, noDevice);
+}
+
+void GuidePanel::Fields::setUnit(LengthUnit wanted) {
+    unit_ = wanted;
+    for (GuideCard* card : cards_) card->setUnit(wanted);
+}
+
+GuidePanel::GuidePanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
+    setObjectName(QStringLiteral("guidePanel"));
+    fields_->refresh();
+}
+
+void GuidePanel::setUnit(LengthUnit unit) {
+    fields_->setUnit(unit);
+}
+
+void GuidePanel::setState(const GuideState& state) {
+    fields_->state = state;
+    fields_->refresh();
+}
+
+} // namespace burin

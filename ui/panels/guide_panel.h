@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/panel_states.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+namespace burin {
+
+/// What leads the hand while it mills: guides, and how a device's movements become the tool's.
+class GuidePanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit GuidePanel(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setState(const GuideState& state); ///< never emits
+
+signals:
+    void guidesToggled(bool on);
+    void guideWanted(burin::GuideKind kind);
+    void guideEdited(std::size_t place, const burin::Guide& guide);
+    void guideRemovalRequested(std::size_t place);
+    void levelStepped(int levels);
+    void clutchToggled(bool on);
+    void recentreRequested();
+    void alignmentRequested(); ///< with the view
+    void scaleEdited(double scale);
+
+private:
+    class Fields;
+    Fields* fields_ = nullptr;
+};
+
+} // namespace burin

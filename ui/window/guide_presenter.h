@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/guide_panel.h"
+#include "ui/window/presenter.h"
+
+namespace burin {
+
+/// The guides of the hand.
+class GuidePresenter final : public Presenter {
+    Q_OBJECT
+public:
+    GuidePresenter(Workbench& workbench, GuidePanel& panel, QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    GuidePanel& panel_;
+};
+
+} // namespace burin

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/guide_controller.h"
+
+#include "core/cad/part_edge.h"
+#include "ui/workbench/value_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace burin {
+namespace {
+
+constexpr double edgeChord = 0.01; // mm between an edge and the polyline that leads along it
+
+} // namespace
+
+GuideController::GuideController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
+                                 QObject* parent)
+    : Controller(desk, parent), bench_(bench), mill_(mill), session_(session) {
+    connect(&mill_, &MillController::entered, this, [this] {
+        apply();
+        emit changed();
+    });
+    connect(&mill_, &MillController::left, this, [this] {
+        workspace_ = {}; // the next session has a mapping of its own
+        emit changed();
+    });
+}
+
+bool GuideController::hasEdges() const {
+    return bench_.bench() && bench_.bench()->model && !bench_.bench()->model->brep.empty();
+}
+
+void GuideController::addNearestEdge() {
+    if (!hasEdges() || desk_.tasks.running(TaskKind::edges)) return;
+    const std::shared_ptr<const Model> model = bench_.bench()->model;
+    if (model == followed_) return addEdge();
+    desk_.tasks.start(
+        TaskKind::edges, tr("Following the part's edges"),
+        [model](Progress& progress) -> Result<Curves> {
+            Result<std::vector<PartEdge>> edges = partEdges(model->brep, edgeChord, ImportOptions{}, progress);
+            if (!edges) return std::move(edges).error();
+            Curves curves;
+            for (PartEdge& edge : *edges) {
+                Result<GuideCurve> curve = GuideCurve::make(std::move(edge.points), std::move(edge.tangents));
+                if (!curve) return std::move(curve).error();
+                curves.push_back(std::make_shared<const GuideCurve>(std::move(*curve)));
+            }
+            return curves;
+        },
+        [this, model](Result<Curves> curves) {
+            if (!curves) {
+                emit failed(curves.error());
+                return;
+            }
+            followed_ = model;
+            edges_ = std::move(*curves);
+            addEdge();
+        });
+}
+
+/// Nearest to the tool, or to the middle of the stock's top while there is none.
+void GuideController::addEdge() {
+    if (full() || edges_.empty() || !bench_.bench()) return;
+    const Box& stock = bench_.bench()->setup.stock;
+    const glm::dvec3 place = mill_.active() ? session_.state().sample.proxy.tip
+                                            : glm::dvec3(stock.centre().x, stock.centre().y, stock.high.z);
+    const auto distance = [&place](const std::shared_ptr<const GuideCurve>& curve) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const glm::dvec3& point : curve->points()) nearest = std::min(nearest, glm::distance(point, place));
+        return nearest;
+    };
+    const auto nearest = std::min_element(edges_.begin(), edges_.end(), [&](const auto& one, const auto& other) {
+        return distance(one) < distance(other);
+    });
+    Guide guide;
+    guide.kind = GuideKind::curve;
+    guide.on = true;
+    guide.curve = nearest->get();
+    used_.push_back(*nearest);
+    std::vector<Guide> guides = guides_;
+    guides.push_back(guide);
+    set(tr("new guide"), std::move(guides));
+}
+
+void GuideController::add(GuideKind kind) {
+    if (full()) return;
+    if (kind == GuideKind::curve) return addNearestEdge();
+    Guide guide;
+    guide.kind = kind;
+    guide.on = true;
+    if (bench_.bench()) {
+        const Box& stock = bench_.bench()->setup.stock;
+        const bool alongAxis = kind == GuideKind::plane || kind == GuideKind::levels;
+        guide.point = alongAxis ? glm::dvec3(stock.centre().x, stock.centre().y, stock.high.z) : stock.centre();
+    }
+    if (kind == GuideKind::line) guide.direction = {1.0, 0.0, 0.0};
+    if (kind == GuideKind::surface) guide.distance = 0.5;
+    if (kind == GuideKind::axis) guide.onSurface = true;
+    std::vector<Guide> guides = guides_;
+    guides.push_back(guide);
+    set(tr("new guide"), std::move(guides));
+}
+
+void GuideController::change(std::size_t place, const Guide& guide) {
+    if (place >= guides_.size() || guides_[place] == guide) return;
+    std::vector<Guide> guides = guides_;
+    guides[place] = guide;
+    set(tr("guide"), std::move(guides), guideValue + static_cast<int>(place)); // turning one field up is one entry
+}
+
+void GuideController::remove(std::size_t place) {
+    if (place >= guides_.size()) return;
+    std::vector<Guide> guides = guides_;
+    guides.erase(guides.begin() + static_cast<std::ptrdiff_t>(place));
+    set(tr("guide removed"), std::move(guides));
+}
+
+void GuideController::set(const QString& title, std::vector<Guide> guides, int kind) {
+    desk_.undo.push(new ValueCommand<std::vector<Guide>>(title, kind, guides_, std::move(guides),
+                                                         [this](const std::vector<Guide>& wanted) {
+                                                             guides_ = wanted;
+                                                             apply();
+                                                             emit changed();
+                                                         }));
+}
+
+void GuideController::setOn(bool on) {
+    if (on == on_) return;
+    on_ = on;
+    apply();
+    emit changed();
+}
+
+void GuideController::stepLevel(int levels) {
+    if (mill_.active()) session_.stepGuides(levels);
+}
+
+void GuideController::apply() {
+    if (!mill_.active()) return;
+    GuideSettings settings;
+    std::copy(guides_.begin(), guides_.end(), settings.guides.begin());
+    for (Guide& guide : settings.guides) guide.on = guide.on && on_;
+    if (const Result<void> set = session_.setGuides(settings); !set) emit failed(set.error());
+}
+
+void GuideController::setClutched(bool clutched) {
+    if (!hasDevice() || clutched == workspace_.clutched) return;
+    workspace_.clutched = clutched;
+    applyWorkspace();
+}
+
+void GuideController::recentre() {
+    if (!hasDevice()) return;
+    ++workspace_.recentrings;
+    applyWorkspace();
+}
+
+void GuideController::setScale(double scale) {
+    if (!hasDevice()) return;
+    workspace_.scale = scale;
+    applyWorkspace();
+}
+
+void GuideController::alignWith(const glm::dvec3& right) {
+    if (!hasDevice()) return;
+    workspace_.rotation = glm::angleAxis(std::atan2(right.y, right.x), glm::dvec3(0.0, 0.0, 1.0));
+    applyWorkspace();
+}
+
+void GuideController::applyWorkspace() {
+    session_.setWorkspace(workspace_);
+    emit changed();
+}
+
+} // namespace burin

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/workbench/mill_controller.h"
+
+#include <memory>
+
+namespace burin {
+
+/// The guides of the hand, and how a device's movements become the tool's. What changes in mill mode reaches the loop
+/// at its next tick. Guides are entries of the undo stack; they last as long as the window.
+class GuideController final : public Controller {
+    Q_OBJECT
+public:
+    GuideController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
+                    QObject* parent);
+
+    const std::vector<Guide>& guides() const noexcept { return guides_; } ///< the earlier one stays
+    bool on() const noexcept { return on_; }                              ///< all of them, or none
+    bool full() const noexcept { return guides_.size() == GuideSettings::capacity; }
+    /// A guide of a kind that fits the stock, or along the edge of the part that is nearest to the tool (found in the
+    /// background). Nothing happens when there are as many as can be, or the part has no edges.
+    void add(GuideKind kind);
+    /// The part's edges are known or can be: it was no mesh.
+    bool hasEdges() const;
+    void change(std::size_t place, const Guide& guide);
+    void remove(std::size_t place);
+    void setOn(bool on);
+    /// The next level, or the end of a pass. @param levels +1: along the normal
+    void stepLevel(int levels);
+
+    /// A device is in the hand. The mouse points at the bench itself: there is nothing to scale.
+    bool hasDevice() const noexcept { return mill_.active() && mill_.stylus() == nullptr; }
+    bool clutched() const noexcept { return workspace_.clutched; }
+    void setClutched(bool clutched);
+    void recentre();
+    void setScale(double scale); ///< mm of setup per mm of device
+    /// What goes to the right of the picture follows a hand that goes to the right; up stays up. @param right of the
+    /// picture, setup frame, not upright
+    void alignWith(const glm::dvec3& right);
+
+private:
+    void addNearestEdge();
+    void addEdge();
+    void set(const QString& title, std::vector<Guide> guides, int kind = -1);
+    void apply();
+    void applyWorkspace();
+
+    BenchController& bench_;
+    MillController& mill_;
+    SessionRunner& session_;
+    std::vector<Guide> guides_;
+    using Curves = std::vector<std::shared_ptr<const GuideCurve>>;
+    std::shared_ptr<const Model> followed_; ///< whose edges are known
+    Curves edges_;                          ///< of that
+    Curves used_;                           ///< all that a loop or the undo stack may still know of
+    WorkspaceSettings workspace_;
+    bool on_ = true;
+};
+
+} // namespace burin
