@@ -283,6 +283,62 @@
         <source>Quit Burin.</source>
         <translation>Beendet Burin.</translation>
     </message>
+    <message>
+        <source>&amp;Guides hold</source>
+        <translation>&amp;Führungen halten</translation>
+    </message>
+    <message>
+        <source>Switch all guides of the hand on or off.</source>
+        <translation>Schaltet alle Führungen der Hand ein oder aus.</translation>
+    </message>
+    <message>
+        <source>Guide along the nearest &amp;edge</source>
+        <translation>Führung an der nächsten &amp;Kante</translation>
+    </message>
+    <message>
+        <source>Lead the hand along the edge of the part that is nearest to the tool.</source>
+        <translation>Führt die Hand an der Kante des Teils entlang, die dem Werkzeug am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>Level &amp;above</source>
+        <translation>Ebene &amp;darüber</translation>
+    </message>
+    <message>
+        <source>The guide takes the next level above, or ends the pass.</source>
+        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Bahn.</translation>
+    </message>
+    <message>
+        <source>Level &amp;below</source>
+        <translation>Ebene da&amp;runter</translation>
+    </message>
+    <message>
+        <source>The guide takes the next level below, or ends the pass.</source>
+        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Bahn.</translation>
+    </message>
+    <message>
+        <source>&amp;Clutch</source>
+        <translation>Aus&amp;kuppeln</translation>
+    </message>
+    <message>
+        <source>The hand moves, the tool stays.</source>
+        <translation>Die Hand bewegt sich, das Werkzeug bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>Re&amp;centre</source>
+        <translation>&amp;Zentrieren</translation>
+    </message>
+    <message>
+        <source>As the hand works on, it comes back to the middle of the device&apos;s reach.</source>
+        <translation>Während die Hand weiterarbeitet, kommt sie in die Mitte der Reichweite des Geräts zurück.</translation>
+    </message>
+    <message>
+        <source>A&amp;lign the hand with the view</source>
+        <translation>Hand an der Ansicht a&amp;usrichten</translation>
+    </message>
+    <message>
+        <source>What goes to the right of the picture follows a hand that goes to the right.</source>
+        <translation>Geht die Hand nach rechts, so geht auch das Werkzeug im Bild nach rechts.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -1206,6 +1262,259 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>off by %1</source>
         <translation>Abweichung %1</translation>
+    </message>
+</context>
+<context>
+    <name>burin::GuideCard</name>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Edge of the part</source>
+        <translation>Kante des Teils</translation>
+    </message>
+    <message>
+        <source>Distance from the part</source>
+        <translation>Abstand vom Teil</translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>Zeilenabstand</translation>
+    </message>
+    <message>
+        <source>Lead and tilt</source>
+        <translation>Vorlauf und Neigung</translation>
+    </message>
+    <message>
+        <source>Switch this guide on or off</source>
+        <translation>Diese Führung ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>Remove this guide</source>
+        <translation>Diese Führung entfernen</translation>
+    </message>
+    <message>
+        <source>Along which axis of the setup</source>
+        <translation>Entlang welcher Achse der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer zu</translation>
+    </message>
+    <message>
+        <source>Where the plane is</source>
+        <translation>Wo die Ebene liegt</translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>From one level to the next</source>
+        <translation>Von einer Ebene zur nächsten</translation>
+    </message>
+    <message>
+        <source>Where one of the levels is</source>
+        <translation>Wo eine der Ebenen liegt</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>Where the line is</source>
+        <translation>Wo die Gerade liegt</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>How far the cutter keeps from the part</source>
+        <translation>Wie weit der Fräser vom Teil wegbleibt</translation>
+    </message>
+    <message>
+        <source>How far the next pass keeps from the last one</source>
+        <translation>Wie weit die nächste Bahn von der letzten entfernt ist</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Vorlauf</translation>
+    </message>
+    <message>
+        <source>How far the tool leans to where it goes</source>
+        <translation>Wie weit sich das Werkzeug in Fahrtrichtung neigt</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>How far the tool leans to the left of where it goes</source>
+        <translation>Wie weit sich das Werkzeug nach links der Fahrtrichtung neigt</translation>
+    </message>
+    <message>
+        <source>From the part&apos;s surface</source>
+        <translation>Von der Fläche des Teils</translation>
+    </message>
+    <message>
+        <source>Lead and tilt start from the part&apos;s surface, else from the Z axis</source>
+        <translation>Vorlauf und Neigung gehen von der Fläche des Teils aus, sonst von der Z-Achse</translation>
+    </message>
+    <message>
+        <source>holds level %1</source>
+        <translation>hält Ebene %1</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>waits for another</source>
+        <translation>wartet auf eine andere</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>burin::GuideController</name>
+    <message>
+        <source>Following the part&apos;s edges</source>
+        <translation>Kanten des Teils werden verfolgt</translation>
+    </message>
+    <message>
+        <source>new guide</source>
+        <translation>neue Führung</translation>
+    </message>
+    <message>
+        <source>guide</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>guide removed</source>
+        <translation>Führung entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>burin::GuidePanel</name>
+    <message>
+        <source>Guides</source>
+        <translation>Führungen</translation>
+    </message>
+    <message>
+        <source>Nothing leads the hand. A guide takes the tool when it comes near, and lets go when it is pushed off.</source>
+        <translation>Nichts führt die Hand. Eine Führung nimmt das Werkzeug, wenn es in die Nähe kommt, und lässt es los, wenn es weggedrückt wird.</translation>
+    </message>
+    <message>
+        <source>Guides hold</source>
+        <translation>Führungen halten</translation>
+    </message>
+    <message>
+        <source>Switch all guides on or off</source>
+        <translation>Alle Führungen ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>Kind of guide</source>
+        <translation>Art der Führung</translation>
+    </message>
+    <message>
+        <source>What the next guide shall be</source>
+        <translation>Was die nächste Führung sein soll</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Level above</source>
+        <translation>Ebene darüber</translation>
+    </message>
+    <message>
+        <source>Level below</source>
+        <translation>Ebene darunter</translation>
+    </message>
+    <message>
+        <source>Hand and tool</source>
+        <translation>Hand und Werkzeug</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>How far the tool goes for the hand&apos;s way</source>
+        <translation>Wie weit das Werkzeug für den Weg der Hand geht</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>Auskuppeln</translation>
+    </message>
+    <message>
+        <source>Recentre</source>
+        <translation>Zentrieren</translation>
+    </message>
+    <message>
+        <source>Align with the view</source>
+        <translation>An der Ansicht ausrichten</translation>
+    </message>
+    <message>
+        <source>There are as many guides as can be.</source>
+        <translation>Mehr Führungen sind nicht möglich.</translation>
+    </message>
+    <message>
+        <source>This part is a mesh, which has no edges to follow.</source>
+        <translation>Dieses Teil ist ein Netz; es hat keine Kanten, denen man folgen könnte.</translation>
+    </message>
+    <message>
+        <source>A guide along the edge of the part that is nearest to the tool</source>
+        <translation>Eine Führung an der Kante des Teils, die dem Werkzeug am nächsten ist</translation>
+    </message>
+    <message>
+        <source>One more guide; of those that contradict, the upper one holds</source>
+        <translation>Eine weitere Führung; widersprechen sich zwei, so hält die obere</translation>
+    </message>
+    <message>
+        <source>No guide has levels or passes.</source>
+        <translation>Keine Führung hat Ebenen oder Bahnen.</translation>
+    </message>
+    <message>
+        <source>Take the tool in hand first.</source>
+        <translation>Zuerst das Werkzeug in die Hand nehmen.</translation>
+    </message>
+    <message>
+        <source>The guide takes the next level above, or ends the pass</source>
+        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Bahn</translation>
+    </message>
+    <message>
+        <source>The guide takes the next level below, or ends the pass</source>
+        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Bahn</translation>
+    </message>
+    <message>
+        <source>The mouse points at the bench itself. With a device in hand, its movements are scaled here.</source>
+        <translation>Die Maus zeigt direkt auf die Werkbank. Mit einem Gerät in der Hand werden dessen Bewegungen hier skaliert.</translation>
+    </message>
+    <message>
+        <source>The hand moves, the tool stays</source>
+        <translation>Die Hand bewegt sich, das Werkzeug bleibt stehen</translation>
+    </message>
+    <message>
+        <source>What goes to the right of the picture follows a hand that goes to the right</source>
+        <translation>Geht die Hand nach rechts, so geht auch das Werkzeug im Bild nach rechts</translation>
+    </message>
+    <message>
+        <source>As the hand works on, it comes back to the middle of the device&apos;s reach</source>
+        <translation>Während die Hand weiterarbeitet, kommt sie in die Mitte der Reichweite des Geräts zurück</translation>
     </message>
 </context>
 <context>
