@@ -284,7 +284,7 @@ std::optional<WorkerFrame> FrameReader::next() {
     if (damaged_ || waiting_.size() < sizeof(FrameHead)) return std::nullopt;
     FrameHead head;
     std::memcpy(&head, waiting_.data(), sizeof head);
-    if (head.mark != frameMark || head.version != messageVersion || head.kind > FrameKind::distances) {
+    if (head.mark != frameMark || head.version != messageVersion || head.kind > FrameKind::edges) {
         damaged_ = true;
         return std::nullopt;
     }
