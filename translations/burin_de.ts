@@ -1958,12 +1958,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Echtzeit</translation>
     </message>
     <message>
-        <source>real time, by RealtimeKit</source>
-        <translation>Echtzeit, durch RealtimeKit</translation>
+        <source>RealtimeKit</source>
+        <translation>RealtimeKit</translation>
     </message>
     <message>
-        <source>raised, by RealtimeKit</source>
-        <translation>erhöht, durch RealtimeKit</translation>
+        <source>raised</source>
+        <translation>erhöht</translation>
     </message>
     <message>
         <source>normal</source>

@@ -34,6 +34,10 @@ double periodOf(const StylusHandle& stylus, const SessionRequest& request) {
     return request.period > 0.0 ? request.period : ServoSettings{}.period;
 }
 
+/// A planned hand can't look where it was pushed to: what it cuts shall not lead it off its plan. A person's hand gets
+/// all of the device's share.
+constexpr double simulatedHandGain = 0.05, simulatedHandFriction = 0.0;
+
 HapticSettings hapticSettings(const Bench& bench, const StylusHandle& stylus, const SessionRequest& request) {
     HapticSettings settings;
     settings.mapping = request.mapping;
@@ -43,6 +47,10 @@ HapticSettings hapticSettings(const Bench& bench, const StylusHandle& stylus, co
     settings.cuttingSpeed = bench.conditions.surfaceSpeed;
     settings.cutsOnButton = request.cutsOnButton;
     settings.forceButtons = request.forceButtons;
+    if (settings.stylus.simulated) {
+        settings.cuttingForceGain = simulatedHandGain;
+        settings.friction = simulatedHandFriction;
+    }
     return settings;
 }
 

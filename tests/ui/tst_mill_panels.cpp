@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(valueOf(meters, "workMeter"), QStringLiteral("112 µs"));
         QCOMPARE(valueOf(meters, "missedMeter"), QStringLiteral("3"));
         QCOMPARE(valueOf(meters, "lateMeter"), QStringLiteral("1"));
-        QCOMPARE(valueOf(meters, "schedulingMeter"), QStringLiteral("real time, by RealtimeKit"));
+        QCOMPARE(valueOf(meters, "schedulingMeter"), QStringLiteral("RealtimeKit"));
         QCOMPARE(valueOf(meters, "positionZ"), QStringLiteral("-11.380"));
         meters.setUnit(LengthUnit::inch);
         QCOMPARE(valueOf(meters, "positionZ"), QStringLiteral("-0.4480"));

@@ -55,7 +55,8 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     bool told = false;
     QObject::connect(&bench.session, &SessionRunner::ticked, this, [&] {
         const SessionState& state = bench.session.state();
-        told = told || state.guides[0].is == GuideNews::Is::holding;
+        if (state.guides[0].is != GuideNews::Is::holding) return; // a hand farther off is not caught
+        told = true;
         if (!state.cutting || std::abs(state.sample.proxy.tip.x - bench.setup.setup().workOffset.x) > 8.0) return;
         farthest = std::max(farthest, std::abs(state.sample.proxy.tip.y - zero));
         wanted = std::max(wanted, std::abs(state.sample.stylusTip.y - zero));
@@ -72,7 +73,8 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
     driver.key(Qt::Key_G); // all of them, by the keyboard
     QVERIFY(driver.waitFor([&] { return !bench.guides.on(); }, 3000));
-    QVERIFY(!driver.window().findChild<QCheckBox*>("guidesSwitch")->isChecked());
+    const auto* guidesSwitch = driver.window().findChild<QCheckBox*>("guidesSwitch");
+    QVERIFY(driver.waitFor([&] { return !guidesSwitch->isChecked(); }, 3000));
 }
 
 QTEST_MAIN(TestWindowGuides)

@@ -16,9 +16,9 @@ QString priorityText(SchedulingClass scheduling) {
     case SchedulingClass::fifo:
         return Meters::tr("real time");
     case SchedulingClass::roundRobin:
-        return Meters::tr("real time, by RealtimeKit");
+        return Meters::tr("RealtimeKit");
     case SchedulingClass::nice:
-        return Meters::tr("raised, by RealtimeKit");
+        return Meters::tr("raised");
     case SchedulingClass::normal:
         break;
     }

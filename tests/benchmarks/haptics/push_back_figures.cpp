@@ -24,10 +24,10 @@ void pushBackFigures(Session& session) {
     if (!session.wants("proxy.")) return;
     session.stage("proxy.gouge_voxel");
     const std::vector<oracles::PushBackScene> shapes = oracles::analyticPushBackScenes();
-    const oracles::PushBackGouges onShapes = oracles::pushBackGouges(shapes, 400);
+    const oracles::PushBackGouges onShapes = oracles::pushBackGouges(shapes, 300);
     session.stage("proxy.gouge_voxel on parts from CAD");
     const std::vector<oracles::PushBackScene> parts{partScene("pocket-test.stl"), partScene("mouse-cover.stl")};
-    const oracles::PushBackGouges onParts = oracles::pushBackGouges(parts, 60);
+    const oracles::PushBackGouges onParts = oracles::pushBackGouges(parts, 20);
     session.add(figure("proxy.gouge_voxel.smooth", onShapes.smooth, "voxel", oracles::smoothGougeLimit));
     session.add(
         figure("proxy.gouge_voxel.edge", std::max(onShapes.edge, onParts.edge), "voxel", oracles::edgeGougeLimit));
