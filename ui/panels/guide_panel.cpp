@@ -176,7 +176,7 @@ void GuidePanel::Fields::refresh() {
             : GuidePanel::tr("The mouse points at the bench itself. With a device in hand, its movements are "
                              "scaled here.");
     scale_->setEnabled(state.hasDevice);
-    if (state.hasDevice) scale_->showValue(state.scale);
+    scale_->showValue(state.hasDevice ? state.scale : 1.0); // the mouse points at the bench itself
     clutch_->setChecked(state.clutched);
     enableUnless(clutch_, noDevice, GuidePanel::tr("The hand moves, the tool stays"));
     enableUnless(align_, noDevice,
