@@ -56,6 +56,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     if (motion.shankContact) sample.flags |= sampleShankContact;
     if (motion.normal != glm::dvec3(0.0)) sample.flags |= sampleOnBoundary;
     if (motion.axisHeld) sample.flags |= sampleAxisHeld;
+    output_.motorsAre(state.motorHeat, period);
     output_(motion, cutting, hand, guided, period, sample);
     return sample;
 }

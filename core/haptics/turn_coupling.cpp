@@ -25,8 +25,8 @@ TurnCoupling::TurnCoupling(const HapticSettings& settings) noexcept
     , slew_(stiffness_ * believedTurn * settings.tickPeriod) {}
 
 glm::dvec3 TurnCoupling::torque(const glm::dvec3& turnBehind) noexcept {
-    const glm::dvec3 wanted = clampLength(stiffness_ * turnBehind, maximum_);
-    last_ = clampLength(last_ + clampLength(wanted - last_, slew_), maximum_);
+    const glm::dvec3 wanted = clampLength(stiffness_ * turnBehind, maximum());
+    last_ = clampLength(last_ + clampLength(wanted - last_, slew_), maximum());
     return last_;
 }
 

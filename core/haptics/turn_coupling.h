@@ -16,13 +16,16 @@ public:
     /// @param turnBehind ToolMotion's, rad @return N·mm, setup frame: turns the hand
     glm::dvec3 torque(const glm::dvec3& turnBehind) noexcept;
     void reset() noexcept { last_ = glm::dvec3(0.0); }
+    /// @param share of the maximum that the device may be asked for, 0 … 1
+    void setShare(double share) noexcept { share_ = share; }
 
-    double stiffness() const noexcept { return stiffness_; } ///< N·mm/rad; 0 without motors for it
-    double maximum() const noexcept { return maximum_; }     ///< N·mm
+    double stiffness() const noexcept { return stiffness_; }      ///< N·mm/rad; 0 without motors for it
+    double maximum() const noexcept { return share_ * maximum_; } ///< N·mm
 
 private:
     double stiffness_, maximum_;
     double slew_; ///< N·mm a tick
+    double share_ = 1.0;
     glm::dvec3 last_{0.0};
 };
 

@@ -106,7 +106,7 @@ public:
     bool newest(SessionState& state) override;
     bool newestView(WorkpieceView& view) override;
     void takeTrace(std::vector<TracePoint>& points) override;
-    std::optional<Error> takeFault() override { return faults_.take(); }
+    std::optional<Error> takeFault() override;
     DeviceHealth health() const override { return stylus_.device().health(); }
     bool ended() const override { return ended_.load(std::memory_order_acquire); }
     Result<LoopStatistics> end() override;
@@ -269,6 +269,12 @@ Result<void> LiveSession::setGuides(const GuideSettings& guides) {
     if (Result<void> good = checkGuides(guides); !good) return good;
     loop_.setGuides(guides);
     return {};
+}
+
+std::optional<Error> LiveSession::takeFault() {
+    if (std::optional<Error> fault = faults_.take()) return fault;
+    if (!loop_.takeHeat()) return std::nullopt;
+    return Error{ErrorCode::deviceHot, stylus_.device().description().name, {}, {}};
 }
 
 bool LiveSession::newest(SessionState& state) {

@@ -123,7 +123,8 @@ public:
 
     /// The oldest fault that nobody took yet, of the stylus or of the loop that moves it; the session goes on by itself
     /// when it is over. Error::place: the file with its last two seconds, empty where there is none. What a simulated
-    /// stylus would not feel is no fault.
+    /// stylus would not feel is no fault. Motors that have become hot are told as well (deviceHot): the session goes on
+    /// with less force.
     virtual std::optional<Error> takeFault() = 0;
     /// Of the stylus, whether it is there.
     virtual DeviceHealth health() const = 0;

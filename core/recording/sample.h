@@ -24,6 +24,7 @@ enum SampleFlag : std::uint32_t {
     sampleOnGuide = 1u << 7,       ///< a guide held the hand, or turned the tool's axis
     sampleAxisHeld = 1u << 8,      ///< the axis does not follow the stylus: there is no room, and no torque to feel it
     sampleForceLate = 1u << 10,    ///< the force came too late for its reading: zero was sent instead
+    sampleMotorsHot = 1u << 11,    ///< the device's motors are hot: it is asked for less than its figures allow
 };
 
 /// Removed volume of one material in one tick.
