@@ -61,6 +61,30 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     return sample;
 }
 
+void HapticStep::listen(StepChangeListener* listener) noexcept {
+    listener_ = listener;
+    tell(SpindleRelease{cut_.spindleReleased()});
+}
+
+void HapticStep::apply(const StepChange& change) noexcept {
+    struct Apply {
+        HapticStep& step;
+        void operator()(const AllowanceChange& told) const noexcept { step.setAllowance(told.allowance); }
+        void operator()(const GuideSettings& told) const noexcept { step.setGuides(told); }
+        void operator()(const LevelStep& told) const noexcept { step.stepGuides(told.levels); }
+        void operator()(const WorkspaceSettings& told) const noexcept { step.setWorkspace(told); }
+        void operator()(const LayerSwitch& told) const noexcept { step.switchLayer(told.layer, told.on); }
+        void operator()(const SpindleRelease& told) const noexcept { step.releaseSpindle(told.released); }
+        void operator()(const TakeBegin& told) const noexcept {
+            step.tell(told);
+            step.cut_.skipOne();
+        }
+        void operator()(const CutResumption&) const noexcept { step.resumeCutting(); }
+        void operator()(const WorkpieceChange&) const noexcept { step.workpieceChanged(); }
+    };
+    std::visit(Apply{*this}, change);
+}
+
 Sample HapticStep::beginSample(double period) noexcept {
     Sample sample;
     if (tick_ > 0 && std::isfinite(period) && period > 0.0) time_ += period;
@@ -78,12 +102,14 @@ bool HapticStep::start(const ToolPose& hand) noexcept {
 }
 
 void HapticStep::beginTake() noexcept {
+    tell(TakeBegin{});
     tick_ = 0;
     time_ = 0.0;
     cut_.skipOne();
 }
 
 void HapticStep::workpieceChanged() noexcept {
+    tell(WorkpieceChange{});
     cut_.workpieceChanged();
     mover_.workpieceChanged();
     input_.forget();

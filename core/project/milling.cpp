@@ -168,6 +168,7 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceFi
     session.cutsOnButton = request.cutsOnButton;
     session.forceButtons = request.forceButtons;
     session.trace = request.trace;
+    session.replayed = request.replayed;
     session.flights = request.flights;
     StrokeHistory strokes;
     const Result<std::unique_ptr<MillingSession>> live =

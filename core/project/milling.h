@@ -8,6 +8,7 @@
 #include "core/haptics/operator_intents.h"
 #include "core/haptics/operator_plan.h"
 #include "core/haptics/servo_loop.h"
+#include "core/haptics/session_trace.h"
 #include "core/project/bench.h"
 
 #include <atomic>
@@ -29,6 +30,7 @@ struct TakeRequest {
     bool cutsOnButton = false;                    ///< the spindle turns only while the stylus' first button is down
     std::uint32_t forceButtons = 0;               ///< as in SessionRequest
     std::filesystem::path trace, flights;         ///< as in SessionRequest
+    const SessionTrace* replayed = nullptr;       ///< as in SessionRequest
     std::function<void(const Error&)> heardFault; ///< in the calling thread: a fault after which the session goes on
 };
 

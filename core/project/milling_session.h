@@ -5,6 +5,7 @@
 #include "core/device/stylus_handle.h"
 #include "core/haptics/guide.h"
 #include "core/haptics/servo_loop.h"
+#include "core/haptics/session_trace.h"
 #include "core/haptics/workspace.h"
 #include "core/project/bench.h"
 #include "core/project/stroke_history.h"
@@ -62,7 +63,9 @@ struct SessionRequest {
     /// when it runs out, the older half of the strokes stays for good.
     bool undoable = true;
     double period = 0.0; ///< s of a tick; 0: the stylus' own rate where it has one that it paces itself, or 1 kHz
-    std::filesystem::path trace;   ///< of ticks, written while the session lasts; empty: none
+    std::filesystem::path trace; ///< of ticks, written while the session lasts; empty: none
+    /// What a trace that is played was told between its ticks is told again; outlives the session. Null: nothing.
+    const SessionTrace* replayed = nullptr;
     std::filesystem::path flights; ///< folder for records of faults (FlightRecorder); empty: beside the project
     std::string takeName;          ///< of a take that begins with the very first tick; empty: none does
     double maximumSeconds = std::numeric_limits<double>::infinity(); ///< of the session's time
