@@ -20,7 +20,7 @@ constexpr double travelMargin = 10.0; // mm
 /// A part's surface is pressed on, but the hand needs way below it.
 constexpr double pressMargin = 5.0; // mm
 /// A share at which what is cut leads a firm hand off its plan by less than a finishing cut.
-constexpr FeltCutting feltByPlannedHand{.gain = 0.05, .friction = 0.0};
+constexpr FeltCutting feltByPlannedHand{.gain = 0.05};
 /// Between two looks at whether a session has ended.
 constexpr std::chrono::milliseconds glance{5};
 
