@@ -95,6 +95,28 @@ bool neverEnters(const Field& field, const glm::dvec3& start, double extent) {
     });
 }
 
+/// A field that is as dear to ask as a fine mesh beside a long tool.
+class DearBoundary final : public PoseBoundary {
+public:
+    static constexpr int price = 500; ///< units of work
+    DearBoundary(const ClearanceField& field, double overlap) : field_(field), overlap_(overlap) {}
+    PoseSample at(const ToolPose& pose, double enough) noexcept override {
+        ++looks;
+        return field_.at(pose, enough);
+    }
+    double errorBound() const noexcept override { return field_.errorBound(); }
+    double spacing() const noexcept override { return 1.0; }
+    double overlap() const noexcept override { return overlap_; }
+    double reach() const noexcept override { return 0.0; }
+    std::uint64_t work() const noexcept override { return static_cast<std::uint64_t>(looks) * price; }
+
+    int looks = 0;
+
+private:
+    FixedAxisBoundary field_;
+    double overlap_;
+};
+
 } // namespace
 
 class TestProxy : public QObject {
@@ -218,6 +240,35 @@ private slots:
         // A goal on the other side, off the line through the centre: a local minimum holds it nowhere.
         for (int tick = 0; tick < 200; ++tick) tip = proxy.advance(tip, {-20, 6, 0}, 0.0, noLimit).tip;
         QVERIFY(glm::length(tip - glm::dvec3(-20, 6, 0)) < 1e-6);
+    }
+
+    void aTickLooksNoMoreThanItCanAfford_data() {
+        QTest::addColumn<double>("overlap");
+        QTest::newRow("every step looked along") << 0.0;
+        QTest::newRow("the whole way looked along at the end") << 2.0;
+    }
+    void aTickLooksNoMoreThanItCanAfford() {
+        QFETCH(double, overlap);
+        const BallField field(SphereSolid{}, radius, 0.25);
+        const Nearest nearest = nearestOnSphere(10.0, 0.0);
+        DearBoundary dear(field, overlap);
+        const Proxy proxy(dear);
+        ProxyStride stride;
+        stride.travel = 3.0;
+        ToolPose tool{{0, 0, 12}};
+        // Right through the part: the tool has to go round it.
+        const glm::dvec3 hand{7.0, 1.0, -2.0};
+        for (int tick = 0; tick < 60; ++tick) {
+            const double before = glm::length(tool.tip - hand);
+            const int looksBefore = dear.looks;
+            tool = proxy.advance(tool, {hand}, stride).pose;
+            // What is affordable, what is under way by then, and the two that a tick has whatever they cost.
+            QVERIFY2(dear.looks - looksBefore <= 4000 / DearBoundary::price + 6,
+                     qPrintable(QString::number(dear.looks - looksBefore)));
+            QVERIFY(field.clearance(tool.tip) >= 0.0);
+            QVERIFY(glm::length(tool.tip - hand) <= before);
+        }
+        QVERIFY(glm::length(tool.tip - nearest(hand)) < 0.01);
     }
 
     void retreatsUntilTheAllowanceIsKept() {
