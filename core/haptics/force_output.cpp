@@ -9,9 +9,9 @@ namespace burin {
 namespace {
 
 CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings, double stiffness) noexcept {
-    return {settings.cuttingForceGain, stiffness,
-            settings.maximumForce(),   settings.friction,
-            settings.mapping.scale,    settings.stylus.positionStep.value};
+    return {settings.felt.gain,      stiffness,
+            settings.maximumForce(), settings.felt.friction,
+            settings.mapping.scale,  settings.stylus.positionStep.value};
 }
 
 PassivityController::Settings controllerSettings(const HapticSettings& settings, double stiffness) noexcept {
@@ -117,23 +117,22 @@ bool ForceOutput::quiet() const noexcept {
 }
 
 void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
-    wrench_ = {};
-    rendered_ = glm::dvec3(0.0);
     sample.force = glm::dvec3(0.0);
     sample.flags |= sampleForcesOff;
     if (relief_.active()) sample.flags |= sampleMotorsHot;
+    fadesIn ? fadeIn() : nothingSent();
+}
+
+void ForceOutput::nothingSent() noexcept {
+    wrench_ = {};
+    rendered_ = glm::dvec3(0.0);
     turnCoupling_.reset();
     limiter_.reset();
     passivity_.reset();
-    if (fadesIn) fadeIn();
 }
 
 void ForceOutput::fadeIn() noexcept {
-    wrench_ = {};
-    turnCoupling_.reset();
-    rendered_ = glm::dvec3(0.0);
-    limiter_.reset();
-    passivity_.reset();
+    nothingSent();
     ramp_.restart();
     cuttingRendering_.reset();
     toolMotion_.reset();

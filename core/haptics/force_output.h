@@ -46,6 +46,7 @@ public:
 private:
     glm::dvec3 wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
                       double period) noexcept;
+    void nothingSent() noexcept;
 
     Coupling coupling_, guideSpring_;
     TurnCoupling turnCoupling_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/milling_session.h"
 
+#include "core/base/wall_clock.h"
 #include "core/haptics/trace_recorder.h"
 #include "core/project/session_faults.h"
 #include "core/project/session_loop.h"
@@ -23,20 +24,12 @@ constexpr std::chrono::milliseconds viewPatience{3};
 /// Between two looks at what the loop does: a fraction of a tick.
 constexpr std::chrono::microseconds glance{200};
 
-double unixTime() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 /// s of a tick.
 double periodOf(const StylusHandle& stylus, const SessionRequest& request) {
     const double rate = stylus.device().description().rate.value;
     if (stylus.selfPaced() != nullptr && rate > 0.0) return 1.0 / rate; // nobody else can
     return request.period > 0.0 ? request.period : ServoSettings{}.period;
 }
-
-/// A planned hand can't look where it was pushed to: what it cuts shall not lead it off its plan. A person's hand gets
-/// all of the device's share.
-constexpr double simulatedHandGain = 0.05, simulatedHandFriction = 0.0;
 
 HapticSettings hapticSettings(const Bench& bench, const StylusHandle& stylus, const SessionRequest& request) {
     HapticSettings settings;
@@ -47,10 +40,7 @@ HapticSettings hapticSettings(const Bench& bench, const StylusHandle& stylus, co
     settings.cuttingSpeed = bench.conditions.surfaceSpeed;
     settings.cutsOnButton = request.cutsOnButton;
     settings.forceButtons = request.forceButtons;
-    if (settings.stylus.simulated) {
-        settings.cuttingForceGain = simulatedHandGain;
-        settings.friction = simulatedHandFriction;
-    }
+    settings.felt = request.felt;
     return settings;
 }
 

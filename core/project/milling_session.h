@@ -4,6 +4,7 @@
 
 #include "core/device/stylus_handle.h"
 #include "core/haptics/guide.h"
+#include "core/haptics/haptic_settings.h"
 #include "core/haptics/servo_loop.h"
 #include "core/haptics/session_trace.h"
 #include "core/haptics/workspace.h"
@@ -56,8 +57,9 @@ struct SessionRequest {
     double allowance = 0.0; ///< mm of stock that the boundary leaves on the part
     WorkspaceMapping mapping;
     Pace pace = Pace::realtime;
-    int ticksPerEdge = 1;           ///< time lapse: so many ticks at each edge of the clock; virtual operators only
-    bool cutsOnButton = false;      ///< the spindle turns only while the stylus' first button is down
+    int ticksPerEdge = 1;      ///< time lapse: so many ticks at each edge of the clock; virtual operators only
+    bool cutsOnButton = false; ///< the spindle turns only while the stylus' first button is down
+    FeltCutting felt;
     std::uint32_t forceButtons = 0; ///< dead man's: forces only while one of these is held, by bit; 0: always
     /// Keeps the workpiece as each stroke found it, so that it can be taken back. That holds back memory of the volume:
     /// when it runs out, the older half of the strokes stays for good.

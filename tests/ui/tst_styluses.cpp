@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/core/device/desktop_stylus.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "ui/workbench/workbench.h"
 
@@ -23,15 +24,10 @@ struct Hand {
 };
 
 StylusDescription description() {
-    StylusDescription description;
+    StylusDescription description = test::desktopStylus();
     description.name = "Arm";
-    description.actuated = {3, 0};
     description.buttons = 1;
     description.rate = {1000.0, "made up"};
-    description.maximumForce = {3.0, "made up"};
-    description.maximumStiffness = {400.0, "made up"};
-    description.maximumDamping = {3.0, "made up"};
-    description.workspaceRadius = {60.0, "made up"};
     return description;
 }
 

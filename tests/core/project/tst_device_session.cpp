@@ -29,15 +29,10 @@ struct Device {
     std::atomic<int> cuts{0};
 
     static StylusDescription description() {
-        StylusDescription description;
+        StylusDescription description = desktopStylus();
         description.name = "pacer";
-        description.actuated = {3, 0};
         description.buttons = 1;
         description.rate = {500.0, "made up"};
-        description.maximumForce = {3.0, "made up"};
-        description.maximumStiffness = {400.0, "made up"};
-        description.maximumDamping = {3.0, "made up"};
-        description.workspaceRadius = {100.0, "made up"};
         return description;
     }
     void unplug() {
