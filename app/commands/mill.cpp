@@ -92,6 +92,7 @@ void playAgain(const SessionTrace& trace, const MillWork& work, TakeRequest& req
     request.period = trace.began->period;
     request.cutsOnButton = trace.began->cutsOnButton;
     request.forceButtons = trace.began->forceButtons;
+    request.felt = trace.began->felt;
     request.allowance = work.arguments.allowance.value_or(trace.began->allowance);
 }
 

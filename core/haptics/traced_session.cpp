@@ -86,7 +86,8 @@ WorkspaceMapping readMapping(JsonObject& object) {
 std::string formatTracedSession(const TracedSession& session) {
     const json inner{{"stylus", toJson(session.stylus)},       {"mapping", toJson(session.mapping)},
                      {"allowance_mm", session.allowance},      {"period_s", session.period},
-                     {"cuts_on_button", session.cutsOnButton}, {"force_buttons", session.forceButtons}};
+                     {"cuts_on_button", session.cutsOnButton}, {"force_buttons", session.forceButtons},
+                     {"felt_gain", session.felt.gain},         {"friction", session.felt.friction}};
     return std::string(beginning) + inner.dump() + "}";
 }
 
@@ -107,6 +108,8 @@ Result<TracedSession> readTracedSession(std::string_view text, const std::string
         const double buttons = inner.number("force_buttons", {0.0, largestWord});
         if (std::floor(buttons) != buttons) inner.fail("force_buttons", "has to be a whole number");
         session.forceButtons = static_cast<std::uint32_t>(buttons);
+        session.felt.gain = inner.number("felt_gain", atLeastNothing);
+        session.felt.friction = inner.number("friction", atLeastNothing);
     });
     if (Result<void> whole = object->finish(); !whole) return std::move(whole).error();
     if (Result<void> good = checkDescription(session.stylus); !good) return std::move(good).error();

@@ -3,6 +3,7 @@
 #include "core/project/milling_session.h"
 
 #include "core/base/wall_clock.h"
+#include "core/haptics/replayed_changes.h"
 #include "core/haptics/trace_recorder.h"
 #include "core/project/session_faults.h"
 #include "core/project/session_loop.h"
@@ -142,8 +143,9 @@ Result<void> LiveSession::start(const SessionRequest& request) {
         sink = &*replayed_;
     }
     if (!request.trace.empty()) {
-        const TracedSession began{stylus_.device().description(), request.mapping,     request.allowance, servo_.period,
-                                  request.cutsOnButton,           request.forceButtons};
+        const TracedSession began{
+            stylus_.device().description(), request.mapping,      request.allowance, servo_.period,
+            request.cutsOnButton,           request.forceButtons, request.felt};
         Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink, began);
         if (!trace) return std::move(trace).error();
         trace_ = std::move(*trace);
