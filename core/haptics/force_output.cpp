@@ -24,12 +24,16 @@ PassivityController::Settings controllerSettings(const HapticSettings& settings,
     return {damping, std::min(damping, loss), slowest, std::lround(stylus.delay.value / settings.tickPeriod)};
 }
 
+/// N: what the motors have to lift.
+double weightOf(const StylusDescription& stylus) noexcept {
+    constexpr double standardGravity = 9.80665; // m/s²
+    return stylus.carriesHandle || stylus.actuated.translations < 3 ? 0.0 : stylus.handleMass.value * standardGravity;
+}
+
 /// N, device frame: what carries the handle. No more than half of what may be sent: the rest is for what is felt.
-glm::dvec3 liftOf(const HapticSettings& settings) noexcept {
-    constexpr double standardGravity = 9.80665, most = 0.5; // m/s², 1
-    const StylusDescription& stylus = settings.stylus;
-    if (stylus.carriesHandle || stylus.actuated.translations < 3) return glm::dvec3(0.0);
-    return {0.0, 0.0, std::min(stylus.handleMass.value * standardGravity, most * settings.maximumForce())};
+glm::dvec3 liftOf(double weight, double maximum) noexcept {
+    constexpr double most = 0.5;
+    return {0.0, 0.0, std::min(weight, most * maximum)};
 }
 
 } // namespace
@@ -40,8 +44,10 @@ ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     , turnCoupling_(settings)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
     , passivity_(controllerSettings(settings, coupling_.stiffness()))
-    , lift_(liftOf(settings))
-    , limiter_(settings.maximumForce() - glm::length(lift_), coupling_.stiffness(), settings.tickPeriod)
+    , maximum_(settings.maximumForce())
+    , weight_(weightOf(settings.stylus))
+    , lift_(liftOf(weight_, maximum_))
+    , limiter_(maximum_ - glm::length(lift_), coupling_.stiffness(), settings.tickPeriod)
     , ramp_(settings.rampSeconds)
     , toolMotion_(settings.stylus.positionStep.value * settings.mapping.scale)
     , forceButtons_(settings.forceButtons) {}
@@ -69,6 +75,7 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
     sample.force = hand.mapping.directionToSetup(rendered_);
     if ((limiter_.saturated() || cuttingGaveWay_) && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
     if (!ramp_.complete()) sample.flags |= sampleForcesOff;
+    if (relief_.active()) sample.flags |= sampleMotorsHot;
     ramp_.advance(period);
 }
 
@@ -77,6 +84,16 @@ PassivityController::Motion ForceOutput::motionOf(const Hand& hand) noexcept {
     const glm::dvec3 before = handPlace_.value_or(place);
     handPlace_ = place;
     return {place - before, hand.deviceVelocity, hand.rests};
+}
+
+void ForceOutput::motorsAre(double heat, double period) noexcept {
+    const double before = relief_.share();
+    relief_.advance(heat, period);
+    const double share = relief_.share();
+    if (share == before) return;
+    lift_ = liftOf(weight_, share * maximum_);
+    limiter_.setMaximum(share * maximum_ - glm::length(lift_));
+    turnCoupling_.setShare(share);
 }
 
 glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
@@ -113,6 +130,7 @@ bool ForceOutput::quiet() const noexcept {
 void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
     sample.force = glm::dvec3(0.0);
     sample.flags |= sampleForcesOff;
+    if (relief_.active()) sample.flags |= sampleMotorsHot;
     fadesIn ? fadeIn() : nothingSent();
 }
 

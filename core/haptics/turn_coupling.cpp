@@ -42,8 +42,8 @@ TurnCoupling::TurnCoupling(const HapticSettings& settings) noexcept
 
 glm::dvec3 TurnCoupling::torque(const glm::dvec3& turnBehind, const glm::dquat& hand, double period) noexcept {
     const glm::dvec3 passive = passivity_(stiffness_ * turnBehind, motionOf(hand, period), period);
-    const glm::dvec3 wanted = clampLength(passive, maximum_);
-    last_ = clampLength(last_ + clampLength(wanted - last_, slew_), maximum_);
+    const glm::dvec3 wanted = clampLength(passive, maximum());
+    last_ = clampLength(last_ + clampLength(wanted - last_, slew_), maximum());
     return last_;
 }
 

@@ -24,9 +24,11 @@ public:
     /// What really went to the device until the next tick, N·mm.
     void sent(const glm::dvec3& torque) noexcept { passivity_.sent(torque); }
     void reset() noexcept;
+    /// @param share of the maximum that the device may be asked for, 0 … 1
+    void setShare(double share) noexcept { share_ = share; }
 
-    double stiffness() const noexcept { return stiffness_; } ///< N·mm/rad; 0 without motors for it
-    double maximum() const noexcept { return maximum_; }     ///< N·mm
+    double stiffness() const noexcept { return stiffness_; }      ///< N·mm/rad; 0 without motors for it
+    double maximum() const noexcept { return share_ * maximum_; } ///< N·mm
 
 private:
     PassivityController::Motion motionOf(const glm::dquat& hand, double period) noexcept;
@@ -37,6 +39,7 @@ private:
     MotionEstimator turning_;
     std::optional<glm::dquat> hand_; ///< in the last tick
     glm::dvec3 angle_{0.0};          ///< rad, sum of its turns
+    double share_ = 1.0;
     glm::dvec3 last_{0.0};
 };
 

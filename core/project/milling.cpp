@@ -188,6 +188,7 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds&
     session.felt = request.felt;
     session.forceButtons = request.forceButtons;
     session.trace = request.trace;
+    session.replayed = request.replayed;
     session.flights = request.flights;
     StrokeHistory strokes;
     const Result<std::unique_ptr<MillingSession>> live =

@@ -8,6 +8,7 @@
 #include "core/haptics/operator_intents.h"
 #include "core/haptics/operator_plan.h"
 #include "core/haptics/servo_loop.h"
+#include "core/haptics/session_trace.h"
 #include "core/project/bench.h"
 #include "core/project/bench_boundaries.h"
 
@@ -31,6 +32,7 @@ struct TakeRequest {
     FeltCutting felt;
     std::uint32_t forceButtons = 0;               ///< as in SessionRequest
     std::filesystem::path trace, flights;         ///< as in SessionRequest
+    const SessionTrace* replayed = nullptr;       ///< as in SessionRequest
     std::function<void(const Error&)> heardFault; ///< in the calling thread: a fault after which the session goes on
 };
 
