@@ -16,8 +16,8 @@ public:
     /// @param field outlives the object. @param distance mm that the boundary stands off from what the field bounds
     explicit FixedAxisBoundary(const ClearanceField& field, double distance = 0.0) noexcept
         : field_(&field), distance_(distance) {}
-    /// @param field never null; goes with the object
-    explicit FixedAxisBoundary(std::unique_ptr<const ClearanceField> field) noexcept
+    /// @param field never null
+    explicit FixedAxisBoundary(std::shared_ptr<const ClearanceField> field) noexcept
         : owned_(std::move(field)), field_(owned_.get()) {}
 
     PoseSample at(const ToolPose& pose, double) noexcept override {
@@ -30,7 +30,7 @@ public:
     double reach() const noexcept override { return 0.0; }
 
 private:
-    std::unique_ptr<const ClearanceField> owned_;
+    std::shared_ptr<const ClearanceField> owned_;
     const ClearanceField* field_;
     double distance_ = 0.0;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/force_output.h"
 
+#include "core/base/units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,9 +18,10 @@ CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings
 
 PassivityController::Settings controllerSettings(const HapticSettings& settings, double stiffness) noexcept {
     const StylusDescription& stylus = settings.stylus;
-    const double damping = usableDamping(stylus, settings.tickPeriod);
-    const double loss = sampledSpringLoss(stiffness, settings.tickPeriod, 0.0);
-    return {damping, std::min(damping, loss), std::lround(stylus.delay.value / settings.tickPeriod)};
+    constexpr double slowest = 0.1;                                                          // mm/s
+    const double damping = usableDamping(stylus, settings.tickPeriod) / millimetresPerMetre; // N·s/mm
+    const double loss = sampledSpringLoss(stiffness, settings.tickPeriod, 0.0) / millimetresPerMetre;
+    return {damping, std::min(damping, loss), slowest, std::lround(stylus.delay.value / settings.tickPeriod)};
 }
 
 constexpr double liftStep = 0.05; // N a tick: a third of the slowest slew, beside what is felt
@@ -58,24 +61,32 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
     cuttingRendering_.setWorkspaceScale(hand.mapping.scale);
     const glm::dvec3 inDevice = hand.mapping.directionToDevice(wanted(motion, cutting, hand, guided, period));
     const glm::dvec3 turn = hand.clutched ? glm::dvec3(0.0) : motion.turnBehind;
-    const glm::dvec3 turning = hand.mapping.directionToDevice(turnCoupling_.torque(turn));
+    const glm::dvec3 turning = turnCoupling_.torque(hand.mapping.directionToDevice(turn), hand.device.rotation, period);
     const bool letGo = forceButtons_ != 0 && (hand.buttons & forceButtons_) == 0;
     if (hand.reading == Reading::late || letGo || !isFinite(inDevice) || !isFinite(turning)) {
         none(letGo || hand.reading != Reading::late, sample);
         return;
     }
-    const glm::dvec3 passive = passivity_(inDevice, hand, period);
+    const glm::dvec3 passive = passivity_(inDevice, motionOf(hand), period);
     rendered_ = limiter_(passive) * ramp_.weight();
     lifted_ += clampLength(lift_ - lifted_, liftStep);
     wrench_.force = rendered_ + lifted_ * ramp_.weight();
     wrench_.torque = turning * ramp_.weight();
     // A lift does no work but what the handle's own weight takes back: it is not the loop's energy.
     passivity_.sent(rendered_);
+    turnCoupling_.sent(wrench_.torque);
     sample.force = hand.mapping.directionToSetup(rendered_);
     if ((limiter_.saturated() || cuttingGaveWay_) && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
     if (!ramp_.complete()) sample.flags |= sampleForcesOff;
     if (relief_.active()) sample.flags |= sampleMotorsHot;
     ramp_.advance(period);
+}
+
+PassivityController::Motion ForceOutput::motionOf(const Hand& hand) noexcept {
+    const glm::dvec3 place = hand.device.position;
+    const glm::dvec3 before = handPlace_.value_or(place);
+    handPlace_ = place;
+    return {place - before, hand.deviceVelocity, hand.rests};
 }
 
 void ForceOutput::motorsAre(double heat, double period) noexcept {
@@ -132,6 +143,7 @@ void ForceOutput::nothingSent() noexcept {
     turnCoupling_.reset();
     limiter_.reset();
     passivity_.reset();
+    handPlace_.reset();
 }
 
 void ForceOutput::fadeIn() noexcept {

@@ -15,6 +15,8 @@
 #include "core/haptics/turn_coupling.h"
 #include "core/recording/sample.h"
 
+#include <optional>
+
 namespace burin {
 
 /// From where hand and tool are to what the device renders: coupling, cutting force, energy, limits, fading in.
@@ -48,6 +50,7 @@ public:
 private:
     glm::dvec3 wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
                       double period) noexcept;
+    PassivityController::Motion motionOf(const Hand& hand) noexcept;
 
     Coupling coupling_, guideSpring_;
     TurnCoupling turnCoupling_;
@@ -63,8 +66,9 @@ private:
     MotionEstimator toolMotion_;
     std::uint32_t forceButtons_;
     Wrench wrench_;
-    glm::dvec3 rendered_{0.0};    ///< N, device frame: the wrench's force without the lift
-    bool cuttingGaveWay_ = false; ///< in the last tick, to what holds the tool
+    std::optional<glm::dvec3> handPlace_; ///< mm, device frame, in the last tick with a force
+    glm::dvec3 rendered_{0.0};            ///< N, device frame: the wrench's force without the lift
+    bool cuttingGaveWay_ = false;         ///< in the last tick, to what holds the tool
 };
 
 } // namespace burin

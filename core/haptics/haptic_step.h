@@ -66,6 +66,8 @@ public:
         layers_.switchTo(layer, on);
     }
     const BoundaryLayers& layers() const noexcept { return layers_; }
+    /// The layers that held the tool in the last tick, by bit of their number (BoundaryLayers::touching).
+    std::uint64_t heldBy() const noexcept { return heldBy_; }
     /// Writes what was cut to the workpiece, which lags by up to 16 ticks. For whoever reads it for good: before a
     /// snapshot that is to be restored, undo, saving, amounts; pictures need not. Loop's thread, between two ticks.
     void settle() noexcept { cut_.settle(); }
@@ -108,6 +110,7 @@ private:
     }
     Sample beginSample(double period) noexcept;
     bool start(const ToolPose& hand) noexcept;
+    void noteHold(const ToolMotion& motion, Sample& sample) noexcept;
 
     HandInput input_;
     BoundaryLayers layers_;
@@ -118,7 +121,7 @@ private:
     ForceOutput output_;
 
     StepChangeListener* listener_ = nullptr;
-    std::uint64_t tick_ = 0;
+    std::uint64_t tick_ = 0, heldBy_ = 0;
     double time_ = 0.0;
     bool started_ = false;
 };

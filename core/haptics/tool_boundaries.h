@@ -12,8 +12,10 @@
 namespace burin {
 
 /// Further layers around a tool: layer 1 + i is obstacle i, as a mesh; the machine's envelope, where it sets a limit,
-/// is the last. Allocates; builds a search tree for each obstacle.
-/// @param voxel mm, of the workpiece
+/// is the last. Allocates. @param voxel mm, of the workpiece
+void addLayers(BoundaryLayers& layers, std::span<const ObstacleSolid> obstacles, const Envelope& envelope,
+               const Tool& tool, double voxel);
+/// The same, with trees of their own.
 void addLayers(BoundaryLayers& layers, std::span<const Obstacle> obstacles, const Envelope& envelope, const Tool& tool,
                double voxel);
 
