@@ -186,7 +186,7 @@ glm::dvec3 stroke(double time) {
 }
 
 HostileOutcome hostileOpenStylus(std::uint64_t count) {
-    constexpr std::uint64_t calm = 80, storm = 16 * batch;
+    constexpr std::uint64_t calm = 80, storm = 32 * batch;
     DeviceRegistry registry;
     // Its figures are the board's, which the test knows without asking the host.
     StylusDescription figures;
@@ -291,9 +291,9 @@ double secondsSince(std::chrono::steady_clock::time_point begun) {
 void hostileReportsDoNoHarm() {
     const std::uint64_t wanted = hostileReports();
     const auto begun = std::chrono::steady_clock::now();
-    const HostileOutcome stylus = hostileOpenStylus(wanted * 7 / 10);
+    const HostileOutcome stylus = hostileOpenStylus(wanted / 2);
     const double stylusSeconds = secondsSince(begun);
-    const HostileOutcome mice = hostileMice(wanted - wanted * 7 / 10);
+    const HostileOutcome mice = hostileMice(wanted - wanted / 2);
     const double mouseSeconds = secondsSince(begun) - stylusSeconds;
     const auto violations = stylus.violations + mice.violations;
     tellFigure("hostile.reports", static_cast<double>(stylus.reports + mice.reports), "reports");
