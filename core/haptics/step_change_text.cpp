@@ -124,6 +124,35 @@ struct ToJson {
     json operator()(const WorkpieceChange&) const { return {{"workpiece_changed", true}}; }
 };
 
+/// A change that says no more than that it is one.
+template <class Change>
+Change marked(JsonObject& object, std::string_view key) {
+    if (!object.boolean(key)) object.fail(key, "has to be true");
+    return {};
+}
+
+/// Every change that needs nothing but its own numbers; nothing for guides and curves.
+std::optional<StepChange> plainChange(JsonObject& object) {
+    constexpr NumberRange atLeastNothing{0.0, std::numeric_limits<double>::infinity()};
+    if (object.has("allowance_mm")) return AllowanceChange{object.number("allowance_mm", atLeastNothing)};
+    if (object.has("levels")) return LevelStep{object.integer("levels", -mostLevels, mostLevels)};
+    if (object.has("workspace")) {
+        WorkspaceSettings workspace;
+        object.object("workspace", [&](JsonObject& inner) { workspace = readWorkspace(inner); });
+        return workspace;
+    }
+    if (object.has("layer")) {
+        const int layer = object.integer("layer", 0, mostLayers);
+        return LayerSwitch{static_cast<std::size_t>(layer), object.boolean("on")};
+    }
+    if (object.has("spindle_released")) return SpindleRelease{object.boolean("spindle_released")};
+    if (object.has("take_begins")) return marked<TakeBegin>(object, "take_begins");
+    if (object.has("force_withheld")) return marked<ForceWithheld>(object, "force_withheld");
+    if (object.has("cutting_resumes")) return marked<CutResumption>(object, "cutting_resumes");
+    if (object.has("workpiece_changed")) return marked<WorkpieceChange>(object, "workpiece_changed");
+    return std::nullopt;
+}
+
 void appendLine(std::string& text, std::string_view before, const json& object) {
     text += before;
     text += object.dump();
@@ -156,65 +185,48 @@ void StepChangeWriter::append(std::string& text, std::string_view before, const 
     appendLine(text, before, object);
 }
 
+Result<GuideSettings> StepChangeReader::readGuides(JsonObject& object) const {
+    GuideSettings settings;
+    std::size_t count = 0;
+    object.objects("guides", [&](JsonObject& one) {
+        const Guide guide = readGuide(one, curves_);
+        if (count < settings.guides.size()) settings.guides[count] = guide;
+        ++count;
+    });
+    if (count != settings.guides.size()) object.fail("guides", "has to hold " + std::to_string(settings.guides.size()));
+    settings.stepButton = word(object, "step_button");
+    if (Result<void> good = checkGuides(settings); !good) return std::move(good).error();
+    return settings;
+}
+
+/// @param longest text of the object: each of a curve's numbers takes two characters or more, so that no count makes
+/// us reserve what is not there
+Result<void> StepChangeReader::readCurve(JsonObject& object, std::size_t longest) {
+    const int most = static_cast<int>(std::min<std::size_t>(longest / 2, 1'000'000));
+    const int number = object.integer("curve", 0, mostCurves), points = object.integer("points", 0, most);
+    if (number != static_cast<int>(curves_.size())) object.fail("curve", "has to be the next number");
+    const auto count = 3 * static_cast<std::size_t>(points);
+    const std::vector<double> places = object.numbers("points_mm", count), tangents = object.numbers("tangents", count);
+    if (Result<void> whole = object.finish(); !whole) return whole;
+    Result<GuideCurve> curve = GuideCurve::make(vectorsOf(places), vectorsOf(tangents));
+    if (!curve) return std::move(curve).error();
+    curves_.push_back(std::make_unique<const GuideCurve>(std::move(*curve)));
+    return {};
+}
+
 Result<std::optional<StepChange>> StepChangeReader::read(std::string_view text, const std::string& origin) {
     Result<JsonObject> parsed = JsonObject::parse(text, origin);
     if (!parsed) return std::move(parsed).error();
     JsonObject& object = *parsed;
-    std::optional<StepChange> change;
-    const auto mark = [&object](std::string_view key) {
-        if (!object.boolean(key)) object.fail(key, "has to be true");
-    };
-    if (object.has("allowance_mm")) {
-        change = AllowanceChange{object.number("allowance_mm", {0.0, std::numeric_limits<double>::infinity()})};
-    } else if (object.has("guides")) {
-        GuideSettings settings;
-        std::size_t count = 0;
-        object.objects("guides", [&](JsonObject& one) {
-            const Guide guide = readGuide(one, curves_);
-            if (count < settings.guides.size()) settings.guides[count] = guide;
-            ++count;
-        });
-        if (count != settings.guides.size())
-            object.fail("guides", "has to hold " + std::to_string(settings.guides.size()));
-        settings.stepButton = word(object, "step_button");
-        if (Result<void> good = checkGuides(settings); !good) return std::move(good).error();
-        change = settings;
-    } else if (object.has("levels")) {
-        change = LevelStep{object.integer("levels", -mostLevels, mostLevels)};
-    } else if (object.has("workspace")) {
-        WorkspaceSettings workspace;
-        object.object("workspace", [&](JsonObject& inner) { workspace = readWorkspace(inner); });
-        change = workspace;
-    } else if (object.has("layer")) {
-        const int layer = object.integer("layer", 0, mostLayers);
-        change = LayerSwitch{static_cast<std::size_t>(layer), object.boolean("on")};
-    } else if (object.has("spindle_released")) {
-        change = SpindleRelease{object.boolean("spindle_released")};
-    } else if (object.has("take_begins")) {
-        mark("take_begins");
-        change = TakeBegin{};
-    } else if (object.has("force_withheld")) {
-        mark("force_withheld");
-        change = ForceWithheld{};
-    } else if (object.has("cutting_resumes")) {
-        mark("cutting_resumes");
-        change = CutResumption{};
-    } else if (object.has("workpiece_changed")) {
-        mark("workpiece_changed");
-        change = WorkpieceChange{};
-    } else {
-        // A curve's every number takes two characters or more: no count makes us reserve what is not there.
-        const int most = static_cast<int>(std::min<std::size_t>(text.size() / 2, 1'000'000));
-        const int number = object.integer("curve", 0, mostCurves), points = object.integer("points", 0, most);
-        if (number != static_cast<int>(curves_.size())) object.fail("curve", "has to be the next number");
-        const auto count = 3 * static_cast<std::size_t>(points);
-        const std::vector<double> places = object.numbers("points_mm", count),
-                                  tangents = object.numbers("tangents", count);
-        if (Result<void> whole = object.finish(); !whole) return std::move(whole).error();
-        Result<GuideCurve> curve = GuideCurve::make(vectorsOf(places), vectorsOf(tangents));
-        if (!curve) return std::move(curve).error();
-        curves_.push_back(std::make_unique<const GuideCurve>(std::move(*curve)));
-        return std::optional<StepChange>();
+    std::optional<StepChange> change = plainChange(object);
+    if (!change && object.has("guides")) {
+        Result<GuideSettings> guides = readGuides(object);
+        if (!guides) return std::move(guides).error();
+        change = *guides;
+    }
+    if (!change) {
+        if (Result<void> curve = readCurve(object, text.size()); !curve) return std::move(curve).error();
+        return change;
     }
     if (Result<void> whole = object.finish(); !whole) return std::move(whole).error();
     return change;

@@ -13,6 +13,8 @@
 
 namespace burin {
 
+class JsonObject;
+
 /// Changes of a step as one JSON object each, without a line end. Numbers come back to the bit. README.md has the keys.
 /// A guide names its curve by a number, under which an object of its own gave its points before.
 class StepChangeWriter {
@@ -38,6 +40,9 @@ public:
     std::vector<std::unique_ptr<const GuideCurve>> takeCurves() noexcept { return std::move(curves_); }
 
 private:
+    Result<GuideSettings> readGuides(JsonObject& object) const;
+    Result<void> readCurve(JsonObject& object, std::size_t longest);
+
     std::vector<std::unique_ptr<const GuideCurve>> curves_;
 };
 
