@@ -102,15 +102,22 @@ struct MillWork {
     Pace pace;
 };
 
-/// As the session was that left a trace, but for what this one is told otherwise.
-void playAgain(const SessionTrace& trace, const MillWork& work, TakeRequest& request) {
+/// As the session was that left a trace, but for the allowance where this one is told another.
+/// Errors: argumentInvalid (its tool had another axis).
+Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequest& request) {
     request.replayed = &trace;
-    if (!trace.began) return; // an older trace, or one that somebody wrote
+    if (!trace.began) return {}; // an older trace, or one that somebody wrote
+    const AxisMode &then = trace.began->axis, &now = work.bounds.axis();
+    if (then.free != now.free || (!now.free && glm::length(then.direction - now.direction) > 1e-9))
+        return Error{ErrorCode::argumentInvalid, "--axis", textOf(now),
+                     textOf(then) + ", as when the trace was recorded"};
     request.mapping = trace.began->mapping;
     request.period = trace.began->period;
     request.cutsOnButton = trace.began->cutsOnButton;
     request.forceButtons = trace.began->forceButtons;
+    request.felt = trace.began->felt;
     request.allowance = work.arguments.allowance.value_or(trace.began->allowance);
+    return {};
 }
 
 /// One take with a stylus; its end, the time given, or the wish to stop ends it.
@@ -127,7 +134,8 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     if (work.arguments.deadMan > 0) request.forceButtons = 1U << static_cast<unsigned>(work.arguments.deadMan - 1);
     request.heardFault = [&work](const Error& fault) { work.context.message(Messages::sentence(fault).toStdString()); };
     if (work.arguments.seconds > 0.0) request.maximumSeconds = work.arguments.seconds;
-    if (replayed != nullptr) playAgain(*replayed, work, request);
+    if (replayed != nullptr)
+        if (Result<void> asThen = playAgain(*replayed, work, request); !asThen) return std::move(asThen).error();
     Result<TakeOutcome> outcome =
         recordTake(work.project, work.bench, work.bounds, stylus, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();

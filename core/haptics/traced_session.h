@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/device/stylus.h"
-#include "core/haptics/workspace_mapping.h"
+#include "core/haptics/haptic_settings.h"
 
 #include <string>
 #include <string_view>
@@ -20,6 +20,8 @@ struct TracedSession {
     double period = 0.001;          ///< s of a tick
     bool cutsOnButton = false;      ///< as in HapticSettings
     std::uint32_t forceButtons = 0; ///< as in HapticSettings
+    FeltCutting felt;
+    AxisMode axis; ///< decided by what bounds the tool
 };
 
 /// A JSON object of one line, without its end. Numbers come back to the bit.

@@ -83,6 +83,7 @@ public:
         , stylus_(stylus)
         , strokes_(strokes)
         , allowance_(request.allowance)
+        , axis_(bounds.axis())
         , layerCount_(bounds.layers().size())
         , layersOn_(layersOn(bounds.layers()))
         , servo_(servoSettings(stylus, request))
@@ -131,6 +132,7 @@ private:
     const StylusHandle stylus_;
     StrokeHistory& strokes_;
     double allowance_;
+    const AxisMode axis_;
     const std::size_t layerCount_;
     std::uint64_t layersOn_; ///< wished, by bit
     const ServoSettings servo_;
@@ -158,8 +160,9 @@ Result<void> LiveSession::start(const SessionRequest& request) {
         sink = &*replayed_;
     }
     if (!request.trace.empty()) {
-        const TracedSession began{stylus_.device().description(), request.mapping,     request.allowance, servo_.period,
-                                  request.cutsOnButton,           request.forceButtons};
+        const TracedSession began{
+            stylus_.device().description(), request.mapping,      request.allowance, servo_.period,
+            request.cutsOnButton,           request.forceButtons, request.felt,      axis_};
         Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink, began);
         if (!trace) return std::move(trace).error();
         trace_ = std::move(*trace);
