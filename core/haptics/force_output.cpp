@@ -24,6 +24,8 @@ PassivityController::Settings controllerSettings(const HapticSettings& settings,
     return {damping, std::min(damping, loss), slowest, std::lround(stylus.delay.value / settings.tickPeriod)};
 }
 
+constexpr double liftStep = 0.05; // N a tick: a third of the slowest slew, beside what is felt
+
 /// N: what the motors have to lift.
 double weightOf(const StylusDescription& stylus) noexcept {
     constexpr double standardGravity = 9.80665; // m/s²
@@ -67,7 +69,8 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
     }
     const glm::dvec3 passive = passivity_(inDevice, motionOf(hand), period);
     rendered_ = limiter_(passive) * ramp_.weight();
-    wrench_.force = rendered_ + lift_ * ramp_.weight();
+    lifted_ += clampLength(lift_ - lifted_, liftStep);
+    wrench_.force = rendered_ + lifted_ * ramp_.weight();
     wrench_.torque = turning * ramp_.weight();
     // A lift does no work but what the handle's own weight takes back: it is not the loop's energy.
     passivity_.sent(rendered_);
@@ -136,7 +139,7 @@ void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
 
 void ForceOutput::nothingSent() noexcept {
     wrench_ = {};
-    rendered_ = glm::dvec3(0.0);
+    rendered_ = lifted_ = glm::dvec3(0.0);
     turnCoupling_.reset();
     limiter_.reset();
     passivity_.reset();

@@ -32,6 +32,8 @@ public:
     void motorsAre(double heat, double period) noexcept;
     /// No force in this tick. @param fadesIn and the next ones begin from nothing
     void none(bool fadesIn, Sample& sample) noexcept;
+    /// What the last tick rendered was not sent: the device holds nothing. Forces rise from there, without fading.
+    void nothingSent() noexcept;
     /// Forces begin from nothing.
     void fadeIn() noexcept;
     /// The tool was taken up somewhere else: it did not move there.
@@ -49,15 +51,15 @@ private:
     glm::dvec3 wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
                       double period) noexcept;
     PassivityController::Motion motionOf(const Hand& hand) noexcept;
-    void nothingSent() noexcept;
 
     Coupling coupling_, guideSpring_;
     TurnCoupling turnCoupling_;
     CuttingForceRendering cuttingRendering_;
     PassivityController passivity_;
-    double maximum_;  ///< N, that are ever sent
-    double weight_;   ///< N, of the handle, that the motors have to lift
-    glm::dvec3 lift_; ///< N, device frame, against the handle's weight
+    double maximum_;         ///< N, that are ever sent
+    double weight_;          ///< N, of the handle, that the motors have to lift
+    glm::dvec3 lift_;        ///< N, device frame, against the handle's weight
+    glm::dvec3 lifted_{0.0}; ///< N, that is sent of it: after a gap it comes back in steps
     HeatRelief relief_;
     ForceLimiter limiter_;
     ForceRamp ramp_;

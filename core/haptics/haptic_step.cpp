@@ -80,6 +80,7 @@ void HapticStep::apply(const StepChange& change) noexcept {
             step.tell(told);
             step.cut_.skipOne();
         }
+        void operator()(const ForceWithheld&) const noexcept { step.forceWithheld(); }
         void operator()(const CutResumption&) const noexcept { step.resumeCutting(); }
         void operator()(const WorkpieceChange&) const noexcept { step.workpieceChanged(); }
     };

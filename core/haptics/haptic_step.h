@@ -83,6 +83,11 @@ public:
         tell(SpindleRelease{released});
         cut_.releaseSpindle(released);
     }
+    /// The last tick's force came too late and was not sent: the next one rises from nothing, as fast as forces may.
+    void forceWithheld() noexcept {
+        tell(ForceWithheld{});
+        output_.nothingSent();
+    }
     /// The owner put another state of the workpiece in place, between two ticks: what the step knew of it is forgotten,
     /// and forces fade in again.
     void workpieceChanged() noexcept;

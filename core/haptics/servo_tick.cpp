@@ -15,6 +15,7 @@ ServoTick::ServoTick(HapticStep& step, TickSink& sink, double period, bool byThe
 AtEdge ServoTick::edge() noexcept {
     const AtEdge answer = sink_.edge();
     if (answer == AtEdge::tick) return answer;
+    withheld_ = withheld_ || (answer == AtEdge::stand && byTheClock_); // who lets a hand stand lets go of it
     sentBefore_ = 0;
     heart_.beat(now());
     return answer;
@@ -26,12 +27,14 @@ void ServoTick::begin() noexcept {
 }
 
 Wrench ServoTick::operator()(const StylusState& reading, double period) noexcept {
+    if (withheld_) step_.forceWithheld(); // between two ticks, as everything that it is told
     sample_ = step_(reading, period);
     timing_.period = period;
     timing_.reading = reading;
     timing_.fault = faultOf(sample_, reading, period);
     const std::int64_t gap = byTheClock_ ? now() - (sentBefore_ > 0 ? sentBefore_ : begun_) : 0;
-    if (gap <= nanoseconds(limits_.late)) return step_.deviceWrench();
+    withheld_ = gap > nanoseconds(limits_.late);
+    if (!withheld_) return step_.deviceWrench();
     // The step has given no force already if it was told of the gap. What it did not see is its own slowness.
     ++timing_.late;
     sample_.flags |= sampleForcesOff | sampleForceLate;

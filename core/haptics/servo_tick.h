@@ -59,7 +59,8 @@ private:
     Sample sample_;
     std::int64_t begun_ = 0, sentBefore_ = 0; ///< ns
     std::uint64_t ticks_ = 0;
-    bool faulty_ = true; ///< what was never well does not break
+    bool withheld_ = false; ///< the force of the last tick: the device holds none
+    bool faulty_ = true;    ///< what was never well does not break
 };
 
 } // namespace burin

@@ -43,19 +43,4 @@ Result<SessionTrace> readSessionTrace(const std::filesystem::path& file) {
     return sessionTraceOf(std::move(*trace), file.string());
 }
 
-AtEdge ReplayedChanges::edge() noexcept {
-    const AtEdge answer = next_.edge();
-    if (answer != AtEdge::tick) return answer;
-    while (!changes_.empty() && changes_.front().tick <= ticks_) {
-        step_.apply(changes_.front().change);
-        changes_ = changes_.subspan(1);
-    }
-    return answer;
-}
-
-void ReplayedChanges::tick(const Sample& sample, const TickTiming& timing) noexcept {
-    ++ticks_;
-    next_.tick(sample, timing);
-}
-
 } // namespace burin

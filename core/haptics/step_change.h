@@ -25,12 +25,13 @@ struct SpindleRelease {
     bool released = false;
 };
 struct TakeBegin {};       ///< the next tick does not cut
+struct ForceWithheld {};   ///< the force of the tick before came too late: the device got none
 struct CutResumption {};   ///< the owner has made room in the reserved memory
 struct WorkpieceChange {}; ///< the owner put another state of the workpiece in place
 
 /// What a step is told between two ticks: together with the readings it decides all that the step does. Plain data.
 using StepChange = std::variant<AllowanceChange, GuideSettings, LevelStep, WorkspaceSettings, LayerSwitch,
-                                SpindleRelease, TakeBegin, CutResumption, WorkpieceChange>;
+                                SpindleRelease, TakeBegin, ForceWithheld, CutResumption, WorkpieceChange>;
 static_assert(std::is_trivially_copyable_v<StepChange>);
 
 /// Hears what a step is told, on the thread that tells it, before the step follows. No allocation, lock or file.

@@ -119,6 +119,7 @@ struct ToJson {
     json operator()(const LayerSwitch& change) const { return {{"layer", change.layer}, {"on", change.on}}; }
     json operator()(const SpindleRelease& change) const { return {{"spindle_released", change.released}}; }
     json operator()(const TakeBegin&) const { return {{"take_begins", true}}; }
+    json operator()(const ForceWithheld&) const { return {{"force_withheld", true}}; }
     json operator()(const CutResumption&) const { return {{"cutting_resumes", true}}; }
     json operator()(const WorkpieceChange&) const { return {{"workpiece_changed", true}}; }
 };
@@ -192,6 +193,9 @@ Result<std::optional<StepChange>> StepChangeReader::read(std::string_view text, 
     } else if (object.has("take_begins")) {
         mark("take_begins");
         change = TakeBegin{};
+    } else if (object.has("force_withheld")) {
+        mark("force_withheld");
+        change = ForceWithheld{};
     } else if (object.has("cutting_resumes")) {
         mark("cutting_resumes");
         change = CutResumption{};

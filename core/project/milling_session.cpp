@@ -3,6 +3,7 @@
 #include "core/project/milling_session.h"
 
 #include "core/base/wall_clock.h"
+#include "core/haptics/replayed_changes.h"
 #include "core/haptics/trace_recorder.h"
 #include "core/project/session_faults.h"
 #include "core/project/session_loop.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,6 +28,14 @@ int runAs(const std::string& role);
 
 std::vector<GuestCheck> openStylusChecks();
 std::vector<GuestCheck> spaceMouseChecks();
+std::vector<GuestCheck> millingChecks();
+std::vector<GuestCheck> hostileChecks();
+
+/// Of the round trip alone, for a benchmark.
+std::vector<GuestCheck> roundTripChecks();
+
+/// How many hostile reports the program was asked for.
+std::uint64_t hostileReports();
 
 } // namespace burin::test
 

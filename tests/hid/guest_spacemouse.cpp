@@ -1,57 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/device/device_registry.h"
-#include "tests/hid/descriptors.h"
-#include "tests/hid/guest.h"
-#include "tests/plugins/comes_true.h"
+#include "tests/hid/plugged_mouse.h"
 
 #include <cmath>
-#include <optional>
 
 namespace burin::test {
 namespace {
-
-/// A 3D mouse plugged into the kernel, and what the host wrote to it.
-class PluggedMouse {
-public:
-    PluggedMouse(std::uint16_t vendor, std::uint16_t product, std::string_view descriptor, std::string serial = {})
-        : device_({"3D mouse", std::move(serial), vendor, product, bytesOf(descriptor)},
-                  {[this](const Report& report) {
-                       const std::lock_guard lock(mutex_);
-                       outputs_.push_back(report);
-                   },
-                   {}}) {}
-    void send(std::string_view hex) { device_.send(bytesOf(hex)); }
-    std::vector<Report> outputs() {
-        const std::lock_guard lock(mutex_);
-        return outputs_;
-    }
-
-private:
-    std::mutex mutex_;
-    std::vector<Report> outputs_;
-    UhidDevice device_; // last: its thread uses the rest
-};
-
-std::optional<FoundDevice> foundAs(DeviceRegistry& registry, const std::string& id) {
-    std::optional<FoundDevice> result;
-    comesTrue([&] {
-        for (const FoundDevice& found : registry.scan())
-            if (found.id == id) result = found;
-        return result.has_value();
-    });
-    return result;
-}
-
-/// A stylus of a mouse that is plugged in, open.
-std::unique_ptr<Stylus> opened(DeviceRegistry& registry, const std::string& id, const std::string& mode = {}) {
-    BURIN_EXPECT(foundAs(registry, id));
-    auto made = registry.make(id, mode);
-    if (!made) throw Unmet("make: " + made.error().subject + " " + made.error().detail);
-    auto stylus = std::move(std::get<std::unique_ptr<Stylus>>(*made));
-    BURIN_EXPECT(stylus->open());
-    return stylus;
-}
 
 /// Reads as a loop does, until it holds.
 template <class Condition>
@@ -80,7 +34,7 @@ void areFoundAndOtherDevicesAreNot() {
 void compactMovesAndPresses() {
     DeviceRegistry registry;
     PluggedMouse mouse(0x256f, 0xc635, navigatorDescriptor);
-    const auto stylus = opened(registry, "spacemouse:256f:c635");
+    const auto stylus = openedMouse(registry, "spacemouse:256f:c635");
     double time = 0.0;
     mouse.send("01 5e 01 00 00 00 00");
     mouse.send("02 00 00 00 00 00 00");
@@ -99,7 +53,7 @@ void compactMovesAndPresses() {
 void wirelessMovesAndTellsItsBattery() {
     DeviceRegistry registry;
     PluggedMouse mouse(0x256f, 0xc62e, wirelessDescriptor);
-    const auto stylus = opened(registry, "spacemouse:256f:c62e", "position");
+    const auto stylus = openedMouse(registry, "spacemouse:256f:c62e", "position");
     double time = 0.0;
     mouse.send("01 00 00 5e 01 00 00 00 00 00 00 a2 fe");
     mouse.send("17 2a 01");
@@ -113,7 +67,7 @@ void wirelessMovesAndTellsItsBattery() {
 void enterpriseHasManyButtons() {
     DeviceRegistry registry;
     PluggedMouse mouse(0x256f, 0xc633, enterpriseDescriptor);
-    const auto stylus = opened(registry, "spacemouse:256f:c633");
+    const auto stylus = openedMouse(registry, "spacemouse:256f:c633");
     double time = 0.0;
     mouse.send("03 01 00 00 40");
     mouse.send("1c 0d 00 00 00 00 00 00 00 00 00 00 00");
@@ -126,7 +80,7 @@ void enterpriseHasManyButtons() {
 void ledShinesWhileItIsOpen() {
     DeviceRegistry registry;
     PluggedMouse mouse(0x256f, 0xc635, navigatorDescriptor);
-    auto stylus = opened(registry, "spacemouse:256f:c635");
+    auto stylus = openedMouse(registry, "spacemouse:256f:c635");
     BURIN_EXPECT(comesTrue([&] { return mouse.outputs() == std::vector<Report>{{0x04, 0x01}}; }));
     stylus->close();
     BURIN_EXPECT(comesTrue([&] { return mouse.outputs() == std::vector<Report>({{0x04, 0x01}, {0x04, 0x00}}); }));
@@ -135,7 +89,7 @@ void ledShinesWhileItIsOpen() {
 void unpluggedSaysSoAndGoesOn() {
     DeviceRegistry registry;
     auto mouse = std::make_unique<PluggedMouse>(0x256f, 0xc635, navigatorDescriptor, "A");
-    const auto stylus = opened(registry, "spacemouse:256f:c635:A");
+    const auto stylus = openedMouse(registry, "spacemouse:256f:c635:A");
     double time = 0.0;
     mouse->send("01 5e 01 00 00 00 00");
     mouse->send("03 01 00");

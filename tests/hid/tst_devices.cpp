@@ -28,7 +28,8 @@ private slots:
             const auto match = result.match(line);
             if (match.hasMatch())
                 results_.insert(match.captured(2), match.captured(1) + QLatin1Char(' ') + match.captured(3));
-            if (line.startsWith(QLatin1String("hid figure "))) qInfo("%s", qPrintable(line.mid(11).trimmed()));
+            if (line.startsWith(QLatin1String("hid figure ")) || line.startsWith(QLatin1String("hid seconds ")))
+                qInfo("%s", qPrintable(line.mid(4).trimmed()));
         }
     }
 
@@ -41,9 +42,11 @@ private slots:
               "an unplugged 3D mouse says so and goes on when it is back", "an open stylus tells its limits",
               "the hand at an open stylus feels the wall",
               "an open stylus unplugged in mid stroke goes on when it is back",
-              "the watchdog cuts the motors of a host that died", "motors are cut while a tick hangs", "an open stylus of another version is refused",
-              "who has no right to a device is told", "the watch tells of plugging in and out",
-              "hostile reports do no harm"})
+              "the watchdog cuts the motors of a host that died", "motors are cut while a tick hangs",
+              "an open stylus of another version is refused", "who has no right to a device is told",
+              "the watch tells of plugging in and out",
+              "an open stylus pulled out in mid stroke mills on when it is back",
+              "a 3D mouse pulled out in mid stroke mills on when it is back", "hostile reports do no harm"})
             QTest::newRow(fact) << QString::fromLatin1(fact);
     }
     void inTheVirtualMachine() {

@@ -83,6 +83,24 @@ private slots:
         QVERIFY(faultsOf(line.exchange).empty());
     }
 
+    /// A device that did not hear "off" still says on: what the loop would send it meanwhile is sent as nothing, so the
+    /// loop must know, or its force would be there at once afterwards.
+    void whileTheMotorsAreAskedOffNoReadingIsValid() {
+        Line line;
+        line.begin();
+        QVERIFY(line.exchange.state().valid);
+        line.exchange.cut();
+        for (int off = 0; off < Exchange::armingReports; ++off) {
+            line.period({{1.0, 0.0, 0.0}, {}}, true, false); // lost on the way
+            QVERIFY(line.board.motorsOn);
+            QCOMPARE(line.answer[1], std::uint8_t{0});
+            QVERIFY(off == 0 || !line.exchange.state().valid);
+        }
+        line.period({{1.0, 0.0, 0.0}, {}});
+        QVERIFY(line.exchange.state().valid);
+        QCOMPARE(line.boardForce(0), 1.0);
+    }
+
     void aHostThatOnlyEverSaysOnGetsNothing() {
         Board board([](const Board::Report&) { return true; });
         for (std::uint16_t number = 1; number < 1000; ++number) {

@@ -61,7 +61,9 @@ Exchange::Outcome Exchange::take(Bytes report, double now) noexcept {
     state_.pose.position = reading->pose.position;
     state_.pose.rotation = glm::normalize(reading->pose.rotation);
     state_.buttons = reading->buttons;
-    state_.valid = reading->poseValid && reading->faults == 0 && (motorsOn_ || !pushes);
+    // Motors that say they are on while we have them off have not heard it yet, or lie: no force would get there.
+    const bool driven = motorsOn_ && arming_ == 0;
+    state_.valid = reading->poseValid && reading->faults == 0 && (driven || !pushes);
     known_ = true;
     return Outcome::reading;
 }

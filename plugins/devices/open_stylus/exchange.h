@@ -14,7 +14,8 @@ namespace burin::openstylus {
 /// What the host makes of a device's reports and answers to them: numbering, time, arming, faults, limits. No transport
 /// and no clock: times are arguments, s of a clock that only rises.
 ///
-/// Readings are valid only while the device knows its pose, reports no fault and, if it has motors, has them on.
+/// Readings are valid only while the device knows its pose, reports no fault and, if it has motors, has them on as it
+/// was asked to.
 /// Motors are asked for only after the device has seen them switched off and reports no fault; so they never come on
 /// by themselves after one.
 ///

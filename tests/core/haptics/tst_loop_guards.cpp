@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/loop_clock.h"
 #include "core/haptics/servo_loop.h"
+#include "core/haptics/servo_tick.h"
 #include "tests/core/haptics/haptic_bench.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "tests/core/haptics/pressed_stylus.h"
@@ -204,6 +205,38 @@ private slots:
         QVERIFY(after > 0);
         QCOMPARE(log.samples[after].force, glm::dvec3(0.0));
         QVERIFY((log.samples[after].flags & sampleForceLate) != 0);
+    }
+
+    /// A device that got no force because it came too late holds none: what it gets next rises from there, however
+    /// punctual the next tick is.
+    void afterAForceThatWasWithheldTheNextOneRises() {
+        Bench bench;
+        bench.begin({0.0, 0.0, 5.0});
+        bench.moveTo({0.0, 0.0, floorHeight - 15.0}, 100.0);
+        bench.rest(200);
+        const double pressed = glm::length(bench.step.deviceWrench().force), rise = bench.step.limiter().riseStep();
+        QVERIFY(pressed > 5.0 * rise);
+        StylusState reading;
+        reading.pose.position = bench.hand;
+        reading.valid = true;
+        Log log;
+        ServoTick tick(bench.step, log, period, true);
+        const auto force = [&](double seconds) {
+            tick.begin();
+            waitFor(seconds);
+            const Wrench wrench = tick(reading, period);
+            tick.sent();
+            return glm::length(wrench.force);
+        };
+        QCOMPARE(force(0.004), 0.0); // ready after 4 ms
+        double before = 0.0;
+        for (int i = 0; i < 50; ++i) {
+            const double now = force(0.0);
+            QVERIFY(now - before <= rise + 1e-12);
+            before = now;
+        }
+        QVERIFY(before > 0.0);
+        QCOMPARE(log.samples.front().force, glm::dvec3(0.0));
     }
 
     /// Nobody is to be alarmed by a loop that stands because it was asked to, or by a device that is away.
