@@ -873,6 +873,10 @@
         <source>Cuts from an unknown place</source>
         <translation>Schnitt ab unbekannter Position</translation>
     </message>
+    <message>
+        <source>In a fixture by %1</source>
+        <translation>%1 tief in einer Vorrichtung</translation>
+    </message>
 </context>
 <context>
     <name>Questions</name>
@@ -1057,6 +1061,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>material</source>
         <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>Hindernis</translation>
     </message>
     <message>
         <source>path</source>

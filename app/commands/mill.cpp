@@ -223,10 +223,12 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         millAsAsked({arguments, *project, *bench, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast});
     if (!outcome) return context.fail(outcome.error());
 
+    const Box& travel = bounds->envelope().tips;
     json answer{{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
                 {"tool", jsonOf(bench->tool)},
                 {"axis", jsonOf(bounds->axis())},
                 {"layers", jsonOf(bounds->layers())},
+                {"machine_travel_mm", travel.empty() ? json(nullptr) : jsonOf(travel)},
                 {"takes", json::array()}};
     double removed = 0.0;
     std::uint64_t samples = 0;
