@@ -139,14 +139,19 @@ void BenchController::adoptField(const Tool& tool, std::shared_ptr<const Clearan
 
 void BenchController::letGo(std::function<void()> then) {
     // What reads the bench in the background would read it while it changes.
+    emit readersStop();
     desk_.tasks.abandon(TaskKind::planning);
     desk_.tasks.abandon(TaskKind::path);
     desk_.tasks.abandon(TaskKind::program);
     desk_.tasks.whenIdle([this, then = std::move(then)] {
-        if (guard_)
-            guard_(then);
-        else
+        const auto change = [this, then] {
             then();
+            emit readersGoOn();
+        };
+        if (guard_)
+            guard_(change);
+        else
+            change();
     });
 }
 

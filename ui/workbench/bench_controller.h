@@ -44,6 +44,8 @@ public:
 signals:
     void workpieceChanged(); ///< outside a session
     void toolChanged();      ///< the tool in force
+    void readersStop();      ///< the bench is about to change: work in the background that reads it is abandoned
+    void readersGoOn();      ///< it has changed: what was abandoned can be done again
     /// The workpiece was made anew with these recordings: how many strokes stand in each.
     void replayed(const std::map<std::int64_t, std::size_t>& strokes);
 
