@@ -78,7 +78,8 @@ struct MillState {
     bool canUndoStroke = false, canRedoStroke = false;
     DepthChoice depthRule = DepthChoice::level;
     double depthOfCut = 1.0, press = 2.0, speed = 60.0; ///< mm, mm, mm/s
-    QString alarm;                                      ///< what touches what; empty: nothing
+    QString alarm;                                      ///< what keeps the tool from cutting; empty: nothing
+    QString hint;                                       ///< what the hand may wonder about; empty: nothing
     std::vector<TakeRow> takes;
     bool showing = false; ///< the virtual operator mills
     QStringList styluses; ///< what can be milled with
@@ -92,10 +93,21 @@ struct GuideState {
     bool edges = false;        ///< the part has edges to follow
     bool live = false;         ///< mill mode: `news` counts
     std::array<GuideNews, GuideSettings::capacity> news{};
-    glm::dvec3 zero{0.0};   ///< mm, of the program, in the setup frame
+    glm::dvec3 zero{0.0}; ///< mm, of the program, in the setup frame
+};
+
+struct HandState {
     bool hasDevice = false; ///< a device is in the hand, not the mouse
     double scale = 1.0;     ///< mm of the tool per mm of the hand
     bool clutched = false;
+    bool canRate = false; ///< the device may set the tool's speed instead of its place
+    bool rate = false;    ///< and does
+    int buttons = 0;      ///< of the device
+    int clutchButton = 0, levelButton = 0, forceButton = 0; ///< numbers from 1; 0: none
+    bool motors = false;                                    ///< forces can be felt
+    bool recording = false;
+    std::optional<double> battery, heat; ///< 0 … 1, where the device tells them
+    bool charging = false;
 };
 
 struct PathState {
@@ -108,6 +120,7 @@ struct PathState {
     double cuttingLength = 0.0; ///< mm
     bool outdated = false;      ///< takes or edits changed since
     bool busy = false;
+    bool waiting = false; ///< for the workpiece; then it is evaluated by itself
     QString problem;
 };
 

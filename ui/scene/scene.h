@@ -6,6 +6,7 @@
 #include "ui/scene/edited_path.h"
 #include "ui/scene/force_arrow.h"
 #include "ui/scene/ground_grid.h"
+#include "ui/scene/guide_actors.h"
 #include "ui/scene/live_path.h"
 #include "ui/scene/part_actors.h"
 #include "ui/scene/scale_bar.h"
@@ -23,12 +24,14 @@
 
 namespace burin {
 
-/// Everything that stands on the bench, in one VTK window of three layers: the bench, the marks that must never be
-/// hidden (ghost, coupling, force), the view cube. Knows no Qt widget. Thread: user interface.
+/// Everything that stands on the bench, in one VTK window of four layers: the bench, the guides with the bench's
+/// depths, the marks that must never be hidden (ghost, coupling, force, guides seen through), the view cube. Knows no
+/// Qt widget. Thread: user interface.
 class Scene {
 public:
     /// @param workpieceReady called on a worker's thread when there is more of the workpiece to draw
-    Scene(vtkRenderWindow& window, std::function<void()> workpieceReady);
+    /// @param surfaces makes the surfaces of guides
+    Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces);
 
     void setPalette(const Palette& palette);
     void setLengthUnit(LengthUnit unit) { scaleBar_.setUnit(unit); }
@@ -42,6 +45,7 @@ public:
     void setToolVisible(bool visible);
     /// @param flashLit the bright half of an alarm's flash
     void setMarks(const ToolMarks& marks, bool flashLit);
+    void setGuides(const GuideMarks& marks) { guides_.set(marks); }
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
     ViewCube& cube() noexcept { return cube_; }
@@ -64,7 +68,7 @@ private:
     void refresh();
     void setLineWidths(double ratio);
 
-    vtkNew<vtkRenderer> bench_, marks_;
+    vtkNew<vtkRenderer> bench_, films_, marks_;
     PartActors part_;
     WorkpieceActors workpiece_;
     ToolActors tool_;
@@ -73,6 +77,7 @@ private:
     GroundGrid grid_;
     StockOutline stock_;
     ScaleBar scaleBar_;
+    GuideActors guides_;
     StylusGhost ghost_;
     ForceArrow force_;
     ViewCube cube_;

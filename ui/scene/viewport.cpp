@@ -46,10 +46,16 @@ bool same(const ToolMarks& a, const ToolMarks& b) {
 class Viewport::Impl final : public CanvasPainter {
 public:
     explicit Impl(Viewport& viewport)
-        : widget(viewport), scene(*window, [&viewport] {
-            QMetaObject::invokeMethod(
-                &viewport, [&viewport] { viewport.impl_->refresh(); }, Qt::QueuedConnection);
-        }) {
+        : widget(viewport)
+        , scene(
+              *window,
+              [&viewport] {
+                  QMetaObject::invokeMethod(
+                      &viewport, [&viewport] { viewport.impl_->refresh(); }, Qt::QueuedConnection);
+              },
+              [this](const GuideMarks& of, double distance, GuideActors::Shaped then) {
+                  makeSurface(of, distance, std::move(then));
+              }) {
         rest.setSingleShot(true);
         breath.setSingleShot(true);
         breath.setTimerType(Qt::PreciseTimer);
@@ -96,6 +102,21 @@ public:
         const auto face = position ? ViewCube::faceAt(motion.view(), motion.size(), *position) : std::nullopt;
         if (scene.cube().setHovered(face)) refresh();
     }
+    /// On a thread of the pool: it takes some tenths of a second.
+    void makeSurface(const GuideMarks& of, double distance, GuideActors::Shaped then) {
+        const QPointer<Viewport> self(&widget);
+        QThreadPool::globalInstance()->start([self, field = of.field, tips = of.tips, distance, then] {
+            auto surface = std::make_shared<const GuideSurface>(guideSurface(*field, tips, distance));
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(),
+                [self, then, surface] {
+                    if (!self) return;
+                    then(surface);
+                    self->impl_->refresh();
+                },
+                Qt::QueuedConnection);
+        });
+    }
     void begin(QOpenGLContext& context) override;
     void paint(unsigned framebuffer) override;
     void painted() override;
@@ -112,6 +133,7 @@ public:
     std::optional<FrameClock::Clock::time_point> paintedCut; ///< of the paint under way
     InteractiveTool* tool = nullptr;
     ToolMarks marks;
+    GuideMarks guides;
     std::uint64_t partOrdered = 0; ///< counts setPart: a part that comes late must not replace a newer one
     bool usable = false;           ///< there is a context that can draw
     bool failureTold = false;
@@ -264,6 +286,13 @@ void Viewport::setToolMarks(const ToolMarks& marks) {
 
 void Viewport::setToolVisible(bool visible) {
     impl_->scene.setToolVisible(visible);
+    impl_->refresh();
+}
+
+void Viewport::setGuides(const GuideMarks& guides) {
+    if (guides == impl_->guides) return;
+    impl_->guides = guides;
+    impl_->scene.setGuides(guides);
     impl_->refresh();
 }
 

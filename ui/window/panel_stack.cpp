@@ -6,6 +6,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <initializer_list>
+
 namespace burin {
 
 namespace {
@@ -23,16 +25,15 @@ QWidget* scrolling(QWidget* panel, const char* name) {
     return area;
 }
 
-/// One panel above another, as one.
-QWidget* stacked(QWidget* upper, QWidget* lower) {
-    auto* both = new QWidget;
-    auto* column = new QVBoxLayout(both);
+/// Panels one above the other, as one.
+QWidget* stacked(std::initializer_list<QWidget*> panels) {
+    auto* all = new QWidget;
+    auto* column = new QVBoxLayout(all);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(upper);
-    column->addWidget(lower);
+    for (QWidget* panel : panels) column->addWidget(panel);
     column->addStretch(1);
-    return both;
+    return all;
 }
 
 } // namespace
@@ -46,6 +47,7 @@ PanelStack::PanelStack(QWidget* parent)
     , allowance(new AllowancePanel)
     , mill(new MillPanel)
     , guides(new GuidePanel)
+    , hand(new HandPanel)
     , path(new PathPanel)
     , program(new ProgramPanel)
     , meters(new Meters)
@@ -58,7 +60,7 @@ PanelStack::PanelStack(QWidget* parent)
                                                                   {material, "materialPage"},
                                                                   {tool, "toolPage"},
                                                                   {allowance, "allowancePage"},
-                                                                  {stacked(mill, guides), "millPage"},
+                                                                  {stacked({mill, guides, hand}), "millPage"},
                                                                   {path, "pathPage"},
                                                                   {program, "programPage"}}};
     for (const auto& [panel, name] : panels) stack_->addWidget(scrolling(panel, name));

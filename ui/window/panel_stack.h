@@ -4,6 +4,7 @@
 
 #include "ui/panels/allowance_panel.h"
 #include "ui/panels/guide_panel.h"
+#include "ui/panels/hand_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
@@ -35,6 +36,7 @@ public:
     AllowancePanel* allowance;
     MillPanel* mill;
     GuidePanel* guides; ///< below the mill panel
+    HandPanel* hand;    ///< below the guides
     PathPanel* path;
     ProgramPanel* program;
     Meters* meters;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "ui/window/guide_presenter.h"
+#include "ui/window/guide_scene_presenter.h"
+#include "ui/window/hand_presenter.h"
 #include "ui/window/job_presenter.h"
 #include "ui/window/mill_presenter.h"
 #include "ui/window/panel_stack.h"
@@ -36,12 +38,14 @@ public:
     AllowancePresenter allowance;
     MillPresenter mill;
     GuidePresenter guides;
+    HandPresenter hand;
     PathPresenter path;
     ProgramPresenter program;
     MeterPresenter meters;
     StatusPresenter status;
     JobPresenter job;
     ScenePresenter scene;
+    GuideScenePresenter guideScene;
 };
 
 } // namespace burin

@@ -37,6 +37,13 @@ private:
 };
 
 /// Kinds of values, for merging.
-enum ValueKind : int { allowanceValue = 1, voxelValue, marginValue, pathEditValue, guideValue /* and, with its place, of each guide */ };
+enum ValueKind : int {
+    allowanceValue = 1,
+    voxelValue,
+    marginValue,
+    pathEditValue,
+    guideValue,      ///< and, with its place, of each guide
+    handValue = 1000 ///< and, with its number, of each device
+};
 
 } // namespace burin

@@ -15,6 +15,7 @@ Workbench::Workbench(QObject* parent)
     , session(desk_, this)
     , mill(desk_, bench, session, styluses, this)
     , guides(desk_, bench, mill, session, this)
+    , hand(desk_, bench, mill, session, styluses, guides, this)
     , showMe(desk_, bench, session, this)
     , path(desk_, bench, this)
     , program(desk_, bench, path, this) {
@@ -29,7 +30,8 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model, &setup, &tool, &bench, &styluses, &session, &mill, &guides, &showMe, &path, &program};
+    return {&document, &model,  &setup, &tool,   &bench, &styluses, &session,
+            &mill,     &guides, &hand,  &showMe, &path,  &program};
 }
 
 void Workbench::wire() {

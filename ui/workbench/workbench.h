@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/workbench/document_controller.h"
-#include "ui/workbench/guide_controller.h"
+#include "ui/workbench/hand_controller.h"
 #include "ui/workbench/mill_controller.h"
 #include "ui/workbench/model_controller.h"
 #include "ui/workbench/path_controller.h"
@@ -40,6 +40,7 @@ public:
     SessionRunner session;
     MillController mill;
     GuideController guides;
+    HandController hand;
     ShowMe showMe;
     PathController path;
     ProgramController program;
