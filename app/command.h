@@ -47,6 +47,7 @@ private:
 using Register = void (*)(CLI::App& program, CommandContext& context, int& status);
 void registerImport(CLI::App& program, CommandContext& context, int& status);
 void registerEmbed(CLI::App& program, CommandContext& context, int& status);
+void registerSetup(CLI::App& program, CommandContext& context, int& status);
 void registerMill(CLI::App& program, CommandContext& context, int& status);
 void registerPath(CLI::App& program, CommandContext& context, int& status);
 void registerPost(CLI::App& program, CommandContext& context, int& status);

@@ -17,10 +17,10 @@
 
 namespace {
 
-constexpr std::array commands{burin::registerImport, burin::registerEmbed,     burin::registerMill,
-                              burin::registerPath,   burin::registerPost,      burin::registerVerify,
-                              burin::registerInfo,   burin::registerCalibrate, burin::registerDemo,
-                              burin::registerBench,  burin::registerDevices};
+constexpr std::array commands{burin::registerImport, burin::registerEmbed, burin::registerSetup,
+                              burin::registerMill,   burin::registerPath,  burin::registerPost,
+                              burin::registerVerify, burin::registerInfo,  burin::registerCalibrate,
+                              burin::registerDemo,   burin::registerBench, burin::registerDevices};
 
 /// CLI11 would only say that a command is missing.
 std::optional<burin::Error> unknownCommand(const CLI::App& program, int argc, char** argv) {

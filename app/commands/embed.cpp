@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/report.h"
+#include "app/surroundings.h"
 #include "core/base/numbers.h"
 #include "core/cad/import.h"
 #include "core/project/project.h"
@@ -18,6 +19,7 @@ struct EmbedArguments {
     double voxel = 0.5, margin = 5.0, stlUnit = 1.0;
     std::string stock = "box", material = "aluminium-6061";
     std::vector<std::string> bodyMaterials;
+    SurroundingsArguments around;
 };
 
 /// "BODY=NAME" for each body that differs. Errors: argumentInvalid, nameUnknown.
@@ -74,6 +76,15 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     const Result<std::vector<Property>> materials = materialsOf(*setup);
     if (!materials) return context.fail(materials.error());
 
+    const Result<std::vector<Obstacle>> obstacles =
+        obstaclesOf(arguments.around, arguments.stlUnit, context.progress());
+    if (!obstacles) return context.fail(obstacles.error());
+    const Result<AxisMode> axis = axisModeOf(arguments.around.axis.empty() ? "fixed" : arguments.around.axis);
+    if (!axis) return context.fail(axis.error());
+    const Result<TravelPlacement> travel =
+        travelPlacementOf(arguments.around.travel.empty() ? "middle" : arguments.around.travel);
+    if (!travel) return context.fail(travel.error());
+
     context.stage("Embedding");
     const Result<EmbeddedSetup> embedded = embed(*model, *setup, context.progress());
     if (!embedded) return context.fail(embedded.error());
@@ -81,8 +92,9 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     context.stage("Saving");
     Result<Project> project = Project::create(arguments.output);
     if (!project) return context.fail(project.error());
-    for (const auto& step :
-         {project->setModel(*model), project->setSetup(*setup), project->setMaterials(*materials), project->save()})
+    for (const auto& step : {project->setModel(*model), project->setSetup(*setup), project->setMaterials(*materials),
+                             project->setObstacles(*obstacles), project->setAxisMode(*axis),
+                             project->setTravelPlacement(*travel), project->save()})
         if (!step) {
             project->abandonChanges(); // nothing of the hand's is in it
             return context.fail(step.error());
@@ -99,6 +111,8 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                                 {"stock_volume_mm3", embedded->stockVolume},
                                 {"work_offset_mm", jsonOf(setup->workOffset)},
                                 {"material", setup->stockMaterial},
+                                {"axis", jsonOf(*axis)},
+                                {"obstacles", jsonOf(*obstacles)},
                                 {"warnings", embedded->warnings}};
     std::string text = "part " + formatFixed(embedded->partVolume, 1) + " mm^3 in stock " +
                        formatFixed(embedded->stockVolume, 1) + " mm^3, " + std::to_string(voxels.x) + " x " +
@@ -125,6 +139,7 @@ void registerEmbed(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--stl-unit", arguments->stlUnit, "Millimetres per unit of an STL file")
         ->check(CLI::Range(1e-6, 1e6))
         ->capture_default_str();
+    addSurroundings(*command, arguments->around);
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runEmbed(*arguments, context); });
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/report.h"
+#include "app/surroundings.h"
 #include "core/base/numbers.h"
 #include "core/device/device_registry.h"
 #include "core/haptics/operator.h"
@@ -22,7 +23,7 @@ namespace {
 using nlohmann::json;
 
 struct MillArguments {
-    std::string project, stylus = "operator", mode, tool = "ball-6", machine = "linuxcnc-mill", trace;
+    std::string project, stylus = "operator", mode, tool = "ball-6", machine = "linuxcnc-mill", trace, axis;
     bool realtime = false, fast = false;
     double seconds = 0.0, rate = 1000.0;
     int deadMan = 0; ///< button, from 1; 0: none
@@ -42,8 +43,13 @@ HandImpedance gripOf(const std::string& name) {
     return name == "middle" ? middleHand : firmHand;
 }
 
-json jsonOf(const TakeOutcome& outcome) {
+json jsonOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
+    json layers = jsonOf(bounds.layers());
+    for (std::size_t i = 0; i < layers.size(); ++i) layers[i]["ticks_held"] = outcome.layerTicks[i];
     return {{"take", outcome.take},
+            {"layers", layers},
+            {"obstacle_ticks", outcome.obstacleTicks},
+            {"axis_held_ticks", outcome.axisHeldTicks},
             {"samples", outcome.samples},
             {"ticks", outcome.loop.ticks},
             {"rate_hz", outcome.loop.rateHz},
@@ -66,13 +72,25 @@ json jsonOf(const TakeOutcome& outcome) {
             {"cutting_force_max_n", outcome.largestCuttingForce}};
 }
 
-std::string textOf(const TakeOutcome& outcome) {
+/// What held the tool besides the part, and what could not follow the hand.
+std::string alarmsOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
+    std::string text;
+    const auto add = [&text](std::uint64_t ticks, const std::string& what) {
+        if (ticks > 0) text += "; " + what + " in " + std::to_string(ticks) + " ticks";
+    };
+    add(outcome.shankTicks, "shank or holder touched");
+    for (std::size_t i = 1; i < bounds.layers().size(); ++i)
+        add(outcome.layerTicks[i], textOf(bounds.layers()[i]) + " held the tool");
+    add(outcome.axisHeldTicks, "the axis was held");
+    return text;
+}
+
+std::string textOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
     return "take " + std::to_string(outcome.take) + ": " + std::to_string(outcome.samples) + " samples, " +
            formatFixed(outcome.loop.simulatedSeconds, 1) + " s, removed " + formatFixed(outcome.removed, 1) +
            " mm^3; tick " + formatFixed(outcome.loop.workP50, 1) + " us (p50), " +
            formatFixed(outcome.loop.workP999, 1) + " us (p99.9), " + formatFixed(outcome.loop.rateHz, 0) + " Hz" +
-           (outcome.shankTicks > 0 ? "; shank or holder touched in " + std::to_string(outcome.shankTicks) + " ticks"
-                                   : "");
+           alarmsOf(outcome, bounds);
 }
 
 /// What one stylus is to make of a project.
@@ -80,7 +98,7 @@ struct MillWork {
     const MillArguments& arguments;
     Project& project;
     Bench& bench;
-    const ClearanceField& field;
+    const ToolBounds& bounds;
     CommandContext& context;
     Pace pace;
 };
@@ -100,7 +118,7 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     request.heardFault = [&work](const Error& fault) { work.context.message(Messages::sentence(fault).toStdString()); };
     if (work.arguments.seconds > 0.0) request.maximumSeconds = work.arguments.seconds;
     Result<TakeOutcome> outcome =
-        recordTake(work.project, work.bench, work.field, stylus, request, work.context.progress().cancelFlag());
+        recordTake(work.project, work.bench, work.bounds, stylus, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
     return std::vector<TakeOutcome>{std::move(*outcome)};
 }
@@ -149,9 +167,21 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     request.timeLimit = work.arguments.seconds;
     request.pace = work.pace;
     Result<OperatorOutcome> outcome =
-        millWithOperator(work.project, work.bench, work.field, request, work.context.progress().cancelFlag());
+        millWithOperator(work.project, work.bench, work.bounds, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
     return std::move(outcome->takes);
+}
+
+/// What bounds the tool, as the project has it or the arguments say otherwise.
+Result<ToolBounds> boundsFor(const Project& project, const Bench& bench, const MillArguments& arguments,
+                             Progress& progress) {
+    const Result<AxisMode> axis = arguments.axis.empty() ? project.axisMode() : axisModeOf(arguments.axis);
+    if (!axis) return axis.error();
+    const Result<TravelPlacement> travel = project.travelPlacement();
+    if (!travel) return travel.error();
+    const double allowance = arguments.allowance.value_or(arguments.hand.allowance);
+    return ToolBounds::build(bench, bench.tool, *axis, surroundingsOf(bench, *travel, *axis), std::max(allowance, 0.5),
+                             progress);
 }
 
 int runMill(const MillArguments& arguments, CommandContext& context) {
@@ -166,26 +196,27 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         return context.fail(replayed.error());
 
     context.stage("Building the tool's field");
-    const double allowance = arguments.allowance.value_or(arguments.hand.allowance);
-    const auto field = clearanceField(*bench, std::max(allowance, 0.5), context.progress());
-    if (!field) return context.fail(field.error());
+    const Result<ToolBounds> bounds = boundsFor(*project, *bench, arguments, context.progress());
+    if (!bounds) return context.fail(bounds.error());
 
     context.stage("Milling");
     const auto outcome =
-        millAsAsked({arguments, *project, *bench, **field, context, arguments.realtime ? Pace::realtime : Pace::fast});
+        millAsAsked({arguments, *project, *bench, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast});
     if (!outcome) return context.fail(outcome.error());
 
     json answer{{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
                 {"tool", jsonOf(bench->tool)},
+                {"axis", jsonOf(bounds->axis())},
+                {"layers", jsonOf(bounds->layers())},
                 {"takes", json::array()}};
     double removed = 0.0;
     std::uint64_t samples = 0;
     std::string text;
     for (const TakeOutcome& take : *outcome) {
-        answer["takes"].push_back(jsonOf(take));
+        answer["takes"].push_back(jsonOf(take, *bounds));
         removed += take.removed;
         samples += take.samples;
-        text += (text.empty() ? "" : "\n") + textOf(take);
+        text += (text.empty() ? "" : "\n") + textOf(take, *bounds);
     }
     answer["samples"] = samples;
     answer["removed_mm3"] = removed;
@@ -221,7 +252,8 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
         ->capture_default_str();
     command->add_option("--trace", arguments->trace, "Also write what a trace or device did, to be played again");
     command->add_option("--tool", arguments->tool, "Tool")->capture_default_str();
-    command->add_option("--machine", arguments->machine, "Machine, for the spindle speed")->capture_default_str();
+    command->add_option("--machine", arguments->machine, "Machine, for the spindle speed and its travel")
+        ->capture_default_str();
     CLI::Option* realtime = command->add_flag("--realtime", arguments->realtime, "One tick a millisecond of the clock");
     command->add_flag("--fast", arguments->fast, "As fast as the machine can (the default)")->excludes(realtime);
     command->add_option("--seconds", arguments->seconds, "Length of the session, s; 0: as long as the job takes")
@@ -237,6 +269,7 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
     command
         ->add_option("--step-over", arguments->hand.finishingStepOver, "Between finishing passes, mm; 0: by the tool")
         ->check(CLI::Range(0.0, 100.0));
+    addAxis(*command, arguments->axis);
     addOperator(*command, *arguments);
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runMill(*arguments, context); });

@@ -47,6 +47,18 @@ void BoundaryLayers::settle() noexcept {
         if (layer.state == State::waiting) layer.state = State::inForce;
 }
 
+std::uint64_t BoundaryLayers::touching(const ToolPose& tool, double within) noexcept {
+    constexpr std::size_t told = 64;
+    std::uint64_t near = 0;
+    for (std::size_t i = 0; i < std::min(layers_.size(), told); ++i) {
+        Layer& layer = layers_[i];
+        if (layer.state != State::inForce) continue;
+        const double reach = layer.keeps + within;
+        if (layer.boundary->at(tool, reach).clearance < reach) near |= std::uint64_t{1} << i;
+    }
+    return near;
+}
+
 double BoundaryLayers::partClearance(const ToolPose& pose) noexcept {
     Layer& part = layers_.front();
     if (part.state != State::inForce) return std::numeric_limits<double>::infinity();

@@ -34,6 +34,9 @@ public:
     /// Takes effect with the next `settle`. A number that there is not changes nothing.
     void switchTo(std::size_t layer, bool on) noexcept;
     State state(std::size_t layer) const noexcept { return layers_[layer].state; }
+    /// The layers in force that a tool is near, by bit of their number; those beyond the 64th are not told.
+    /// @param within mm of clearance
+    std::uint64_t touching(const ToolPose& tool, double within) noexcept;
     /// At a tick's edge: layers that waited for a tool which is clear of them now come into force.
     void settle(const ToolPose& tool) noexcept;
     /// Before there is a tool: layers come into force wherever it will be.

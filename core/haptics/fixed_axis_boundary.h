@@ -15,8 +15,8 @@ class FixedAxisBoundary final : public PoseBoundary {
 public:
     /// @param field outlives the object
     explicit FixedAxisBoundary(const ClearanceField& field) noexcept : field_(&field) {}
-    /// @param field never null; goes with the object
-    explicit FixedAxisBoundary(std::unique_ptr<const ClearanceField> field) noexcept
+    /// @param field never null
+    explicit FixedAxisBoundary(std::shared_ptr<const ClearanceField> field) noexcept
         : owned_(std::move(field)), field_(owned_.get()) {}
 
     PoseSample at(const ToolPose& pose, double) noexcept override {
@@ -29,7 +29,7 @@ public:
     double reach() const noexcept override { return 0.0; }
 
 private:
-    std::unique_ptr<const ClearanceField> owned_;
+    std::shared_ptr<const ClearanceField> owned_;
     const ClearanceField* field_;
 };
 

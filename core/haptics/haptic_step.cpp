@@ -25,6 +25,7 @@ HapticStep::HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& 
 
 Sample HapticStep::operator()(const StylusState& state, double period) noexcept {
     Sample sample = beginSample(period);
+    heldBy_ = 0;
     const Hand hand = input_(state, period, started_ ? &mover_.pose().tip : nullptr, output_.quiet());
     sample.device = hand.device;
     sample.stylusTip = hand.wanted.tip;
@@ -54,7 +55,7 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     mover_.arrive(motion);
     sample.proxy = mover_.pose();
     if (motion.shankContact) sample.flags |= sampleShankContact;
-    if (motion.normal != glm::dvec3(0.0)) sample.flags |= sampleOnBoundary;
+    noteHold(motion, sample);
     if (motion.axisHeld) sample.flags |= sampleAxisHeld;
     output_(motion, cutting, hand, guided, period, sample);
     return sample;
@@ -66,6 +67,14 @@ Sample HapticStep::beginSample(double period) noexcept {
     sample.tick = tick_++;
     sample.time = time_;
     return sample;
+}
+
+void HapticStep::noteHold(const ToolMotion& motion, Sample& sample) noexcept {
+    if (motion.normal == glm::dvec3(0.0)) return;
+    sample.flags |= sampleOnBoundary;
+    constexpr std::uint64_t part = 1;
+    heldBy_ = layers_.size() == 1 ? part : layers_.touching(mover_.pose(), Proxy::contactGap);
+    if ((heldBy_ & ~part) != 0) sample.flags |= sampleOnObstacle;
 }
 
 bool HapticStep::start(const ToolPose& hand) noexcept {

@@ -50,6 +50,8 @@ public:
     /// @param layer its number in the layers that the step was made with
     void switchLayer(std::size_t layer, bool on) noexcept { layers_.switchTo(layer, on); }
     const BoundaryLayers& layers() const noexcept { return layers_; }
+    /// The layers that held the tool in the last tick, by bit of their number (BoundaryLayers::touching).
+    std::uint64_t heldBy() const noexcept { return heldBy_; }
     /// Writes what was cut to the workpiece, which lags by up to 16 ticks. For whoever reads it for good: before a
     /// snapshot that is to be restored, undo, saving, amounts; pictures need not. Loop's thread, between two ticks.
     void settle() noexcept { cut_.settle(); }
@@ -72,6 +74,7 @@ public:
 private:
     Sample beginSample(double period) noexcept;
     bool start(const ToolPose& hand) noexcept;
+    void noteHold(const ToolMotion& motion, Sample& sample) noexcept;
 
     HandInput input_;
     BoundaryLayers layers_;
@@ -81,7 +84,7 @@ private:
     CutTick cut_;
     ForceOutput output_;
 
-    std::uint64_t tick_ = 0;
+    std::uint64_t tick_ = 0, heldBy_ = 0;
     double time_ = 0.0;
     bool started_ = false;
 };

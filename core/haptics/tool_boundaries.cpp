@@ -7,14 +7,26 @@
 
 namespace burin {
 
-void addLayers(BoundaryLayers& layers, std::span<const Obstacle> obstacles, const Envelope& envelope, const Tool& tool,
-               double voxel) {
+std::vector<ObstacleSolid> solidsOf(std::span<const Obstacle> obstacles) {
+    std::vector<ObstacleSolid> solids;
+    solids.reserve(obstacles.size());
     for (const Obstacle& obstacle : obstacles)
-        layers.add(std::make_unique<MeshBoundary>(std::make_shared<const MeshDistance>(meshOf(obstacle)),
-                                                  pieces(tool.cutter), voxel, obstacle.margin),
+        solids.push_back({std::make_shared<const MeshDistance>(meshOf(obstacle)), obstacle.margin, obstacle.on});
+    return solids;
+}
+
+void addLayers(BoundaryLayers& layers, std::span<const ObstacleSolid> obstacles, const Envelope& envelope,
+               const Tool& tool, double voxel) {
+    for (const ObstacleSolid& obstacle : obstacles)
+        layers.add(std::make_unique<MeshBoundary>(obstacle.surface, pieces(tool.cutter), voxel, obstacle.margin),
                    obstacle.on);
     if (!envelope.tips.empty() || !envelope.tools.empty())
         layers.add(std::make_unique<EnvelopeBoundary>(envelope, pieces(tool.cutter), voxel));
+}
+
+void addLayers(BoundaryLayers& layers, std::span<const Obstacle> obstacles, const Envelope& envelope, const Tool& tool,
+               double voxel) {
+    addLayers(layers, std::span<const ObstacleSolid>(solidsOf(obstacles)), envelope, tool, voxel);
 }
 
 } // namespace burin

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/turned_field.h"
 
+#include "core/geometry/frame_along.h"
+
 #include <utility>
 
 namespace burin {
 namespace {
-
-/// From a frame to one whose z lies along an axis.
-glm::dmat3 along(const glm::dvec3& axis) noexcept {
-    const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 y = glm::normalize(glm::cross(axis, other));
-    return glm::transpose(glm::dmat3(glm::cross(y, axis), y, axis));
-}
 
 /// Corners that were one stay one, to the last bit.
 TriangleMesh turned(std::span<const Triangle> triangles, const glm::dmat3& turn) {
@@ -27,14 +22,6 @@ TriangleMesh turned(std::span<const Triangle> triangles, const glm::dmat3& turn)
     return mesh;
 }
 
-Box turned(const Box& box, const glm::dmat3& turn) {
-    Box around;
-    for (int i = 0; i < 8; ++i)
-        around.include(turn * glm::dvec3(i & 1 ? box.low.x : box.high.x, i & 2 ? box.low.y : box.high.y,
-                                         i & 4 ? box.low.z : box.high.z));
-    return around;
-}
-
 } // namespace
 
 Result<TurnedField> TurnedField::build(const MeshDistance& part, const glm::dvec3& axis,
@@ -42,9 +29,9 @@ Result<TurnedField> TurnedField::build(const MeshDistance& part, const glm::dvec
     if (!(std::abs(glm::length(axis) - 1.0) < 1e-6))
         return Error{ErrorCode::argumentInvalid, "axis", {}, "a vector of unit length"};
     if (request.tips.empty()) return Error{ErrorCode::argumentInvalid, "tips", {}, "a box that is not empty"};
-    const glm::dmat3 turn = along(glm::normalize(axis));
+    const glm::dmat3 turn = frameAlong(glm::normalize(axis));
     ToolFieldRequest seen = request;
-    seen.tips = turned(request.tips, turn);
+    seen.tips = boxAround(request.tips, turn);
     Result<ToolField> field = ToolField::build(MeshDistance(turned(part.triangles(), turn)), seen, progress);
     if (!field) return std::move(field).error();
     return TurnedField(turn, std::move(*field));

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/geometry/box.h"
+#include "core/machine/machine_profile.h"
+
+#include <optional>
 
 namespace burin {
 
@@ -11,5 +13,21 @@ struct Envelope {
     Box tips;  ///< mm: the tip stays inside (the axes' travel)
     Box tools; ///< mm: every point of cutter, shank and holder stays inside (doors, walls, table)
 };
+
+/// How a setup stands in its machine.
+struct TravelPlacement {
+    bool on = true; ///< the travel bounds the tool
+    /// mm from the low end of X, Y and Z, for the tip of the tool that is in the spindle, to the program's zero.
+    /// Nothing: the rule of `travelEnvelope`.
+    std::optional<glm::dvec3> zero;
+
+    friend bool operator==(const TravelPlacement&, const TravelPlacement&) = default;
+};
+
+/// The travel of a three-axis machine as a box for the tip of an upright tool. Where it is not said how the setup
+/// stands, program zero is taken to be in the middle of X and Y, and Z to reach up to the machine's tool change height
+/// above it, which a profile promises to be free. Without limits where the placement is off.
+/// @param workOffset program zero in the setup frame, mm
+Envelope travelEnvelope(const MachineProfile& machine, const TravelPlacement& placement, const glm::dvec3& workOffset);
 
 } // namespace burin

@@ -38,8 +38,10 @@ Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const Pa
             continue;
         }
         if (!isUpright(sample.proxy.axis))
-            return Error{ErrorCode::notSupported, "tilted tool axis", "paths with the tool along Z",
-                         "take " + std::to_string(info.id) + ", sample " + std::to_string(sample.tick)};
+            return Error{ErrorCode::notSupported, "tilted tool axis",
+                         "takes milled with the axis fixed at +Z (--axis fixed), unlike take " +
+                             std::to_string(info.id),
+                         "sample " + std::to_string(sample.tick)};
         const double elapsed = period * static_cast<double>(sample.tick - lastTick);
         if (begins || sample.tick > lastTick + longestGap ||
             glm::distance(sample.proxy.tip, strokes.back().points.back().tip) > fastestHand * elapsed) {

@@ -34,7 +34,11 @@ MeshDistance wholePart(const Model& model) {
 } // namespace
 
 double Bench::safeHeight() const {
-    return setup.stock.high.z + travelAboveStock;
+    double top = setup.stock.high.z;
+    for (const Obstacle& obstacle : obstacles)
+        if (obstacle.on && obstacle.kind == ObstacleKind::fixture)
+            top = std::max(top, boundsOf(obstacle).high.z + obstacle.margin);
+    return top + travelAboveStock;
 }
 
 Box Bench::tipRegion() const {
@@ -43,7 +47,7 @@ Box Bench::tipRegion() const {
 
 Box Bench::tipRegion(const Tool& other) const {
     Box region = setup.stock.grown(2.0 * other.cutter.diameter + travelAboveStock);
-    region.high.z = safeHeight() + 2.0 * travelAboveStock;
+    region.high.z = setup.stock.high.z + 3.0 * travelAboveStock;
     return region;
 }
 
@@ -66,6 +70,8 @@ Result<Tool> toolFor(const Project& project, const std::string& id) {
 
 Result<Bench> makeBench(const BenchRequest& request, Progress& progress) {
     progress.stage(0.0, 0.3);
+    for (const Obstacle& obstacle : request.obstacles)
+        if (Result<void> usable = checkObstacle(obstacle); !usable) return std::move(usable).error();
     Result<MachineProfile> machine = loadMachine(request.machineId);
     if (!machine) return std::move(machine).error();
     MeshDistance part = wholePart(*request.model);
@@ -76,8 +82,8 @@ Result<Bench> makeBench(const BenchRequest& request, Progress& progress) {
     const Result<CuttingConditions> conditions =
         cuttingConditions(request.tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
     if (!conditions) return conditions.error();
-    return Bench{request.model, request.setup,   request.tool,        std::move(*machine),
-                 *conditions,   std::move(part), std::move(*embedded)};
+    return Bench{request.model, request.setup,   request.tool,         std::move(*machine),
+                 *conditions,   std::move(part), std::move(*embedded), request.obstacles};
 }
 
 Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress) {
@@ -87,7 +93,14 @@ Result<Bench> makeBench(const Project& project, const Tool& tool, const std::str
     if (!setup) return std::move(setup).error();
     Result<std::vector<Property>> materials = project.materials();
     if (!materials && materials.error().code != ErrorCode::projectIncomplete) return std::move(materials).error();
-    BenchRequest request{std::make_shared<const Model>(std::move(*model)), std::move(*setup), tool, machineId, {}};
+    Result<std::vector<Obstacle>> obstacles = project.obstacles();
+    if (!obstacles) return std::move(obstacles).error();
+    BenchRequest request{std::make_shared<const Model>(std::move(*model)),
+                         std::move(*setup),
+                         tool,
+                         machineId,
+                         {},
+                         std::move(*obstacles)};
     if (materials) request.materials = std::move(*materials);
     return makeBench(request, progress);
 }

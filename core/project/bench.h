@@ -7,6 +7,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/machine/machine_profile.h"
 #include "core/project/project.h"
+#include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
 
 #include <memory>
@@ -26,10 +27,11 @@ struct Bench {
     CuttingConditions conditions; ///< of the tool in the stock's material
     MeshDistance part;            ///< all bodies
     EmbeddedSetup embedded;
+    std::vector<Obstacle> obstacles; ///< around the stock
 
     Box tipRegion() const; ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
     Box tipRegion(const Tool& other) const; ///< the same for another tool
-    double safeHeight() const;              ///< mm, setup frame: travel is free above it
+    double safeHeight() const;              ///< mm, setup frame: above stock and fixtures, where travel is free
     double workpieceVolume() const;         ///< mm³ of machinable material
 };
 
@@ -40,9 +42,10 @@ struct BenchRequest {
     Tool tool;
     std::string machineId;
     std::vector<Property> materials; ///< by id; the library has the others
+    std::vector<Obstacle> obstacles{};
 };
 
-/// Errors: those of loadMaterial, loadMachine, embed, cuttingConditions, cancelled.
+/// Errors: those of loadMaterial, loadMachine, embed, cuttingConditions, checkObstacle, cancelled.
 Result<Bench> makeBench(const BenchRequest& request, Progress& progress);
 /// The same from a project. Errors: also projectIncomplete.
 Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress);

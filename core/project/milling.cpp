@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/haptics/hostile_stylus.h"
 #include "core/project/milling_session.h"
+#include "core/project/planning_frame.h"
 
 #include <algorithm>
 #include <chrono>
@@ -35,6 +36,8 @@ Result<TakeOutcome> outcomeOf(const Project& project, const Bench& bench, std::i
         if (undone.holds(index++)) continue;
         for (const RemovedMaterial& removed : sample.removed) units += removed.units;
         if ((sample.flags & sampleShankContact) != 0) ++outcome.shankTicks;
+        if ((sample.flags & sampleOnObstacle) != 0) ++outcome.obstacleTicks;
+        if ((sample.flags & sampleAxisHeld) != 0) ++outcome.axisHeldTicks;
         outcome.largestForce = std::max(outcome.largestForce, glm::length(sample.force));
         outcome.largestCuttingForce = std::max(outcome.largestCuttingForce, glm::length(sample.cuttingForce));
     }
@@ -68,7 +71,7 @@ std::vector<IntentPoint> freeHandGrooves(const Bench& bench) {
     return points;
 }
 
-Result<MillingPlan> planFor(const Bench& bench, const ClearanceField& field, const OperatorRequest& request,
+Result<MillingPlan> planFor(const Bench& bench, const PlanningFrame& frame, const OperatorRequest& request,
                             const OperatorSettings& hand, double scale) {
     if (bench.model->bodies.empty()) {
         MillingPlan plan;
@@ -76,19 +79,19 @@ Result<MillingPlan> planFor(const Bench& bench, const ClearanceField& field, con
         return plan;
     }
     MillingRequest wanted;
-    wanted.stock = bench.setup.stock;
-    wanted.roughing.bottom = bench.model->box().low.z;
+    wanted.stock = frame.stock();
+    wanted.roughing.bottom = frame.part().low.z;
     wanted.roughing.allowance = request.allowance;
     wanted.roughing.stepOver = request.roughingStepOver;
     wanted.roughing.levelDepth = request.levelDepth;
     wanted.roughing.finishingDepth = request.finishingDepth;
-    wanted.finishing.part = bench.model->box();
-    wanted.finishing.floor = bench.model->box().low.z;
+    wanted.finishing.part = frame.part();
+    wanted.finishing.floor = frame.part().low.z;
     wanted.finishing.press = request.press;
     wanted.finishing.stepOver = request.finishingStepOver;
     wanted.motion = inSetup(hand.motion, scale);
     wanted.timeLimit = request.timeLimit;
-    return planMilling(field, bench.tool, wanted);
+    return planMilling(frame.field(), bench.tool, wanted);
 }
 
 /// Where a hand without a plan moves: from a little above the stock down to its middle.
@@ -104,8 +107,20 @@ double freeSeconds(const OperatorRequest& request) {
     return request.timeLimit > 0.0 ? request.timeLimit : usual;
 }
 
+std::vector<IntentPoint> inSetupFrame(const PlanningFrame& frame, std::vector<IntentPoint> points) {
+    for (IntentPoint& point : points) point.tip = frame.toSetup(point.tip);
+    return points;
+}
+
+/// Where a tip may be led around a stock, mm.
+Box ledRegion(const Box& stock, const Tool& tool) {
+    Box region = stock.grown(tool.cutter.diameter + travelMargin);
+    region.low.z = stock.low.z - pressMargin;
+    return region;
+}
+
 /// What the operator means to do, and in which takes.
-Result<void> addStages(const Bench& bench, const ClearanceField& field, const OperatorRequest& request,
+Result<void> addStages(const Bench& bench, const PlanningFrame& frame, const OperatorRequest& request,
                        OperatorPlan& planned) {
     const bool freeHand = bench.model->bodies.empty();
     if (request.intent == OperatorIntent::scribble) {
@@ -117,18 +132,22 @@ Result<void> addStages(const Bench& bench, const ClearanceField& field, const Op
     }
     if (request.intent == OperatorIntent::contour && !freeHand) {
         ContourRequest contour;
-        contour.stock = bench.setup.stock;
-        contour.bottom = bench.model->box().low.z;
+        contour.stock = frame.stock();
+        contour.bottom = frame.part().low.z;
         contour.levelDepth = request.levelDepth;
         contour.press = request.press;
-        Result<std::vector<IntentPoint>> way = planContours(field, bench.tool, contour);
+        Result<std::vector<IntentPoint>> way = planContours(frame.field(), bench.tool, contour);
         if (!way) return std::move(way).error();
-        planned.stages = {{BURIN_TEXT("Take", "contours").text, std::move(*way), 0.0}};
+        planned.stages = {{BURIN_TEXT("Take", "contours").text, inSetupFrame(frame, *way), 0.0}};
         return {};
     }
-    Result<MillingPlan> plan = planFor(bench, field, request, planned.hand, planned.mapping.scale);
+    Result<MillingPlan> plan = planFor(bench, frame, request, planned.hand, planned.mapping.scale);
     if (!plan) return std::move(plan).error();
     planned.plan = std::move(*plan);
+    if (!freeHand) {
+        planned.plan.roughing = inSetupFrame(frame, planned.plan.roughing);
+        planned.plan.finishing = inSetupFrame(frame, planned.plan.finishing);
+    }
     planned.stages = {{(freeHand ? BURIN_TEXT("Take", "free hand") : BURIN_TEXT("Take", "roughing")).text,
                        planned.plan.roughing, freeHand ? 0.0 : request.allowance},
                       {BURIN_TEXT("Take", "finishing").text, planned.plan.finishing, 0.0}};
@@ -149,12 +168,10 @@ HostileSettings hostility(const Bench& bench, const OperatorRequest& request) {
 } // namespace
 
 WorkspaceMapping mappingFor(const Bench& bench, const StylusDescription& stylus) {
-    Box region = bench.setup.stock.grown(bench.tool.cutter.diameter + travelMargin);
-    region.low.z = bench.setup.stock.low.z - pressMargin;
-    return mappingFor(region, stylus);
+    return mappingFor(ledRegion(bench.setup.stock, bench.tool), stylus);
 }
 
-Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceField& field, const StylusHandle& stylus,
+Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
                                const TakeRequest& request, const std::atomic<bool>& stop) {
     const double volumeBefore = bench.workpieceVolume();
     SessionRequest session;
@@ -171,7 +188,7 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceFi
     session.flights = request.flights;
     StrokeHistory strokes;
     const Result<std::unique_ptr<MillingSession>> live =
-        MillingSession::begin(project, bench, field, stylus, strokes, session);
+        MillingSession::begin(project, bench, bounds, stylus, strokes, session);
     if (!live) return live.error();
     const auto tellFaults = [&] {
         while (const std::optional<Error> fault = (*live)->takeFault())
@@ -190,21 +207,35 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceFi
     if (!outcome) return outcome;
     outcome->loop = *loop;
     outcome->drop = volumeBefore - bench.workpieceVolume();
+    outcome->layerTicks.assign(bounds.layers().size(), 0);
+    if (SessionState last; (*live)->newest(last))
+        std::ranges::transform(last.layers, outcome->layerTicks.begin(), &LayerNews::ticksHeld);
     return outcome;
 }
 
-Result<OperatorPlan> planOperator(const Bench& bench, const ClearanceField& field, const OperatorRequest& request) {
+Result<OperatorPlan> planOperator(const Bench& bench, const ToolBounds& bounds, const OperatorRequest& request) {
+    std::unique_ptr<const ClearanceField> ownField;
+    if (bounds.field() == nullptr) {
+        Progress unseen;
+        Result<std::unique_ptr<const ClearanceField>> made = clearanceField(bench, request.allowance, unseen);
+        if (!made) return std::move(made).error();
+        ownField = std::move(*made);
+    }
+    const PlanningFrame frame(bench, ownField ? *ownField : *bounds.field(),
+                              ownField ? AxisMode{}.direction : bounds.axis().direction);
     OperatorPlan planned;
     planned.hand.seed = request.seed;
     planned.hand.hand = request.hand;
-    planned.mapping = mappingFor(bench, planned.hand.stylus);
-    Result<void> made = addStages(bench, field, request, planned);
+    planned.mapping = frame.upright()
+                          ? mappingFor(bench, planned.hand.stylus)
+                          : mappingFor(frame.toSetup(ledRegion(frame.stock(), bench.tool)), planned.hand.stylus);
+    Result<void> made = addStages(bench, frame, request, planned);
     if (!made) return std::move(made).error();
     std::erase_if(planned.stages, [](const OperatorStage& stage) { return stage.intent.empty(); });
     return planned;
 }
 
-Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ClearanceField& field,
+Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ToolBounds& bounds,
                                          const OperatorRequest& request, const std::atomic<bool>& stop) {
     OperatorOutcome outcome;
     const auto record = [&](Stylus& stylus, const std::string& name, double allowance,
@@ -217,7 +248,7 @@ Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const C
         take.pace = request.pace;
         if (request.timeLimit > 0.0) take.maximumSeconds = request.timeLimit;
         if (request.intent == OperatorIntent::hostile) take.maximumSeconds = freeSeconds(request); // it never ends
-        Result<TakeOutcome> recorded = recordTake(project, bench, field, stylus, take, stop);
+        Result<TakeOutcome> recorded = recordTake(project, bench, bounds, stylus, take, stop);
         if (!recorded) return std::move(recorded).error();
         outcome.takes.push_back(*recorded);
         return {};
@@ -230,7 +261,7 @@ Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const C
             return std::move(milled).error();
         return outcome;
     }
-    Result<OperatorPlan> planned = planOperator(bench, field, request);
+    Result<OperatorPlan> planned = planOperator(bench, bounds, request);
     if (!planned) return std::move(planned).error();
     for (const OperatorStage& stage : planned->stages) {
         VirtualOperator stylus(stage.intent, planned->mapping, planned->hand);

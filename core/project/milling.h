@@ -9,6 +9,7 @@
 #include "core/haptics/operator_plan.h"
 #include "core/haptics/servo_loop.h"
 #include "core/project/bench.h"
+#include "core/project/bench_boundaries.h"
 
 #include <atomic>
 #include <filesystem>
@@ -37,16 +38,19 @@ struct TakeOutcome {
     std::int64_t take = 0;
     std::uint64_t samples = 0;
     LoopStatistics loop;
-    double removed = 0.0;             ///< mm³, sum over the recorded samples
-    double drop = 0.0;                ///< mm³ that the workpiece's machinable runs lost meanwhile
-    std::uint64_t shankTicks = 0;     ///< ticks in which shank or holder touched something
-    double largestForce = 0.0;        ///< N, rendered
-    double largestCuttingForce = 0.0; ///< N, unscaled
+    double removed = 0.0;            ///< mm³, sum over the recorded samples
+    double drop = 0.0;               ///< mm³ that the workpiece's machinable runs lost meanwhile
+    std::uint64_t shankTicks = 0;    ///< ticks in which shank or holder touched something
+    std::uint64_t obstacleTicks = 0; ///< in which a fixture, a keep-out volume or the machine's travel held the tool
+    std::uint64_t axisHeldTicks = 0; ///< in which the axis could not follow the hand
+    std::vector<std::uint64_t> layerTicks; ///< in which each layer held the tool, by its number in ToolBounds::layers
+    double largestForce = 0.0;             ///< N, rendered
+    double largestCuttingForce = 0.0;      ///< N, unscaled
 };
 
 /// Mills with a stylus and records every tick into the project while it is made; saves the project at the end.
 /// Errors: those of the stylus, the servo loop, the recorder and Project::save. What was recorded until then is kept.
-Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ClearanceField& field, const StylusHandle& stylus,
+Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
                                const TakeRequest& request, const std::atomic<bool>& stop);
 
 /// What the virtual operator is asked to do.
@@ -84,12 +88,13 @@ struct OperatorPlan {
     std::vector<OperatorStage> stages; ///< in order; one that has nothing to do is left out
 };
 
-/// Errors: those of planMilling. Any thread; seconds.
-Result<OperatorPlan> planOperator(const Bench& bench, const ClearanceField& field, const OperatorRequest& request);
+/// Plans along the axis where it stands. Where it is free the operator holds its stylus upright; that takes a field of
+/// tips, which is made here. Errors: those of planMilling and clearanceField. Any thread; seconds.
+Result<OperatorPlan> planOperator(const Bench& bench, const ToolBounds& bounds, const OperatorRequest& request);
 
 /// Roughs in levels and finishes in parallel passes with a virtual hand, a take each. A model without bodies is cut in
 /// free-hand grooves instead (paper, figure 13 b). Errors: those of planMilling and recordTake; cancelled.
-Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ClearanceField& field,
+Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ToolBounds& bounds,
                                          const OperatorRequest& request, const std::atomic<bool>& stop);
 
 /// The mapping that fits where a bench's tip may go into the workspace of a stylus; the same for the same project and

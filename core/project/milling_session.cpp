@@ -38,8 +38,10 @@ double periodOf(const StylusHandle& stylus, const SessionRequest& request) {
 /// all of the device's share.
 constexpr double simulatedHandGain = 0.05, simulatedHandFriction = 0.0;
 
-HapticSettings hapticSettings(const Bench& bench, const StylusHandle& stylus, const SessionRequest& request) {
+HapticSettings hapticSettings(const Bench& bench, const AxisMode& axis, const StylusHandle& stylus,
+                              const SessionRequest& request) {
     HapticSettings settings;
+    settings.axis = axis;
     settings.mapping = request.mapping;
     settings.stylus = stylus.device().description();
     settings.tickPeriod = periodOf(stylus, request);
@@ -73,18 +75,29 @@ Error nothingToDo(const char* what, const char* needed) {
     return {ErrorCode::argumentInvalid, what, {}, needed};
 }
 
+/// By bit of their number.
+std::uint64_t layersOn(const std::vector<BoundLayer>& layers) {
+    std::uint64_t on = 0;
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        if (layers[i].on) on |= std::uint64_t{1} << i;
+    return on;
+}
+
 /// The owner's side.
 class LiveSession final : public MillingSession {
 public:
-    LiveSession(Project& project, Bench& bench, const ClearanceField& field, const StylusHandle& stylus,
+    LiveSession(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
                 StrokeHistory& strokes, const SessionRequest& request)
         : project_(project)
         , bench_(bench)
         , stylus_(stylus)
         , strokes_(strokes)
         , allowance_(request.allowance)
+        , layerCount_(bounds.layers().size())
+        , layersOn_(layersOn(bounds.layers()))
         , servo_(servoSettings(stylus, request))
-        , step_(bench.embedded.workpiece, field, bench.tool, hapticSettings(bench, stylus, request))
+        , step_(bench.embedded.workpiece, bounds.boundaryLayers(), bench.tool,
+                hapticSettings(bench, bounds.axis(), stylus, request))
         , loop_(step_, bench.embedded.workpiece, request.undoable, stop_)
         , faults_(stylus.device(), servo_.period, flightsOf(project, request), loop_) {}
     ~LiveSession() override { static_cast<void>(end()); }
@@ -100,6 +113,7 @@ public:
     Result<void> undoStroke() override;
     Result<void> redoStroke() override;
     void setAllowance(double allowance) override;
+    Result<void> setLayer(std::size_t layer, bool on) override;
     Result<void> setGuides(const GuideSettings& guides) override;
     void stepGuides(int levels) override { loop_.stepGuides(levels); }
     void setWorkspace(const WorkspaceSettings& workspace) override { loop_.setWorkspace(workspace); }
@@ -127,6 +141,8 @@ private:
     const StylusHandle stylus_;
     StrokeHistory& strokes_;
     double allowance_;
+    const std::size_t layerCount_;
+    std::uint64_t layersOn_; ///< wished, by bit
     const ServoSettings servo_;
     std::atomic<bool> stop_{false}, ended_{false};
     HapticStep step_;
@@ -265,6 +281,16 @@ void LiveSession::setAllowance(double allowance) {
     loop_.setAllowance(allowance);
 }
 
+Result<void> LiveSession::setLayer(std::size_t layer, bool on) {
+    if (layer == 0 || layer >= layerCount_)
+        return Error{ErrorCode::argumentInvalid, "layer", std::to_string(layer),
+                     layerCount_ > 1 ? "1 to " + std::to_string(layerCount_ - 1) : "none: the part alone is there"};
+    const std::uint64_t bit = std::uint64_t{1} << layer;
+    layersOn_ = on ? layersOn_ | bit : layersOn_ & ~bit;
+    loop_.setLayers(layersOn_);
+    return {};
+}
+
 Result<void> LiveSession::setGuides(const GuideSettings& guides) {
     if (Result<void> good = checkGuides(guides); !good) return good;
     loop_.setGuides(guides);
@@ -297,6 +323,8 @@ bool LiveSession::newest(SessionState& state) {
     state.shankPiece = news.shank.piece;
     state.shankTouches = news.shank.property;
     state.guides = news.guides;
+    for (std::size_t i = 0; i < layerCount_; ++i)
+        state.layers.push_back({news.layers.state(i), news.layers.holds(i), news.layers.ticksHeld[i]});
     state.workspaceScale = news.workspaceScale;
     state.clutched = news.clutched;
     return true;
@@ -366,11 +394,11 @@ Result<LoopStatistics> LiveSession::end() {
 
 MillingSession::~MillingSession() = default;
 
-Result<std::unique_ptr<MillingSession>> MillingSession::begin(Project& project, Bench& bench,
-                                                              const ClearanceField& field, const StylusHandle& stylus,
-                                                              StrokeHistory& strokes, const SessionRequest& request) {
+Result<std::unique_ptr<MillingSession>> MillingSession::begin(Project& project, Bench& bench, const ToolBounds& bounds,
+                                                              const StylusHandle& stylus, StrokeHistory& strokes,
+                                                              const SessionRequest& request) {
     if (Result<void> opened = stylus.device().open(); !opened) return std::move(opened).error();
-    auto session = std::make_unique<LiveSession>(project, bench, field, stylus, strokes, request);
+    auto session = std::make_unique<LiveSession>(project, bench, bounds, stylus, strokes, request);
     if (Result<void> started = session->start(request); !started) return std::move(started).error();
     return std::unique_ptr<MillingSession>(std::move(session));
 }

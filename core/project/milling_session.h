@@ -7,6 +7,7 @@
 #include "core/haptics/servo_loop.h"
 #include "core/haptics/workspace.h"
 #include "core/project/bench.h"
+#include "core/project/bench_boundaries.h"
 #include "core/project/stroke_history.h"
 #include "core/recording/sample.h"
 
@@ -19,6 +20,13 @@
 #include <vector>
 
 namespace burin {
+
+/// What became of a layer that bounds the tool, for whoever shows it.
+struct LayerNews {
+    BoundaryLayers::State state = BoundaryLayers::State::off;
+    bool holds = false;          ///< it holds the tool back just now
+    std::uint64_t ticksHeld = 0; ///< ticks of the take in which it held the tool
+};
 
 /// What there is to see of a session: its newest tick, and figures over the last second.
 struct SessionState {
@@ -40,8 +48,9 @@ struct SessionState {
     std::uint8_t shankPiece = 0; ///< place in pieces(cutter) of what touches; meaningful with sampleShankContact
     PropertyIndex shankTouches = airProperty; ///< what it touches
     std::array<GuideNews, GuideSettings::capacity> guides{};
-    double workspaceScale = 1.0; ///< mm of setup per mm of device
-    bool clutched = false;       ///< the hand moves, the tool stays
+    std::vector<LayerNews> layers; ///< by the number that ToolBounds::layers gives
+    double workspaceScale = 1.0;   ///< mm of setup per mm of device
+    bool clutched = false;         ///< the hand moves, the tool stays
 };
 
 /// A workpiece at a moment, for drawing.
@@ -75,9 +84,11 @@ struct SessionRequest {
 /// what replaying the takes gives.
 class MillingSession {
 public:
-    /// Opens the stylus and starts the loop. Project, bench, field, stylus and strokes outlive the session.
+    /// Opens the stylus and starts the loop. Project, bench, stylus and strokes outlive the session, and so does what
+    /// the bounds were made from.
+    /// @param bounds of the bench's tool; the tool's axis is theirs. A ClearanceField will do: the part alone, +Z.
     /// Errors: those of StylusDevice::open and TraceRecorder::begin; with `takeName` also those of startRecording.
-    static Result<std::unique_ptr<MillingSession>> begin(Project& project, Bench& bench, const ClearanceField& field,
+    static Result<std::unique_ptr<MillingSession>> begin(Project& project, Bench& bench, const ToolBounds& bounds,
                                                          const StylusHandle& stylus, StrokeHistory& strokes,
                                                          const SessionRequest& request);
     virtual ~MillingSession(); ///< as `end`, its outcome unheard
@@ -98,6 +109,11 @@ public:
     virtual Result<void> redoStroke() = 0;
     /// Without a kick. @param allowance mm, >= 0
     virtual void setAllowance(double allowance) = 0;
+
+    /// Switches a fixture, a keep-out volume or the machine's travel, from the next tick on and without a kick: one
+    /// that the tool is inside of waits until the tool is clear. @param layer its number in ToolBounds::layers Errors:
+    /// argumentInvalid (there is no such layer, or it is the part, which always holds).
+    virtual Result<void> setLayer(std::size_t layer, bool on) = 0;
 
     /// From the next tick on, without a kick. Their curves outlive the session. Errors: those of checkGuides.
     virtual Result<void> setGuides(const GuideSettings& guides) = 0;

@@ -3,8 +3,12 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/haptics/axis_mode.h"
+#include "core/machine/envelope.h"
 #include "core/path/edit.h"
+#include "core/project/kept_guides.h"
 #include "core/recording/sample.h"
+#include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
 
 #include <filesystem>
@@ -69,8 +73,8 @@ public:
     Result<void> save();
     /// Saves under another name and goes on there; the file that it had stays as it was last saved. What stands at the
     /// new name is replaced, if it is a project that nobody has open. Afterwards `readOnly` is false.
-    /// Errors: as `save`, projectInUse, projectNotBurin, argumentInvalid (a take is being recorded); nothing has changed
-    /// then.
+    /// Errors: as `save`, projectInUse, projectNotBurin, argumentInvalid (a take is being recorded); nothing has
+    /// changed then.
     Result<void> saveAs(const std::filesystem::path& file);
     /// What was not saved is no longer wanted: the working copy goes with this object, whatever is still changed in it,
     /// and the next `open` finds the file as it was saved. Needs no room on the disk.
@@ -87,6 +91,19 @@ public:
     Result<std::vector<Property>> materials() const;
     Result<void> setTool(const Tool& tool); ///< replaces the one of the same id
     Result<std::vector<Tool>> tools() const;
+    /// What stands around the stock; the list replaces the one before. Errors: also those of checkObstacle.
+    Result<void> setObstacles(const std::vector<Obstacle>& obstacles);
+    Result<std::vector<Obstacle>> obstacles() const;
+    /// How the tool's axis is held from now on; takes keep the axis of each sample. +Z where nothing was stored.
+    /// Errors: also argumentInvalid (a direction that is not of unit length).
+    Result<void> setAxisMode(const AxisMode& axis);
+    Result<AxisMode> axisMode() const;
+    /// Where the machine's travel lies; by the rule of travelEnvelope where nothing was stored.
+    Result<void> setTravelPlacement(const TravelPlacement& placement);
+    Result<TravelPlacement> travelPlacement() const;
+    /// The guides of the hand; they replace the ones before. Errors: also those of checkGuide.
+    Result<void> setGuides(const KeptGuides& guides);
+    Result<KeptGuides> guides() const;
 
     Result<std::vector<TakeInfo>> takes() const;
     /// Errors: nameUnknown, projectIncomplete (there is no recording at all).

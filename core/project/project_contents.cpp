@@ -26,6 +26,34 @@ Result<std::vector<Tool>> Project::tools() const {
     return impl_->read(loadTools);
 }
 
+Result<void> Project::setObstacles(const std::vector<Obstacle>& obstacles) {
+    return impl_->change([&](Database& database) { return storeObstacles(database, obstacles); });
+}
+Result<std::vector<Obstacle>> Project::obstacles() const {
+    return impl_->read(loadObstacles);
+}
+
+Result<void> Project::setAxisMode(const AxisMode& axis) {
+    return impl_->change([&](Database& database) { return storeAxisMode(database, axis); });
+}
+Result<AxisMode> Project::axisMode() const {
+    return impl_->read(loadAxisMode);
+}
+
+Result<void> Project::setTravelPlacement(const TravelPlacement& placement) {
+    return impl_->change([&](Database& database) { return storeTravelPlacement(database, placement); });
+}
+Result<TravelPlacement> Project::travelPlacement() const {
+    return impl_->read(loadTravelPlacement);
+}
+
+Result<void> Project::setGuides(const KeptGuides& guides) {
+    return impl_->change([&](Database& database) { return storeGuides(database, guides); });
+}
+Result<KeptGuides> Project::guides() const {
+    return impl_->read(loadGuides);
+}
+
 Result<std::int64_t> Project::addPath(const StoredPath& path) {
     return impl_->change([&](Database& database) { return storePath(database, path); });
 }

@@ -99,6 +99,20 @@ CREATE TABLE undone_stretch(
     UNIQUE(take, first));
 )sql";
 
+constexpr const char* surroundings = R"sql(
+CREATE TABLE obstacle(
+    position INTEGER PRIMARY KEY,
+    json TEXT NOT NULL,
+    mesh BLOB);
+CREATE TABLE guide(
+    position INTEGER PRIMARY KEY,
+    json TEXT NOT NULL,
+    curve BLOB);
+CREATE TABLE milling_setting(
+    name TEXT PRIMARY KEY,
+    json TEXT NOT NULL);
+)sql";
+
 Result<void> setVersion(Database& file, int version) {
     return file.execute(("PRAGMA user_version = " + std::to_string(version)).c_str());
 }
@@ -111,13 +125,17 @@ Result<void> createSchema(Database& file) {
     const std::string identity = "PRAGMA application_id = " + std::to_string(projectApplicationId);
     if (Result<void> done = file.execute(identity.c_str()); !done) return done;
     if (Result<void> done = setVersion(file, projectVersion); !done) return done;
-    for (const char* part : {tables, undoneStretch})
+    for (const char* part : {tables, undoneStretch, surroundings})
         if (Result<void> done = file.execute(part); !done) return done;
     return whole->commit();
 }
 
 Result<void> addUndoneStretches(Database& file) {
     return file.execute(undoneStretch);
+}
+
+Result<void> addSurroundings(Database& file) {
+    return file.execute(surroundings);
 }
 
 Result<void> checkIdentity(Database& file, int newest) {

@@ -22,8 +22,10 @@ struct Migration {
 
 /// In order; the first starts from version 1. Every released version has its witness in tests/fixtures/projects.
 Result<void> addUndoneStretches(Database& file); // schema.cpp
+Result<void> addSurroundings(Database& file);
 inline constexpr std::array projectMigrations{
     Migration{1, BURIN_TEXT("Migration", "Strokes of a recording can be taken back."), addUndoneStretches},
+    Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool's axis and guides are kept."), addSurroundings},
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 

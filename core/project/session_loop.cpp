@@ -41,6 +41,7 @@ void SessionLoop::fulfil() noexcept {
 void SessionLoop::begin() noexcept {
     recording_ = wished_;
     recorded_ = 0;
+    layers_.ticksHeld = {};
     step_.beginTake();
     step_.releaseSpindle(true);
 }
@@ -53,6 +54,9 @@ void SessionLoop::takeSettings() noexcept {
     if (guides_.take(guides)) step_.setGuides(guides);
     WorkspaceSettings workspace;
     if (workspaces_.take(workspace)) step_.setWorkspace(workspace);
+    std::uint64_t on = 0;
+    if (layersOn_.take(on)) // the part's layer always holds
+        for (std::size_t i = 1; i < step_.layers().size(); ++i) step_.switchLayer(i, LayersNews::has(on, i));
     if (levels_.load(std::memory_order_relaxed) != 0) step_.stepGuides(levels_.exchange(0, std::memory_order_relaxed));
 }
 
@@ -84,12 +88,27 @@ void SessionLoop::tick(const Sample& sample, const TickTiming& timing) noexcept 
         ++recorded_;
     }
     rate_.add(units, timing.period);
+    noteLayers();
     if (figures_.add(timing)) figuresOut_.post(figures_.newest());
     TickNews news{sample, timing, ++ticks_, recording_.take, rate_.unitsPerSecond(), cutting, step_.shankContact()};
     for (std::size_t i = 0; i < news.guides.size(); ++i) news.guides[i] = step_.guides().news(i);
     news.workspaceScale = step_.workspace().mapping().scale;
     news.clutched = step_.workspace().clutched();
+    news.layers = layers_;
     news_.post(news);
+}
+
+void SessionLoop::noteLayers() noexcept {
+    using State = BoundaryLayers::State;
+    layers_.on = layers_.force = 0;
+    layers_.held = step_.heldBy();
+    for (std::size_t i = 0; i < step_.layers().size(); ++i) {
+        const std::uint64_t bit = std::uint64_t{1} << i;
+        const State state = step_.layers().state(i);
+        if (state != State::off) layers_.on |= bit;
+        if (state == State::inForce) layers_.force |= bit;
+        if (recording() && LayersNews::has(layers_.held, i)) ++layers_.ticksHeld[i];
+    }
 }
 
 void SessionLoop::follow(const Sample& sample, bool cutting) noexcept {

@@ -14,6 +14,21 @@
 
 namespace burin {
 
+/// The layers that bound the tool, by bit of their number.
+struct LayersNews {
+    std::uint64_t on = 0;                                        ///< in force, or waiting
+    std::uint64_t force = 0;                                     ///< in force
+    std::uint64_t held = 0;                                      ///< held the tool in this tick
+    std::array<std::uint64_t, ToolBounds::capacity> ticksHeld{}; ///< of the take
+
+    static bool has(std::uint64_t bits, std::size_t layer) noexcept { return (bits >> layer & 1) != 0; }
+    bool holds(std::size_t layer) const noexcept { return has(held, layer); }
+    BoundaryLayers::State state(std::size_t layer) const noexcept {
+        using State = BoundaryLayers::State;
+        return has(force, layer) ? State::inForce : has(on, layer) ? State::waiting : State::off;
+    }
+};
+
 /// What the loop tells of its newest tick.
 struct TickNews {
     Sample sample;
@@ -26,6 +41,7 @@ struct TickNews {
     std::array<GuideNews, GuideSettings::capacity> guides{};
     double workspaceScale = 1.0; ///< mm of setup per mm of device
     bool clutched = false;
+    LayersNews layers{};
 };
 
 /// The loop's side of a session: follows takes and strokes from tick to tick, and does at a tick's edge what its owner
@@ -55,6 +71,7 @@ public:
     void setAllowance(double allowance) noexcept { allowances_.post(allowance); }
     void setGuides(const GuideSettings& guides) noexcept { guides_.post(guides); }
     void setWorkspace(const WorkspaceSettings& workspace) noexcept { workspaces_.post(workspace); }
+    void setLayers(std::uint64_t on) noexcept { layersOn_.post(on); } ///< by bit of their number
     void stepGuides(int levels) noexcept { levels_.fetch_add(levels, std::memory_order_relaxed); }
     void resumeCutting() noexcept { resume_.store(true, std::memory_order_release); }
     bool strokeUnderWay() const noexcept { return strokeOpen_.load(std::memory_order_acquire); }
@@ -81,6 +98,7 @@ private:
     void giveView();
     WorkpieceView view();
     void follow(const Sample& sample, bool cutting) noexcept;
+    void noteLayers() noexcept;
 
     static constexpr std::size_t sampleCapacity = 16384; ///< seconds of ticks that the disk may keep us waiting for
     static constexpr std::size_t traceCapacity = 65536;
@@ -96,6 +114,7 @@ private:
     Mailbox<double> allowances_;
     Mailbox<GuideSettings> guides_;
     Mailbox<WorkspaceSettings> workspaces_;
+    Mailbox<std::uint64_t> layersOn_;
     std::atomic<int> levels_{0}; ///< to step, upwards
 
     Ring<Sample> samples_{sampleCapacity};
@@ -117,6 +136,7 @@ private:
     std::int64_t oldestCut_ = 0; ///< ns; 0: none
     std::uint64_t ticks_ = 0;
     RemovalRate rate_;
+    LayersNews layers_;
     LoopFigures figures_;
 };
 

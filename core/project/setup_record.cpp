@@ -3,9 +3,9 @@
 #include "core/project/setup_record.h"
 
 #include "core/geometry/pose.h"
+#include "core/project/json_vector.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace burin {
@@ -13,14 +13,6 @@ namespace burin {
 namespace {
 
 using nlohmann::json;
-
-json jsonOf(const glm::dvec3& vector) {
-    return json::array({vector.x, vector.y, vector.z});
-}
-
-glm::dvec3 vectorOf(const json& value) {
-    return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
-}
 
 /// Key of the first number that JSON can't write; empty when there is none.
 const char* notFinite(const Setup& setup) {

@@ -24,6 +24,16 @@ Result<std::vector<Property>> loadMaterials(Database& database);
 Result<void> storeTool(Database& database, const Tool& tool);
 Result<std::vector<Tool>> loadTools(Database& database);
 
+// surroundings_store.cpp
+Result<void> storeObstacles(Database& database, const std::vector<Obstacle>& obstacles); ///< those of checkObstacle
+Result<std::vector<Obstacle>> loadObstacles(Database& database);
+Result<void> storeAxisMode(Database& database, const AxisMode& axis); ///< argumentInvalid: no unit length
+Result<AxisMode> loadAxisMode(Database& database);
+Result<void> storeTravelPlacement(Database& database, const TravelPlacement& placement); ///< argumentInvalid
+Result<TravelPlacement> loadTravelPlacement(Database& database);
+Result<void> storeGuides(Database& database, const KeptGuides& kept); ///< those of checkGuide, argumentInvalid
+Result<KeptGuides> loadGuides(Database& database);
+
 // take_store.cpp
 Result<std::int64_t> storeTake(Database& database, const TakeInfo& info);
 Result<std::vector<TakeInfo>> loadTakes(Database& database);

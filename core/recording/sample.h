@@ -15,7 +15,7 @@ namespace burin {
 
 enum SampleFlag : std::uint32_t {
     sampleShankContact = 1u << 0,  ///< shank or holder touched something: brake and alarm
-    sampleOnBoundary = 1u << 1,    ///< the part (with its allowance) held the proxy back
+    sampleOnBoundary = 1u << 1,    ///< the part (with its allowance) or another bound held the proxy back
     sampleForceSaturated = 1u << 2,///< the rendered force was limited by the device's figure
     sampleStylusInvalid = 1u << 3, ///< the device gave no valid reading: zero force
     sampleForcesOff = 1u << 4,     ///< ramp-in or start inside the part: no force yet
@@ -23,6 +23,7 @@ enum SampleFlag : std::uint32_t {
     sampleSpindleOff = 1u << 6,    ///< the tool only moved: nothing was cut, stock did not hold it; never part of a path
     sampleOnGuide = 1u << 7,       ///< a guide held the hand, or turned the tool's axis
     sampleAxisHeld = 1u << 8,      ///< the axis does not follow the stylus: there is no room, and no torque to feel it
+    sampleOnObstacle = 1u << 9,    ///< a fixture, a keep-out volume or the machine's travel held the proxy back: alarm
     sampleForceLate = 1u << 10,    ///< the force came too late for its reading: zero was sent instead
 };
 

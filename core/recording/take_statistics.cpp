@@ -35,6 +35,8 @@ void addRemoval(TakeStatistics& statistics, const Sample& sample) {
 void addFlags(TakeStatistics& statistics, std::uint32_t flags) {
     const auto count = [flags](SampleFlag flag) { return (flags & flag) != 0 ? std::uint64_t{1} : std::uint64_t{0}; };
     statistics.onBoundary += count(sampleOnBoundary);
+    statistics.onObstacle += count(sampleOnObstacle);
+    statistics.axisHeld += count(sampleAxisHeld);
     statistics.shankContact += count(sampleShankContact);
     statistics.forceSaturated += count(sampleForceSaturated);
     statistics.stylusInvalid += count(sampleStylusInvalid);

@@ -22,7 +22,9 @@ struct TakeStatistics {
     double reportedRemoval = 0.0;      ///< mm³
     std::map<std::uint8_t, std::uint64_t> removedUnits; ///< by property: run units, exact
     std::uint64_t cutting = 0;                          ///< samples that removed something
-    std::uint64_t onBoundary = 0;                       ///< samples held back by the part
+    std::uint64_t onBoundary = 0;                       ///< samples held back by the part or another bound
+    std::uint64_t onObstacle = 0; ///< by a fixture, a keep-out volume or the machine's travel
+    std::uint64_t axisHeld = 0;   ///< samples whose axis could not follow the hand
     std::uint64_t shankContact = 0;
     std::uint64_t forceSaturated = 0;
     std::uint64_t stylusInvalid = 0;

@@ -3,6 +3,7 @@
 #include "core/setup/obstacle.h"
 
 #include "core/base/units.h"
+#include "core/geometry/pose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,121 @@ TriangleMesh meshOf(const TriangleMesh& mesh) {
     return mesh;
 }
 
+Box boundsOf(const Box& box) {
+    return box;
+}
+
+Box boundsOf(const CylinderShape& cylinder) {
+    Box box;
+    for (const glm::dvec3& centre : {cylinder.base, cylinder.base + cylinder.height * cylinder.axis}) {
+        glm::dvec3 reach(0.0); // of a circle square to the axis
+        for (int axis = 0; axis < 3; ++axis)
+            reach[axis] = cylinder.radius * std::sqrt(std::max(0.0, 1.0 - cylinder.axis[axis] * cylinder.axis[axis]));
+        box.include(centre - reach);
+        box.include(centre + reach);
+    }
+    return box;
+}
+
+Box boundsOf(const TriangleMesh& mesh) {
+    return boundingBox(mesh);
+}
+
+bool same(const Box& one, const Box& other) {
+    return one.low == other.low && one.high == other.high;
+}
+
+bool same(const CylinderShape& one, const CylinderShape& other) {
+    return one.base == other.base && one.axis == other.axis && one.radius == other.radius && one.height == other.height;
+}
+
+bool same(const TriangleMesh& one, const TriangleMesh& other) {
+    return one.vertices == other.vertices && one.triangles == other.triangles;
+}
+
+/// What is wrong with a shape, and what is allowed instead.
+struct ShapeFault {
+    const char* what = nullptr; ///< null: nothing
+    const char* allowed = nullptr;
+};
+
+ShapeFault faultOf(const Box& box) {
+    const glm::dvec3 size = box.size();
+    if (isFinite(box.low) && isFinite(box.high) && size.x > 0.0 && size.y > 0.0 && size.z > 0.0) return {};
+    return {"box", "two finite corners, each coordinate of the second above the first's"};
+}
+
+ShapeFault faultOf(const CylinderShape& cylinder) {
+    if (!isFinite(cylinder.base)) return {"base", "a finite place"};
+    if (!(std::abs(glm::length(cylinder.axis) - 1.0) < 1e-6)) return {"axis", "a direction of unit length"};
+    if (!(std::isfinite(cylinder.radius) && cylinder.radius > 0.0)) return {"radius", "a finite length above 0 mm"};
+    if (!(std::isfinite(cylinder.height) && cylinder.height > 0.0)) return {"height", "a finite length above 0 mm"};
+    return {};
+}
+
+ShapeFault faultOf(const TriangleMesh& mesh) {
+    const auto inRange = [&](std::uint32_t corner) { return corner < mesh.vertices.size(); };
+    if (mesh.empty() || !std::ranges::all_of(mesh.triangles, [&](const auto& triangle) {
+            return std::ranges::all_of(triangle, inRange);
+        }))
+        return {"mesh", "triangles between vertices that are there"};
+    if (!std::ranges::all_of(mesh.vertices, [](const glm::dvec3& place) { return isFinite(place); }))
+        return {"mesh", "vertices with finite coordinates"};
+    return {};
+}
+
+std::string openEdges(std::size_t count) {
+    return std::to_string(count) + " open edges";
+}
+
 } // namespace
+
+bool operator==(const Obstacle& one, const Obstacle& other) {
+    if (one.name != other.name || one.margin != other.margin || one.on != other.on || one.kind != other.kind ||
+        one.shape.index() != other.shape.index())
+        return false;
+    return std::visit(
+        [&](const auto& shape) { return same(shape, std::get<std::decay_t<decltype(shape)>>(other.shape)); },
+        one.shape);
+}
+
+Result<void> checkObstacle(const Obstacle& obstacle) {
+    if (!(std::isfinite(obstacle.margin) && obstacle.margin >= 0.0))
+        return Error{ErrorCode::argumentInvalid, obstacle.name, "margin", "a finite length of 0 mm or more"};
+    const ShapeFault fault = std::visit([](const auto& shape) { return faultOf(shape); }, obstacle.shape);
+    if (fault.what != nullptr) return Error{ErrorCode::argumentInvalid, obstacle.name, fault.what, fault.allowed};
+    if (const auto* mesh = std::get_if<TriangleMesh>(&obstacle.shape)) {
+        const TriangleMesh welded = weldIdenticalVertices(*mesh);
+        if (const std::size_t open = countOpenEdges(welded); open > 0)
+            return Error{ErrorCode::modelNotWatertight, obstacle.name, openEdges(open), {}};
+        if (!(signedVolume(welded) > 0.0))
+            return Error{ErrorCode::modelNotWatertight, obstacle.name, "its triangles face inwards", {}};
+    }
+    return {};
+}
+
+Box boundsOf(const Obstacle& obstacle) {
+    return std::visit([](const auto& shape) { return boundsOf(shape); }, obstacle.shape);
+}
+
+Result<std::vector<Obstacle>> fixturesOf(const Model& model, const std::string& name, double margin) {
+    if (model.bodies.empty()) return Error{ErrorCode::modelHasNoSolid, model.sourceFile, "no body", {}};
+    std::vector<Obstacle> fixtures;
+    for (const Body& body : model.bodies) {
+        TriangleMesh mesh = weldIdenticalVertices(body.mesh);
+        if (const std::size_t open = countOpenEdges(mesh); open > 0)
+            return Error{ErrorCode::modelNotWatertight, model.sourceFile, body.name + ": " + openEdges(open), {}};
+        if (signedVolume(mesh) < 0.0)
+            for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+        Obstacle fixture;
+        fixture.name = model.bodies.size() == 1 ? name : name + ": " + body.name;
+        fixture.shape = std::move(mesh);
+        fixture.margin = margin;
+        if (Result<void> usable = checkObstacle(fixture); !usable) return std::move(usable).error();
+        fixtures.push_back(std::move(fixture));
+    }
+    return fixtures;
+}
 
 TriangleMesh meshOf(const Obstacle& obstacle) {
     return std::visit([](const auto& shape) { return meshOf(shape); }, obstacle.shape);

@@ -161,6 +161,65 @@ Tool tool() {
     return result;
 }
 
+std::vector<Obstacle> obstacles() {
+    Obstacle jaw, column, above;
+    jaw.name = "Schraubstock: \"Backe\"";
+    jaw.shape = boxMesh({-30.0, -1.0 / 3.0, -0.1}, {10.0, 20.0, 30.0});
+    jaw.margin = 0.1;
+    column.name = "column";
+    column.shape = CylinderShape{{1.0 / 7.0, 2.0, 3.0}, glm::normalize(glm::dvec3(1.0, 2.0, 3.0)), 4.5, 1e-3};
+    above.name = "名";
+    above.shape = Box{{-0.1, -0.2, 50.0}, {0.3, 0.4, 60.0}};
+    above.margin = 1.0;
+    above.on = false;
+    above.kind = ObstacleKind::keepOut;
+    return {jaw, column, above};
+}
+
+AxisMode axisMode() {
+    return {false, glm::normalize(glm::dvec3(0.1, -0.2, 0.9))};
+}
+
+TravelPlacement travelPlacement() {
+    return {true, glm::dvec3(250.0, 200.1, 1.0 / 3.0)};
+}
+
+KeptGuides guides() {
+    KeptGuides kept;
+    kept.stepButton = 4;
+    const auto curve = std::make_shared<const GuideCurve>(
+        *GuideCurve::make({{0.0, 0.1, 0.2}, {1.0, 1.0 / 3.0, 0.2}, {2.0, 0.0, -1e-9}},
+                          {{1.0, 0.0, 0.0}, {1.0, 0.1, 0.0}, {0.0, 1.0, 1.0}}));
+    kept.curves = {curve};
+    for (const GuideKind kind : {GuideKind::plane, GuideKind::levels, GuideKind::line, GuideKind::curve,
+                                 GuideKind::surface, GuideKind::stepOver, GuideKind::axis}) {
+        Guide guide;
+        guide.kind = kind;
+        guide.on = kind != GuideKind::line;
+        guide.point = {0.1, 0.2, 0.3};
+        guide.direction = glm::normalize(glm::dvec3(1.0, 1.0, 3.0));
+        guide.distance = 0.7;
+        guide.lead = 0.1;
+        guide.tilt = -0.2;
+        guide.onSurface = kind == GuideKind::axis;
+        if (kind == GuideKind::curve) guide.curve = curve.get();
+        kept.guides.push_back(guide);
+    }
+    return kept;
+}
+
+bool identical(const KeptGuides& one, const KeptGuides& other) {
+    constexpr double rounding = 1e-15; // of a tangent that is made to unit length again
+    const auto near = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) <= rounding; };
+    const auto sameGuide = [&](Guide a, Guide b) {
+        const GuideCurve *first = std::exchange(a.curve, nullptr), *second = std::exchange(b.curve, nullptr);
+        if (!(a == b) || (first == nullptr) != (second == nullptr)) return false;
+        return first == nullptr || (std::ranges::equal(first->points(), second->points()) &&
+                                    std::ranges::equal(first->tangents(), second->tangents(), near));
+    };
+    return one.stepButton == other.stepButton && std::ranges::equal(one.guides, other.guides, sameGuide);
+}
+
 bool identical(const Sample& one, const Sample& other) {
     bool removed = true;
     for (std::size_t i = 0; i < one.removed.size(); ++i)

@@ -19,11 +19,17 @@ Model model();
 Setup setup();
 std::vector<Property> materials();
 Tool tool();
+/// A fixture as a mesh, another as a cylinder, and a space to be kept clear that is off.
+std::vector<Obstacle> obstacles();
+AxisMode axisMode();
+TravelPlacement travelPlacement();
+/// One of each kind.
+KeptGuides guides();
 
 /// A saved project with one of everything, and whether a project holds just that (whole_project.cpp).
 bool fillProject(const std::filesystem::path& file);
 /// @param version that wrote it: an old one knew less
-bool holdsFixture(const Project& project, int version = 2);
+bool holdsFixture(const Project& project, int version = 3);
 /// What `fillProject` takes back of its first take, since version 2.
 inline constexpr SampleRange undoneInFixture{100, 50};
 
@@ -31,5 +37,7 @@ inline constexpr SampleRange undoneInFixture{100, 50};
 bool identical(const Sample& one, const Sample& other);
 bool identical(const std::vector<Sample>& one, const std::vector<Sample>& other);
 bool identical(const Model& one, const Model& other);
+/// Guides by what they are and where their curves lead; tangents to the last digit but one.
+bool identical(const KeptGuides& one, const KeptGuides& other);
 
 } // namespace burin::fixture

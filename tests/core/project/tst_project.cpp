@@ -51,6 +51,7 @@ private slots:
         QTest::addColumn<int>("version");
         QTest::newRow("first") << 1;
         QTest::newRow("with strokes that were taken back") << 2;
+        QTest::newRow("with fixtures, a chosen axis and guides") << 3;
     }
     void aProjectOfEachVersionOpens() {
         QFETCH(int, version);
@@ -62,8 +63,10 @@ private slots:
         QVERIFY(fixture::holdsFixture(*project, version));
         // And takes what only today's version knows.
         const std::int64_t take = project->takes()->front().id;
-        QVERIFY(project->undoStretch(take, {200, 10}) && project->save());
+        QVERIFY(project->undoStretch(take, {200, 10}) && project->setObstacles(fixture::obstacles()) &&
+                project->save());
         QCOMPARE(project->take(take)->undone.back(), (SampleRange{200, 10}));
+        QVERIFY(*project->obstacles() == fixture::obstacles());
     }
 
     /// What is taken back stays in the file, is told, and comes again.
@@ -104,6 +107,25 @@ private slots:
         QCOMPARE(project->undoStretch(99, {0, 1}).error().code, ErrorCode::nameUnknown);
         QCOMPARE(project->redoStretch(id, {100, 49}).error().code, ErrorCode::argumentInvalid);
         QCOMPARE(project->redoStretch(99, {100, 50}).error().code, ErrorCode::argumentInvalid);
+        QVERIFY(fixture::holdsFixture(*project) && !*project->unsaved());
+    }
+
+    void obstaclesThatCantBeAreRefusedAndNothingChanges() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        Result<Project> project = Project::open(fileIn(folder));
+        std::vector<Obstacle> wrong = fixture::obstacles();
+        wrong.back().shape = Box{{0.0, 0.0, 0.0}, {1.0, 0.0, 1.0}};
+        QCOMPARE(project->setObstacles(wrong).error().code, ErrorCode::argumentInvalid);
+        wrong = fixture::obstacles();
+        std::get<TriangleMesh>(wrong.front().shape).triangles.pop_back();
+        const Result<void> open = project->setObstacles(wrong);
+        QCOMPARE(open.error().code, ErrorCode::modelNotWatertight);
+        QCOMPARE(open.error().subject, wrong.front().name);
+        QCOMPARE(project->setAxisMode({false, {0.0, 0.0, 2.0}}).error().code, ErrorCode::argumentInvalid);
+        KeptGuides guides = fixture::guides();
+        guides.guides.front().lead = std::numeric_limits<double>::infinity(); // a plane has no use for it
+        QCOMPARE(project->setGuides(guides).error().code, ErrorCode::argumentInvalid);
         QVERIFY(fixture::holdsFixture(*project) && !*project->unsaved());
     }
 

@@ -44,6 +44,25 @@ bool same(const Setup& one, const Setup& other) {
            one.stock.low == other.stock.low && one.stock.high == other.stock.high && one.workOffset == other.workOffset;
 }
 
+/// What stands around the setup and leads the hand, since version 3.
+bool holdsSurroundings(const Project& project, int version) {
+    const Result<std::vector<Obstacle>> stored = project.obstacles();
+    const Result<AxisMode> axis = project.axisMode();
+    const Result<TravelPlacement> travel = project.travelPlacement();
+    const Result<KeptGuides> kept = project.guides();
+    if (!stored || !axis || !travel || !kept) return false;
+    if (version < 3)
+        return stored->empty() && !axis->free && axis->direction == glm::dvec3(0.0, 0.0, 1.0) &&
+               *travel == TravelPlacement{} && identical(*kept, KeptGuides{});
+    return *stored == obstacles() && axis->free == axisMode().free && axis->direction == axisMode().direction &&
+           *travel == travelPlacement() && identical(*kept, guides());
+}
+
+bool storeSurroundings(Project& project) {
+    return project.setObstacles(obstacles()) && project.setAxisMode(axisMode()) &&
+           project.setTravelPlacement(travelPlacement()) && project.setGuides(guides());
+}
+
 bool holdsTakes(const Project& project, int version) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes || takes->size() != 2) return false;
@@ -73,7 +92,7 @@ bool holdsResources(const Project& project) {
 bool fillProject(const std::filesystem::path& file) {
     Result<Project> project = Project::create(file);
     if (!project || !project->setModel(model()) || !project->setSetup(setup()) || !project->setMaterials(materials()) ||
-        !project->setTool(tool()))
+        !project->setTool(tool()) || !storeSurroundings(*project))
         return false;
     Result<Project::TakeWriter> writer = project->beginTake(takeInfo("Schruppen"));
     for (std::size_t first = 0; first < 500; first += 50)
@@ -89,9 +108,9 @@ bool holdsFixture(const Project& project, int version) {
     if (!storedModel || !identical(*storedModel, model()) || !storedSetup || !same(*storedSetup, setup())) return false;
     const Result<std::vector<StoredPath>> paths = project.paths();
     const Result<std::vector<StoredProgram>> programs = project.programs();
-    return holdsTakes(project, version) && holdsResources(project) && paths && paths->size() == 1 &&
-           same(paths->front(), path({project.takes()->front().id})) && programs && programs->size() == 1 &&
-           same(programs->front(), program());
+    return holdsTakes(project, version) && holdsResources(project) && holdsSurroundings(project, version) && paths &&
+           paths->size() == 1 && same(paths->front(), path({project.takes()->front().id})) && programs &&
+           programs->size() == 1 && same(programs->front(), program());
 }
 
 } // namespace burin::fixture

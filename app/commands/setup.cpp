@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.h"
+#include "app/surroundings.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace burin {
+
+namespace {
+
+struct SetupArguments {
+    std::string project;
+    SurroundingsArguments around;
+    std::vector<std::string> remove, switchOn, switchOff;
+    double stlUnit = 1.0;
+
+    bool changes() const {
+        return !(around.fixtures.empty() && around.keepOuts.empty() && around.axis.empty() && around.travel.empty() &&
+                 remove.empty() && switchOn.empty() && switchOff.empty());
+    }
+};
+
+/// What a project says of what stands around its stock, and how its tool is held.
+struct Around {
+    std::vector<Obstacle> obstacles;
+    AxisMode axis;
+    TravelPlacement travel;
+};
+
+Result<Around> aroundOf(const Project& project) {
+    Result<std::vector<Obstacle>> obstacles = project.obstacles();
+    if (!obstacles) return std::move(obstacles).error();
+    const Result<AxisMode> axis = project.axisMode();
+    if (!axis) return axis.error();
+    const Result<TravelPlacement> travel = project.travelPlacement();
+    if (!travel) return travel.error();
+    return Around{std::move(*obstacles), *axis, *travel};
+}
+
+/// Errors: nameUnknown.
+Result<std::vector<Obstacle>::iterator> named(std::vector<Obstacle>& obstacles, const std::string& name) {
+    const auto found = std::ranges::find(obstacles, name, &Obstacle::name);
+    if (found != obstacles.end()) return found;
+    std::string known;
+    for (const Obstacle& obstacle : obstacles) known += (known.empty() ? "" : ", ") + obstacle.name;
+    return Error{ErrorCode::nameUnknown, "obstacle", name, known};
+}
+
+Result<void> changeObstacles(std::vector<Obstacle>& obstacles, const SetupArguments& arguments, Progress& progress) {
+    for (const std::string& name : arguments.remove) {
+        const auto found = named(obstacles, name);
+        if (!found) return found.error();
+        obstacles.erase(*found);
+    }
+    for (const bool on : {true, false})
+        for (const std::string& name : on ? arguments.switchOn : arguments.switchOff) {
+            const auto found = named(obstacles, name);
+            if (!found) return found.error();
+            (*found)->on = on;
+        }
+    Result<std::vector<Obstacle>> added = obstaclesOf(arguments.around, arguments.stlUnit, progress);
+    if (!added) return std::move(added).error();
+    obstacles = joined(std::move(obstacles), std::move(*added));
+    return {};
+}
+
+/// What is wrong with the arguments is found before anything is kept.
+Result<void> change(Project& project, Around& around, const SetupArguments& arguments, Progress& progress) {
+    if (Result<void> done = changeObstacles(around.obstacles, arguments, progress); !done) return done;
+    if (!arguments.around.axis.empty()) {
+        const Result<AxisMode> axis = axisModeOf(arguments.around.axis);
+        if (!axis) return axis.error();
+        around.axis = *axis;
+    }
+    if (!arguments.around.travel.empty()) {
+        const Result<TravelPlacement> travel = travelPlacementOf(arguments.around.travel);
+        if (!travel) return travel.error();
+        around.travel = *travel;
+    }
+    for (const Result<void>& step : {project.setObstacles(around.obstacles), project.setAxisMode(around.axis),
+                                     project.setTravelPlacement(around.travel), project.save()})
+        if (!step) return step;
+    return {};
+}
+
+int runSetup(const SetupArguments& arguments, CommandContext& context) {
+    context.stage("Opening");
+    Result<Project> project = Project::open(arguments.project);
+    if (!project) return context.fail(project.error());
+    Result<Around> around = aroundOf(*project);
+    if (!around) return context.fail(around.error());
+    if (arguments.changes()) {
+        context.stage("Reading fixtures");
+        if (const Result<void> done = change(*project, *around, arguments, context.progress()); !done)
+            return context.fail(done.error());
+    }
+    std::string text = "axis     " + textOf(around->axis);
+    for (const Obstacle& obstacle : around->obstacles) text += "\n" + textOf(obstacle);
+    context.answer({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
+                    {"axis", jsonOf(around->axis)},
+                    {"machine_travel", jsonOf(around->travel)},
+                    {"obstacles", jsonOf(around->obstacles)}},
+                   text);
+    return 0;
+}
+
+} // namespace
+
+void registerSetup(CLI::App& program, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<SetupArguments>();
+    CLI::App* command =
+        program.add_subcommand("setup", "Fixtures, keep-out volumes, tool axis and travel of a project; shows them");
+    command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
+    addSurroundings(*command, arguments->around);
+    const auto addNames = [&](const char* option, std::vector<std::string>& names, const char* help) {
+        command->add_option(option, names, help)->allow_extra_args(false);
+    };
+    addNames("--remove", arguments->remove, "Takes a fixture or keep-out volume away, by its name; may be repeated");
+    addNames("--switch-off", arguments->switchOff, "It stays in the project, but holds nothing; may be repeated");
+    addNames("--switch-on", arguments->switchOn, "It holds the tool again; may be repeated");
+    command->add_option("--stl-unit", arguments->stlUnit, "Millimetres per unit of an STL file")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->capture_default_str();
+    addJsonFlag(*command, context);
+    command->callback([arguments, &context, &status] { status = runSetup(*arguments, context); });
+}
+
+} // namespace burin

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/surroundings.h"
+
+#include "app/report.h"
+#include "core/base/numbers.h"
+#include "core/cad/import.h"
+#include "core/geometry/pose.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace burin {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr glm::dvec3 upright(0.0, 0.0, 1.0);
+
+/// Numbers with commas between them; nothing where it is not just so many.
+std::optional<std::vector<double>> numbersOf(const std::string& text, std::size_t count) {
+    std::vector<double> numbers;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        const std::optional<double> number = parseNumber(std::string_view(text).substr(start, end - start));
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+        start = end + 1;
+    }
+    if (numbers.size() != count) return std::nullopt;
+    return numbers;
+}
+
+std::optional<glm::dvec3> vectorOf(const std::string& text) {
+    const std::optional<std::vector<double>> numbers = numbersOf(text, 3);
+    if (!numbers) return std::nullopt;
+    return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+Result<Obstacle> keepOutOf(const std::string& text, double clearance) {
+    const Error wrong{ErrorCode::argumentInvalid, "--keep-out", text,
+                      "X0,Y0,Z0,X1,Y1,Z1 in mm, each of the last three above its counterpart"};
+    const std::optional<std::vector<double>> numbers = numbersOf(text, 6);
+    if (!numbers) return wrong;
+    Obstacle space;
+    space.name = "keep-out";
+    space.kind = ObstacleKind::keepOut;
+    space.margin = clearance;
+    space.shape = Box{{(*numbers)[0], (*numbers)[1], (*numbers)[2]}, {(*numbers)[3], (*numbers)[4], (*numbers)[5]}};
+    if (!checkObstacle(space)) return wrong;
+    return space;
+}
+
+const char* shapeName(const Obstacle& obstacle) {
+    if (std::holds_alternative<Box>(obstacle.shape)) return "box";
+    return std::holds_alternative<CylinderShape>(obstacle.shape) ? "cylinder" : "mesh";
+}
+
+const char* kindName(ObstacleKind kind) {
+    return kind == ObstacleKind::fixture ? "fixture" : "keep-out";
+}
+
+const char* kindName(BoundLayer::Kind kind) {
+    switch (kind) {
+    case BoundLayer::Kind::part:
+        return "part";
+    case BoundLayer::Kind::fixture:
+        return "fixture";
+    case BoundLayer::Kind::keepOut:
+        return "keep-out";
+    case BoundLayer::Kind::machineTravel:
+        return "machine travel";
+    }
+    return "";
+}
+
+std::string textOf(const glm::dvec3& vector) {
+    return formatShortest(vector.x) + ", " + formatShortest(vector.y) + ", " + formatShortest(vector.z);
+}
+
+} // namespace
+
+void addAxis(CLI::App& command, std::string& axis) {
+    command.add_option("--axis", axis,
+                       "Tool axis: fixed (+Z), X,Y,Z towards the holder (3+2), or free (it follows the stylus)");
+}
+
+void addSurroundings(CLI::App& command, SurroundingsArguments& arguments) {
+    command
+        .add_option("--fixture", arguments.fixtures,
+                    "Model of a fixture in the part's frame (STEP, IGES, BREP, STL); may be repeated")
+        ->allow_extra_args(false);
+    command
+        .add_option("--keep-out", arguments.keepOuts,
+                    "Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the part's frame, mm; may be repeated")
+        ->allow_extra_args(false);
+    command.add_option("--clearance", arguments.clearance, "That the tool keeps from what is added, mm")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+    addAxis(command, arguments.axis);
+    command.add_option("--travel", arguments.travel,
+                       "Where program zero stands in the machine's travel: X,Y,Z from its low end for the tip, mm; "
+                       "middle (of X and Y, Z up to the tool change height); or off");
+}
+
+Result<std::vector<Obstacle>> obstaclesOf(const SurroundingsArguments& arguments, double stlUnit, Progress& progress) {
+    std::vector<Obstacle> obstacles;
+    ImportOptions options;
+    options.stlUnit = stlUnit;
+    for (const std::string& file : arguments.fixtures) {
+        const Result<Model> model = importModel(file, options, progress);
+        if (!model) return model.error();
+        Result<std::vector<Obstacle>> fixtures =
+            fixturesOf(*model, std::filesystem::path(file).stem().string(), arguments.clearance);
+        if (!fixtures) return std::move(fixtures).error();
+        obstacles = joined(std::move(obstacles), std::move(*fixtures));
+    }
+    for (const std::string& text : arguments.keepOuts) {
+        Result<Obstacle> space = keepOutOf(text, arguments.clearance);
+        if (!space) return std::move(space).error();
+        obstacles = joined(std::move(obstacles), {std::move(*space)});
+    }
+    return obstacles;
+}
+
+Result<AxisMode> axisModeOf(const std::string& axis) {
+    if (axis == "fixed") return AxisMode{};
+    if (axis == "free") return AxisMode{true, upright};
+    const std::optional<glm::dvec3> direction = vectorOf(axis);
+    const double length = direction ? glm::length(*direction) : 0.0;
+    if (!(std::isfinite(length) && length > 1e-9))
+        return Error{ErrorCode::argumentInvalid, "--axis", axis, "fixed, free, or X,Y,Z that are not all zero"};
+    return AxisMode{false, *direction / length};
+}
+
+Result<TravelPlacement> travelPlacementOf(const std::string& travel) {
+    if (travel == "middle") return TravelPlacement{};
+    if (travel == "off") return TravelPlacement{false, std::nullopt};
+    const std::optional<glm::dvec3> zero = vectorOf(travel);
+    if (!zero) return Error{ErrorCode::argumentInvalid, "--travel", travel, "middle, off, or X,Y,Z in mm"};
+    return TravelPlacement{true, zero};
+}
+
+std::vector<Obstacle> joined(std::vector<Obstacle> kept, std::vector<Obstacle> added) {
+    for (Obstacle& obstacle : added) {
+        const std::string name = obstacle.name;
+        const auto taken = [&] {
+            return std::ranges::any_of(kept, [&](const Obstacle& other) { return other.name == obstacle.name; });
+        };
+        for (int number = 2; taken(); ++number) obstacle.name = name + " " + std::to_string(number);
+        kept.push_back(std::move(obstacle));
+    }
+    return kept;
+}
+
+json jsonOf(const AxisMode& axis) {
+    const bool fixed = !axis.free && axis.direction == upright;
+    return {{"mode", axis.free ? "free"
+                     : fixed   ? "fixed"
+                               : "chosen"},
+            {"direction", axis.free ? json(nullptr) : jsonOf(axis.direction)}};
+}
+
+json jsonOf(const Obstacle& obstacle) {
+    return {{"name", obstacle.name},           {"kind", kindName(obstacle.kind)},
+            {"shape", shapeName(obstacle)},    {"bounding_box_mm", jsonOf(boundsOf(obstacle))},
+            {"clearance_mm", obstacle.margin}, {"on", obstacle.on}};
+}
+
+json jsonOf(const std::vector<Obstacle>& obstacles) {
+    json list = json::array();
+    for (const Obstacle& obstacle : obstacles) list.push_back(jsonOf(obstacle));
+    return list;
+}
+
+json jsonOf(const TravelPlacement& placement) {
+    return {{"on", placement.on}, {"zero_mm", placement.zero ? jsonOf(*placement.zero) : json(nullptr)}};
+}
+
+json jsonOf(const std::vector<BoundLayer>& layers) {
+    json list = json::array();
+    for (const BoundLayer& layer : layers)
+        list.push_back(
+            {{"layer", list.size()}, {"kind", kindName(layer.kind)}, {"name", layer.name}, {"on", layer.on}});
+    return list;
+}
+
+std::string textOf(const AxisMode& axis) {
+    if (axis.free) return "free, with the stylus";
+    return axis.direction == upright ? "fixed, +Z" : "chosen, " + textOf(axis.direction);
+}
+
+std::string textOf(const Obstacle& obstacle) {
+    const Box box = boundsOf(obstacle);
+    return std::string(kindName(obstacle.kind)) + " \"" + obstacle.name + "\": " + shapeName(obstacle) + " from (" +
+           textOf(box.low) + ") to (" + textOf(box.high) + ") mm, clearance " + formatShortest(obstacle.margin) +
+           " mm" + (obstacle.on ? "" : ", off");
+}
+
+std::string textOf(const BoundLayer& layer) {
+    switch (layer.kind) {
+    case BoundLayer::Kind::part:
+        return "the part";
+    case BoundLayer::Kind::machineTravel:
+        return "the machine's travel";
+    case BoundLayer::Kind::fixture:
+    case BoundLayer::Kind::keepOut:
+        break;
+    }
+    return std::string(kindName(layer.kind)) + " \"" + layer.name + "\"";
+}
+
+} // namespace burin

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/project/bench_boundaries.h"
+#include "core/project/project.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace burin {
+
+/// What the command line says of what stands around a setup and of the tool's axis, as it was written.
+struct SurroundingsArguments {
+    std::vector<std::string> fixtures, keepOuts;
+    double clearance = 1.0; ///< mm
+    std::string axis, travel;
+};
+
+/// Declares --fixture, --keep-out, --clearance, --axis and --travel.
+void addSurroundings(CLI::App& command, SurroundingsArguments& arguments);
+/// Declares --axis alone.
+void addAxis(CLI::App& command, std::string& axis);
+
+/// The fixtures, read in child processes, then the keep-out volumes.
+/// @param stlUnit mm per unit of an STL file. Errors: those of importModel and fixturesOf, argumentInvalid.
+Result<std::vector<Obstacle>> obstaclesOf(const SurroundingsArguments& arguments, double stlUnit, Progress& progress);
+/// "fixed", "free" or "X,Y,Z"; a direction of any length. Errors: argumentInvalid.
+Result<AxisMode> axisModeOf(const std::string& axis);
+/// "middle", "off" or "X,Y,Z". Errors: argumentInvalid.
+Result<TravelPlacement> travelPlacementOf(const std::string& travel);
+
+/// Names that `kept` has already get numbers; then both. So each obstacle can be told from the others.
+std::vector<Obstacle> joined(std::vector<Obstacle> kept, std::vector<Obstacle> added);
+
+/// {"mode": "fixed" | "chosen" | "free", "direction"}
+nlohmann::json jsonOf(const AxisMode& axis);
+nlohmann::json jsonOf(const Obstacle& obstacle);
+nlohmann::json jsonOf(const std::vector<Obstacle>& obstacles);
+nlohmann::json jsonOf(const TravelPlacement& placement);
+/// {"layer", "kind", "name", "on"}, by number.
+nlohmann::json jsonOf(const std::vector<BoundLayer>& layers);
+
+/// The same for people, a line each.
+std::string textOf(const AxisMode& axis);
+std::string textOf(const Obstacle& obstacle);
+/// "fixture vise", "the part", "the machine's travel"
+std::string textOf(const BoundLayer& layer);
+
+} // namespace burin

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/stores.h"
+#include "core/project/surroundings_record.h"
+
+#include "core/geometry/pose.h"
+
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// Rows of `milling_setting`.
+constexpr std::string_view axisMode = "axis_mode", travelPlacement = "travel", guideButton = "guide_step_button";
+
+std::optional<BlobView> unlessEmpty(const std::string& blob) {
+    return blob.empty() ? std::nullopt : std::optional(BlobView{blob});
+}
+
+Result<void> storeSetting(Database& database, std::string_view name, const std::string& json) {
+    return run(database,
+               "INSERT INTO milling_setting VALUES(?, ?) ON CONFLICT(name) DO UPDATE SET json = excluded.json", name,
+               json);
+}
+
+/// Nothing where it was never stored.
+Result<std::optional<std::string>> loadSetting(Database& database, std::string_view name) {
+    Result<Statement> row = Statement::prepare(database, "SELECT json FROM milling_setting WHERE name = ?");
+    if (!row) return std::move(row).error();
+    if (Result<void> bound = row->bind(name); !bound) return std::move(bound).error();
+    const Result<bool> found = row->step();
+    if (!found) return found.error();
+    if (!*found) return std::optional<std::string>();
+    return std::optional(std::string(row->text(0)));
+}
+
+/// @param read what the JSON says; nothing: damaged
+template <class Value, class Read>
+Result<Value> loadSettingAs(Database& database, std::string_view name, Read read) {
+    const Result<std::optional<std::string>> text = loadSetting(database, name);
+    if (!text) return text.error();
+    if (!*text) return Value{};
+    std::optional<Value> value = read(**text);
+    if (!value) return damaged(database, std::string(name));
+    return std::move(*value);
+}
+
+/// Those too that its kind has no use for.
+bool allFinite(const Guide& guide) {
+    return isFinite(guide.point) && isFinite(guide.direction) && std::isfinite(guide.distance) &&
+           std::isfinite(guide.lead) && std::isfinite(guide.tilt);
+}
+
+std::optional<std::uint32_t> buttonFromJson(const std::string& text) {
+    std::uint32_t button = 0;
+    for (const char digit : text) {
+        if (digit < '0' || digit > '9') return std::nullopt;
+        button = 10 * button + static_cast<std::uint32_t>(digit - '0');
+    }
+    return button;
+}
+
+} // namespace
+
+Result<void> storeObstacles(Database& database, const std::vector<Obstacle>& obstacles) {
+    if (Result<void> done = database.execute("DELETE FROM obstacle"); !done) return done;
+    std::int64_t position = 0;
+    for (const Obstacle& obstacle : obstacles) {
+        if (Result<void> usable = checkObstacle(obstacle); !usable) return usable;
+        const RecordWithBlob record = recordOf(obstacle);
+        if (Result<void> done = run(database, "INSERT INTO obstacle VALUES(?, ?, ?)", position++, record.json,
+                                    unlessEmpty(record.blob));
+            !done)
+            return done;
+    }
+    return {};
+}
+
+Result<std::vector<Obstacle>> loadObstacles(Database& database) {
+    Result<Statement> rows = Statement::prepare(database, "SELECT json, mesh FROM obstacle ORDER BY position");
+    if (!rows) return std::move(rows).error();
+    std::vector<Obstacle> obstacles;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        std::optional<Obstacle> obstacle = obstacleFrom(rows->text(0), rows->blob(1));
+        if (!obstacle) return damaged(database, "obstacle " + std::to_string(obstacles.size() + 1));
+        obstacles.push_back(std::move(*obstacle));
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    return obstacles;
+}
+
+Result<void> storeAxisMode(Database& database, const AxisMode& axis) {
+    if (!(std::abs(glm::length(axis.direction) - 1.0) < 1e-6))
+        return Error{ErrorCode::argumentInvalid, "axis", {}, "a vector of unit length"};
+    return storeSetting(database, axisMode, toJson(axis));
+}
+
+Result<AxisMode> loadAxisMode(Database& database) {
+    return loadSettingAs<AxisMode>(database, axisMode, axisModeFromJson);
+}
+
+Result<void> storeTravelPlacement(Database& database, const TravelPlacement& placement) {
+    if (placement.zero && !isFinite(*placement.zero))
+        return Error{ErrorCode::argumentInvalid, "travel", {}, "finite lengths"};
+    return storeSetting(database, travelPlacement, toJson(placement));
+}
+
+Result<TravelPlacement> loadTravelPlacement(Database& database) {
+    return loadSettingAs<TravelPlacement>(database, travelPlacement, travelPlacementFromJson);
+}
+
+Result<void> storeGuides(Database& database, const KeptGuides& kept) {
+    if (kept.guides.size() > GuideSettings::capacity)
+        return Error{ErrorCode::argumentInvalid, "guides", std::to_string(kept.guides.size()),
+                     "0 to " + std::to_string(GuideSettings::capacity)};
+    if (Result<void> done = database.execute("DELETE FROM guide"); !done) return done;
+    std::int64_t position = 0;
+    for (const Guide& guide : kept.guides) {
+        if (Result<void> usable = checkGuide(guide); !usable) return usable;
+        if (!allFinite(guide)) return Error{ErrorCode::argumentInvalid, "guide", {}, "finite numbers"};
+        const RecordWithBlob record = recordOf(guide);
+        if (Result<void> done =
+                run(database, "INSERT INTO guide VALUES(?, ?, ?)", position++, record.json, unlessEmpty(record.blob));
+            !done)
+            return done;
+    }
+    return storeSetting(database, guideButton, std::to_string(kept.stepButton));
+}
+
+Result<KeptGuides> loadGuides(Database& database) {
+    Result<Statement> rows = Statement::prepare(database, "SELECT json, curve FROM guide ORDER BY position");
+    if (!rows) return std::move(rows).error();
+    KeptGuides kept;
+    Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
+        std::optional<GuideCurve> curve;
+        std::optional<Guide> guide = guideFrom(rows->text(0), rows->blob(1), curve);
+        if (!guide) return damaged(database, "guide " + std::to_string(kept.guides.size() + 1));
+        if (curve) {
+            kept.curves.push_back(std::make_shared<const GuideCurve>(std::move(*curve)));
+            guide->curve = kept.curves.back().get();
+        }
+        kept.guides.push_back(*guide);
+        return {};
+    });
+    if (!read) return std::move(read).error();
+    const Result<std::uint32_t> button = loadSettingAs<std::uint32_t>(database, guideButton, buttonFromJson);
+    if (!button) return button.error();
+    kept.stepButton = *button;
+    return kept;
+}
+
+} // namespace burin
