@@ -170,9 +170,10 @@ private slots:
             all.guides.push_back(example(kind).guides[0]);
         for (int round = 0; round < 12; ++round) {
             viewport_->setGuides({});
+            viewport_->grabFramebuffer();
             paint(without);
             viewport_->setGuides(all);
-            paint(with); // shapes are made anew
+            viewport_->grabFramebuffer(); // shapes are made anew
             paint(with);
         }
         std::ranges::sort(without);

@@ -22,6 +22,9 @@ void ActionStates::update() {
     enable(ActionId::saveAs, bench.document.isOpen());
     enable(ActionId::exportProgram, bench.program.exportable());
     enable(ActionId::embed, bench.setup.usable() && !bench.setup.locked() && !bench.bench.embedding());
+    enable(ActionId::addFixtureFile,
+           bench.setup.hasPart() && !bench.surroundings.locked() && !bench.surroundings.importing());
+    enable(ActionId::axisOfView, bench.setup.hasPart() && !bench.surroundings.locked());
     enable(ActionId::millMode, bench.bench.ready() && !showing);
     enable(ActionId::record, bench.bench.ready() && !showing);
     enable(ActionId::showMe, bench.setup.usable() && !showing && !bench.mill.active());

@@ -39,6 +39,8 @@ enum class ActionId : std::size_t {
     nextStep,
     previousStep,
     embed,
+    addFixtureFile,
+    axisOfView,
     millMode,
     record,
     showMe,

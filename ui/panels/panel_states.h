@@ -7,6 +7,7 @@
 #include "core/haptics/tick_sink.h"
 #include "core/path/edit.h"
 #include "core/project/project.h"
+#include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
@@ -36,6 +37,30 @@ struct StockState {
     bool locked = false;               ///< there are recordings: stock and material stay as they are
     bool busy = false;
     QString problem; ///< why this stock can't be embedded, a sentence; empty: it can
+};
+
+/// What becomes of a bound while the tool is in hand.
+enum class BoundNews {
+    none,  ///< nothing is to be told
+    waits, ///< the tool is inside of it: it holds as soon as that is clear
+    holds  ///< it holds the tool back
+};
+
+struct ObstacleRow {
+    std::shared_ptr<const Obstacle> obstacle; ///< never null; whether it is on says `on`
+    bool on = true;
+    BoundNews news = BoundNews::none;
+};
+
+struct SurroundingsState {
+    bool hasPart = false;
+    std::vector<ObstacleRow> obstacles;
+    bool travelOn = true; ///< the machine's travel bounds the tool
+    BoundNews travel = BoundNews::none;
+    AxisMode axis;
+    bool locked = false;  ///< a recording runs: shapes and axis stay
+    bool busy = false;    ///< a fixture is being read
+    glm::dvec3 zero{0.0}; ///< mm, of the program, in the setup frame
 };
 
 struct MaterialState {

@@ -32,7 +32,8 @@ Box boundsOf(vtkRenderer& renderer) {
 
 } // namespace
 
-Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces)
+Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
+             ObstacleActors::Shader obstacles)
     : part_(*bench_)
     , workpiece_(*bench_, std::move(workpieceReady))
     , tool_(*bench_)
@@ -41,6 +42,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , grid_(*bench_)
     , stock_(*bench_)
     , scaleBar_(*bench_)
+    , obstacles_(*bench_, *films_, std::move(obstacles))
     , guides_(*films_, *marks_, std::move(surfaces))
     , ghost_(*marks_)
     , force_(*marks_)
@@ -71,6 +73,7 @@ void Scene::setPalette(const Palette& palette) {
     grid_.setColour(palette.grid);
     stock_.setColour(palette.quietText);
     scaleBar_.setPalette(palette);
+    obstacles_.setPalette(palette);
     guides_.setPalette(palette);
     ghost_.setPalette(palette);
     force_.setPalette(palette);
@@ -127,10 +130,16 @@ void Scene::setMarks(const ToolMarks& marks, bool flashLit) {
     force_.set(toolVisible_ ? marks.force : glm::dvec3(0.0), marks.proxy.tip);
 }
 
+void Scene::setObstacles(std::vector<ObstacleMark> marks) {
+    obstacles_.set(std::move(marks));
+    refresh();
+}
+
 Box Scene::contentBox() const {
     Box content = partBox_;
     if (stock_.box()) content.include(*stock_.box());
     if (!shown_.empty()) content.include(shown_.grid().box());
+    content.include(obstacles_.box());
     return content;
 }
 
@@ -155,6 +164,7 @@ void Scene::setLineWidths(double ratio) {
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
     ghost_.setLineWidth(boldLine * ratio);
+    obstacles_.setLineWidth(ratio);
     guides_.setLineWidth(thinLine * ratio);
     tool_.setLineWidth(pathLine * ratio);
     part_.setLineWidth(thinLine * ratio);
@@ -171,7 +181,7 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     force_.place(view, size, ratio);
     guides_.place(view, size, ratio);
     cube_.place(view, size, ratio);
-    films_->SetDraw(guides_.visible());
+    films_->SetDraw(guides_.visible() || obstacles_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible());
 
     const CameraAxes axes = axesOf(view);

@@ -81,7 +81,7 @@ GuideMark GuideScenePresenter::markOf(std::size_t place) {
 }
 
 void GuideScenePresenter::lean(GuideMark& mark) {
-    const auto& field = workbench_.bench.field();
+    const std::shared_ptr<const ClearanceField> field = workbench_.bench.field();
     if (!field) return;
     const ToolPose& tool = workbench_.session.state().sample.proxy;
     mark.axis = leaning_(&mark.guide, *field, tool, tool.tip, framePeriod);

@@ -152,6 +152,14 @@ void MainWindow::connectActions() {
     on(ActionId::rateControl, [this](bool wanted) {
         workbench_.hand.setControl(wanted ? WorkspaceControl::rate : WorkspaceControl::position);
     });
+    on(ActionId::addFixtureFile, [this] { flow_.importFixture(); });
+    on(ActionId::axisOfView, [this] {
+        workbench_.surroundings.setAxis({false, -viewport_->sight(QRectF(viewport_->rect()).center()).rayDirection});
+    });
+    connect(&presenters_->surroundings, &SurroundingsPresenter::fixtureFileWanted, &flow_,
+            &DocumentFlow::importFixture);
+    connect(panels_->surroundings, &SurroundingsPanel::axisOfViewRequested, actions_[ActionId::axisOfView],
+            &QAction::trigger);
     connect(panels_->hand, &HandPanel::alignmentRequested, actions_[ActionId::alignHand], &QAction::trigger);
     on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
     on(ActionId::evaluatePath, [this] { workbench_.path.evaluate(); });

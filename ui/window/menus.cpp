@@ -42,8 +42,9 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar) {
             {fit, line, viewIsometric, viewTop, viewBottom, viewFront, viewBack, viewLeft, viewRight, line,
              showWorkpiece, showPart, showTool, showPath, showGuides, line, nextStep, previousStep});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
-            {embed, line, millMode, record, line, guides, nearestEdge, levelAbove, levelBelow, line, clutch, recentre,
-             alignHand, finerHand, coarserHand, rateControl, line, showMe, stopShow});
+            {embed,     addFixtureFile, axisOfView,  line,        millMode, record, line,
+             guides,    nearestEdge,    levelAbove,  levelBelow,  line,     clutch, recentre,
+             alignHand, finerHand,      coarserHand, rateControl, line,     showMe, stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath});
     addMenu(bar, tr("P&rogram"), "programMenu", actions, {post, exportProgram});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, about});

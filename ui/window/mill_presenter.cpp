@@ -82,15 +82,17 @@ QString MillPresenter::missing() const {
     if (!workbench_.setup.hasPart()) return tr("Import a part first.");
     if (bench.embedding()) return tr("The part is being embedded.");
     if (!bench.embedded()) return tr("Embed the part in its stock first.");
-    if (!bench.field()) return tr("The boundary for the tool is being computed.");
+    if (!bench.bounds()) return tr("The boundary for the tool is being computed.");
     return {};
 }
 
 QString MillPresenter::hint() {
     const MillController& mill = workbench_.mill;
-    if (!mill.active()) return hint_ = {};
+    const auto& bounds = workbench_.bench.bounds();
+    if (!mill.active() || !bounds) return hint_ = {};
     const StylusDescription* stylus = mill.device() ? &*mill.device() : nullptr;
-    const QString now = hintSentence(workbench_.session.state(), stylus, workbench_.hand.settings().forceButton);
+    const QString now =
+        hintSentence(workbench_.session.state(), *bounds, stylus, workbench_.hand.settings().forceButton);
     if (now.isEmpty() && !hint_.isEmpty() && hintSince_.elapsed() < hintStays) return hint_;
     if (!now.isEmpty()) hintSince_.start();
     return hint_ = now;

@@ -42,11 +42,13 @@ PanelStack::PanelStack(QWidget* parent)
     : QFrame(parent)
     , part(new PartPanel)
     , stock(new StockPanel)
+    , surroundings(new SurroundingsPanel)
     , material(new MaterialPanel)
     , tool(new ToolPanel)
     , allowance(new AllowancePanel)
     , mill(new MillPanel)
     , guides(new GuidePanel)
+    , bounds(new BoundsPanel)
     , hand(new HandPanel)
     , path(new PathPanel)
     , program(new ProgramPanel)
@@ -56,11 +58,11 @@ PanelStack::PanelStack(QWidget* parent)
     setFixedWidth(stackWidth);
     stack_->setObjectName(QStringLiteral("panelPages"));
     const std::array<std::pair<QWidget*, const char*>, 8> panels{{{part, "partPage"},
-                                                                  {stock, "stockPage"},
+                                                                  {stacked({stock, surroundings}), "stockPage"},
                                                                   {material, "materialPage"},
                                                                   {tool, "toolPage"},
                                                                   {allowance, "allowancePage"},
-                                                                  {stacked({mill, guides, hand}), "millPage"},
+                                                                  {stacked({mill, guides, bounds, hand}), "millPage"},
                                                                   {path, "pathPage"},
                                                                   {program, "programPage"}}};
     for (const auto& [panel, name] : panels) stack_->addWidget(scrolling(panel, name));

@@ -15,6 +15,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , tool(workbench, *stage.panels.tool, this)
     , allowance(workbench, *stage.panels.allowance, this)
     , mill(workbench, millMode, *stage.panels.mill, this)
+    , surroundings(workbench, *stage.panels.surroundings, *stage.panels.bounds, stage.viewport, this)
     , guides(workbench, *stage.panels.guides, this)
     , hand(workbench, *stage.panels.hand, this)
     , path(workbench, *stage.panels.path, this)
@@ -27,8 +28,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter :
-         std::initializer_list<Presenter*>{&part, &stock, &material, &tool, &allowance, &mill, &guides, &hand, &path,
-                                           &program, &meters, &status, &job, &scene, &guideScene})
+         std::initializer_list<Presenter*>{&part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides,
+                                           &hand, &path, &program, &meters, &status, &job, &scene, &guideScene})
         presenter->setUnit(unit);
 }
 

@@ -12,6 +12,7 @@
 #include "ui/window/scene_presenter.h"
 #include "ui/window/setup_presenters.h"
 #include "ui/window/status_presenter.h"
+#include "ui/window/surroundings_presenter.h"
 
 namespace burin {
 
@@ -37,6 +38,7 @@ public:
     ToolPresenter tool;
     AllowancePresenter allowance;
     MillPresenter mill;
+    SurroundingsPresenter surroundings;
     GuidePresenter guides;
     HandPresenter hand;
     PathPresenter path;

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace burin {
 
 namespace {
@@ -25,6 +27,18 @@ QString shankSentence(const SessionState& state, const Bench& bench) {
     return (shank ? MillTexts::tr("The shank touches %1.") : MillTexts::tr("The holder touches %1.")).arg(what);
 }
 
+/// Of the first bound but the part that holds the tool.
+QString boundSentence(const SessionState& state, const ToolBounds& bounds) {
+    if ((state.sample.flags & sampleOnObstacle) == 0) return {};
+    for (std::size_t i = 1; i < std::min(state.layers.size(), bounds.layers().size()); ++i) {
+        if (!state.layers[i].holds) continue;
+        const BoundLayer& layer = bounds.layers()[i];
+        if (layer.kind == BoundLayer::Kind::machineTravel) return MillTexts::tr("The machine's travel ends here.");
+        return MillTexts::tr("“%1” holds the tool.").arg(QString::fromStdString(layer.name));
+    }
+    return {};
+}
+
 } // namespace
 
 QString alarmSentence(const SessionState& state, const Bench& bench) {
@@ -35,9 +49,11 @@ QString alarmSentence(const SessionState& state, const Bench& bench) {
     return {};
 }
 
-QString hintSentence(const SessionState& state, const StylusDescription* stylus, int forceButton) {
-    if (stylus == nullptr) return {};
+QString hintSentence(const SessionState& state, const ToolBounds& bounds, const StylusDescription* stylus,
+                     int forceButton) {
     const std::uint32_t flags = state.sample.flags;
+    if (const QString holding = boundSentence(state, bounds); !holding.isEmpty()) return holding;
+    if (stylus == nullptr) return {};
     if ((flags & sampleStylusInvalid) != 0)
         return MillTexts::tr("The stylus gives no readings: the tool stands, and there is no force.");
     if ((flags & sampleAxisHeld) != 0)

@@ -12,9 +12,11 @@ namespace burin {
 
 /// What keeps the tool from cutting: "The shank touches Machinable wax."
 QString alarmSentence(const SessionState& state, const Bench& bench);
-/// What a hand wonders about while it holds a device: no readings, an axis that does not follow, no force, all of it.
-/// @param stylus of the device; null: the mouse, which none of this befalls. @param forceButton the dead man's, from 1;
-/// 0: there is none
-QString hintSentence(const SessionState& state, const StylusDescription* stylus, int forceButton);
+/// What a hand wonders about: a fixture that holds the tool, and, with a device, no readings, an axis that does not
+/// follow, no force, all of it.
+/// @param bounds of the session. @param stylus of the device; null: the mouse. @param forceButton the dead man's, from
+/// 1; 0: there is none
+QString hintSentence(const SessionState& state, const ToolBounds& bounds, const StylusDescription* stylus,
+                     int forceButton);
 
 } // namespace burin

@@ -120,9 +120,27 @@ void GuideController::set(const QString& title, std::vector<Guide> guides, int k
     desk_.undo.push(new ValueCommand<std::vector<Guide>>(title, kind, guides_, std::move(guides),
                                                          [this](const std::vector<Guide>& wanted) {
                                                              guides_ = wanted;
+                                                             keep();
                                                              apply();
                                                              emit changed();
                                                          }));
+}
+
+void GuideController::load(const KeptGuides& guides) {
+    guides_ = guides.guides;
+    keptStepButtons_ = guides.stepButton;
+    used_.insert(used_.end(), guides.curves.begin(), guides.curves.end());
+    apply();
+    emit changed();
+}
+
+void GuideController::keep() {
+    KeptGuides kept;
+    kept.guides = guides_;
+    kept.stepButton = keptStepButtons_;
+    for (const std::shared_ptr<const GuideCurve>& curve : used_)
+        if (std::ranges::find(guides_, curve.get(), &Guide::curve) != guides_.end()) kept.curves.push_back(curve);
+    store([kept](Project& project) { return project.setGuides(kept); });
 }
 
 void GuideController::setOn(bool on) {

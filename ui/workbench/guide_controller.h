@@ -9,13 +9,15 @@
 namespace burin {
 
 /// The guides of the hand. What changes in mill mode reaches the loop at its next tick. Guides are entries of the undo
-/// stack; they last as long as the window.
+/// stack and kept by the project.
 class GuideController final : public Controller {
     Q_OBJECT
 public:
     GuideController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
                     QObject* parent);
 
+    /// What a project holds.
+    void load(const KeptGuides& guides);
     const std::vector<Guide>& guides() const noexcept { return guides_; } ///< the earlier one stays
     bool on() const noexcept { return on_; }                              ///< all of them, or none
     bool full() const noexcept { return guides_.size() == GuideSettings::capacity; }
@@ -41,6 +43,7 @@ private:
     void addEdge();
     void set(const QString& title, std::vector<Guide> guides, int kind = -1);
     void apply();
+    void keep();
 
     BenchController& bench_;
     MillController& mill_;
@@ -50,7 +53,8 @@ private:
     std::shared_ptr<const Model> followed_; ///< whose edges are known
     Curves edges_;                          ///< of that
     Curves used_;                           ///< all that a loop or the undo stack may still know of
-    std::uint32_t stepButtons_ = 0;
+    std::uint32_t stepButtons_ = 0;         ///< of the device in hand
+    std::uint32_t keptStepButtons_ = 0;     ///< as the project has it
     bool on_ = true;
 };
 

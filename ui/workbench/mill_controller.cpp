@@ -84,7 +84,7 @@ void MillController::enterWithDevice() {
 void MillController::begin(AnyStylus stylus, SimulatedStylus* mouse, const SessionRequest& request) {
     SessionRequest wanted = request;
     wanted.allowance = allowance_;
-    session_.begin({bench_.bench(), bench_.field(), &bench_.strokes()}, std::move(stylus), wanted,
+    session_.begin({bench_.bench(), bench_.bounds(), &bench_.strokes()}, std::move(stylus), wanted,
                    [this, mouse](bool well) { begun(well, mouse); });
 }
 

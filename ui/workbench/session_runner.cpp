@@ -26,7 +26,7 @@ void SessionRunner::begin(const Place& place, AnyStylus stylus, const SessionReq
         }
         view_ = {place.bench->embedded.workpiece.snapshot(), std::nullopt};
         Result<std::unique_ptr<MillingSession>> session =
-            MillingSession::begin(*project, *place.bench, *place.field, *held, *place.strokes, request);
+            MillingSession::begin(*project, *place.bench, *place.bounds, *held, *place.strokes, request);
         if (!session) {
             emit failed(session.error());
             then(false);
@@ -101,6 +101,11 @@ void SessionRunner::redoStroke(Then then) {
 
 void SessionRunner::setAllowance(double millimetres) {
     if (session_) session_->setAllowance(millimetres);
+}
+
+void SessionRunner::setLayer(std::size_t layer, bool on) {
+    if (!session_) return;
+    if (const Result<void> set = session_->setLayer(layer, on); !set) emit failed(set.error());
 }
 
 Result<void> SessionRunner::setGuides(const GuideSettings& guides) {

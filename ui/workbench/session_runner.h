@@ -24,7 +24,7 @@ public:
     /// What is milled with, for as long as the session lasts.
     struct Place {
         std::shared_ptr<Bench> bench;
-        std::shared_ptr<const ClearanceField> field;
+        std::shared_ptr<const ToolBounds> bounds;
         StrokeHistory* strokes = nullptr;
     };
     void begin(const Place& place, AnyStylus stylus, const SessionRequest& request, Then then);
@@ -34,6 +34,7 @@ public:
     void undoStroke(Then then);
     void redoStroke(Then then);
     void setAllowance(double millimetres);
+    void setLayer(std::size_t layer, bool on); ///< MillingSession::setLayer
     Result<void> setGuides(const GuideSettings& guides);
     void stepGuides(int levels);
     void setWorkspace(const WorkspaceSettings& workspace);

@@ -42,8 +42,10 @@ enum ValueKind : int {
     voxelValue,
     marginValue,
     pathEditValue,
-    guideValue,      ///< and, with its place, of each guide
-    handValue = 1000 ///< and, with its number, of each device
+    guideValue, ///< and, with its place, of each guide
+    axisValue = 500,
+    obstacleValue = 1000, ///< and, with its place, of each obstacle
+    handValue = 2000      ///< and, with its number, of each device
 };
 
 } // namespace burin

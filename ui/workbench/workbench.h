@@ -11,6 +11,7 @@
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/show_me.h"
 #include "ui/workbench/stylus_controller.h"
+#include "ui/workbench/surroundings_controller.h"
 #include "ui/workbench/tool_controller.h"
 
 #include <QObject>
@@ -39,6 +40,7 @@ public:
     StylusController styluses; ///< outlives the session, whose stylus may be of one of its drivers
     SessionRunner session;
     MillController mill;
+    SurroundingsController surroundings;
     GuideController guides;
     HandController hand;
     ShowMe showMe;
