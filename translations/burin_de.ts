@@ -3173,8 +3173,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Um das Rohteil steht nichts. In das, was hier hinzukommt, dringt das Werkzeug nicht ein, und die Hand fühlt es.</translation>
     </message>
     <message>
-        <source>The machine&apos;s travel bounds the tool</source>
-        <translation>Der Verfahrweg der Maschine begrenzt das Werkzeug</translation>
+        <source>Machine&apos;s travel</source>
+        <translation>Verfahrweg der Maschine</translation>
     </message>
     <message>
         <source>What to add</source>

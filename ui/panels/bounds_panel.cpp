@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/bounds_panel.h"
 
+#include "ui/panels/named_switch.h"
 #include "ui/panels/obstacle_card.h"
 #include "ui/panels/panel_layout.h"
-
-#include <QCheckBox>
 
 namespace burin {
 
@@ -17,17 +16,12 @@ public:
     SurroundingsState state;
 
 private:
-    struct Row {
-        QCheckBox* box;
-        QLabel* news;
-    };
-    Row addRow(QVBoxLayout* column, const QString& name);
-    static void show(const Row& row, const QString& title, bool on, BoundNews news);
+    NamedSwitch* addSwitch(QVBoxLayout* column, const QString& name);
 
     BoundsPanel* panel_;
     QVBoxLayout *column_, *list_;
-    std::vector<Row> rows_;
-    Row travel_;
+    std::vector<NamedSwitch*> switches_;
+    NamedSwitch* travel_;
 };
 
 BoundsPanel::Fields::Fields(BoundsPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
@@ -35,52 +29,38 @@ BoundsPanel::Fields::Fields(BoundsPanel* panel) : QObject(panel), panel_(panel),
     list_ = new QVBoxLayout;
     list_->setSpacing(4);
     column_->addLayout(list_);
-    travel_ = addRow(column_, QStringLiteral("boundTravel"));
-    connect(travel_.box, &QCheckBox::clicked, panel, &BoundsPanel::travelSwitched);
+    travel_ = addSwitch(column_, QStringLiteral("boundTravel"));
+    connect(travel_, &NamedSwitch::switched, panel, &BoundsPanel::travelSwitched);
 }
 
-BoundsPanel::Fields::Row BoundsPanel::Fields::addRow(QVBoxLayout* column, const QString& name) {
-    auto* line = new QWidget(panel_);
-    auto* row = new QHBoxLayout(line);
-    row->setContentsMargins(0, 0, 0, 0);
-    Row made{new QCheckBox(line), new QLabel(line)};
-    made.box->setObjectName(name + QStringLiteral("Switch"));
-    made.box->setToolTip(
-        BoundsPanel::tr("Whether it keeps the tool out; one that the tool is inside of waits until it is clear"));
-    made.news->setObjectName(name + QStringLiteral("News"));
-    made.news->setProperty("look", "small");
-    row->addWidget(made.box, 1);
-    row->addWidget(made.news);
-    column->addWidget(line);
+NamedSwitch* BoundsPanel::Fields::addSwitch(QVBoxLayout* column, const QString& name) {
+    auto* made = new NamedSwitch(
+        name, BoundsPanel::tr("Whether it keeps the tool out; one that the tool is inside of waits until it is clear"),
+        panel_);
+    column->addWidget(made);
     return made;
 }
 
-void BoundsPanel::Fields::show(const Row& row, const QString& title, bool on, BoundNews news) {
-    if (row.box->text() != title) row.box->setText(title);
-    row.box->setChecked(on); // `clicked` is the user's alone
-    const QString text = boundNewsText(news);
-    if (row.news->text() != text) row.news->setText(text);
-}
-
 void BoundsPanel::Fields::refresh() {
-    while (rows_.size() > state.obstacles.size()) {
-        rows_.back().box->parentWidget()->hide();
-        rows_.back().box->parentWidget()->deleteLater();
-        rows_.pop_back();
+    while (switches_.size() > state.obstacles.size()) {
+        switches_.back()->hide();
+        switches_.back()->deleteLater();
+        switches_.pop_back();
     }
-    while (rows_.size() < state.obstacles.size()) {
-        const std::size_t place = rows_.size();
-        rows_.push_back(addRow(list_, QStringLiteral("bound%1").arg(place)));
-        connect(rows_.back().box, &QCheckBox::clicked, panel_,
+    while (switches_.size() < state.obstacles.size()) {
+        const std::size_t place = switches_.size();
+        switches_.push_back(addSwitch(list_, QStringLiteral("bound%1").arg(place)));
+        connect(switches_.back(), &NamedSwitch::switched, panel_,
                 [this, place](bool on) { emit panel_->obstacleSwitched(place, on); });
     }
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        show(rows_[i], QString::fromStdString(state.obstacles[i].obstacle->name), state.obstacles[i].on,
-             state.obstacles[i].news);
-    show(travel_, BoundsPanel::tr("Machine's travel"), state.travelOn, state.travel);
+    for (std::size_t i = 0; i < switches_.size(); ++i) {
+        const ObstacleRow& row = state.obstacles[i];
+        switches_[i]->show(QString::fromStdString(row.obstacle->name), row.on, boundNewsText(row.news));
+    }
+    travel_->show(BoundsPanel::tr("Machine's travel"), state.travelOn, boundNewsText(state.travel));
     const bool stands = !state.axis.free && state.axis.direction == glm::dvec3(0.0, 0.0, 1.0);
-    travel_.box->parentWidget()->setVisible(stands);
-    panel_->setVisible(stands || !rows_.empty());
+    travel_->setVisible(stands);
+    panel_->setVisible(stands || !switches_.empty());
 }
 
 BoundsPanel::BoundsPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {

@@ -7,10 +7,9 @@
 #include "ui/panels/field_row.h"
 #include "ui/panels/guide_words.h"
 #include "ui/panels/length_field.h"
+#include "ui/panels/named_switch.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/texts.h"
-
-#include <QCheckBox>
 
 #include <utility>
 
@@ -67,18 +66,12 @@ ObstacleCard::ObstacleCard(std::size_t place, const Obstacle& obstacle, QWidget*
 }
 
 void ObstacleCard::addHead() {
-    switch_ = new QCheckBox(QString::fromStdString(obstacle_.name), this);
-    switch_->setObjectName(name_ + QStringLiteral("Switch"));
-    switch_->setToolTip(tr("Whether it keeps the tool out"));
-    connect(switch_, &QCheckBox::clicked, this, &ObstacleCard::switched);
-    news_ = new QLabel(this);
-    news_->setObjectName(name_ + QStringLiteral("News"));
-    news_->setProperty("look", "small");
+    switch_ = new NamedSwitch(name_, tr("Whether it keeps the tool out"), this);
+    connect(switch_, &NamedSwitch::switched, this, &ObstacleCard::switched);
     remove_ = makeIconButton(QStringLiteral("remove"), tr("Remove it"), name_ + QStringLiteral("Remove"), this);
     connect(remove_, &QToolButton::clicked, this, &ObstacleCard::removalRequested);
     auto* head = new QHBoxLayout;
     head->addWidget(switch_, 1);
-    head->addWidget(news_);
     head->addWidget(remove_);
     static_cast<QVBoxLayout*>(layout())->addLayout(head);
 }
@@ -177,9 +170,7 @@ void ObstacleCard::addShape() {
 void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool locked) {
     obstacle_ = *row.obstacle;
     zero_ = zero;
-    switch_->setChecked(row.on); // `clicked` is the user's alone
-    const QString news = boundNewsText(row.news);
-    if (news_->text() != news) news_->setText(news);
+    switch_->show(title(), row.on, boundNewsText(row.news));
     kind_->setCurrentIndex(static_cast<int>(obstacle_.kind));
     for (const Field& field : fields_) {
         const double value = field.get(obstacle_);

@@ -9,14 +9,12 @@
 
 #include <functional>
 
-class QCheckBox;
-class QHBoxLayout;
-class QLabel;
 class QToolButton;
 
 namespace burin {
 
 class ChoiceBox;
+class NamedSwitch;
 class QuantityField;
 
 /// "holds the tool", and so on.
@@ -59,8 +57,7 @@ private:
     QString name_;
     Obstacle obstacle_;
     glm::dvec3 zero_{0.0};
-    QCheckBox* switch_ = nullptr;
-    QLabel* news_ = nullptr;
+    NamedSwitch* switch_ = nullptr;
     QToolButton* remove_ = nullptr;
     ChoiceBox* kind_ = nullptr;
     QWidget* figures_ = nullptr;

@@ -70,7 +70,7 @@ SurroundingsPanel::Fields::Fields(SurroundingsPanel* panel)
     list_ = new QVBoxLayout;
     list_->setSpacing(8);
     column_->addLayout(list_);
-    travel_ = new QCheckBox(SurroundingsPanel::tr("The machine's travel bounds the tool"), panel);
+    travel_ = new QCheckBox(SurroundingsPanel::tr("Machine's travel"), panel);
     travel_->setObjectName(QStringLiteral("travelSwitch"));
     column_->addWidget(travel_);
     connect(travel_, &QCheckBox::clicked, panel, &SurroundingsPanel::travelSwitched);

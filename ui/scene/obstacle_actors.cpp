@@ -6,6 +6,7 @@
 #include "ui/scene/actors.h"
 #include "ui/scene/film_actor.h"
 #include "ui/scene/shaded_polydata.h"
+#include "ui/theme/colour.h"
 
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double creaseAngle = 25.0 * pi / 180.0;
 constexpr double filmOpacity = 0.12, holdingFilmOpacity = 0.28, offOpacity = 0.45;
+constexpr double holdingShare = 0.35; // of red
 
 void setData(vtkActor& actor, vtkPolyData* data) {
     vtkPolyDataMapper::SafeDownCast(actor.GetMapper())->SetInputData(data);
@@ -97,10 +99,10 @@ void ObstacleActors::dress(const Drawn& drawn) const {
     const bool keepOut = obstacle->kind == ObstacleKind::keepOut;
     drawn.solid->SetVisibility(on && !keepOut);
     drawn.film->SetVisibility(on && keepOut);
-    setColour(*drawn.solid, holds ? palette_.force : palette_.holder);
+    setColour(*drawn.solid, holds ? mixed(palette_.holder, palette_.force, holdingShare) : palette_.holder);
     setColour(*drawn.film, palette_.force);
     drawn.film->GetProperty()->SetOpacity(holds ? holdingFilmOpacity : filmOpacity);
-    setColour(*drawn.edges, keepOut ? palette_.force : palette_.quietText);
+    setColour(*drawn.edges, keepOut || holds ? palette_.force : palette_.quietText);
     setBlended(*drawn.edges, on ? 1.0 : offOpacity);
     burin::setLineWidth(*drawn.edges, lineWidth_ * (holds ? boldLine : thinLine));
 }
