@@ -8,7 +8,6 @@
 #include "core/haptics/operator.h"
 #include "core/haptics/trace_stylus.h"
 #include "core/project/milling.h"
-#include "core/recording/trace_file.h"
 #include "ui/messages/messages.h"
 
 #include <CLI/CLI.hpp>
@@ -103,9 +102,20 @@ struct MillWork {
     Pace pace;
 };
 
+/// As the session was that left a trace, but for what this one is told otherwise.
+void playAgain(const SessionTrace& trace, const MillWork& work, TakeRequest& request) {
+    request.replayed = &trace;
+    if (!trace.began) return; // an older trace, or one that somebody wrote
+    request.mapping = trace.began->mapping;
+    request.period = trace.began->period;
+    request.cutsOnButton = trace.began->cutsOnButton;
+    request.forceButtons = trace.began->forceButtons;
+    request.allowance = work.arguments.allowance.value_or(trace.began->allowance);
+}
+
 /// One take with a stylus; its end, the time given, or the wish to stop ends it.
 Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std::string& name, bool cutsOnButton,
-                                          const MillWork& work) {
+                                          const MillWork& work, const SessionTrace* replayed = nullptr) {
     TakeRequest request;
     request.name = name;
     request.allowance = work.arguments.allowance.value_or(0.0);
@@ -117,6 +127,7 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     if (work.arguments.deadMan > 0) request.forceButtons = 1U << static_cast<unsigned>(work.arguments.deadMan - 1);
     request.heardFault = [&work](const Error& fault) { work.context.message(Messages::sentence(fault).toStdString()); };
     if (work.arguments.seconds > 0.0) request.maximumSeconds = work.arguments.seconds;
+    if (replayed != nullptr) playAgain(*replayed, work, request);
     Result<TakeOutcome> outcome =
         recordTake(work.project, work.bench, work.bounds, stylus, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
@@ -124,10 +135,10 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
 }
 
 Result<std::vector<TakeOutcome>> millWithTrace(const std::string& file, const MillWork& work) {
-    Result<std::vector<StylusState>> states = readTrace(file);
-    if (!states) return std::move(states).error();
-    TraceStylus stylus(std::move(*states), touchLikeStylus());
-    return millWith(stylus, std::filesystem::path(file).stem().string(), false, work);
+    const Result<SessionTrace> trace = readSessionTrace(file);
+    if (!trace) return trace.error();
+    TraceStylus stylus(trace->readings, trace->began ? trace->began->stylus : touchLikeStylus());
+    return millWith(stylus, std::filesystem::path(file).stem().string(), false, work, &*trace);
 }
 
 /// Its first button, where it has one, is the spindle's.

@@ -46,6 +46,7 @@ enum class ErrorCode : std::uint16_t {
     deviceFault,        ///< subject: device; place: record of what led to it, if any; detail: what it reports
     deviceUnplugged,    ///< subject: device; place: as above
     deviceStopped,      ///< its forces are off for now; subject: device; place: as above; detail: why
+    deviceHot,          ///< its motors are hot, so that it is asked for half of its force; subject: device
     deviceNotAllowed,   ///< subject: device; place: the file that the system keeps it under
     deviceIncompatible, ///< subject: device; place: its protocol; detail: ours
     traceInvalid,       ///< subject: file; place: line

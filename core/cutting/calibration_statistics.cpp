@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/calibration_statistics.h"
 
-#include "core/base/units.h"
+#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,28 +10,9 @@
 
 namespace burin {
 
-double studentShare(double t, int freedoms) noexcept {
-    const double angle = std::atan(t / std::sqrt(static_cast<double>(freedoms)));
-    const double sine = std::sin(angle), cosine = std::cos(angle);
-    const bool odd = freedoms % 2 == 1;
-    if (freedoms == 1) return 2.0 * angle / pi;
-    double term = odd ? cosine : 1.0, sum = term;
-    for (int k = odd ? 3 : 2; k < freedoms; k += 2) {
-        term *= (k - 1.0) / k * cosine * cosine;
-        sum += term;
-    }
-    return odd ? 2.0 / pi * (angle + sine * sum) : sine * sum;
-}
-
-double studentQuantile(double confidence, int freedoms) noexcept {
-    const int counted = std::clamp(freedoms, 1, 2000);
-    double low = 0.0, high = 1.0;
-    while (studentShare(high, counted) < confidence && high < 1e12) high *= 2.0;
-    for (int i = 0; i < 80; ++i) {
-        const double middle = 0.5 * (low + high);
-        (studentShare(middle, counted) < confidence ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+double studentQuantile(double confidence, int freedoms) {
+    const boost::math::students_t distribution(freedoms);
+    return boost::math::quantile(boost::math::complement(distribution, 0.5 * (1.0 - confidence)));
 }
 
 std::optional<Confidence> ratioOf(const Estimate& numerator, const Estimate& denominator, double t) noexcept {

@@ -13,13 +13,9 @@ struct Confidence {
     bool holds(double truth) const noexcept { return low <= truth && truth <= high; }
 };
 
-/// P(|T| <= t) of Student's distribution (Abramowitz & Stegun 26.7.3, 26.7.4: a finite sum).
-/// @param t >= 0. @param freedoms >= 1
-double studentShare(double t, int freedoms) noexcept;
-
-/// The t that |T| stays below with a probability of `confidence`. Freedoms beyond 2000 count as 2000, which makes it
-/// too large by 1 in 1600 at most. @param confidence 0 < … < 1
-double studentQuantile(double confidence, int freedoms) noexcept;
+/// The t that |T| of Student's distribution stays below with a probability of `confidence`.
+/// @param confidence 0 < … < 1. @param freedoms >= 1
+double studentQuantile(double confidence, int freedoms);
 
 /// An estimate and its standard error, independent of others.
 struct Estimate {

@@ -41,7 +41,7 @@ struct DeviceHost {
 /// milliseconds. Lives until the process ends.
 class DeviceDriver {
 public:
-    static constexpr int interfaceVersion = 3; ///< +1 with any change to this header or to stylus.h
+    static constexpr int interfaceVersion = 4; ///< +1 with any change to this header or to stylus.h
     virtual ~DeviceDriver() = default;
     /// Those that are plugged in now, also those that may not be opened.
     virtual std::vector<FoundDevice> find() = 0;

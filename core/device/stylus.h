@@ -54,7 +54,8 @@ struct StylusState {
     Pose pose;
     std::uint32_t buttons = 0; ///< bit 0: the first button
     bool valid = false;        ///< false: the device had nothing to say this tick
-    double period = 0.0; ///< s since the reading before, where only the stylus knows: a recording; 0: the loop does
+    double period = 0.0;    ///< s since the reading before, where only the stylus knows: a recording; 0: the loop does
+    double motorHeat = 0.0; ///< of the hottest motor, share of what it bears; 0: cool, or not measured
 };
 
 /// What a device shall render. Device frame, about the stylus' tip.

@@ -72,6 +72,7 @@ struct ClearanceMemory {
     std::vector<AxisPoint> axis;
     std::vector<PieceBound> pieces;
     bool axisFirst = false; ///< the last answer was the depth of a point of the axis
+    std::uint64_t work = 0; ///< ClearanceAsker::work
 };
 
 namespace {
@@ -117,7 +118,9 @@ public:
         NearPoint near(tree_, point);
         near.limit(leastSquared);
         double missed = std::numeric_limits<double>::infinity();
+        std::uint64_t work = 0;
         const float nodes = walk(tree_, near, [&](std::size_t slot) noexcept {
+            ++work;
             const TrianglePoint candidate = closestOnTriangle(tree_.triangles()[slot], point);
             const glm::dvec3 way = candidate.point - point;
             const double squared = glm::dot(way, way);
@@ -130,15 +133,14 @@ public:
             found = {slot, candidate.point, candidate.feature, 0.0, 0, true};
         });
         found.distance = std::sqrt(leastSquared);
+        found.work = work;
         if (passed != nullptr) *passed = std::sqrt(std::min(missed, static_cast<double>(nodes) * (1.0 - 4e-6)));
         return found;
     }
 
     ClosestPoint closest(const glm::dvec3& point, double within) const noexcept {
         if (empty()) within = std::numeric_limits<double>::infinity();
-        const Found found = empty() || !isFinite(point) ? Found{} : nearest(point, within);
-        if (!found.any) return {point, within, within, 0, glm::dvec3(0.0)};
-        return signedAnswer(found, point);
+        return answerTo(empty() || !isFinite(point) ? Found{} : nearest(point, within), point, within);
     }
 
     void trianglesNear(const glm::dvec3& point, double within, std::vector<std::uint32_t>& numbers) const {
@@ -183,6 +185,7 @@ public:
         const bool inside = answer.clearance < 0.0;
         if (!inside) answer.clearance = std::max(within, 0.0);
         const Found found = deepest(tool, pose, answer.clearance, tie, memory);
+        if (memory != nullptr) memory->work += found.work;
         if (found.any) {
             const PlacedPiece::Value there = PlacedPiece(tool[found.piece], pose).at(found.point);
             const glm::dvec3 gradient = unitOr(there.gradient, anyAcross(pose.axis));
@@ -207,6 +210,10 @@ private:
         order.reserve(places_.size());
         for (const std::uint32_t place : tree_.order()) order.push_back(places_[place]);
         return order;
+    }
+
+    ClosestPoint answerTo(const Found& found, const glm::dvec3& point, double within) const noexcept {
+        return found.any ? signedAnswer(found, point) : ClosestPoint{point, within, within, 0, glm::dvec3(0.0)};
     }
 
     ClosestPoint signedAnswer(const Found& found, const glm::dvec3& point) const noexcept {
@@ -279,7 +286,7 @@ private:
             if (!met.any) continue;
             const double distance = PlacedPiece(tool[met.piece], pose).at(met.point).distance;
             if (!(distance < found.distance)) continue;
-            found = met;
+            found.improve(met);
             found.distance = distance;
         }
         if (!found.any) return;
@@ -296,10 +303,11 @@ private:
         if (!(reach > 0.0)) return -radius;
         double passed = 0.0;
         Found ball = nearest(piece.pose().tip + (piece.piece().bottom + radius) * piece.pose().axis, reach, &passed);
+        found.work += ball.work;
         if (!ball.any) return passed - radius;
         ball.distance = piece.at(ball.point).distance;
         ball.piece = number;
-        if (ball.distance < worthwhile(found.distance, tie)) found = ball;
+        if (ball.distance < worthwhile(found.distance, tie)) found.improve(ball);
         return std::min(passed - radius, ball.distance);
     }
 
@@ -317,23 +325,26 @@ private:
         if (memory != nullptr)
             for (AxisPoint& point : memory->axis) {
                 const double before = answer.clearance;
-                answer = deeper(answer, pose, tie, point);
+                answer = deeper(answer, pose, tie, point, memory->work);
                 if (answer.clearance < before) std::swap(point, memory->axis.front()); // it is likely to be so again
             }
         else
             visitAxis(tool, [&](double height, std::size_t piece) {
                 AxisPoint point{height, piece, {}, {}, false};
-                answer = deeper(answer, pose, tie, point);
+                std::uint64_t work = 0;
+                answer = deeper(answer, pose, tie, point, work);
             });
         return answer;
     }
     ToolClearance deeper(const ToolClearance& answer, const ToolPose& pose, const ClearanceTolerance& tie,
-                         AxisPoint& point) const noexcept {
+                         AxisPoint& point, std::uint64_t& work) const noexcept {
         const glm::dvec3 place = pose.tip + point.height * pose.axis;
         if (!bounds().contains(place)) return answer;
         if (point.isShallower(place, -worthwhile(answer.clearance, tie))) return answer;
         const double within = point.any ? glm::length(place - point.nearest.point) * (1.0 + 1e-9) + 1e-9 : 1e300;
-        point.nearest = closest(place, within);
+        const Found found = nearest(place, within);
+        work += found.work;
+        point.nearest = answerTo(found, place, within);
         point.place = place;
         point.any = true;
         if (point.nearest.signedDistance >= answer.clearance) return answer;
@@ -382,6 +393,10 @@ ClearanceAsker::ClearanceAsker(const MeshDistance& part, std::span<const Revolve
     memory_->pieces.resize(tool.size());
 }
 ClearanceAsker::~ClearanceAsker() = default;
+
+std::uint64_t ClearanceAsker::work() const noexcept {
+    return memory_->work;
+}
 
 ToolClearance ClearanceAsker::ask(const ToolPose& pose, double within, const ClearanceTolerance& tolerance) noexcept {
     return part_.tree_->clearance(tool_, pose, within, tolerance, memory_.get());

@@ -64,11 +64,12 @@ void PieceSearch::descend() noexcept {
 }
 
 void PieceSearch::take(const Found& better) noexcept {
-    found_ = better;
+    found_.improve(better);
     near_.limit(wanted());
 }
 
 bool PieceSearch::solve(std::size_t slot, double below) noexcept {
+    found_.work += workOfMinimum;
     const auto least = minimumOverTriangle(piece_, triangle(slot), below);
     if (!least) return false;
     take({slot, least->point, least->feature, least->distance, number_, true});
@@ -92,6 +93,7 @@ double PieceSearch::abovePlane(const Triangle& of) const noexcept {
 
 /// One look at each triangle first: most drop out before a minimum over a triangle has to be found.
 void PieceSearch::meet(std::size_t slot) noexcept {
+    ++found_.work;
     const auto dropsOut = [this](double below) noexcept {
         const bool drops = below >= wanted();
         if (drops) passed_ = std::min(passed_, below);

@@ -9,6 +9,7 @@
 #include "core/geometry/triangle_walk.h"
 
 #include <array>
+#include <cstdint>
 
 namespace burin {
 
@@ -20,7 +21,17 @@ struct Found {
     double distance = 0.0;
     std::size_t piece = 0;
     bool any = false;
+    std::uint64_t work = 0; ///< of the whole search so far, as ClearanceAsker::work counts
+
+    /// Something better: the work goes on being counted.
+    void improve(const Found& better) noexcept {
+        const std::uint64_t spent = work;
+        *this = better;
+        work = spent;
+    }
 };
+/// What a minimum over a triangle costs, in looks at one.
+inline constexpr std::uint64_t workOfMinimum = 8;
 
 /// What a clearance has to be below to count, when one is found.
 inline double worthwhile(double clearance, const ClearanceTolerance& tolerance) noexcept {

@@ -65,6 +65,12 @@ double BoundaryLayers::partClearance(const ToolPose& pose) noexcept {
     return part.boundary->at(pose, part.keeps).clearance;
 }
 
+std::uint64_t BoundaryLayers::work() const noexcept {
+    std::uint64_t sum = 0;
+    for (const Layer& layer : layers_) sum += layer.boundary->work();
+    return sum;
+}
+
 PoseSample BoundaryLayers::at(const ToolPose& pose, double enough) noexcept {
     PoseSample least{enough, glm::dvec3(0.0), glm::dvec3(0.0), false};
     bool any = false;

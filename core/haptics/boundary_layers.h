@@ -53,6 +53,7 @@ public:
     double spacing() const noexcept override { return spacing_; }
     double overlap() const noexcept override { return overlap_; }
     double reach() const noexcept override { return reach_; }
+    std::uint64_t work() const noexcept override;
 
 private:
     struct Layer {

@@ -20,6 +20,7 @@ public:
     bool spindleTurns() const noexcept { return released_ && (!onButton_ || buttonDown_); }
     /// @param released false: the spindle stands, whatever the button says
     void releaseSpindle(bool released) noexcept { released_ = released; }
+    bool spindleReleased() const noexcept { return released_; }
     void button(bool down) noexcept { buttonDown_ = down; }
     /// The tool is taken up where it stands: nothing is cut on the way there.
     void takeUp() noexcept;

@@ -3,6 +3,7 @@
 #include "core/haptics/flight_recorder.h"
 
 #include "core/base/file.h"
+#include "core/base/wall_clock.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,10 +20,6 @@ namespace {
 
 constexpr std::chrono::milliseconds interval{20}; // between two looks at whether a fault was raised
 constexpr std::string_view start = "flight-", ending = ".csv";
-
-double unixTime() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 /// Names sort as their times.
 std::string fileName(double time, TickFault fault) {

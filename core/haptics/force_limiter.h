@@ -16,6 +16,8 @@ public:
     /// N in, N out. A force that is not finite becomes zero.
     glm::dvec3 operator()(const glm::dvec3& wanted) noexcept;
     void reset() noexcept { applied_ = glm::dvec3(0.0); }
+    /// @param maximum N; a change that is less than a fall in a tick is no kick
+    void setMaximum(double maximum) noexcept { maximum_ = maximum; }
     /// The last force was cut down to the maximum.
     bool saturated() const noexcept { return saturated_; }
     double maximum() const noexcept { return maximum_; }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/force_output.h"
 
+#include "core/base/units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,24 +11,29 @@ namespace burin {
 namespace {
 
 CuttingForceRendering::Settings renderingSettings(const HapticSettings& settings, double stiffness) noexcept {
-    return {settings.cuttingForceGain, stiffness,
-            settings.maximumForce(),   settings.friction,
-            settings.mapping.scale,    settings.stylus.positionStep.value};
+    return {settings.felt.gain,      stiffness,
+            settings.maximumForce(), settings.felt.friction,
+            settings.mapping.scale,  settings.stylus.positionStep.value};
 }
 
 PassivityController::Settings controllerSettings(const HapticSettings& settings, double stiffness) noexcept {
     const StylusDescription& stylus = settings.stylus;
-    const double damping = usableDamping(stylus, settings.tickPeriod);
-    const double loss = sampledSpringLoss(stiffness, settings.tickPeriod, 0.0);
-    return {damping, std::min(damping, loss), std::lround(stylus.delay.value / settings.tickPeriod)};
+    constexpr double slowest = 0.1;                                                          // mm/s
+    const double damping = usableDamping(stylus, settings.tickPeriod) / millimetresPerMetre; // N·s/mm
+    const double loss = sampledSpringLoss(stiffness, settings.tickPeriod, 0.0) / millimetresPerMetre;
+    return {damping, std::min(damping, loss), slowest, std::lround(stylus.delay.value / settings.tickPeriod)};
+}
+
+/// N: what the motors have to lift.
+double weightOf(const StylusDescription& stylus) noexcept {
+    constexpr double standardGravity = 9.80665; // m/s²
+    return stylus.carriesHandle || stylus.actuated.translations < 3 ? 0.0 : stylus.handleMass.value * standardGravity;
 }
 
 /// N, device frame: what carries the handle. No more than half of what may be sent: the rest is for what is felt.
-glm::dvec3 liftOf(const HapticSettings& settings) noexcept {
-    constexpr double standardGravity = 9.80665, most = 0.5; // m/s², 1
-    const StylusDescription& stylus = settings.stylus;
-    if (stylus.carriesHandle || stylus.actuated.translations < 3) return glm::dvec3(0.0);
-    return {0.0, 0.0, std::min(stylus.handleMass.value * standardGravity, most * settings.maximumForce())};
+glm::dvec3 liftOf(double weight, double maximum) noexcept {
+    constexpr double most = 0.5;
+    return {0.0, 0.0, std::min(weight, most * maximum)};
 }
 
 } // namespace
@@ -37,8 +44,10 @@ ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     , turnCoupling_(settings)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
     , passivity_(controllerSettings(settings, coupling_.stiffness()))
-    , lift_(liftOf(settings))
-    , limiter_(settings.maximumForce() - glm::length(lift_), coupling_.stiffness(), settings.tickPeriod)
+    , maximum_(settings.maximumForce())
+    , weight_(weightOf(settings.stylus))
+    , lift_(liftOf(weight_, maximum_))
+    , limiter_(maximum_ - glm::length(lift_), coupling_.stiffness(), settings.tickPeriod)
     , ramp_(settings.rampSeconds)
     , toolMotion_(settings.stylus.positionStep.value * settings.mapping.scale)
     , forceButtons_(settings.forceButtons) {}
@@ -50,22 +59,41 @@ void ForceOutput::operator()(const ToolMotion& motion, const CuttingForce& cutti
     cuttingRendering_.setWorkspaceScale(hand.mapping.scale);
     const glm::dvec3 inDevice = hand.mapping.directionToDevice(wanted(motion, cutting, hand, guided, period));
     const glm::dvec3 turn = hand.clutched ? glm::dvec3(0.0) : motion.turnBehind;
-    const glm::dvec3 turning = hand.mapping.directionToDevice(turnCoupling_.torque(turn));
+    const glm::dvec3 turning = turnCoupling_.torque(hand.mapping.directionToDevice(turn), hand.device.rotation, period);
     const bool letGo = forceButtons_ != 0 && (hand.buttons & forceButtons_) == 0;
     if (hand.reading == Reading::late || letGo || !isFinite(inDevice) || !isFinite(turning)) {
         none(letGo || hand.reading != Reading::late, sample);
         return;
     }
-    const glm::dvec3 passive = passivity_(inDevice, hand, period);
+    const glm::dvec3 passive = passivity_(inDevice, motionOf(hand), period);
     rendered_ = limiter_(passive) * ramp_.weight();
     wrench_.force = rendered_ + lift_ * ramp_.weight();
     wrench_.torque = turning * ramp_.weight();
     // A lift does no work but what the handle's own weight takes back: it is not the loop's energy.
     passivity_.sent(rendered_);
+    turnCoupling_.sent(wrench_.torque);
     sample.force = hand.mapping.directionToSetup(rendered_);
     if ((limiter_.saturated() || cuttingGaveWay_) && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
     if (!ramp_.complete()) sample.flags |= sampleForcesOff;
+    if (relief_.active()) sample.flags |= sampleMotorsHot;
     ramp_.advance(period);
+}
+
+PassivityController::Motion ForceOutput::motionOf(const Hand& hand) noexcept {
+    const glm::dvec3 place = hand.device.position;
+    const glm::dvec3 before = handPlace_.value_or(place);
+    handPlace_ = place;
+    return {place - before, hand.deviceVelocity, hand.rests};
+}
+
+void ForceOutput::motorsAre(double heat, double period) noexcept {
+    const double before = relief_.share();
+    relief_.advance(heat, period);
+    const double share = relief_.share();
+    if (share == before) return;
+    lift_ = liftOf(weight_, share * maximum_);
+    limiter_.setMaximum(share * maximum_ - glm::length(lift_));
+    turnCoupling_.setShare(share);
 }
 
 glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand,
@@ -100,22 +128,23 @@ bool ForceOutput::quiet() const noexcept {
 }
 
 void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
-    wrench_ = {};
-    rendered_ = glm::dvec3(0.0);
     sample.force = glm::dvec3(0.0);
     sample.flags |= sampleForcesOff;
+    if (relief_.active()) sample.flags |= sampleMotorsHot;
+    fadesIn ? fadeIn() : nothingSent();
+}
+
+void ForceOutput::nothingSent() noexcept {
+    wrench_ = {};
+    rendered_ = glm::dvec3(0.0);
     turnCoupling_.reset();
     limiter_.reset();
     passivity_.reset();
-    if (fadesIn) fadeIn();
+    handPlace_.reset();
 }
 
 void ForceOutput::fadeIn() noexcept {
-    wrench_ = {};
-    turnCoupling_.reset();
-    rendered_ = glm::dvec3(0.0);
-    limiter_.reset();
-    passivity_.reset();
+    nothingSent();
     ramp_.restart();
     cuttingRendering_.reset();
     toolMotion_.reset();

@@ -8,11 +8,14 @@
 #include "core/haptics/force_limiter.h"
 #include "core/haptics/guide_force.h"
 #include "core/haptics/hand_input.h"
+#include "core/haptics/heat_relief.h"
 #include "core/haptics/motion_estimator.h"
 #include "core/haptics/passivity_controller.h"
 #include "core/haptics/tool_motion.h"
 #include "core/haptics/turn_coupling.h"
 #include "core/recording/sample.h"
+
+#include <optional>
 
 namespace burin {
 
@@ -25,6 +28,8 @@ public:
     /// One tick's force, into the sample and `wrench`.
     void operator()(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
                     double period, Sample& sample) noexcept;
+    /// What the motors say of themselves, before a tick's force: hot ones are asked for less (HeatRelief).
+    void motorsAre(double heat, double period) noexcept;
     /// No force in this tick. @param fadesIn and the next ones begin from nothing
     void none(bool fadesIn, Sample& sample) noexcept;
     /// Forces begin from nothing.
@@ -43,19 +48,25 @@ public:
 private:
     glm::dvec3 wanted(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
                       double period) noexcept;
+    PassivityController::Motion motionOf(const Hand& hand) noexcept;
+    void nothingSent() noexcept;
 
     Coupling coupling_, guideSpring_;
     TurnCoupling turnCoupling_;
     CuttingForceRendering cuttingRendering_;
     PassivityController passivity_;
+    double maximum_;  ///< N, that are ever sent
+    double weight_;   ///< N, of the handle, that the motors have to lift
     glm::dvec3 lift_; ///< N, device frame, against the handle's weight
+    HeatRelief relief_;
     ForceLimiter limiter_;
     ForceRamp ramp_;
     MotionEstimator toolMotion_;
     std::uint32_t forceButtons_;
     Wrench wrench_;
-    glm::dvec3 rendered_{0.0};    ///< N, device frame: the wrench's force without the lift
-    bool cuttingGaveWay_ = false; ///< in the last tick, to what holds the tool
+    std::optional<glm::dvec3> handPlace_; ///< mm, device frame, in the last tick with a force
+    glm::dvec3 rendered_{0.0};            ///< N, device frame: the wrench's force without the lift
+    bool cuttingGaveWay_ = false;         ///< in the last tick, to what holds the tool
 };
 
 } // namespace burin

@@ -4,7 +4,13 @@
 
 #include "core/geometry/pose.h"
 
+#include <cmath>
+
 namespace burin {
+
+namespace {
+constexpr double unitRounding = 1e-15; // so near to 1 is what was divided by its length: again changes nothing
+}
 
 Result<GuideCurve> GuideCurve::make(std::vector<glm::dvec3> points, std::vector<glm::dvec3> tangents) {
     const auto invalid = [](std::size_t point, const char* allowed) {
@@ -17,7 +23,7 @@ Result<GuideCurve> GuideCurve::make(std::vector<glm::dvec3> points, std::vector<
         if (i > 0 && points[i] == points[i - 1]) return invalid(i, "a place other than the point before");
         const double length = glm::length(tangents[i]);
         if (!(length > 1e-9)) return invalid(i, "a tangent");
-        tangents[i] /= length;
+        if (std::abs(length - 1.0) > unitRounding) tangents[i] /= length;
     }
     GuideCurve curve;
     curve.closed_ = points.size() > 2 && glm::length(points.front() - points.back()) < 1e-6;

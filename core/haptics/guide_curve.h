@@ -20,7 +20,8 @@ public:
     static Result<GuideCurve> make(std::vector<glm::dvec3> points, std::vector<glm::dvec3> tangents);
 
     std::span<const glm::dvec3> points() const noexcept { return points_; }
-    std::span<const glm::dvec3> tangents() const noexcept { return tangents_; } ///< unit, one a point
+    /// Unit, one a point. A curve made of both again is the same to the bit.
+    std::span<const glm::dvec3> tangents() const noexcept { return tangents_; }
     bool closed() const noexcept { return closed_; }
     /// Unit, turned evenly between the ends of a segment. @param share 0 … 1 of the segment
     glm::dvec3 tangentAt(std::size_t segment, double share) const noexcept;

@@ -3,6 +3,7 @@
 #include "core/haptics/guide_shape.h"
 
 #include "core/geometry/pose.h"
+#include "core/haptics/fixed_axis_boundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,24 +54,6 @@ glm::dvec3 directionAt(const Polyline& line, const PolylineFoot& foot) noexcept 
     const double length = glm::length(mixed);
     return length > smallestMix ? mixed / length : here;
 }
-
-/// All that is nearer to the part than a distance, as a boundary for tips.
-class OffsetSurface final : public PoseBoundary {
-public:
-    OffsetSurface(const ClearanceField& field, double distance) noexcept : field_(field), distance_(distance) {}
-    PoseSample at(const ToolPose& pose, double) noexcept override {
-        const FieldSample sample = field_.at(pose.tip);
-        return {sample.clearance - distance_, sample.gradient, glm::dvec3(0.0), sample.fine};
-    }
-    double errorBound() const noexcept override { return field_.errorBound(); }
-    double spacing() const noexcept override { return field_.spacing(); }
-    double overlap() const noexcept override { return 0.0; }
-    double reach() const noexcept override { return 0.0; }
-
-private:
-    const ClearanceField& field_;
-    double distance_;
-};
 
 } // namespace
 
@@ -147,7 +130,7 @@ GuideFoot GuideShape::surfaceFoot(const GuideSurroundings& around, const glm::dv
     if (!held && !here.fine) return {};
     const glm::dvec3 start = held && foot_.known ? foot_.point : hand;
     if (here.clearance >= guide_.distance) return surfaceFromOutside(around.field, hand, start);
-    OffsetSurface surface(around.field, guide_.distance);
+    FixedAxisBoundary surface(around.field, guide_.distance);
     const Proxy proxy(surface);
     const ToolPose feasible = proxy.retreat({start}, surfaceTravel);
     if (!proxy.feasible(feasible)) return {};

@@ -57,8 +57,33 @@ Sample HapticStep::operator()(const StylusState& state, double period) noexcept 
     if (motion.shankContact) sample.flags |= sampleShankContact;
     noteHold(motion, sample);
     if (motion.axisHeld) sample.flags |= sampleAxisHeld;
+    output_.motorsAre(state.motorHeat, period);
     output_(motion, cutting, hand, guided, period, sample);
     return sample;
+}
+
+void HapticStep::listen(StepChangeListener* listener) noexcept {
+    listener_ = listener;
+    tell(SpindleRelease{cut_.spindleReleased()});
+}
+
+void HapticStep::apply(const StepChange& change) noexcept {
+    struct Apply {
+        HapticStep& step;
+        void operator()(const AllowanceChange& told) const noexcept { step.setAllowance(told.allowance); }
+        void operator()(const GuideSettings& told) const noexcept { step.setGuides(told); }
+        void operator()(const LevelStep& told) const noexcept { step.stepGuides(told.levels); }
+        void operator()(const WorkspaceSettings& told) const noexcept { step.setWorkspace(told); }
+        void operator()(const LayerSwitch& told) const noexcept { step.switchLayer(told.layer, told.on); }
+        void operator()(const SpindleRelease& told) const noexcept { step.releaseSpindle(told.released); }
+        void operator()(const TakeBegin& told) const noexcept {
+            step.tell(told);
+            step.cut_.skipOne();
+        }
+        void operator()(const CutResumption&) const noexcept { step.resumeCutting(); }
+        void operator()(const WorkpieceChange&) const noexcept { step.workpieceChanged(); }
+    };
+    std::visit(Apply{*this}, change);
 }
 
 Sample HapticStep::beginSample(double period) noexcept {
@@ -86,12 +111,14 @@ bool HapticStep::start(const ToolPose& hand) noexcept {
 }
 
 void HapticStep::beginTake() noexcept {
+    tell(TakeBegin{});
     tick_ = 0;
     time_ = 0.0;
     cut_.skipOne();
 }
 
 void HapticStep::workpieceChanged() noexcept {
+    tell(WorkpieceChange{});
     cut_.workpieceChanged();
     mover_.workpieceChanged();
     input_.forget();

@@ -8,6 +8,7 @@
 #include "core/haptics/guide_set.h"
 #include "core/haptics/hand_input.h"
 #include "core/haptics/part_at_axis.h"
+#include "core/haptics/step_change.h"
 #include "core/haptics/tool_mover.h"
 
 namespace burin {
@@ -37,18 +38,33 @@ public:
     /// True once the tool has been clear of the part; forces stay off until then.
     bool started() const noexcept { return started_; }
     /// Takes effect over some ticks (5 mm/s), without a kick. @param allowance mm, >= 0
-    void setAllowance(double allowance) noexcept { mover_.setAllowance(allowance); }
+    void setAllowance(double allowance) noexcept {
+        tell(AllowanceChange{allowance});
+        mover_.setAllowance(allowance);
+    }
     /// Guides for the hand; they fade in and out. Between two ticks. Their curves outlive the step.
-    void setGuides(const GuideSettings& guides) noexcept { guides_.set(guides); }
+    void setGuides(const GuideSettings& guides) noexcept {
+        tell(guides);
+        guides_.set(guides);
+    }
     /// See GuideSet::step.
-    void stepGuides(int levels) noexcept { guides_.step(levels); }
+    void stepGuides(int levels) noexcept {
+        tell(LevelStep{levels});
+        guides_.step(levels);
+    }
     const GuideSet& guides() const noexcept { return guides_; }
     /// Scale, turn, clutch, recentring: see Workspace. Between two ticks.
-    void setWorkspace(const WorkspaceSettings& workspace) noexcept { input_.setWorkspace(workspace); }
+    void setWorkspace(const WorkspaceSettings& workspace) noexcept {
+        tell(workspace);
+        input_.setWorkspace(workspace);
+    }
     const Workspace& workspace() const noexcept { return input_.workspace(); }
     /// Takes effect with the next tick, without a kick: a layer that the tool is inside of waits until it is clear.
     /// @param layer its number in the layers that the step was made with
-    void switchLayer(std::size_t layer, bool on) noexcept { layers_.switchTo(layer, on); }
+    void switchLayer(std::size_t layer, bool on) noexcept {
+        tell(LayerSwitch{layer, on});
+        layers_.switchTo(layer, on);
+    }
     const BoundaryLayers& layers() const noexcept { return layers_; }
     /// The layers that held the tool in the last tick, by bit of their number (BoundaryLayers::touching).
     std::uint64_t heldBy() const noexcept { return heldBy_; }
@@ -56,14 +72,25 @@ public:
     /// snapshot that is to be restored, undo, saving, amounts; pictures need not. Loop's thread, between two ticks.
     void settle() noexcept { cut_.settle(); }
     /// Cuts again after the reserved memory had run out and the owner has made room.
-    void resumeCutting() noexcept { cut_.resume(); }
+    void resumeCutting() noexcept {
+        tell(CutResumption{});
+        cut_.resume();
+    }
     /// Ticks and time of the samples start again from 0 with the next tick.
     void beginTake() noexcept;
     /// @param released false: the spindle stands, whatever the button says. A new step's is released.
-    void releaseSpindle(bool released) noexcept { cut_.releaseSpindle(released); }
+    void releaseSpindle(bool released) noexcept {
+        tell(SpindleRelease{released});
+        cut_.releaseSpindle(released);
+    }
     /// The owner put another state of the workpiece in place, between two ticks: what the step knew of it is forgotten,
     /// and forces fade in again.
     void workpieceChanged() noexcept;
+    /// Who hears, from now on, what the step is told; first whether its spindle is released. It outlives the step, or
+    /// nullptr comes before its end. Between two ticks.
+    void listen(StepChangeListener* listener) noexcept;
+    /// As one of the functions above. A take begins without the samples' numbers and time: they count on.
+    void apply(const StepChange& change) noexcept;
     /// What shank or holder touched in the last tick; meaningful with sampleShankContact.
     const ShankContact& shankContact() const noexcept { return mover_.shankContact(); }
 
@@ -72,6 +99,10 @@ public:
     const ForceLimiter& limiter() const noexcept { return output_.limiter(); }
 
 private:
+    template <class Change>
+    void tell(const Change& change) noexcept {
+        if (listener_ != nullptr) listener_->changed(StepChange(change));
+    }
     Sample beginSample(double period) noexcept;
     bool start(const ToolPose& hand) noexcept;
     void noteHold(const ToolMotion& motion, Sample& sample) noexcept;
@@ -84,6 +115,7 @@ private:
     CutTick cut_;
     ForceOutput output_;
 
+    StepChangeListener* listener_ = nullptr;
     std::uint64_t tick_ = 0, heldBy_ = 0;
     double time_ = 0.0;
     bool started_ = false;

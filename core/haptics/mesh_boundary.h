@@ -24,6 +24,7 @@ public:
     double spacing() const noexcept override { return voxel_; }
     double overlap() const noexcept override { return overlap_; }
     double reach() const noexcept override { return reach_; }
+    std::uint64_t work() const noexcept override { return asker_.work(); }
 
 private:
     PoseSample ask(const ToolPose& pose, double enough) noexcept;

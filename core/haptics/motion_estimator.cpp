@@ -21,7 +21,6 @@ void MotionEstimator::add(const glm::dvec3& position, double period) noexcept {
     newest_ = (newest_ + 1) % capacity;
     entries_[newest_] = {position, time_};
     count_ = std::min(count_ + 1, capacity);
-    rests_ = hasRested();
     if (count_ < 2) {
         velocity_ = glm::dvec3(0.0);
         return;
@@ -30,7 +29,7 @@ void MotionEstimator::add(const glm::dvec3& position, double period) noexcept {
     velocity_ += share * ((position - back(1).position) / period - velocity_);
 }
 
-bool MotionEstimator::hasRested() const noexcept {
+bool MotionEstimator::rests() const noexcept {
     for (std::size_t ticks = 1; ticks < count_; ++ticks) {
         const glm::dvec3 off = glm::abs(back(ticks).position - back(0).position);
         if (std::max({off.x, off.y, off.z}) > step_ + rounding) return false;

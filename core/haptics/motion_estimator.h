@@ -29,7 +29,7 @@ public:
     glm::dvec3 velocity() const noexcept { return velocity_; }
     /// All that was read lately lies within a step: what moves is mostly the encoders. Never with exact positions that
     /// differ.
-    bool rests() const noexcept { return rests_; }
+    bool rests() const noexcept;
     /// mm: the last position, moved towards the one before. @param share 0 … 0.5: 0.5 is their mean
     glm::dvec3 averaged(double share) const noexcept;
 
@@ -40,14 +40,12 @@ private:
     };
     static constexpr std::size_t capacity = 64; ///< at 4 kHz 60 ticks make the rest time
     const Entry& back(std::size_t ticks) const noexcept { return entries_[(newest_ + capacity - ticks) % capacity]; }
-    bool hasRested() const noexcept;
 
     double step_;
     std::array<Entry, capacity> entries_{};
     std::size_t newest_ = 0, count_ = 0;
     double time_ = 0.0;
     glm::dvec3 velocity_{0.0};
-    bool rests_ = false;
 };
 
 } // namespace burin

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/passivity_controller.h"
 
-#include "core/base/units.h"
-
 #include <algorithm>
 
 namespace burin {
@@ -15,7 +13,6 @@ PassivityController::PassivityController(const Settings& settings) noexcept : se
 void PassivityController::reset() noexcept {
     energy_ = 0.0;
     sent_.fill(glm::dvec3(0.0));
-    known_ = false;
 }
 
 void PassivityController::sent(const glm::dvec3& force) noexcept {
@@ -23,21 +20,16 @@ void PassivityController::sent(const glm::dvec3& force) noexcept {
     sent_[newest_] = force;
 }
 
-glm::dvec3 PassivityController::operator()(const glm::dvec3& force, const Hand& hand, double period) noexcept {
-    const glm::dvec3& position = hand.device.position;
+glm::dvec3 PassivityController::operator()(const glm::dvec3& force, const Motion& hand, double period) noexcept {
     // The device held this force over the whole tick: the product is exact, not an estimate.
     const glm::dvec3& acted =
         sent_[(newest_ + sent_.size() - static_cast<std::size_t>(settings_.delay)) % sent_.size()];
-    if (known_) energy_ -= glm::dot(acted, position - position_) / millimetresPerMetre;
-    energy_ = std::min(energy_, largestCredit);
-    position_ = position;
-    known_ = true;
-    if (energy_ >= -allowedDeficit || glm::length(hand.deviceVelocity) <= slowest) return force;
-    const glm::dvec3 velocity = hand.deviceVelocity / millimetresPerMetre; // m/s
+    energy_ = std::min(energy_ - glm::dot(acted, hand.moved), largestCredit);
+    if (energy_ >= -allowedDeficit || glm::length(hand.velocity) <= settings_.slowest) return force;
     const double missing = -(energy_ + allowedDeficit);
     const double damping = std::min(hand.rests ? settings_.restingDamping : settings_.damping,
-                                    missing / (period * glm::dot(velocity, velocity)));
-    return force - damping * velocity;
+                                    missing / (period * glm::dot(hand.velocity, hand.velocity)));
+    return force - damping * hand.velocity;
 }
 
 } // namespace burin

@@ -14,6 +14,14 @@ glm::dvec3 turnBetween(const glm::dvec3& from, const glm::dvec3& to) noexcept {
     return glm::normalize(glm::cross(from, other)) * std::acos(-1.0);
 }
 
+glm::dvec3 turnBetween(const glm::dquat& from, const glm::dquat& to) noexcept {
+    glm::dquat turn = to * glm::conjugate(from);
+    if (turn.w < 0.0) turn = -turn; // the shorter way round
+    const glm::dvec3 normal(turn.x, turn.y, turn.z);
+    const double sine = glm::length(normal);
+    return sine > 1e-12 ? normal * (2.0 * std::atan2(sine, turn.w) / sine) : 2.0 * normal;
+}
+
 glm::dvec3 turned(const glm::dvec3& axis, const glm::dvec3& turn) noexcept {
     const glm::dvec3 across = turn - glm::dot(turn, axis) * axis;
     const double angle = glm::length(across);

@@ -35,6 +35,8 @@ inline double length(const PoseVector& a) noexcept {
 /// The least turn that takes one axis to another, both of unit length: rotation vector, rad. Axes that point opposite
 /// ways turn about some normal of them.
 glm::dvec3 turnBetween(const glm::dvec3& from, const glm::dvec3& to) noexcept;
+/// The turn that takes one rotation, of unit length, to another: rotation vector, rad, at most pi long.
+glm::dvec3 turnBetween(const glm::dquat& from, const glm::dquat& to) noexcept;
 /// An axis, turned. @param turn rotation vector, rad; its part along the axis does nothing. @return unit length
 glm::dvec3 turned(const glm::dvec3& axis, const glm::dvec3& turn) noexcept;
 

@@ -20,6 +20,10 @@ constexpr double usableGradient = 0.2;       // below it (a medial axis) the dir
 constexpr int mostLooks = 20;                // at the boundary in one tick, before the whole way is looked at
 constexpr int chordSamples = 128;
 constexpr int mostBacktracks = 3;
+/// Units of PoseBoundary::work in a tick: some 0.3 ms where looks are dear (a long tool beside a fine mesh), half of it
+/// for finding a way. The tool then has come nearer, and goes on in the next tick.
+constexpr std::uint64_t workOfTick = 4000, workOfWay = workOfTick / 2;
+constexpr int fewestSamples = 2; // of a way, whatever they cost: a tool gets somewhere in every tick
 /// What a turn counts in strides: between two looks the farthest point moves by half a spacing at most.
 constexpr double turnShare = 0.5;
 constexpr double sightInSpacings = 8.0;   // so far ahead clearances are asked for
@@ -36,6 +40,7 @@ public:
         , reach_(boundary.reach())
         , overlap_(boundary.overlap())
         , tolerance_(0.5 * chordTolerance)
+        , workBefore_(boundary.work())
         , travelLeft_(stride.travel)
         , turnLeft_(stride.turn)
         , pose_(from)
@@ -59,6 +64,7 @@ private:
     double motion(const PoseVector& offset, double turnWeight) const noexcept;
     PoseVector shortened(const PoseVector& offset, double most, double turnWeight) const noexcept;
     PoseSample look(const ToolPose& pose) noexcept;
+    bool spent(std::uint64_t work) const noexcept { return boundary_.work() - workBefore_ > work; }
 
     bool canMove() const noexcept {
         return travelLeft_ > smallestStep || (turnLength_ > 0.0 && turnLeft_ > smallestTurn);
@@ -70,11 +76,19 @@ private:
     bool shorten(const PoseVector& offset) noexcept;
     bool acceptable(const ToolPose& pose, const PoseSample& sample) noexcept;
     bool accept(const ToolPose& pose, const PoseSample& sample) noexcept;
-    bool clearBetween(const ToolPose& a, const ToolPose& b) noexcept;
+    /// What looking along a way has shown.
+    struct Looked {
+        enum class End : std::uint8_t { clear, blocked, workIsUp } end = End::clear;
+        bool any = false;  ///< some of the way is clear, as far as
+        ToolPose pose;     ///< this feasible one
+        PoseSample sample; ///< there
+    };
+    Looked lookAlong(const ToolPose& a, const ToolPose& b) noexcept;
     void keepWholeWayClear() noexcept;
 
     PoseBoundary& boundary_;
     const double spacing_, reach_, overlap_, tolerance_;
+    const std::uint64_t workBefore_;
     ToolPose goal_;
     double turnLength_ = 0.0;
     glm::dvec3 start_{0.0};
@@ -134,8 +148,8 @@ bool Way::towards(const ToolPose& goal, double turnLength, double room, int iter
     planes_ = ContactPlanes(turnLength > 0.0 ? spacing_ / turnLength : 0.0);
     settled_ = false;
     const int last = std::min(iterations_ + iterations, Proxy::maximumIterations);
-    while (!settled_ && iterations_ < last && looks_ < mostLooks && canMove()) {
-        settled_ = !advanceOnce();
+    while (!settled_ && iterations_ < last && looks_ < mostLooks && !spent(workOfWay) && canMove()) {
+        settled_ = !advanceOnce() && !spent(workOfWay);
         ++iterations_;
     }
     return settled_;
@@ -178,7 +192,7 @@ bool Way::advanceFree() noexcept {
 bool Way::advanceAlongSurface() noexcept {
     planes_.add({normal(sample_), gap(sample_) - Proxy::restingGap});
     PoseVector offset;
-    for (int round = 0; round < ContactPlanes::capacity; ++round) {
+    for (int round = 0; round < ContactPlanes::capacity && !spent(workOfWay); ++round) {
         offset = shortened(planes_.nearestTo(rest()), spacing_, turnShare);
         if (length(offset) < smallestStep) return false;
         const ToolPose pose = moved(offset);
@@ -195,7 +209,7 @@ bool Way::advanceAlongSurface() noexcept {
 
 /// Newton's method from an infeasible pose out to the surface.
 bool Way::correctOntoSurface(ToolPose pose, PoseSample sample) noexcept {
-    for (int step = 0; step < 3; ++step) {
+    for (int step = 0; step < 3 && !spent(workOfWay); ++step) {
         if (glm::length(sample.gradient) < usableGradient) return false;
         const PoseVector out = normal(sample);
         const PoseVector correction = out * ((Proxy::restingGap - gap(sample)) / dot(out, out));
@@ -209,7 +223,7 @@ bool Way::correctOntoSurface(ToolPose pose, PoseSample sample) noexcept {
 
 bool Way::shorten(const PoseVector& offset) noexcept {
     double part = 0.5;
-    for (int halving = 0; halving < 6; ++halving, part *= 0.5) {
+    for (int halving = 0; halving < 6 && !spent(workOfWay); ++halving, part *= 0.5) {
         const ToolPose pose = moved(offset * part);
         const PoseSample sample = look(pose);
         if (acceptable(pose, sample)) return accept(pose, sample);
@@ -223,7 +237,7 @@ bool Way::acceptable(const ToolPose& pose, const PoseSample& sample) noexcept {
     if (glm::length(pose.tip - pose_.tip) > travelLeft_ * (1.0 + 1e-12)) return false;
     if (turnLength_ > 0.0 && glm::length(turnBetween(pose_.axis, pose.axis)) > turnLeft_ * (1.0 + 1e-12)) return false;
     if (glm::length(pose.tip - start_) > room_) return false;
-    return motion(between(pose_, pose), 1.0) <= overlap_ || clearBetween(pose_, pose);
+    return motion(between(pose_, pose), 1.0) <= overlap_ || lookAlong(pose_, pose).end == Looked::End::clear;
 }
 
 bool Way::accept(const ToolPose& pose, const PoseSample& sample) noexcept {
@@ -238,39 +252,56 @@ bool Way::accept(const ToolPose& pose, const PoseSample& sample) noexcept {
 
 /// Samples the way, in strides no longer than the clearance or a quarter of a cell: no wall thicker than that is jumped
 /// over. Half of the tolerance is left for what lies between two samples.
-bool Way::clearBetween(const ToolPose& a, const ToolPose& b) noexcept {
+Way::Looked Way::lookAlong(const ToolPose& a, const ToolPose& b) noexcept {
+    Looked looked;
     const double turn = a.axis == b.axis ? 0.0 : reach_ * glm::length(b.axis - a.axis);
     const double whole = glm::length(b.tip - a.tip) + turnShare * turn;
+    if (whole <= 0.0) return looked;
     const double stride = 0.25 * spacing_;
-    if (whole <= 0.0) return true;
     const PoseSteps way(a, b, std::max(reach_, 1.0), spacing_);
     double along = std::max(&a == &pose_ ? turnShare * gap(sample_) : 0.0, std::min(stride, 0.5 * whole));
-    for (int i = 0; i < chordSamples; ++i) {
-        if (along >= whole) return true;
+    for (int i = 0; along < whole; ++i) {
+        looked.end = Looked::End::workIsUp;
+        if (i >= chordSamples || (i >= fewestSamples && spent(workOfTick))) return looked;
         ++looks_;
-        const double here = gap(boundary_.at(way.poseAt(along / whole), std::min(whole - along, spacing_)));
-        if (here < -tolerance_) return false;
-        along += std::max(turnShare * here, stride);
+        const ToolPose pose = way.poseAt(along / whole);
+        const PoseSample here = boundary_.at(pose, std::min(whole - along, spacing_));
+        looked.end = Looked::End::blocked;
+        if (gap(here) < -tolerance_) return looked;
+        if (gap(here) >= 0.0) {
+            looked.any = true;
+            looked.pose = pose;
+            looked.sample = here;
+        }
+        along += std::max(turnShare * gap(here), stride);
     }
-    return false;
+    looked.end = Looked::End::clear;
+    return looked;
 }
 
 /// Goes back to a vertex that can be reached from the first on the way that is cut; the last such, as far as a few
-/// looks tell.
+/// looks tell. Where the tick's work is up before one is found, as far along that way as was looked.
 void Way::keepWholeWayClear() noexcept {
     const auto vertex = [&](int index) -> const ToolPose& { return vertices_[static_cast<std::size_t>(index)]; };
     const bool lookedAt = vertexCount_ == 1 || (vertexCount_ == 2 && overlap_ <= 0.0);
-    if (lookedAt || clearBetween(vertex(0), vertex(vertexCount_ - 1))) return;
-    int good = 0, bad = vertexCount_ - 1;
-    for (int tries = 0; bad - good > 1 && (tries < mostBacktracks || good == 0); ++tries) {
-        const int middle = tries < mostBacktracks ? (good + bad) / 2 : 1;
-        if (clearBetween(vertex(0), vertex(middle)))
-            good = middle;
-        else if (middle == 1)
-            break;
-        else
-            bad = middle;
+    if (lookedAt) return;
+    int good = 0, bad = vertexCount_, next = vertexCount_ - 1;
+    for (int tries = 0; bad - good > 1; ++tries) {
+        const Looked looked = lookAlong(vertex(0), vertex(next));
+        if (looked.end == Looked::End::clear) {
+            good = next;
+        } else if (looked.end == Looked::End::blocked) {
+            bad = next;
+        } else {
+            if (good > 0 || !looked.any) break;
+            pose_ = looked.pose;
+            sample_ = looked.sample;
+            return;
+        }
+        if (tries >= mostBacktracks && good > 0) break;
+        next = tries < mostBacktracks ? (good + bad) / 2 : 1;
     }
+    if (good == vertexCount_ - 1) return;
     pose_ = vertex(good);
     sample_ = look(pose_);
 }

@@ -7,14 +7,6 @@
 
 namespace burin {
 
-std::vector<ObstacleSolid> solidsOf(std::span<const Obstacle> obstacles) {
-    std::vector<ObstacleSolid> solids;
-    solids.reserve(obstacles.size());
-    for (const Obstacle& obstacle : obstacles)
-        solids.push_back({std::make_shared<const MeshDistance>(meshOf(obstacle)), obstacle.margin, obstacle.on});
-    return solids;
-}
-
 void addLayers(BoundaryLayers& layers, std::span<const ObstacleSolid> obstacles, const Envelope& envelope,
                const Tool& tool, double voxel) {
     for (const ObstacleSolid& obstacle : obstacles)

@@ -2,27 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/geometry/mesh_distance.h"
 #include "core/haptics/boundary_layers.h"
 #include "core/machine/envelope.h"
 #include "core/setup/obstacle.h"
 #include "core/tool/tool.h"
 
-#include <memory>
 #include <span>
-#include <vector>
 
 namespace burin {
-
-/// An obstacle, ready to be asked; any number of layers share its surface.
-struct ObstacleSolid {
-    std::shared_ptr<const MeshDistance> surface; ///< never null
-    double margin = 0.0;                         ///< mm
-    bool on = true;
-};
-
-/// Allocates; builds a search tree for each obstacle.
-std::vector<ObstacleSolid> solidsOf(std::span<const Obstacle> obstacles);
 
 /// Further layers around a tool: layer 1 + i is obstacle i, as a mesh; the machine's envelope, where it sets a limit,
 /// is the last. Allocates. @param voxel mm, of the workpiece

@@ -5,6 +5,7 @@
 #include "core/base/file.h"
 #include "core/recording/trace_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -16,16 +17,19 @@ namespace {
 constexpr std::chrono::milliseconds interval{50}; // between two looks at the ring
 }
 
-Result<std::unique_ptr<TraceRecorder>> TraceRecorder::begin(const std::filesystem::path& file, TickSink& next) {
-    std::unique_ptr<TraceRecorder> recorder(new TraceRecorder(file, temporaryBeside(file), next));
+Result<std::unique_ptr<TraceRecorder>> TraceRecorder::begin(const std::filesystem::path& file, TickSink& next,
+                                                            const std::optional<TracedSession>& session) {
+    std::unique_ptr<TraceRecorder> recorder(new TraceRecorder(file, temporaryBeside(file), next, session));
     if (!recorder->out_) return writeError(file, errno);
     return recorder;
 }
 
-TraceRecorder::TraceRecorder(std::filesystem::path file, std::filesystem::path beside, TickSink& next)
+TraceRecorder::TraceRecorder(std::filesystem::path file, std::filesystem::path beside, TickSink& next,
+                             const std::optional<TracedSession>& session)
     : file_(std::move(file)), beside_(std::move(beside)), next_(next), out_(beside_, std::ios::binary) {
     if (!out_) return;
-    out_ << tickTraceHeader << '\n';
+    out_ << tickTraceMark << '\n' << tickTraceHeader << '\n';
+    if (session) out_ << changeMark << formatTracedSession(*session) << '\n';
     thread_ = std::jthread([this](const std::stop_token& stop) { write(stop); });
 }
 
@@ -40,7 +44,13 @@ TraceRecorder::~TraceRecorder() {
 
 AtEdge TraceRecorder::edge() noexcept {
     const AtEdge answer = next_.edge();
-    return answer == AtEdge::tick && readings_.size() == readings_.capacity() ? AtEdge::full : answer;
+    const bool full = readings_.size() == readings_.capacity() || changeLost_;
+    return answer == AtEdge::tick && full ? AtEdge::full : answer;
+}
+
+void TraceRecorder::changed(const StepChange& change) noexcept {
+    // What finds no room ends the loop at its edge: a trace without it would play another session.
+    if (!changes_.push({read_, change})) changeLost_ = true;
 }
 
 void TraceRecorder::tick(const Sample& sample, const TickTiming& timing) noexcept {
@@ -49,6 +59,7 @@ void TraceRecorder::tick(const Sample& sample, const TickTiming& timing) noexcep
     // 0 would be "not told"; to a tick it is as much a fault as any other that is not above 0.
     reading.period = timing.period != 0.0 ? timing.period : -1.0;
     readings_.push(reading); // room was seen at the edge
+    ++read_;
     next_.tick(sample, timing);
 }
 
@@ -65,9 +76,23 @@ void TraceRecorder::writeWaiting() {
     std::array<StylusState, 256> batch;
     while (const std::size_t count = readings_.pop(batch)) {
         text_.clear();
-        for (std::size_t i = 0; i < count; ++i) appendTick(text_, batch[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            appendChangesBefore(written_++);
+            appendTick(text_, batch[i]);
+        }
         out_ << text_;
     }
+}
+
+/// What is told before a reading is in its ring before the reading is.
+void TraceRecorder::appendChangesBefore(std::size_t reading) {
+    const std::size_t before = waiting_.size();
+    waiting_.resize(before + changes_.size());
+    changes_.pop(std::span(waiting_).subspan(before));
+    const auto later = std::ranges::find_if(waiting_, [=](const TimedChange& one) { return one.tick > reading; });
+    for (auto change = waiting_.begin(); change != later; ++change)
+        words_.append(text_, std::string_view(&changeMark, 1), change->change);
+    waiting_.erase(waiting_.begin(), later);
 }
 
 Result<void> TraceRecorder::finish() {

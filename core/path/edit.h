@@ -10,6 +10,7 @@
 #include "core/machine/machine_profile.h"
 #include "core/path/path.h"
 #include "core/recording/sample.h"
+#include "core/setup/obstacle.h"
 #include "core/tool/tool.h"
 
 #include <string>
@@ -36,7 +37,7 @@ struct HoldOut { double clearance = 0.005; double sampling = 0.1; };
 /// Fewest points such that no dropped one is farther than `tolerance` from the result (Douglas & Peucker, distance to
 /// segments). Never lets a segment enter the part: a shortcut that would is not taken.
 struct Simplify { double tolerance = 0.01; };
-/// Joins the stretches: retract to `clearanceAbove` over the stock's top, rapid across, rapid down to `approach` above
+/// Joins the stretches: retract to `clearanceAbove` over the top of the stock and of what stands there, rapid across, rapid down to `approach` above
 /// what is left at the entry, plunge. What is left is known from a conservative height map of the strokes before. Ends
 /// no farther apart than the cutter's diameter are joined straight at the cutting feed, where that keeps the allowance and
 /// shank and holder stay in empty space. Under an overhang the tool leaves along the way it came.
@@ -81,6 +82,7 @@ struct PathContext {
     CuttingConditions conditions;
     MachineProfile machine;
     Box stock;                           ///< mm, setup frame
+    std::vector<ObstacleSolid> obstacles;///< links keep clear of those that are on
     double tickPeriod = 0.001;           ///< s
 };
 

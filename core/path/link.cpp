@@ -47,7 +47,10 @@ public:
         , safeHeight_(safeHeight)
         , reach_(context.tool.cutter.diameter)
         , guard_(guard)
-        , cleared_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {}
+        , cleared_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {
+        for (const ObstacleSolid& obstacle : context.obstacles)
+            if (obstacle.on) obstacles_.emplace_back(*obstacle.surface, context.tool);
+    }
 
     void add(const PathStroke& stroke, const Access& access) {
         const glm::dvec3& start = stroke.points.front().tip;
@@ -96,13 +99,15 @@ private:
         for (std::size_t i = access.entry; i > 0; --i) cut(stroke, i - 1);
     }
 
-    /// Whether the tool may go straight on at its cutting feed: not far, clear of the part, and shank and holder in
-    /// empty space. What lies in between meets the flutes at the feed that is theirs.
+    /// Whether the tool may go straight on at its cutting feed: not far, clear of part and obstacles, and shank and
+    /// holder in empty space. What lies in between meets the flutes at the feed that is theirs.
     bool canJoin(const glm::dvec3& start, double required) const {
         if (!back_.empty()) return false;
         const glm::dvec3& end = points.back().tip;
         const double length = glm::distance(end, start);
         if (length > reach_ || !guard_.isClear(end, start, required, defaultSampling)) return false;
+        for (const PartGuard& obstacle : obstacles_)
+            if (!obstacle.isClear(end, start, 0.0, defaultSampling)) return false;
         constexpr double sampling = 0.25; // mm
         const int steps = std::max(1, static_cast<int>(length / sampling) + 1);
         for (int i = 0; i <= steps; ++i) {
@@ -115,15 +120,22 @@ private:
     double approach_, safeHeight_, reach_; // mm
     double lastRequired_ = 0.0;            // mm from the part, of the stroke before
     const PartGuard& guard_;
+    std::vector<PartGuard> obstacles_;
     ClearedHeights cleared_;
     std::vector<std::pair<const PathStroke*, std::size_t>> back_; // the way to where the last stroke can be left
 };
 
-/// Above the stock, the part and every tip.
+/// Above the stock, the part, every tip, and what stands there, but for what hangs above all of them.
 double safeHeightOf(const Link& edit, const PathUnderEdit& state, const PathContext& context, const PartGuard& guard) {
     double height = std::max(context.stock.high.z, guard.top()) + edit.clearanceAbove;
     for (const PathStroke& stroke : state.strokes) {
         for (const StrokePoint& point : stroke.points) height = std::max(height, point.tip.z);
+    }
+    const double working = height;
+    for (const ObstacleSolid& obstacle : context.obstacles) {
+        const Box box = obstacle.surface->bounds();
+        if (obstacle.on && box.low.z < working)
+            height = std::max(height, box.high.z + obstacle.margin + edit.clearanceAbove);
     }
     return height;
 }

@@ -34,11 +34,14 @@ MeshDistance wholePart(const Model& model) {
 } // namespace
 
 double Bench::safeHeight() const {
-    double top = setup.stock.high.z;
-    for (const Obstacle& obstacle : obstacles)
-        if (obstacle.on && obstacle.kind == ObstacleKind::fixture)
-            top = std::max(top, boundsOf(obstacle).high.z + obstacle.margin);
-    return top + travelAboveStock;
+    const double working = setup.stock.high.z + travelAboveStock;
+    double height = working;
+    for (const Obstacle& obstacle : obstacles) {
+        const Box box = boundsOf(obstacle);
+        if (obstacle.on && box.low.z < working)
+            height = std::max(height, box.high.z + obstacle.margin + travelAboveStock);
+    }
+    return height;
 }
 
 Box Bench::tipRegion() const {

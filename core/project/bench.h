@@ -31,7 +31,7 @@ struct Bench {
 
     Box tipRegion() const; ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
     Box tipRegion(const Tool& other) const; ///< the same for another tool
-    double safeHeight() const;              ///< mm, setup frame: above stock and fixtures, where travel is free
+    double safeHeight() const;              ///< mm, setup frame: above the stock and what stands beside it
     double workpieceVolume() const;         ///< mm³ of machinable material
 };
 

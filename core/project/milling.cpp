@@ -20,6 +20,8 @@ namespace {
 constexpr double travelMargin = 10.0; // mm
 /// A part's surface is pressed on, but the hand needs way below it.
 constexpr double pressMargin = 5.0; // mm
+/// A share at which what is cut leads a firm hand off its plan by less than a finishing cut.
+constexpr FeltCutting feltByPlannedHand{.gain = 0.05};
 /// Between two looks at whether a session has ended.
 constexpr std::chrono::milliseconds glance{5};
 
@@ -183,8 +185,10 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds&
     session.maximumSeconds = request.maximumSeconds;
     session.period = request.period;
     session.cutsOnButton = request.cutsOnButton;
+    session.felt = request.felt;
     session.forceButtons = request.forceButtons;
     session.trace = request.trace;
+    session.replayed = request.replayed;
     session.flights = request.flights;
     StrokeHistory strokes;
     const Result<std::unique_ptr<MillingSession>> live =
@@ -229,6 +233,7 @@ Result<OperatorPlan> planOperator(const Bench& bench, const ToolBounds& bounds, 
     planned.mapping = frame.upright()
                           ? mappingFor(bench, planned.hand.stylus)
                           : mappingFor(frame.toSetup(ledRegion(frame.stock(), bench.tool)), planned.hand.stylus);
+    planned.felt = feltByPlannedHand;
     Result<void> made = addStages(bench, frame, request, planned);
     if (!made) return std::move(made).error();
     std::erase_if(planned.stages, [](const OperatorStage& stage) { return stage.intent.empty(); });
@@ -238,13 +243,14 @@ Result<OperatorPlan> planOperator(const Bench& bench, const ToolBounds& bounds, 
 Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const ToolBounds& bounds,
                                          const OperatorRequest& request, const std::atomic<bool>& stop) {
     OperatorOutcome outcome;
-    const auto record = [&](Stylus& stylus, const std::string& name, double allowance,
-                            const WorkspaceMapping& mapping) -> Result<void> {
+    const auto record = [&](Stylus& stylus, const OperatorStage& stage, const WorkspaceMapping& mapping,
+                            const FeltCutting& felt) -> Result<void> {
         if (stop.load()) return Error{ErrorCode::cancelled, "milling", {}, {}};
         TakeRequest take;
-        take.name = name;
-        take.allowance = allowance;
+        take.name = stage.name;
+        take.allowance = stage.allowance;
         take.mapping = mapping;
+        take.felt = felt;
         take.pace = request.pace;
         if (request.timeLimit > 0.0) take.maximumSeconds = request.timeLimit;
         if (request.intent == OperatorIntent::hostile) take.maximumSeconds = freeSeconds(request); // it never ends
@@ -256,16 +262,15 @@ Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const T
     if (request.intent == OperatorIntent::hostile) {
         HostileStylus stylus(hostility(bench, request));
         const WorkspaceMapping mapping = mappingFor(bench, stylus.description());
-        if (Result<void> milled = record(stylus, BURIN_TEXT("Take", "hostile hand").text, request.allowance, mapping);
-            !milled)
-            return std::move(milled).error();
+        const OperatorStage stage{BURIN_TEXT("Take", "hostile hand").text, {}, request.allowance};
+        if (Result<void> milled = record(stylus, stage, mapping, {}); !milled) return std::move(milled).error();
         return outcome;
     }
     Result<OperatorPlan> planned = planOperator(bench, bounds, request);
     if (!planned) return std::move(planned).error();
     for (const OperatorStage& stage : planned->stages) {
         VirtualOperator stylus(stage.intent, planned->mapping, planned->hand);
-        if (Result<void> milled = record(stylus, stage.name, stage.allowance, planned->mapping); !milled)
+        if (Result<void> milled = record(stylus, stage, planned->mapping, planned->felt); !milled)
             return std::move(milled).error();
     }
     outcome.plan = std::move(planned->plan);

@@ -8,6 +8,7 @@
 #include "core/haptics/operator_intents.h"
 #include "core/haptics/operator_plan.h"
 #include "core/haptics/servo_loop.h"
+#include "core/haptics/session_trace.h"
 #include "core/project/bench.h"
 #include "core/project/bench_boundaries.h"
 
@@ -25,11 +26,13 @@ struct TakeRequest {
     double allowance = 0.0; ///< mm of stock that the boundary leaves on the part
     WorkspaceMapping mapping;
     Pace pace = Pace::fast;
-    double maximumSeconds = 1e9;                  ///< s of the session
-    double period = 0.0;                          ///< s of a tick; 0: as SessionRequest says
-    bool cutsOnButton = false;                    ///< the spindle turns only while the stylus' first button is down
+    double maximumSeconds = 1e9; ///< s of the session
+    double period = 0.0;         ///< s of a tick; 0: as SessionRequest says
+    bool cutsOnButton = false;   ///< the spindle turns only while the stylus' first button is down
+    FeltCutting felt;
     std::uint32_t forceButtons = 0;               ///< as in SessionRequest
     std::filesystem::path trace, flights;         ///< as in SessionRequest
+    const SessionTrace* replayed = nullptr;       ///< as in SessionRequest
     std::function<void(const Error&)> heardFault; ///< in the calling thread: a fault after which the session goes on
 };
 
@@ -85,6 +88,7 @@ struct OperatorPlan {
     MillingPlan plan;
     WorkspaceMapping mapping;
     OperatorSettings hand;
+    FeltCutting felt; ///< little: a planned hand can't look where it was pushed to, and would leave its plan
     std::vector<OperatorStage> stages; ///< in order; one that has nothing to do is left out
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/milling_session.h"
 
+#include "core/base/wall_clock.h"
 #include "core/haptics/trace_recorder.h"
 #include "core/project/session_faults.h"
 #include "core/project/session_loop.h"
@@ -23,20 +24,12 @@ constexpr std::chrono::milliseconds viewPatience{3};
 /// Between two looks at what the loop does: a fraction of a tick.
 constexpr std::chrono::microseconds glance{200};
 
-double unixTime() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 /// s of a tick.
 double periodOf(const StylusHandle& stylus, const SessionRequest& request) {
     const double rate = stylus.device().description().rate.value;
     if (stylus.selfPaced() != nullptr && rate > 0.0) return 1.0 / rate; // nobody else can
     return request.period > 0.0 ? request.period : ServoSettings{}.period;
 }
-
-/// A planned hand can't look where it was pushed to: what it cuts shall not lead it off its plan. A person's hand gets
-/// all of the device's share.
-constexpr double simulatedHandGain = 0.05, simulatedHandFriction = 0.0;
 
 HapticSettings hapticSettings(const Bench& bench, const AxisMode& axis, const StylusHandle& stylus,
                               const SessionRequest& request) {
@@ -49,10 +42,7 @@ HapticSettings hapticSettings(const Bench& bench, const AxisMode& axis, const St
     settings.cuttingSpeed = bench.conditions.surfaceSpeed;
     settings.cutsOnButton = request.cutsOnButton;
     settings.forceButtons = request.forceButtons;
-    if (settings.stylus.simulated) {
-        settings.cuttingForceGain = simulatedHandGain;
-        settings.friction = simulatedHandFriction;
-    }
+    settings.felt = request.felt;
     return settings;
 }
 
@@ -120,7 +110,7 @@ public:
     bool newest(SessionState& state) override;
     bool newestView(WorkpieceView& view) override;
     void takeTrace(std::vector<TracePoint>& points) override;
-    std::optional<Error> takeFault() override { return faults_.take(); }
+    std::optional<Error> takeFault() override;
     DeviceHealth health() const override { return stylus_.device().health(); }
     bool ended() const override { return ended_.load(std::memory_order_acquire); }
     Result<LoopStatistics> end() override;
@@ -148,6 +138,7 @@ private:
     HapticStep step_;
     SessionLoop loop_;
     SessionFaults faults_;
+    std::optional<ReplayedChanges> replayed_;
     std::unique_ptr<TraceRecorder> trace_;
     std::unique_ptr<Recorder> recorder_;
     std::int64_t take_ = 0;
@@ -162,14 +153,22 @@ private:
 
 Result<void> LiveSession::start(const SessionRequest& request) {
     TickSink* sink = &faults_.sink();
+    if (request.replayed != nullptr) {
+        replayed_.emplace(*request.replayed, step_, *sink);
+        sink = &*replayed_;
+    }
     if (!request.trace.empty()) {
-        Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink);
+        const TracedSession began{stylus_.device().description(), request.mapping,     request.allowance, servo_.period,
+                                  request.cutsOnButton,           request.forceButtons};
+        Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink, began);
         if (!trace) return std::move(trace).error();
         trace_ = std::move(*trace);
+        step_.listen(trace_.get());
         sink = trace_.get();
     }
     if (!request.takeName.empty())
         if (Result<void> begun = beginTake(request.takeName); !begun) {
+            step_.listen(nullptr);
             trace_.reset(); // of nothing
             return begun;
         }
@@ -297,6 +296,12 @@ Result<void> LiveSession::setGuides(const GuideSettings& guides) {
     return {};
 }
 
+std::optional<Error> LiveSession::takeFault() {
+    if (std::optional<Error> fault = faults_.take()) return fault;
+    if (!loop_.takeHeat()) return std::nullopt;
+    return Error{ErrorCode::deviceHot, stylus_.device().description().name, {}, {}};
+}
+
 bool LiveSession::newest(SessionState& state) {
     collectStrokes();
     strokes_.tidy();
@@ -382,6 +387,7 @@ Result<LoopStatistics> LiveSession::end() {
     // The disk's refusal, not the full ring that came of it.
     if (recorder_) static_cast<void>(stopRecording());
     if (diskFault_) outcome_ = *diskFault_;
+    step_.listen(nullptr);
     if (const std::unique_ptr<TraceRecorder> trace = std::move(trace_)) {
         const Result<void> written = trace->finish();
         if (!written && outcome_) outcome_ = written.error();

@@ -4,7 +4,9 @@
 
 #include "core/device/stylus_handle.h"
 #include "core/haptics/guide.h"
+#include "core/haptics/haptic_settings.h"
 #include "core/haptics/servo_loop.h"
+#include "core/haptics/session_trace.h"
 #include "core/haptics/workspace.h"
 #include "core/project/bench.h"
 #include "core/project/bench_boundaries.h"
@@ -64,14 +66,17 @@ struct SessionRequest {
     double allowance = 0.0; ///< mm of stock that the boundary leaves on the part
     WorkspaceMapping mapping;
     Pace pace = Pace::realtime;
-    int ticksPerEdge = 1;           ///< time lapse: so many ticks at each edge of the clock; virtual operators only
-    bool cutsOnButton = false;      ///< the spindle turns only while the stylus' first button is down
+    int ticksPerEdge = 1;      ///< time lapse: so many ticks at each edge of the clock; virtual operators only
+    bool cutsOnButton = false; ///< the spindle turns only while the stylus' first button is down
+    FeltCutting felt;
     std::uint32_t forceButtons = 0; ///< dead man's: forces only while one of these is held, by bit; 0: always
     /// Keeps the workpiece as each stroke found it, so that it can be taken back. That holds back memory of the volume:
     /// when it runs out, the older half of the strokes stays for good.
     bool undoable = true;
     double period = 0.0; ///< s of a tick; 0: the stylus' own rate where it has one that it paces itself, or 1 kHz
-    std::filesystem::path trace;   ///< of ticks, written while the session lasts; empty: none
+    std::filesystem::path trace; ///< of ticks, written while the session lasts; empty: none
+    /// What a trace that is played was told between its ticks is told again; outlives the session. Null: nothing.
+    const SessionTrace* replayed = nullptr;
     std::filesystem::path flights; ///< folder for records of faults (FlightRecorder); empty: beside the project
     std::string takeName;          ///< of a take that begins with the very first tick; empty: none does
     double maximumSeconds = std::numeric_limits<double>::infinity(); ///< of the session's time
@@ -139,7 +144,8 @@ public:
 
     /// The oldest fault that nobody took yet, of the stylus or of the loop that moves it; the session goes on by itself
     /// when it is over. Error::place: the file with its last two seconds, empty where there is none. What a simulated
-    /// stylus would not feel is no fault.
+    /// stylus would not feel is no fault. Motors that have become hot are told as well (deviceHot): the session goes on
+    /// with less force.
     virtual std::optional<Error> takeFault() = 0;
     /// Of the stylus, whether it is there.
     virtual DeviceHealth health() const = 0;

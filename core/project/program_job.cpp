@@ -59,6 +59,7 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
     context.conditions = bench.conditions;
     context.machine = bench.machine;
     context.stock = bench.setup.stock;
+    context.obstacles = solidsOf(bench.obstacles);
     if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
     return evaluate(path.name, takes, path.edits, context, progress);
 }
@@ -98,6 +99,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     verification.model = bench.model.get();
     verification.part = &bench.part;
     verification.setup = bench.setup;
+    verification.obstacles = bench.obstacles;
     verification.tool = bench.tool;
     verification.machine = bench.machine;
     verification.gougeTolerance = request.gougeTolerance;

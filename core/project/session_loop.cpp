@@ -87,6 +87,9 @@ void SessionLoop::tick(const Sample& sample, const TickTiming& timing) noexcept 
         follow(sample, cutting);
         ++recorded_;
     }
+    const bool hot = (sample.flags & sampleMotorsHot) != 0;
+    if (hot && !hot_) heated_.store(true, std::memory_order_relaxed);
+    hot_ = hot;
     rate_.add(units, timing.period);
     noteLayers();
     if (figures_.add(timing)) figuresOut_.post(figures_.newest());

@@ -77,6 +77,8 @@ public:
     bool strokeUnderWay() const noexcept { return strokeOpen_.load(std::memory_order_acquire); }
     bool takeNews(TickNews& news) noexcept { return news_.take(news); }
     bool takeFigures(LiveFigures& figures) noexcept { return figuresOut_.take(figures); }
+    /// True once for each time that the device's motors began to be spared.
+    bool takeHeat() noexcept { return heated_.exchange(false, std::memory_order_relaxed); }
     bool takeStroke(Stroke& stroke) noexcept { return strokes_.take(stroke); }
     std::size_t takeTrace(std::span<MillingSession::TracePoint> points) noexcept { return trace_.pop(points); }
     void wishView() noexcept { viewWish_.store(true, std::memory_order_release); }
@@ -110,7 +112,7 @@ private:
 
     std::atomic<Wish> wish_{Wish::none};
     Recording wished_;
-    std::atomic<bool> resume_{false}, viewWish_{false};
+    std::atomic<bool> resume_{false}, viewWish_{false}, heated_{false};
     Mailbox<double> allowances_;
     Mailbox<GuideSettings> guides_;
     Mailbox<WorkspaceSettings> workspaces_;
@@ -134,6 +136,7 @@ private:
     std::uint64_t strokeFirst_ = 0;
     bool traceBegins_ = true;
     std::int64_t oldestCut_ = 0; ///< ns; 0: none
+    bool hot_ = false;           ///< in the newest tick
     std::uint64_t ticks_ = 0;
     RemovalRate rate_;
     LayersNews layers_;

@@ -25,6 +25,7 @@ enum SampleFlag : std::uint32_t {
     sampleAxisHeld = 1u << 8,      ///< the axis does not follow the stylus: there is no room, and no torque to feel it
     sampleOnObstacle = 1u << 9,    ///< a fixture, a keep-out volume or the machine's travel held the proxy back: alarm
     sampleForceLate = 1u << 10,    ///< the force came too late for its reading: zero was sent instead
+    sampleMotorsHot = 1u << 11,    ///< the device's motors are hot: it is asked for less than its figures allow
 };
 
 /// Removed volume of one material in one tick.

@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t fieldCount = 9, tickFieldCount = 11;
+constexpr std::size_t fieldCount = 9, firstTickFieldCount = 11, tickFieldCount = 12;
 // A quaternion that was rounded to four digits still passes; one that was never normalised does not.
 constexpr double unitTolerance = 1e-3;
 
@@ -64,19 +64,25 @@ Result<StylusState> parsePose(const Fields& fields, const std::string& origin, s
     return state;
 }
 
-Result<StylusState> parseReading(std::string_view line, bool ticks, const std::string& origin, std::size_t number) {
-    const std::size_t count = ticks ? tickFieldCount : fieldCount;
+/// @param count of fields, which tells the kind of trace
+Result<StylusState> parseReading(std::string_view line, std::size_t count, const std::string& origin,
+                                 std::size_t number) {
     const std::optional<Fields> fields = split(line, count);
     if (!fields) return invalid(origin, number, "not " + std::to_string(count) + " values between commas");
     Result<StylusState> state = parsePose(*fields, origin, number);
     if (!state) return state;
-    if (ticks) {
+    if (count >= firstTickFieldCount) {
         const std::optional<double> period = parseNumber((*fields)[fieldCount]);
         if (!period) return invalid(origin, number, "value 10 is not a number");
         const std::string_view valid = (*fields)[fieldCount + 1];
         if (valid != "0" && valid != "1") return invalid(origin, number, "value 11 is neither 0 nor 1");
         state->period = *period;
         state->valid = valid == "1";
+    }
+    if (count == tickFieldCount) {
+        const std::optional<double> heat = parseNumber((*fields)[fieldCount + 2]);
+        if (!heat || *heat < 0.0) return invalid(origin, number, "value 12 is not a number of at least 0");
+        state->motorHeat = *heat;
     }
     if (state->valid && !(std::abs(glm::length(state->pose.rotation) - 1.0) <= unitTolerance))
         return invalid(origin, number, "the quaternion's length is not 1");
@@ -116,13 +122,17 @@ void appendTick(std::string& text, const StylusState& state) {
     appendReading(text, told);
     text += ',';
     text += formatShortest(told.period);
-    text += told.valid ? ",1\n" : ",0\n";
+    text += told.valid ? ",1," : ",0,";
+    // What is no number says nothing, as to a tick.
+    text += formatShortest(told.motorHeat > 0.0 && std::isfinite(told.motorHeat) ? told.motorHeat : 0.0);
+    text += '\n';
 }
 
 std::string formatTrace(std::span<const StylusState> states) {
     const bool ticks = std::ranges::any_of(states, hasPeriod);
-    std::string text(ticks ? tickTraceHeader : traceHeader);
-    text += '\n';
+    std::string text;
+    if (ticks) text.append(tickTraceMark).append("\n");
+    text.append(ticks ? tickTraceHeader : traceHeader).append("\n");
     for (const StylusState& state : states) {
         if (ticks) {
             appendTick(text, state);
@@ -134,25 +144,40 @@ std::string formatTrace(std::span<const StylusState> states) {
     return text;
 }
 
-Result<std::vector<StylusState>> parseTrace(std::string_view text, const std::string& origin) {
+Result<Trace> parseTrace(std::string_view text, const std::string& origin) {
     if (text.empty()) return Error{ErrorCode::fileEmpty, origin, "", ""};
-    const std::string_view header = takeLine(text);
-    const bool ticks = header == tickTraceHeader;
-    if (!ticks && header != traceHeader)
-        return invalid(origin, 1, "the first line must be " + std::string(traceHeader));
-    std::vector<StylusState> states;
-    for (std::size_t number = 2; !text.empty(); ++number) {
-        const Result<StylusState> state = parseReading(takeLine(text), ticks, origin, number);
-        if (!state) return state.error();
-        if (!ticks && !states.empty() && !(state->time > states.back().time))
-            return invalid(origin, number, "the time is not later than in the line before");
-        states.push_back(*state);
+    std::string_view header = takeLine(text);
+    std::size_t number = 1;
+    const bool marked = header == tickTraceMark;
+    if (marked) {
+        header = takeLine(text);
+        ++number;
     }
-    if (states.empty()) return invalid(origin, 2, "no reading follows the first line");
-    return states;
+    const std::size_t count = marked                           ? tickFieldCount
+                              : header == firstTickTraceHeader ? firstTickFieldCount
+                                                               : fieldCount;
+    if (header != (marked ? tickTraceHeader : count == fieldCount ? traceHeader : firstTickTraceHeader))
+        return invalid(origin, number,
+                       "the " + std::string(marked ? "second" : "first") + " line must be " +
+                           std::string(marked ? tickTraceHeader : traceHeader));
+    Trace trace;
+    for (++number; !text.empty(); ++number) {
+        const std::string_view line = takeLine(text);
+        if (marked && line.starts_with(changeMark)) {
+            trace.changes.push_back({trace.readings.size(), number, std::string(line.substr(1))});
+            continue;
+        }
+        const Result<StylusState> state = parseReading(line, count, origin, number);
+        if (!state) return state.error();
+        if (count == fieldCount && !trace.readings.empty() && !(state->time > trace.readings.back().time))
+            return invalid(origin, number, "the time is not later than in the line before");
+        trace.readings.push_back(*state);
+    }
+    if (trace.readings.empty()) return invalid(origin, number, "no reading follows");
+    return trace;
 }
 
-Result<std::vector<StylusState>> readTrace(const std::filesystem::path& file) {
+Result<Trace> readTrace(const std::filesystem::path& file) {
     const Result<std::string> text = readFile(file);
     if (!text) return text.error();
     return parseTrace(*text, file.string());

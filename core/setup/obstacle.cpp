@@ -169,6 +169,14 @@ Result<std::vector<Obstacle>> fixturesOf(const Model& model, const std::string& 
     return fixtures;
 }
 
+std::vector<ObstacleSolid> solidsOf(std::span<const Obstacle> obstacles) {
+    std::vector<ObstacleSolid> solids;
+    solids.reserve(obstacles.size());
+    for (const Obstacle& obstacle : obstacles)
+        solids.push_back({std::make_shared<const MeshDistance>(meshOf(obstacle)), obstacle.margin, obstacle.on});
+    return solids;
+}
+
 TriangleMesh meshOf(const Obstacle& obstacle) {
     return std::visit([](const auto& shape) { return meshOf(shape); }, obstacle.shape);
 }

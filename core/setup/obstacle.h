@@ -5,9 +5,12 @@
 #include "core/base/result.h"
 #include "core/cad/model.h"
 #include "core/geometry/box.h"
+#include "core/geometry/mesh_distance.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -48,6 +51,16 @@ Box boundsOf(const Obstacle& obstacle);
 /// several is called "NAME: BODY". A mesh that is inside out is turned. Errors: modelNotWatertight (place: the body and
 /// its open edges), modelHasNoSolid.
 Result<std::vector<Obstacle>> fixturesOf(const Model& model, const std::string& name, double margin);
+
+/// An obstacle, ready to be asked how far a tool keeps from it; any number of askers share its surface.
+struct ObstacleSolid {
+    std::shared_ptr<const MeshDistance> surface; ///< never null
+    double margin = 0.0;                         ///< mm
+    bool on = true;
+};
+
+/// Allocates; builds a search tree for each obstacle.
+std::vector<ObstacleSolid> solidsOf(std::span<const Obstacle> obstacles);
 
 /// Its surface, closed and outward. A cylinder is never smaller than it says, and wider by `cylinderChord` at most.
 TriangleMesh meshOf(const Obstacle& obstacle);

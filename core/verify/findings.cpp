@@ -36,6 +36,8 @@ const char* idOf(FindingKind kind) {
         return "spindle_limit";
     case FindingKind::unknownStart:
         return "unknown_start";
+    case FindingKind::obstacleCollision:
+        return "obstacle_collision";
     }
     return "unknown";
 }

@@ -6,6 +6,7 @@
 #include "core/verify/findings.h"
 #include "core/verify/gouge.h"
 #include "core/verify/limits.h"
+#include "core/verify/obstacles.h"
 #include "core/verify/outline.h"
 #include "core/verify/replay.h"
 #include "core/verify/tool_moves.h"
@@ -78,6 +79,8 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     Findings findings;
     VerifyReport report;
     judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, findings);
+    if (Result<void> judged = judgeObstacles(moves, request, findings, progress); !judged)
+        return std::move(judged).error();
     report.machiningSeconds = machiningSeconds(moves, request.machine);
     judgeFinish(moves, request, ShrunkOutline(workpiece, request.tool.cutter.radius()), report);
 

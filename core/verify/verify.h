@@ -8,6 +8,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/machine/machine_profile.h"
 #include "core/nc/parser.h"
+#include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
 
@@ -22,6 +23,7 @@ struct VerifyRequest {
     const Model* model = nullptr;
     const MeshDistance* part = nullptr; ///< of the model's meshes, chord <= 0.005 mm
     Setup setup;
+    std::vector<Obstacle> obstacles; ///< those that are on are judged
     Tool tool;
     MachineProfile machine;
     double gougeTolerance = 0.02;   ///< mm
@@ -31,15 +33,16 @@ struct VerifyRequest {
 };
 
 enum class FindingKind : std::uint8_t {
-    gouge,           ///< amount: mm of depth
-    rapidInStock,    ///< amount: mm³ that the rapid would tear off
-    shankCollision,  ///< amount: mm³ of overlap
-    holderCollision, ///< amount: mm³ of overlap
-    spindleOff,      ///< amount: mm³ removed with the spindle standing still
-    travelLimit,     ///< amount: mm of way that one axis would have to have
-    feedLimit,       ///< amount: mm/min
-    spindleLimit,    ///< amount: 1/min
-    unknownStart,    ///< a feed move from a place that the program has not set; amount: 0
+    gouge,             ///< amount: mm of depth
+    rapidInStock,      ///< amount: mm³ that the rapid would tear off
+    shankCollision,    ///< amount: mm³ of overlap
+    holderCollision,   ///< amount: mm³ of overlap
+    spindleOff,        ///< amount: mm³ removed with the spindle standing still
+    travelLimit,       ///< amount: mm of way that one axis would have to have
+    feedLimit,         ///< amount: mm/min
+    spindleLimit,      ///< amount: 1/min
+    unknownStart,      ///< a feed move from a place that the program has not set; amount: 0
+    obstacleCollision, ///< the tool enters a fixture or a keep-out volume; amount: mm of depth
 };
 /// Stable id of a kind, for JSON: "gouge", "rapid_in_stock", …
 const char* idOf(FindingKind kind);

@@ -32,6 +32,12 @@ public:
         return PartJudge(std::move(*model), radius);
     }
 
+    static burin::ImportOptions importOptions() {
+        burin::ImportOptions options;
+        options.worker = BURIN_BUILD_DIRECTORY "/burin-import";
+        return options;
+    }
+
     const burin::Model& model() const { return model_; }
     const burin::MeshDistance& part() const { return part_; }
 
@@ -82,11 +88,6 @@ public:
 private:
     PartJudge(burin::Model model, double radius)
         : model_(std::move(model)), part_(model_.bodies.front().mesh), radius_(radius) {}
-    static burin::ImportOptions importOptions() {
-        burin::ImportOptions options;
-        options.worker = BURIN_BUILD_DIRECTORY "/burin-import";
-        return options;
-    }
 
     burin::Model model_;
     burin::MeshDistance part_;

@@ -69,7 +69,7 @@ void CommandLineTest::initTestCase() {
 void CommandLineTest::helpsWithEachCommand_data() {
     QTest::addColumn<QString>("command");
     for (const char* command :
-         {"import", "embed", "mill", "path", "post", "verify", "info", "calibrate", "demo", "devices", "bench"})
+         {"import", "embed", "setup", "mill", "path", "post", "verify", "info", "calibrate", "demo", "devices", "bench"})
         QTest::newRow(command) << QString(command);
 }
 
@@ -111,6 +111,14 @@ void CommandLineTest::statusTellsWhatWentWrong_data() {
     row("device that is not there", {"mill", "@/cube.burin", "--stylus", "device:omega"}, 2, "omega");
     row("trace of the operator", {"mill", "@/cube.burin", "--trace", "@/x.csv"}, 2, "operator");
     row("trace with an error", {"mill", "@/cube.burin", "--stylus", "trace:@/trace.csv"}, 3, "trace.csv");
+    row("fixture that is not there", {"setup", "@/cube.burin", "--fixture", "@/vise.step"}, 3, "vise.step");
+    row("fixture that is no model", {"setup", "@/cube.burin", "--fixture", "@/noise.stl"}, 3, "noise.stl");
+    row("keep-out of no size", {"setup", "@/cube.burin", "--keep-out", "0,0,0,1,1,0"}, 2, "--keep-out");
+    row("keep-out of five numbers", {"setup", "@/cube.burin", "--keep-out", "0,0,0,1,1"}, 2, "0,0,0,1,1");
+    row("axis of no length", {"setup", "@/cube.burin", "--axis", "0,0,0"}, 2, "--axis");
+    row("axis without a meaning", {"mill", "@/cube.burin", "--axis", "sideways"}, 2, "sideways");
+    row("travel without a meaning", {"setup", "@/cube.burin", "--travel", "far"}, 2, "middle");
+    row("obstacle that is not there", {"setup", "@/cube.burin", "--remove", "vise"}, 2, "vise");
     row("nothing recorded yet", {"post", "@/cube.burin", "-o", "@/x.ngc"}, 2, "burin mill");
     row("word that no control knows", {"verify", "@/wrong.ngc", "--project", "@/cube.burin", "--tool", "ball-6"}, 3,
         "wrong.ngc");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/haptics/haptic_step.h"
+#include "tests/core/device/desktop_stylus.h"
 #include "tests/oracles/simulated_handle.h"
 
 #include <algorithm>
@@ -164,13 +165,11 @@ private:
 
     static HapticSettings settings(const SlotCase& of) {
         HapticSettings settings;
+        settings.stylus = desktopStylus();
         settings.stylus.name = "slot";
-        settings.stylus.actuated = {3, 0};
         settings.stylus.maximumForce = {of.maximumForce / settings.forceShare, "made up"};
         settings.stylus.maximumStiffness = {of.stiffness / settings.couplingShare, "made up"};
-        settings.stylus.maximumDamping = {4.0, "made up"};
         settings.stylus.positionStep = {of.mechanism.encoder, "made up"};
-        settings.stylus.workspaceRadius = {80.0, "made up"};
         settings.rampSeconds = 0.0;
         return settings;
     }

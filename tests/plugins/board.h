@@ -41,6 +41,7 @@ public:
         limits.workspace_radius = 80U << 16U;
         limits.position_step = 335544;
         limits.rotation_step = 536870;
+        limits.handle_mass = 2048;
         return limits;
     }
 

@@ -62,7 +62,9 @@ public:
         return board_.largestForceSquared;
     }
 
-    std::atomic<double> x{0.0};      ///< mm, where the stylus is held
+    std::atomic<double> x{0.0}, y{0.0}, z{0.0}; ///< mm, where the stylus is held
+    std::atomic<std::uint32_t> buttons{0};
+    std::atomic<std::uint8_t> heat{OPEN_STYLUS_HEAT_UNKNOWN};
     std::atomic<bool> silent{false}; ///< sends nothing
     std::atomic<double> force{0.0};  ///< N, along x, that the motors render
     std::atomic<bool> motors{false};
@@ -85,7 +87,9 @@ private:
             std::this_thread::sleep_until(due);
             const std::lock_guard lock(mutex_);
             if (silent.load()) continue;
-            board_.moveTo(x.load(), 0.0, 0.0);
+            board_.moveTo(x.load(), y.load(), z.load());
+            board_.reading.heat = heat.load();
+            board_.reading.buttons = buttons.load();
             const auto passed = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - start).count();
             board_.step(static_cast<std::uint32_t>(passed) - board_.microseconds);
             show();

@@ -4,9 +4,8 @@
 #include "plugins/devices/open_stylus/driver.h"
 #include "plugins/devices/open_stylus/open_stylus.h"
 #include "tests/oracles/allocation_count.h"
+#include "tests/plugins/board_on_bus.h"
 #include "tests/plugins/comes_true.h"
-#include "tests/plugins/running_board.h"
-#include "tests/plugins/scripted_bus.h"
 
 #include <QtTest>
 
@@ -16,45 +15,15 @@
 using namespace burin;
 using namespace burin::openstylus;
 using test::Board;
+using test::boardInfo;
 using test::comesTrue;
 using test::HangingClient;
-using test::RunningBoard;
+using test::PluggedBoard;
 using test::ScriptedBus;
 using test::Wall;
 using test::Wire;
 
 namespace {
-
-hid::DeviceInfo board(const char* serial = "0001") {
-    hid::DeviceInfo info;
-    info.vendor = 0x1209;
-    info.product = 0x0001;
-    info.usagePage = usagePage;
-    info.usage = usage;
-    info.serial = serial;
-    info.name = "Open Stylus mine";
-    return info;
-}
-
-/// A running board on a scripted bus.
-class PluggedBoard : public RunningBoard {
-public:
-    explicit PluggedBoard(ScriptedBus& bus, const open_stylus_limits& limits = Board::limits())
-        : RunningBoard([this](const Board::Report& report) { return wire_->send(report); }, limits)
-        , wire_(bus.plug(board(), [this] { return feature(); })) {
-        wire_->onOutput([this](const Board::Report& report) { deliver(report); });
-        start();
-    }
-    ~PluggedBoard() {
-        stop();
-        wire_->cut();
-    }
-    PluggedBoard(const PluggedBoard&) = delete;
-    PluggedBoard& operator=(const PluggedBoard&) = delete;
-
-private:
-    std::shared_ptr<Wire> wire_;
-};
 
 /// A port that allocates nothing itself: plays what a board sent once, and swallows what it is sent.
 class PlayedPort final : public hid::Port {
@@ -133,13 +102,13 @@ class TestOpenStylus : public QObject {
 private slots:
     void itIsFoundByWhatItSpeaks() {
         auto bus = std::make_unique<ScriptedBus>();
-        bus->plug(board());
-        hid::DeviceInfo mouse = board();
+        bus->plug(boardInfo());
+        hid::DeviceInfo mouse = boardInfo();
         mouse.usagePage = 1;
         mouse.usage = 2;
         bus->plug(mouse);
-        bus->plug(board(""));
-        bus->plug(board(""));
+        bus->plug(boardInfo(""));
+        bus->plug(boardInfo(""));
         const auto driver = makeDriver(std::move(bus));
         const auto found = driver->find();
         QCOMPARE(found.size(), std::size_t{3});
@@ -298,7 +267,7 @@ private slots:
         Board::Report feature = source.feature();
         feature[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(value);
         auto bus = std::make_unique<ScriptedBus>();
-        bus->plug(board(), [feature] { return feature; });
+        bus->plug(boardInfo(), [feature] { return feature; });
         const auto made = makeDriver(std::move(bus))->make("1209:0001:0001", {});
         QVERIFY(!made);
         QCOMPARE(made.error().code, code);
@@ -306,7 +275,7 @@ private slots:
 
     void aDeviceWithoutAnAnswerIsRefused() {
         auto bus = std::make_unique<ScriptedBus>();
-        bus->plug(board());
+        bus->plug(boardInfo());
         const auto driver = makeDriver(std::move(bus));
         QCOMPARE(driver->make("1209:0001:0001", {}).error().code, ErrorCode::deviceFault);
         QCOMPARE(driver->make("1209:0001:0002", {}).error().code, ErrorCode::deviceNotFound);

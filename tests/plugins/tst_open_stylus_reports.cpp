@@ -109,6 +109,22 @@ private slots:
         QCOMPARE(identity.workspaceRadius, 80.0);
         QCOMPARE(identity.positionStep, 335544 * 0x1.0p-24);
         QCOMPARE(identity.rotationStep, 536870 * 0x1.0p-30);
+        QCOMPARE(int{identity.minor}, 1);
+        QCOMPARE(identity.handleMass, 0.0625);
+    }
+
+    /// Bytes 60 and 61 were reserved in 1.0: whatever stands there, no hand is lifted by it.
+    void anOlderFirmwareStatesNoMass() {
+        auto bytes = vectorOf(documentedBytes().value(3));
+        bytes[2] = 0;
+        const std::uint16_t crc = open_stylus_crc(bytes.data(), 62);
+        bytes[62] = static_cast<std::uint8_t>(crc & 0xffU);
+        bytes[63] = static_cast<std::uint8_t>(crc >> 8U);
+        Identity identity;
+        QCOMPARE(decodeFeature(bytes, identity), IdentityFault::none);
+        QCOMPARE(identity.handleMass, 0.0);
+        QCOMPARE(identity.rotationStep, 536870 * 0x1.0p-30); // the rest as ever
+        QVERIFY(checkDescription(descriptionOf(identity, "old")));
     }
 
     void whatTheFirmwareMeasuresArrivesExactly() {
@@ -322,6 +338,8 @@ private slots:
         QCOMPARE(description.maximumForce.value, 3.0);
         QVERIFY(description.maximumForce.source.find("measured on its design") != std::string::npos);
         QCOMPARE(description.maximumStiffness.value, 400.0);
+        QCOMPARE(description.handleMass.value, 0.03125); // kg
+        QVERIFY(!description.carriesHandle && !description.handleMass.source.empty());
         QVERIFY(description.hasMotors());
     }
 };

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/core/device/desktop_stylus.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "ui/workbench/workbench.h"
 
@@ -24,16 +25,15 @@ struct Hand {
 };
 
 StylusDescription description(bool motors) {
-    StylusDescription description;
+    StylusDescription description = test::desktopStylus();
     description.name = "Arm";
     description.buttons = 2;
-    description.workspaceRadius = {60.0, "made up"};
-    if (!motors) return description;
-    description.actuated = {3, 0};
     description.rate = {1000.0, "made up"};
-    description.maximumForce = {3.0, "made up"};
-    description.maximumStiffness = {400.0, "made up"};
-    description.maximumDamping = {3.0, "made up"};
+    if (motors) return description;
+    description.actuated = {};
+    description.maximumForce = {};
+    description.maximumStiffness = {};
+    description.maximumDamping = {};
     return description;
 }
 
@@ -280,30 +280,26 @@ private slots:
         QCOMPARE(state.sample.stylusTip, stopped);
     }
 
-    void aDeviceThatIsHotOrEmptyIsToldOnce() {
+    void aDeviceWhoseBatteryIsLowIsToldOnce() {
         Shelf shelf;
         Workbench bench;
         QVERIFY(takeInHand(shelf, bench));
-        QSignalSpy warned(&bench.hand, &HandController::warned);
+        QSignalSpy low(&bench.hand, &HandController::batteryLow);
         OwnStylus& arm = *shelf.hand.stylus.load();
         arm.battery = 0.4;
         arm.heat = 0.5;
         QTRY_VERIFY(bench.hand.health().batteryShare && *bench.hand.health().motorHeat > 0.4);
-        QCOMPARE(warned.size(), 0);
+        QCOMPARE(low.size(), 0);
         arm.battery = 0.12;
-        QTRY_COMPARE(warned.size(), 1);
-        QCOMPARE(qvariant_cast<HandController::Warning>(warned[0][0]), HandController::Warning::battery);
-        QCOMPARE(warned[0][1].toDouble(), 0.12);
+        QTRY_COMPARE(low.size(), 1);
+        QCOMPARE(low[0][0].toDouble(), 0.12);
         arm.battery = 0.11;
-        arm.heat = 0.9;
-        QTRY_COMPARE(warned.size(), 2);
-        QCOMPARE(qvariant_cast<HandController::Warning>(warned[1][0]), HandController::Warning::heat);
         QTest::qWait(700);
-        QCOMPARE(warned.size(), 2);
-        arm.heat = 0.6; // cooled down, and hot again
-        QTRY_VERIFY(*bench.hand.health().motorHeat < 0.7);
-        arm.heat = 0.9;
-        QTRY_COMPARE(warned.size(), 3);
+        QCOMPARE(low.size(), 1);
+        arm.battery = 0.5; // charged, and low again
+        QTRY_VERIFY(*bench.hand.health().batteryShare > 0.4);
+        arm.battery = 0.1;
+        QTRY_COMPARE(low.size(), 2);
     }
 
 private:

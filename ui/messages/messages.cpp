@@ -102,6 +102,9 @@ QString Messages::sentence(const Error& error) {
         return withRecord(tr("The device \"%1\" has its forces off for now (%2); they fade in again when that is over.")
                               .arg(subject, error.detail.empty() ? detail : deviceReasonText(error.detail)),
                           error);
+    case ErrorCode::deviceHot:
+        return tr("The motors of \"%1\" are hot, so its forces go down to half; press less until they have cooled.")
+            .arg(subject);
     case ErrorCode::deviceNotAllowed:
         return tr("You have no right to use the device \"%1\" (%2); install Burin's udev rule and plug it in again.")
             .arg(subject, place);

@@ -179,7 +179,7 @@ void MainWindow::connectWorkbench() {
         const bool stopped = error.code == ErrorCode::cancelled;
         message_->tell(stopped ? Notice::Kind::information : Notice::Kind::error, Messages::sentence(error));
     });
-    connect(&workbench_.hand, &HandController::warned, this, &MainWindow::warnAboutDevice);
+    connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
     workbench_.styluses.start();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
     connect(&workbench_.document, &DocumentController::opened, this, &MainWindow::tellAboutOpened);
@@ -269,13 +269,9 @@ void MainWindow::tellAboutOpened() {
                        tr("Burin ended before this work was saved; all of it is here again."));
 }
 
-void MainWindow::warnAboutDevice(HandController::Warning warning, double share) {
-    const QString device = workbench_.styluses.chosenName();
-    message_->tell(Notice::Kind::warning,
-                   warning == HandController::Warning::battery
-                       ? tr("The battery of “%1” is down to %2; charge it soon.").arg(device, shareText(share))
-                       : tr("The motors of “%1” are at %2 of the heat that they bear; press less, or rest a while.")
-                             .arg(device, shareText(share)));
+void MainWindow::tellAboutBattery(double share) {
+    message_->tell(Notice::Kind::warning, tr("The battery of “%1” is down to %2; charge it soon.")
+                                              .arg(workbench_.styluses.chosenName(), shareText(share)));
 }
 
 void MainWindow::updateTitle() {

@@ -43,7 +43,7 @@ private:
     void showStep(JobStep step);
     void showBench(bool shown);
     void showWelcome();
-    void warnAboutDevice(HandController::Warning warning, double share);
+    void tellAboutBattery(double share);
     void updateTitle();
     void dress(Theme theme);
     void apply(const Preferences& preferences);

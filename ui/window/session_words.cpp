@@ -62,6 +62,8 @@ QString hintSentence(const SessionState& state, const ToolBounds& bounds, const 
     const bool held = forceButton == 0 || (state.sample.buttons >> static_cast<unsigned>(forceButton - 1) & 1U) != 0;
     if (!held) return MillTexts::tr("There is force while button %1 is held.").arg(forceButton);
     if ((flags & sampleForcesOff) != 0) return MillTexts::tr("Forces fade in, once the tool is clear of the part.");
+    if ((flags & sampleMotorsHot) != 0)
+        return MillTexts::tr("The motors are hot: forces go down until they have cooled.");
     if ((flags & sampleForceSaturated) != 0) return MillTexts::tr("The device gives all the force that it may.");
     return {};
 }

@@ -35,7 +35,7 @@ HandController::HandController(const Desk& desk, BenchController& bench, MillCon
         emit changed();
     });
     connect(&mill_, &MillController::left, this, [this] {
-        clutched_ = batteryTold_ = heatTold_ = false;
+        clutched_ = batteryTold_ = false;
         emit changed();
     });
     connect(&styluses_, &Controller::changed, this, [this] {
@@ -159,12 +159,9 @@ void HandController::setForceButton(int button) {
 
 void HandController::watch() {
     if (!hasDevice()) return;
-    const DeviceHealth& now = health();
-    const double battery = now.charging ? 1.0 : now.batteryShare.value_or(1.0), heat = now.motorHeat.value_or(0.0);
-    if (battery > batteryFine) batteryTold_ = false;
-    if (heat < motorsFine) heatTold_ = false;
-    if (battery <= batteryLow && !std::exchange(batteryTold_, true)) emit warned(Warning::battery, battery);
-    if (heat >= motorsHot && !std::exchange(heatTold_, true)) emit warned(Warning::heat, heat);
+    const double battery = health().charging ? 1.0 : health().batteryShare.value_or(1.0);
+    if (battery > fineBattery) batteryTold_ = false;
+    if (battery <= lowBattery && !std::exchange(batteryTold_, true)) emit batteryLow(battery);
     emit changed();
 }
 

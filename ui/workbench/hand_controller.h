@@ -26,10 +26,8 @@ struct HandSettings {
 class HandController final : public Controller {
     Q_OBJECT
 public:
-    enum class Warning { battery, heat };
-    Q_ENUM(Warning)
-    /// A warning comes once, at the first of two shares, and again after the second one was passed.
-    static constexpr double batteryLow = 0.15, batteryFine = 0.20, motorsHot = 0.85, motorsFine = 0.75;
+    /// A low battery is told once, and again after it was fine. (Hot motors are the session's to tell.)
+    static constexpr double lowBattery = 0.15, fineBattery = 0.20;
 
     HandController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
                    StylusController& styluses, GuideController& guides, QObject* parent);
@@ -58,7 +56,7 @@ public:
     void setForceButton(int button); ///< takes the tool up anew: a take ends
 
 signals:
-    void warned(burin::HandController::Warning warning, double share);
+    void batteryLow(double share); ///< 0 … 1
 
 private:
     struct Kept {
@@ -79,7 +77,7 @@ private:
     GuideController& guides_;
     std::vector<Kept> kept_;
     std::uint32_t recentrings_ = 0;
-    bool clutched_ = false, batteryTold_ = false, heatTold_ = false;
+    bool clutched_ = false, batteryTold_ = false;
 };
 
 } // namespace burin

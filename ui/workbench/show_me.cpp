@@ -73,6 +73,7 @@ void ShowMe::millNext() {
     const OperatorStage& wanted = plan_.stages[next_++];
     SessionRequest request;
     request.mapping = plan_.mapping;
+    request.felt = plan_.felt;
     request.ticksPerEdge = timeLapse;
     request.allowance = wanted.allowance;
     request.takeName = wanted.name;

@@ -56,6 +56,7 @@ Exchange::Outcome Exchange::take(Bytes report, double now) noexcept {
     motorsOn_ = reading->motorsOn;
     if (reading->faults != 0) arming_ = armingReports;
     motorHeat_.store(reading->motorHeat.value_or(-1.0), std::memory_order_relaxed);
+    state_.motorHeat = reading->motorHeat.value_or(0.0);
     const bool pushes = identity_.actuated.translations > 0 || identity_.actuated.rotations > 0;
     state_.pose.position = reading->pose.position;
     state_.pose.rotation = glm::normalize(reading->pose.rotation);

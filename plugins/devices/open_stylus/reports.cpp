@@ -13,6 +13,8 @@ constexpr double perLength = 0x1.0p-16;     // mm, N, N·mm, N·s/m
 constexpr double perRotation = 0x1.0p-30;   // quaternion, rad
 constexpr double perStiffness = 0x1.0p-8;   // N/m, N·mm/rad
 constexpr double perFineLength = 0x1.0p-24; // mm
+constexpr double perMass = 0x1.0p-16;       // kg
+constexpr int massSince = 1;                // minor version of the protocol
 constexpr double heatScale = 200.0;
 constexpr std::uint8_t heatUnknown = 255;
 constexpr double unitTolerance = 0.01;
@@ -174,6 +176,8 @@ IdentityFault decodeFeature(Bytes report, Identity& identity) noexcept {
     identity.workspaceRadius = in.scaledUnsigned(perLength);
     identity.positionStep = in.scaledUnsigned(perFineLength);
     identity.rotationStep = in.scaledUnsigned(perRotation);
+    const std::uint16_t mass = in.u16();
+    identity.handleMass = identity.minor >= massSince ? mass * perMass : 0.0;
     return inRange(identity) ? IdentityFault::none : IdentityFault::outOfRange;
 }
 
@@ -196,6 +200,7 @@ StylusDescription descriptionOf(const Identity& identity, const std::string& nam
     description.positionStep = {identity.positionStep, source};
     description.rotationStep = {identity.rotationStep, source};
     description.maximumSpeed = {identity.maximumSpeed, source};
+    description.handleMass = {identity.handleMass, source};
     return description;
 }
 

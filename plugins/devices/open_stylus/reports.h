@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-/// The bytes of the open HID stylus protocol 1.0, as protocol.md describes them. Functions of their arguments: any
+/// The bytes of the open HID stylus protocol 1.1, as protocol.md describes them. Functions of their arguments: any
 /// thread, no allocation (but for descriptionOf), no exception.
 namespace burin::openstylus {
 
@@ -72,6 +72,7 @@ struct Identity {
     double maximumTurningStiffness = 0.0;             ///< N·mm/rad
     double workspaceRadius = 0.0, positionStep = 0.0; ///< mm
     double rotationStep = 0.0;                        ///< rad
+    double handleMass = 0.0;                          ///< kg that the host shall lift; 0 before 1.1
     friend bool operator==(const Identity&, const Identity&) = default;
 };
 enum class IdentityFault : std::uint8_t {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/haptics/haptic_groups.h"
-#include "tests/core/haptics/haptic_bench.h"
-#include "tests/oracles/hostile_ticks.h"
+#include "tests/core/haptics/hostile_bench.h"
 
 #include <algorithm>
 
@@ -42,21 +41,23 @@ bool broken(const Sample& sample, const glm::dvec3& force, const glm::dvec3& bef
 Verdict judge(std::size_t ticks, unsigned seed) {
     HapticSettings settings = test::Bench::settings();
     settings.rampSeconds = 0.05;
-    settings.cuttingForceGain = 100.0;
+    settings.felt.gain = 100.0;
     test::Bench bench(settings, test::ballTool(5.0, 12.0));
     const std::uint64_t part = bench.volume.amounts().units[2];
     const Bounds bounds = boundsOf(settings);
-    test::HostileTicks hostile(seed);
+    HostileStylus hostile(test::strayingInTheStock(seed));
+    SeededRandom random(seed);
     Verdict verdict;
     glm::dvec3 before(0.0);
     int sinceBad = -1; // -1: the force has been zero since
     for (std::size_t i = 0; i < ticks; ++i) {
-        const test::HostileTick tick = hostile.next();
-        if (tick.allowance) bench.step.setAllowance(*tick.allowance);
+        const HostileStylus::Tick tick = hostile.next();
+        if (random.below(1000) == 0) bench.step.setAllowance(random.between(-1.0, 1.0));
         const Sample sample = bench.step(tick.state, tick.period);
         const glm::dvec3 force = bench.step.deviceWrench().force;
+        hostile.write(bench.step.deviceWrench());
         if (broken(sample, force, before, bounds)) ++verdict.violations;
-        if (tick.bad) {
+        if (HostileStylus::mustBeStill(tick.event)) {
             ++verdict.bad;
             sinceBad = 0;
         }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/import.h"
 #include "tests/benchmarks/haptics/haptic_groups.h"
+#include "tests/benchmarks/measure/replay.h"
 #include "tests/oracles/push_back_scenes.h"
 
 namespace burin::benchmarks {
@@ -18,6 +19,27 @@ oracles::PushBackScene partScene(const std::string& file) {
     return oracles::partPushBackScene(file, mesh);
 }
 
+/// What a tick's tool takes with a free axis, whose boundary is the part's mesh itself.
+void freeAxisFigures(Session& session, const std::vector<oracles::PushBackScene>& parts) {
+    constexpr double voxel = 0.5, noAllowance = 0.0; // mm
+    for (const bool pressing : {true, false}) {
+        const std::string name = pressing ? "proxy.free.cpu_us" : "proxy.free.hostile.cpu_us";
+        session.stage(name);
+        std::vector<double> times;
+        for (const oracles::PushBackScene& part : parts)
+            for (const Tool& tool : oracles::pushBackTools()) {
+                const auto axis = oracles::PushBackAxis::freeWithoutTorque;
+                BoundaryLayers layers = oracles::pushBackLayers(part, tool, axis, voxel, noAllowance);
+                const oracles::PushBackRun run{.axis = axis, .voxel = voxel, .ticks = 150, .pressing = pressing};
+                const oracles::PushBackFigures figures = oracles::measurePushBack(part, tool, layers, run);
+                times.insert(times.end(), figures.microseconds.begin(), figures.microseconds.end());
+            }
+        session.add(figure(name + ".p50", percentile(times, 0.5), "us"));
+        session.add(figure(name + ".p999", percentile(times, 0.999), "us"));
+        session.add(figure(name + ".max", percentile(times, 1.0), "us"));
+    }
+}
+
 } // namespace
 
 void pushBackFigures(Session& session) {
@@ -32,6 +54,7 @@ void pushBackFigures(Session& session) {
     session.add(
         figure("proxy.gouge_voxel.edge", std::max(onShapes.edge, onParts.edge), "voxel", oracles::edgeGougeLimit));
     session.add(figure("proxy.gouge_voxel.parts", onParts.edge, "voxel"));
+    freeAxisFigures(session, parts);
 }
 
 } // namespace burin::benchmarks

@@ -9,6 +9,10 @@
 
 namespace burin::test {
 
+inline glm::dvec3 up(double z) {
+    return {0.0, 0.0, z};
+}
+
 /// A ball's clearance from a solid with a closed formula: the ball of radius R, its tip at a point, keeps
 /// sdf(tip + R z) - R. Beyond `band` the clearance is reported coarse and too small, as a ToolField may.
 template <class Solid>

@@ -8,6 +8,8 @@
 
 namespace burin::test {
 
+inline constexpr int settled = 150; ///< ticks: longer than a guide fades
+
 /// A guide set beside a solid, fed with places of the hand; the tool is wherever the guides want it.
 template <class Solid = PlaneSolid>
 struct GuideBench {

@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/haptics/haptic_step.h"
+#include "tests/core/device/desktop_stylus.h"
 #include "tests/core/haptics/analytic_fields.h"
 
 #include <cstdlib>
@@ -14,18 +15,6 @@ namespace burin::test {
 inline constexpr double voxel = 0.5;
 inline constexpr double period = 0.001;
 inline constexpr double floorHeight = -10.0; ///< mm, top of the protected part
-
-/// A desktop device with round figures.
-inline StylusDescription desktopStylus() {
-    StylusDescription stylus;
-    stylus.name = "desktop";
-    stylus.actuated = {3, 0};
-    stylus.maximumForce = {4.0, "made up"};
-    stylus.maximumStiffness = {400.0, "made up"};
-    stylus.maximumDamping = {4.0, "made up"};
-    stylus.workspaceRadius = {80.0, "made up"};
-    return stylus;
-}
 
 inline Tool ballTool(double fluteLength = 12.0, double shankDiameter = 6.0) {
     Tool tool;

@@ -1,20 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/haptic_bench.h"
+#include "tests/oracles/random_number.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 using namespace burin;
 using namespace burin::test;
-
-namespace {
-
-double number(double low, double high) {
-    return low + (high - low) * static_cast<double>(*rc::gen::inRange(0, 1'000'001)) * 1e-6;
-}
-
-} // namespace
 
 /// What of cutting, sliding and weight reaches the hand.
 class FeltForcesTest : public QObject {
@@ -86,7 +79,7 @@ private slots:
     /// more than that.
     void slidingOnThePartRubs() {
         HapticSettings settings = Bench::settings();
-        settings.friction = 0.2;
+        settings.felt.friction = 0.2;
         Bench bench(settings, ballTool(), stockOnPart(0, false));
         bench.begin({-10, 0, 3});
         bench.moveTo({-10, 0, floorHeight - 3.0}, 50.0);
@@ -146,8 +139,8 @@ private slots:
     /// The part comes first: what is cut gives way to it, and the record says so.
     void theCuttingForceGivesWayToWhatHoldsTheTool() {
         QVERIFY(rc::check([] {
-            const glm::dvec3 held(number(-3, 3), number(-3, 3), number(-3, 3));
-            const glm::dvec3 cutting(number(-3, 3), number(-3, 3), number(-3, 3));
+            const glm::dvec3 held(randomNumber(-3, 3), randomNumber(-3, 3), randomNumber(-3, 3));
+            const glm::dvec3 cutting(randomNumber(-3, 3), randomNumber(-3, 3), randomNumber(-3, 3));
             const glm::dvec3 room = besideHeld(held, cutting, 2.4);
             const double share = glm::dot(room, cutting) / std::max(1e-12, glm::dot(cutting, cutting));
             RC_ASSERT(share >= 0.0 && share <= 1.0 + 1e-12);

@@ -219,20 +219,6 @@ private slots:
         QCOMPARE(bench.step.deviceWrench().torque, glm::dvec3(0.0));
     }
 
-    void aTorqueNeverJumps() {
-        TurnCoupling coupling(FreeBench::settings(torqueStylus()));
-        const double most = coupling.stiffness() * 5.0 * 0.001;
-        glm::dvec3 last(0.0);
-        std::mt19937 engine(3);
-        std::uniform_real_distribution<double> number(-3.0, 3.0);
-        for (int tick = 0; tick < 5000; ++tick) {
-            const glm::dvec3 torque = coupling.torque({number(engine), number(engine), number(engine)});
-            QVERIFY(glm::length(torque) <= coupling.maximum() * (1.0 + 1e-12));
-            QVERIFY(glm::length(torque - last) <= most * (1.0 + 1e-9));
-            last = torque;
-        }
-    }
-
     void aTickWithAFreeAxisAllocatesNothing() {
         FreeBench bench;
         bench.feed({0, 0, 15}, tilted(0.2));

@@ -18,10 +18,6 @@ namespace {
 constexpr int seconds = 1000;        // ticks
 constexpr double guideHeight = 20.0; // mm, far above the stock
 
-glm::dvec3 up(double z) {
-    return {0.0, 0.0, z};
-}
-
 /// A step beside a part without stock.
 Bench bareBench(HapticSettings settings = Bench::settings()) {
     return Bench(settings, ballTool(), stockOnPart(0, false));
@@ -152,7 +148,7 @@ private slots:
 
     void acrossAContactTheGuideStillHolds() {
         HapticSettings settings = Bench::settings();
-        settings.friction = 0.0; // which would hold the tool across the guide as well
+        settings.felt.friction = 0.0; // which would hold the tool across the guide as well
         Bench bench = bareBench(settings);
         bench.step.setGuides(guidesOf({planeGuide({3, 0, 0}, {1, 0, 0})}));
         bench.begin({3, 0, floorHeight + 1.0});

@@ -4,6 +4,7 @@
 #include "core/haptics/guide_curve.h"
 #include "core/haptics/last_pass.h"
 #include "core/haptics/polyline_tracker.h"
+#include "tests/oracles/random_number.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -12,15 +13,12 @@
 #include <vector>
 
 using namespace burin;
+using namespace burin::test;
 
 namespace {
 
-double random(double low, double high) {
-    return low + (high - low) *
-                     static_cast<double>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001))) * 1e-6;
-}
 glm::dvec3 randomPoint(double half) {
-    return {random(-half, half), random(-half, half), random(-half, half)};
+    return {randomNumber(-half, half), randomNumber(-half, half), randomNumber(-half, half)};
 }
 
 double distanceTo(const std::vector<glm::dvec3>& line, const glm::dvec3& place) {

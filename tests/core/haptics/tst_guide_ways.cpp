@@ -8,16 +8,6 @@
 using namespace burin;
 using namespace burin::test;
 
-namespace {
-
-constexpr int settled = 150; // ticks: longer than a guide fades
-
-glm::dvec3 up(double z) {
-    return {0.0, 0.0, z};
-}
-
-} // namespace
-
 /// Guides that follow where the tool went: passes, and the way of its axis.
 class TestGuideWays : public QObject {
     Q_OBJECT

@@ -3,6 +3,7 @@
 #include "tests/core/haptics/guide_bench.h"
 
 #include "core/base/units.h"
+#include "tests/oracles/random_number.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -12,17 +13,8 @@ using namespace burin::test;
 
 namespace {
 
-constexpr int settled = 150; // ticks: longer than a guide fades
-
-glm::dvec3 up(double z) {
-    return {0.0, 0.0, z};
-}
-double random(double low, double high) {
-    return low + (high - low) *
-                     static_cast<double>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001))) * 1e-6;
-}
 glm::dvec3 randomPoint(double half) {
-    return {random(-half, half), random(-half, half), random(-half, half)};
+    return {randomNumber(-half, half), randomNumber(-half, half), randomNumber(-half, half)};
 }
 glm::dvec3 randomDirection() {
     for (;;) {
@@ -80,7 +72,7 @@ private slots:
             const GuideCurve curve = circle(50.0, 200);
             Guide edge = guideOf(GuideKind::curve);
             edge.curve = &curve;
-            bench.use({guideOf(GuideKind::levels, random(0.5, 8.0)), edge,
+            bench.use({guideOf(GuideKind::levels, randomNumber(0.5, 8.0)), edge,
                        planeGuide(randomPoint(10.0) + up(50), randomDirection()),
                        planeGuide(randomPoint(10.0) + up(50), randomDirection())});
             bench.feed(randomPoint(10.0) + up(50));
@@ -198,7 +190,7 @@ private slots:
             line.direction = randomDirection();
             GuideBench<> bench;
             bench.use({line});
-            const glm::dvec3 start = line.point + line.direction * random(-20.0, 20.0) + randomPoint(0.9);
+            const glm::dvec3 start = line.point + line.direction * randomNumber(-20.0, 20.0) + randomPoint(0.9);
             bench.feed(start);
             bench.moveTo(start + line.direction * 5.0);
             bench.rest(settled);
@@ -261,15 +253,16 @@ private slots:
         QVERIFY(rc::check("clearance is the guide's distance, at the nearest such place", [] {
             const SphereSolid sphere{15.0};
             GuideBench<SphereSolid> bench(sphere);
-            const double offset = random(0.0, 2.0);
+            const double offset = randomNumber(0.0, 2.0);
             bench.use({guideOf(GuideKind::surface, offset)});
-            const glm::dvec3 start = randomDirection() * (18.0 + offset + random(-1.5, 1.5));
+            const glm::dvec3 start = randomDirection() * (18.0 + offset + randomNumber(-1.5, 1.5));
             bench.feed(start - up(3.0)); // centre to tip
             bench.rest(settled);
             RC_ASSERT(bench.last.held == 1U);
             for (int leg = 0; leg < 4; ++leg) {
                 const glm::dvec3 centre = bench.hand + up(3.0);
-                const glm::dvec3 next = glm::normalize(centre + randomPoint(4.0)) * (18.0 + offset + random(-1.5, 1.5));
+                const glm::dvec3 next =
+                    glm::normalize(centre + randomPoint(4.0)) * (18.0 + offset + randomNumber(-1.5, 1.5));
                 bench.moveTo(next - up(3.0));
                 const glm::dvec3 nearest = glm::normalize(bench.hand + up(3.0)) * (18.0 + offset) - up(3.0);
                 RC_ASSERT(std::abs(bench.field.clearance(bench.last.goal.tip) - offset) < 1e-3);

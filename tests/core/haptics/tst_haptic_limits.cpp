@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/hostile_bench.h"
 #include "tests/oracles/allocation_count.h"
-#include "tests/oracles/hostile_ticks.h"
 
 #include <QtTest>
 
@@ -50,24 +49,26 @@ private slots:
     void hostileTicksNeverBreakTheLimits() {
         HapticSettings settings = Bench::settings();
         settings.rampSeconds = 0.05;
-        settings.cuttingForceGain = 100.0;
+        settings.felt.gain = 100.0;
         Bench bench(settings, ballTool(5.0, 12.0));
         const double largest = settings.forceShare * settings.stylus.maximumForce.value;
         // The ramp's own slope comes on top of the slew limit: at most 1.5 of its share of a tick.
         const double slope = 1.5 * period / settings.rampSeconds * largest;
         const double rise = std::max(0.15, 320.0 * 0.5 * period) + slope, fall = 3.0 * rise;
-        HostileTicks hostile(20260725);
+        HostileStylus hostile(strayingInTheStock(20260725));
+        SeededRandom random(5);
         glm::dvec3 before(0.0);
         int bad = 0, pressed = 0;
         for (int i = 0; i < 200'000; ++i) {
-            const HostileTick tick = hostile.next();
-            if (tick.allowance) bench.step.setAllowance(*tick.allowance);
+            const HostileStylus::Tick tick = hostile.next();
+            if (random.below(1000) == 0) bench.step.setAllowance(random.between(-1.0, 1.0));
             const Sample sample = bench.step(tick.state, tick.period);
             const glm::dvec3 force = bench.step.deviceWrench().force;
+            hostile.write(bench.step.deviceWrench());
             QVERIFY(isFinite(force) && isFinite(sample.proxy.tip) && isFinite(sample.cuttingForce));
             QVERIFY(isFinite(sample.device.position) && std::isfinite(sample.time));
             QVERIFY(glm::length(force) <= largest + 1e-12);
-            if (tick.bad) {
+            if (HostileStylus::mustBeStill(tick.event)) {
                 QCOMPARE(force, glm::dvec3(0.0));
                 QVERIFY(sample.flags & sampleForcesOff);
                 ++bad;

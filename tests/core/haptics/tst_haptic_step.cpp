@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/haptic_bench.h"
+#include "tests/oracles/random_number.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -9,10 +10,6 @@ using namespace burin;
 using namespace burin::test;
 
 namespace {
-
-double number(double low, double high) {
-    return low + (high - low) * static_cast<double>(*rc::gen::inRange(0, 1'000'001)) * 1e-6;
-}
 
 std::uint64_t removedUnits(const Sample& sample) {
     std::uint64_t units = 0;
@@ -48,11 +45,11 @@ private slots:
     void mappingGoesThereAndBack() {
         QVERIFY(rc::check([] {
             WorkspaceMapping mapping;
-            mapping.origin = {number(-99, 99), number(-99, 99), number(-99, 99)};
-            mapping.rotation =
-                glm::angleAxis(number(-3, 3), glm::normalize(glm::dvec3(number(-1, 1), 1, number(-1, 1))));
-            mapping.scale = number(0.1, 10.0);
-            const glm::dvec3 device(number(-200, 200), number(-200, 200), number(-200, 200));
+            mapping.origin = {randomNumber(-99, 99), randomNumber(-99, 99), randomNumber(-99, 99)};
+            mapping.rotation = glm::angleAxis(randomNumber(-3, 3),
+                                              glm::normalize(glm::dvec3(randomNumber(-1, 1), 1, randomNumber(-1, 1))));
+            mapping.scale = randomNumber(0.1, 10.0);
+            const glm::dvec3 device(randomNumber(-200, 200), randomNumber(-200, 200), randomNumber(-200, 200));
             RC_ASSERT(glm::length(mapping.toDevice(mapping.toSetup(device)) - device) < 1e-9);
             const glm::dvec3 moved = mapping.toSetup(device + glm::dvec3(1, 0, 0)) - mapping.toSetup(device);
             RC_ASSERT(std::abs(glm::length(moved) - mapping.scale) < 1e-9);
@@ -114,7 +111,8 @@ private slots:
             };
             bench.begin({0, 0, 5});
             for (int i = 0; i < 5; ++i)
-                bench.moveTo({number(-30, 30), number(-30, 30), number(0.01, 20)}, number(5.0, 900.0));
+                bench.moveTo({randomNumber(-30, 30), randomNumber(-30, 30), randomNumber(0.01, 20)},
+                             randomNumber(5.0, 900.0));
             RC_ASSERT(bench.volume.amounts() == before);
         }));
     }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/hostile_stylus.h"
-#include "tests/core/haptics/haptic_bench.h"
+#include "tests/core/haptics/hostile_bench.h"
 
 #include <QtTest>
 
@@ -11,14 +10,6 @@ using namespace burin;
 using namespace burin::test;
 
 namespace {
-
-HostileSettings strayingInTheStock(std::uint64_t seed) {
-    HostileSettings settings;
-    settings.stylus = desktopStylus();
-    settings.region = {{-12, -12, floorHeight - 6.0}, {12, 12, 8}};
-    settings.seed = seed;
-    return settings;
-}
 
 bool same(const HostileStylus::Tick& a, const HostileStylus::Tick& b) {
     const auto bits = [](double x) {
@@ -79,7 +70,7 @@ private slots:
     void theStepStaysWithinItsLimitsWithGuidesUnderIt() {
         HapticSettings settings = Bench::settings();
         settings.rampSeconds = 0.05;
-        settings.cuttingForceGain = 100.0;
+        settings.felt.gain = 100.0;
         Bench bench(settings, ballTool(5.0, 12.0));
         HostileStylus hostile(strayingInTheStock(3));
         SeededRandom random(9);

@@ -335,7 +335,7 @@ void OperatorTest::recordedTraceIsReplayedBitByBit() {
     QVERIFY(writeTrace(file, states));
     const auto read = readTrace(file);
     QVERIFY(read);
-    TraceStylus replay(*read, touchLikeStylus());
+    TraceStylus replay(read->readings, touchLikeStylus());
     QVERIFY(replay.open());
     QVERIFY(sameBits(play(replay), states));
     QVERIFY(replay.finished());

@@ -1,19 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/plastic_anchor.h"
+#include "tests/oracles/random_number.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
 
 using namespace burin;
+using namespace burin::test;
 
 namespace {
 
 constexpr double stiffness = 0.32, mostForce = 2.4; // N/mm, N
-
-double number(double low, double high) {
-    return low + (high - low) * static_cast<double>(*rc::gen::inRange(0, 1'000'001)) * 1e-6;
-}
 
 } // namespace
 
@@ -69,8 +67,8 @@ private slots:
             glm::dvec3 force(0.0);
             double work = 0.0, leak = 0.0, yield = 0.0; // N·mm that the hand put in
             for (int i = 0; i < 400; ++i) {
-                if (*rc::gen::inRange(0, 8) == 0) yield = number(0.0, mostForce);
-                const glm::dvec3 motion(number(-0.1, 0.15), number(-0.05, 0.05), number(-0.05, 0.05));
+                if (*rc::gen::inRange(0, 8) == 0) yield = randomNumber(0.0, mostForce);
+                const glm::dvec3 motion(randomNumber(-0.1, 0.15), randomNumber(-0.05, 0.05), randomNumber(-0.05, 0.05));
                 work -= glm::dot(force, motion);
                 leak += 0.5 * stiffness * glm::dot(motion, motion);
                 force = anchor(motion, {yield});

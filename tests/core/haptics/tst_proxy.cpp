@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/haptics/analytic_fields.h"
 #include "tests/core/haptics/tip_proxy.h"
+#include "tests/oracles/random_number.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -16,10 +17,6 @@ namespace {
 constexpr double radius = 3.0;
 constexpr double noLimit = 1e9;
 using Nearest = std::function<glm::dvec3(const glm::dvec3&)>;
-
-glm::dvec3 up(double z) {
-    return {0.0, 0.0, z};
-}
 
 /// Nearest point of the ball's centre on a surface grown by `radius`, as a tip.
 Nearest nearestOnSphere(double solid, double allowance) {
@@ -36,11 +33,8 @@ Nearest nearestOnTorus(const TorusSolid& torus, double allowance) {
     };
 }
 
-double random(double low, double high) {
-    return low + (high - low) * static_cast<double>(*rc::gen::inRange(0, 1'000'001)) * 1e-6;
-}
 glm::dvec3 randomPoint(double half) {
-    return {random(-half, half), random(-half, half), random(-half, half)};
+    return {randomNumber(-half, half), randomNumber(-half, half), randomNumber(-half, half)};
 }
 
 /// Least clearance on the straight way between two tips, by fine sampling.
@@ -80,14 +74,14 @@ void dragAndCompare(const Field& field, double allowance, const std::function<gl
 template <class Field>
 bool neverEnters(const Field& field, const glm::dvec3& start, double extent) {
     return rc::check([&] {
-        const double allowance = random(0.0, 0.5);
+        const double allowance = randomNumber(0.0, 0.5);
         TipProxy proxy(field);
         glm::dvec3 tip = start;
         RC_PRE(proxy.feasible(tip, allowance));
         for (int i = 0; i < 60; ++i) {
             glm::dvec3 goal = randomPoint(extent);
             if (*rc::gen::arbitrary<bool>()) goal = tip + randomPoint(1.0);
-            const double travel = random(0.05, 6.0);
+            const double travel = randomNumber(0.05, 6.0);
             for (int tick = 0; tick < 4; ++tick) {
                 const TipProxy::Step step = proxy.advance(tip, goal, allowance, travel);
                 RC_ASSERT(field.clearance(step.tip) >= allowance);
@@ -100,6 +94,28 @@ bool neverEnters(const Field& field, const glm::dvec3& start, double extent) {
         }
     });
 }
+
+/// A field that is as dear to ask as a fine mesh beside a long tool.
+class DearBoundary final : public PoseBoundary {
+public:
+    static constexpr int price = 500; ///< units of work
+    DearBoundary(const ClearanceField& field, double overlap) : field_(field), overlap_(overlap) {}
+    PoseSample at(const ToolPose& pose, double enough) noexcept override {
+        ++looks;
+        return field_.at(pose, enough);
+    }
+    double errorBound() const noexcept override { return field_.errorBound(); }
+    double spacing() const noexcept override { return 1.0; }
+    double overlap() const noexcept override { return overlap_; }
+    double reach() const noexcept override { return 0.0; }
+    std::uint64_t work() const noexcept override { return static_cast<std::uint64_t>(looks) * price; }
+
+    int looks = 0;
+
+private:
+    FixedAxisBoundary field_;
+    double overlap_;
+};
 
 } // namespace
 
@@ -195,9 +211,10 @@ private slots:
             const BallField field(WallSolid{1.0}, 0.0, spacing);
             QVERIFY(rc::check([&] {
                 TipProxy proxy(field);
-                glm::dvec3 tip(random(0.5, 15.0), 0, 0);
+                glm::dvec3 tip(randomNumber(0.5, 15.0), 0, 0);
                 for (int tick = 0; tick < 200; ++tick) {
-                    const glm::dvec3 goal = tip + glm::dvec3(random(-20.0, 5.0), random(-9.0, 9.0), random(-9.0, 9.0));
+                    const glm::dvec3 goal =
+                        tip + glm::dvec3(randomNumber(-20.0, 5.0), randomNumber(-9.0, 9.0), randomNumber(-9.0, 9.0));
                     tip = proxy.advance(tip, goal, 0.0, noLimit).tip;
                     RC_ASSERT(tip.x >= 0.5);
                 }
@@ -223,6 +240,35 @@ private slots:
         // A goal on the other side, off the line through the centre: a local minimum holds it nowhere.
         for (int tick = 0; tick < 200; ++tick) tip = proxy.advance(tip, {-20, 6, 0}, 0.0, noLimit).tip;
         QVERIFY(glm::length(tip - glm::dvec3(-20, 6, 0)) < 1e-6);
+    }
+
+    void aTickLooksNoMoreThanItCanAfford_data() {
+        QTest::addColumn<double>("overlap");
+        QTest::newRow("every step looked along") << 0.0;
+        QTest::newRow("the whole way looked along at the end") << 2.0;
+    }
+    void aTickLooksNoMoreThanItCanAfford() {
+        QFETCH(double, overlap);
+        const BallField field(SphereSolid{}, radius, 0.25);
+        const Nearest nearest = nearestOnSphere(10.0, 0.0);
+        DearBoundary dear(field, overlap);
+        const Proxy proxy(dear);
+        ProxyStride stride;
+        stride.travel = 3.0;
+        ToolPose tool{{0, 0, 12}};
+        // Right through the part: the tool has to go round it.
+        const glm::dvec3 hand{7.0, 1.0, -2.0};
+        for (int tick = 0; tick < 60; ++tick) {
+            const double before = glm::length(tool.tip - hand);
+            const int looksBefore = dear.looks;
+            tool = proxy.advance(tool, {hand}, stride).pose;
+            // What is affordable, what is under way by then, and the two that a tick has whatever they cost.
+            QVERIFY2(dear.looks - looksBefore <= 4000 / DearBoundary::price + 6,
+                     qPrintable(QString::number(dear.looks - looksBefore)));
+            QVERIFY(field.clearance(tool.tip) >= 0.0);
+            QVERIFY(glm::length(tool.tip - hand) <= before);
+        }
+        QVERIFY(glm::length(tool.tip - nearest(hand)) < 0.01);
     }
 
     void retreatsUntilTheAllowanceIsKept() {

@@ -1,12 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/device/resampled_stylus.h"
-#include "core/haptics/servo_loop.h"
-#include "core/haptics/trace_recorder.h"
-#include "core/haptics/trace_stylus.h"
-#include "core/recording/trace_file.h"
-#include "tests/core/haptics/haptic_bench.h"
 #include "tests/core/haptics/own_stylus.h"
+#include "tests/core/haptics/replayed_session.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -57,46 +53,6 @@ HapticSettings settings() {
     return settings;
 }
 
-class Log final : public TickSink {
-public:
-    Log() { samples.reserve(1U << 14U); }
-    AtEdge edge() noexcept override { return samples.size() < samples.capacity() ? AtEdge::tick : AtEdge::full; }
-    void tick(const Sample& sample, const TickTiming&) noexcept override { samples.push_back(sample); }
-    std::vector<Sample> samples;
-};
-
-/// What a session with a stylus did, and the trace that it left.
-std::vector<Sample> record(const StylusHandle& stylus, const std::filesystem::path& file) {
-    Bench bench(settings());
-    Log log;
-    auto recorder = TraceRecorder::begin(file, log);
-    if (!recorder) return {};
-    ServoSettings servo;
-    servo.maximumSeconds = 1.5;
-    const std::atomic<bool> stop{false};
-    const auto ran = runServoLoop(stylus, bench.step, **recorder, servo, stop);
-    return ran && (*recorder)->finish() ? std::move(log.samples) : std::vector<Sample>();
-}
-
-/// What the same session does, played again without a clock.
-std::vector<Sample> replay(const std::filesystem::path& file) {
-    const auto states = readTrace(file);
-    if (!states) return {};
-    TraceStylus stylus(*states, desktopStylus());
-    if (!stylus.open()) return {};
-    Bench bench(settings());
-    Log log;
-    ServoSettings servo;
-    servo.pace = Pace::fast;
-    const std::atomic<bool> stop{false};
-    if (!runServoLoop(stylus, bench.step, log, servo, stop)) return {};
-    return std::move(log.samples);
-}
-
-bool sameBits(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::memcmp(&a, &b, sizeof a) == 0;
-}
-
 } // namespace
 
 /// A trace of any kind of device gives the same session again, to the bit: where the tool was, what was cut, what was
@@ -121,40 +77,65 @@ private slots:
         const StylusHandle stylus = kind == 0   ? StylusHandle(called)
                                     : kind == 1 ? StylusHandle(own)
                                                 : StylusHandle(static_cast<Stylus&>(resampled));
-        const std::vector<Sample> original = record(stylus, file);
+        const RecordedSession original = recordSession(stylus, settings(), file, 1.5);
         resampled.close();
-        const std::vector<Sample> again = replay(file);
-        QVERIFY(original.size() > 100);
-        QCOMPARE(again.size(), original.size());
-        int cut = 0, held = 0, faults = 0, felt = 0;
-        for (std::size_t i = 0; i < original.size(); ++i) {
-            const Sample &a = original[i], &b = again[i];
-            QCOMPARE(a.tick, b.tick);
-            QVERIFY(std::memcmp(&a.time, &b.time, sizeof a.time) == 0);
-            QVERIFY(sameBits(a.proxy.tip, b.proxy.tip));
-            QVERIFY(sameBits(a.cuttingForce, b.cuttingForce));
-            QVERIFY(std::memcmp(&a.reportedRemoval, &b.reportedRemoval, sizeof a.reportedRemoval) == 0);
-            QVERIFY(std::memcmp(&a.removed, &b.removed, sizeof a.removed) == 0);
-            // A force that came too late for the hand was withheld; that it was is said, and nothing follows from it.
-            const bool late = (a.flags & sampleForceLate) != 0;
-            if (!late) {
-                QVERIFY(sameBits(a.force, b.force));
-                QCOMPARE(a.flags, b.flags);
-                QCOMPARE(a.buttons, b.buttons);
-            }
-            cut += a.removed[0].units > 0 ? 1 : 0;
-            held += (a.flags & sampleOnBoundary) != 0 ? 1 : 0;
-            faults += (a.flags & sampleStylusInvalid) != 0 ? 1 : 0;
-            felt += glm::length(a.force) > 0.05 ? 1 : 0;
+        const std::string difference = differenceOf(original, replaySession(settings(), file));
+        QVERIFY2(difference.empty(), difference.c_str());
+        const SessionEvents events = eventsOf(original.samples);
+        QVERIFY2(events.cut > 50 && events.held > 20 && events.guided > 50 && events.faults > 3 && events.felt > 20,
+                 qPrintable(QString("%1 %2 %3 %4 %5") // or the session was none
+                                .arg(events.cut)
+                                .arg(events.held)
+                                .arg(events.guided)
+                                .arg(events.faults)
+                                .arg(events.felt)));
+    }
+
+    /// Without what the session was told in between, it is another one: or the test above would show nothing.
+    void whatWasToldInBetweenMatters() {
+        QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("trace.csv").toStdString(),
+                                    bare = folder.filePath("bare.csv").toStdString();
+        CalledHand hand;
+        const RecordedSession original = recordSession(hand, settings(), file, 1.0);
+        const auto trace = readTrace(file);
+        QVERIFY(trace);
+        QVERIFY(trace->changes.size() >= 15);
+        QVERIFY(writeTrace(bare, trace->readings));
+        QVERIFY(differenceOf(original, replaySession(settings(), bare)).starts_with("tick "));
+    }
+
+    /// What nobody can play again is refused, not played as something else.
+    void anotherWorkpieceIsRefused() {
+        const auto refused = [](const std::string& line) {
+            const std::string text = std::string(tickTraceMark) + "\n" + std::string(tickTraceHeader) +
+                                     "\n0,1,2,3,1,0,0,0,0,0.001,1,0\n!" + line + "\n";
+            auto trace = parseTrace(text, "trace.csv");
+            return trace ? sessionTraceOf(std::move(*trace), "trace.csv") : Result<SessionTrace>(trace.error());
+        };
+        const auto changed = refused(R"({"workpiece_changed": true})");
+        QVERIFY(!changed);
+        QCOMPARE(changed.error().code, ErrorCode::traceInvalid);
+        QCOMPARE(changed.error().place, std::string("line 4"));
+        for (const char* line :
+             {"", "{}", "x", R"({"allowance_mm": -1})", R"({"allowance_mm": 1, "levels": 2})", R"({"levels": 0.5})",
+              R"({"guides": [], "step_button": 0})", R"({"spindle_released": 1})", R"({"take_begins": false})",
+              R"({"layer": -1, "on": true})", R"({"workspace": {}})",
+              R"({"curve": 1, "points": 2, "points_mm": [0,0,0,1,0,0], "tangents": [1,0,0,1,0,0]})",
+              R"({"curve": 0, "points": 2, "points_mm": [0,0,0,0,0,0], "tangents": [1,0,0,1,0,0]})",
+              R"({"curve": 0, "points": 2000000000, "points_mm": [], "tangents": []})"}) {
+            const auto wrong = refused(line);
+            QVERIFY2(!wrong, line);
+            QCOMPARE(wrong.error().code, ErrorCode::traceInvalid);
+            QCOMPARE(wrong.error().place, std::string("line 4"));
         }
-        QVERIFY2(cut > 50 && held > 20 && faults > 3 && felt > 20, // or the session was none
-                 qPrintable(QString("%1 %2 %3 %4").arg(cut).arg(held).arg(faults).arg(felt)));
+        QVERIFY(refused(R"({"curve": 0, "points": 2, "points_mm": [0,0,0,1,0,0], "tangents": [1,0,0,1,0,0]})"));
     }
 
     void aTraceIsWrittenWholeOrNotAtAll() {
         QTemporaryDir folder;
         const std::filesystem::path file = folder.filePath("trace.csv").toStdString();
-        Log log;
+        SampleLog log;
         {
             auto recorder = TraceRecorder::begin(file, log);
             QVERIFY(recorder);
@@ -167,7 +148,7 @@ private slots:
     /// A disk that does not keep up is told to the loop before anything is lost.
     void aFullRingIsTold() {
         QTemporaryDir folder;
-        Log log;
+        SampleLog log;
         auto recorder = TraceRecorder::begin(folder.filePath("trace.csv").toStdString(), log);
         QVERIFY(recorder);
         TickTiming timing;
@@ -180,7 +161,7 @@ private slots:
         QVERIFY((*recorder)->finish()); // either ring filled first: the log's or the recorder's own
         const auto read = readTrace(folder.filePath("trace.csv").toStdString());
         QVERIFY(read);
-        QCOMPARE(read->size(), static_cast<std::size_t>(ticks));
+        QCOMPARE(read->readings.size(), static_cast<std::size_t>(ticks));
     }
 };
 

@@ -156,6 +156,32 @@ private slots:
         QCOMPARE(std::ranges::count(narrow->path.points, MoveKind::plunge, &PathPoint::kind), 2);
     }
 
+    void linksGoOverAClampBetweenRows() {
+        const Box clamp{{-30, 3.9, -3}, {30, 4.1, 12}};
+        Obstacle obstacle;
+        obstacle.shape = clamp;
+        obstacle.margin = 0.5;
+        PathContext context = contextOf(nothing_, ballTool(), {{-30, -30, -20}, {30, 30, 0}});
+        const auto linked = [&] { return run({takeOf(rows(8.0))}, linkedEdits, context); };
+        const auto before = linked();
+        QVERIFY(before);
+        for (const bool on : {true, false}) {
+            obstacle.on = on;
+            context.obstacles = solidsOf(std::vector{obstacle});
+            const auto path = linked();
+            QVERIFY(path);
+            if (!on) {
+                QCOMPARE(path->path.points.size(), before->path.points.size());
+                continue;
+            }
+            walk(path->path.points, 0.05, [&](const PathPoint&, const glm::dvec3& place) {
+                // Up to the holder, which is higher than the clamp, the tool is no wider than its ball.
+                QVERIFY(std::abs(place.y - 4.0) > 0.1 + 3.0 - 1e-6 || place.z > clamp.high.z);
+            });
+            QVERIFY(path->path.points.front().tip.z >= clamp.high.z + obstacle.margin + 5.0);
+        }
+    }
+
     void aClearedPlaceIsReachedRapidly() {
         // The same slot twice: the second time there is nothing left to plunge into.
         std::vector<Tick> ticks = along({{-10, 0, -4}, {10, 0, -4}}, 40.0);

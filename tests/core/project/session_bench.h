@@ -4,6 +4,7 @@
 
 #include "core/device/stylus.h"
 #include "core/project/bench.h"
+#include "tests/core/device/desktop_stylus.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -74,13 +75,8 @@ public:
     bool closed() const { return closed_; }
 
     StylusDescription description() const override {
-        StylusDescription stylus;
+        StylusDescription stylus = desktopStylus();
         stylus.name = "stroke hand";
-        stylus.actuated = {3, 0};
-        stylus.maximumForce = {3.0, "made up"};
-        stylus.maximumStiffness = {400.0, "made up"};
-        stylus.maximumDamping = {3.0, "made up"};
-        stylus.workspaceRadius = {100.0, "made up"};
         stylus.maximumSpeed = {2000.0, "made up"};
         return stylus;
     }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/device/simulated_stylus.h"
+#include "core/haptics/session_trace.h"
 #include "core/haptics/trace_stylus.h"
 #include "core/project/milling.h"
-#include "core/recording/trace_file.h"
 #include "tests/core/haptics/own_stylus.h"
 #include "tests/core/project/session_stage.h"
 
@@ -23,20 +23,16 @@ struct Device {
     OwnStylus stylus{description(), [this](double time, int) { return reading(time); },
                      [this](const Wrench& wrench) { force = glm::length(wrench.force); }, [this] { ++cuts; }};
     std::atomic<bool> unplugged{false};
+    std::atomic<double> heat{0.0}; ///< of its motors
     std::atomic<double> hang{0.0}; ///< s that the next reading takes
     std::atomic<double> force{0.0};
     std::atomic<int> cuts{0};
 
     static StylusDescription description() {
-        StylusDescription description;
+        StylusDescription description = desktopStylus();
         description.name = "pacer";
-        description.actuated = {3, 0};
         description.buttons = 1;
         description.rate = {500.0, "made up"};
-        description.maximumForce = {3.0, "made up"};
-        description.maximumStiffness = {400.0, "made up"};
-        description.maximumDamping = {3.0, "made up"};
-        description.workspaceRadius = {100.0, "made up"};
         return description;
     }
     void unplug() {
@@ -54,6 +50,7 @@ private:
                                top - 1.0};
         state.buttons = 1;
         state.valid = !unplugged;
+        state.motorHeat = heat;
         return state;
     }
 };
@@ -175,24 +172,70 @@ private slots:
         QVERIFY(!QDir(folder.path()).exists("p.flights"));
     }
 
-    /// The trace of a session mills the same workpiece again.
+    /// Motors that become hot are told once, with the force that they are spared; the session goes on.
+    void hotMotorsAreTold() {
+        QTemporaryDir folder;
+        Live live(folder);
+        QVERIFY(live.sees([&] { return live.state.ticks > 100; }));
+        QVERIFY((live.state.sample.flags & sampleMotorsHot) == 0);
+        live.device.heat = 0.9;
+        std::optional<Error> fault;
+        for (int i = 0; i < 5 && !(fault && fault->code == ErrorCode::deviceHot); ++i) fault = live.fault();
+        QVERIFY(fault);
+        QCOMPARE(fault->code, ErrorCode::deviceHot); // a busy machine may have made the loop late before
+        QCOMPARE(fault->subject, std::string("pacer"));
+        QVERIFY(live.sees([&] { return (live.state.sample.flags & sampleMotorsHot) != 0 && live.state.cutting; }));
+        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
+        while (std::chrono::steady_clock::now() < end) {
+            const auto again = live.session->takeFault();
+            QVERIFY(!again || again->code != ErrorCode::deviceHot);
+        }
+        QVERIFY(live.session->end());
+    }
+
+    /// The trace of a session mills the same workpiece again, whatever its owner asked for meanwhile.
     void itsTraceMillsTheSame() {
         QTemporaryDir folder;
         SessionRequest request = liveRequest();
         request.trace = folder.filePath("trace.csv").toStdString();
+        request.mapping.origin = {0.125, -0.25, 0.0};
+        request.allowance = 0.1;
         Live live(folder, request);
-        QVERIFY(live.sees([&] { return live.state.ticks > 400; }));
+        QVERIFY(live.sees([&] { return live.state.ticks > 100; }));
+        GuideSettings guides;
+        guides.guides[0].kind = GuideKind::levels;
+        guides.guides[0].on = true;
+        guides.guides[0].distance = 0.8;
+        QVERIFY(live.session->setGuides(guides));
+        QVERIFY(live.sees([&] { return live.state.ticks > 200; }));
+        live.session->stepGuides(-1);
+        live.session->setAllowance(0.3);
+        live.device.heat = 0.85;
+        QVERIFY(live.sees([&] { return live.state.ticks > 300; }));
+        WorkspaceSettings workspace;
+        workspace.scale = 1.1;
+        workspace.clutched = true;
+        live.session->setWorkspace(workspace);
+        QVERIFY(live.sees([&] { return live.state.clutched; }));
+        workspace.clutched = false;
+        live.session->setWorkspace(workspace);
+        QVERIFY(live.sees([&] { return live.state.ticks > 600; }));
         QVERIFY(live.session->end());
         const Take original = *live.stage.project.take(live.session->take());
 
-        const auto states = readTrace(request.trace);
-        QVERIFY(states);
-        TraceStylus again(*states, Device::description());
+        const auto trace = readSessionTrace(request.trace);
+        QVERIFY(trace && trace->began);
+        QVERIFY(trace->changes.size() >= 6);
+        QCOMPARE(trace->began->stylus.name, std::string("pacer"));
+        TraceStylus again(trace->readings, trace->began->stylus);
         Stage second(folder.filePath("q.burin").toStdString());
         TakeRequest played;
         played.name = "again";
-        played.period = 0.002;
-        played.cutsOnButton = true;
+        played.replayed = &*trace;
+        played.mapping = trace->began->mapping;
+        played.allowance = trace->began->allowance;
+        played.period = trace->began->period;
+        played.cutsOnButton = trace->began->cutsOnButton;
         const std::atomic<bool> stop{false};
         const auto outcome = recordTake(second.project, second.bench, *second.field, again, played, stop);
         QVERIFY(outcome);
@@ -200,6 +243,11 @@ private slots:
         QCOMPARE(take.samples.size(), original.samples.size());
         for (std::size_t i = 0; i < take.samples.size(); ++i) {
             QCOMPARE(take.samples[i].proxy.tip, original.samples[i].proxy.tip);
+            QCOMPARE(take.samples[i].cuttingForce, original.samples[i].cuttingForce);
+            if ((original.samples[i].flags & sampleForceLate) == 0) {
+                QCOMPARE(take.samples[i].force, original.samples[i].force);
+                QCOMPARE(take.samples[i].flags, original.samples[i].flags);
+            }
             QVERIFY(std::ranges::equal(take.samples[i].removed, original.samples[i].removed,
                                        [](const RemovedMaterial& a, const RemovedMaterial& b) {
                                            return a.units == b.units && a.property == b.property;

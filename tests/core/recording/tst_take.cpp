@@ -44,6 +44,7 @@ class TakeTest final : public QObject {
     Q_OBJECT
 private slots:
     void figuresOfATake();
+    void everyAlarmIsCounted();
     void whatWasTakenBackCountsAsThatAlone();
     void figuresOfNothing();
     void valuesStandUnderTheirNames();
@@ -69,6 +70,22 @@ void TakeTest::figuresOfATake() {
     QCOMPARE(figures.onBoundary, std::uint64_t{1});
     QCOMPARE(figures.forceSaturated, std::uint64_t{1});
     QCOMPARE(figures.shankContact, std::uint64_t{0});
+}
+
+void TakeTest::everyAlarmIsCounted() {
+    using Count = std::uint64_t TakeStatistics::*;
+    for (const auto& [flag, count] :
+         std::initializer_list<std::pair<SampleFlag, Count>>{{sampleShankContact, &TakeStatistics::shankContact},
+                                                             {sampleOnObstacle, &TakeStatistics::onObstacle},
+                                                             {sampleAxisHeld, &TakeStatistics::axisHeld},
+                                                             {sampleForceSaturated, &TakeStatistics::forceSaturated},
+                                                             {sampleMemoryFull, &TakeStatistics::memoryFull}}) {
+        std::vector<Sample> take(5);
+        take[1].flags = take[3].flags = flag;
+        QCOMPARE(takeStatistics(take).*count, std::uint64_t{2});
+        take[3].flags = 0;
+        QCOMPARE(takeStatistics(take).*count, std::uint64_t{1});
+    }
 }
 
 void TakeTest::whatWasTakenBackCountsAsThatAlone() {

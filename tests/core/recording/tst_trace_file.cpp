@@ -15,6 +15,7 @@ using namespace burin;
 namespace {
 
 const std::string header = std::string(traceHeader) + "\n";
+const std::string ticks = std::string(tickTraceMark) + "\n" + std::string(tickTraceHeader) + "\n";
 const std::string good = "0.001,1.5,-2,3e-3,1,0,0,0,0\n";
 
 double randomDouble(std::mt19937_64& generator) {
@@ -43,6 +44,8 @@ private slots:
     void ticksComeBackWithTheirPeriods();
     void ticksThatAreWrongAreNamed_data();
     void ticksThatAreWrongAreNamed();
+    void whatWasToldStandsBetweenTheReadings();
+    void theFirstVersionIsReadAsEver();
 };
 
 /// Valid or not, whatever their times; what is not a number is not valid, and what is no period stays none.
@@ -56,15 +59,19 @@ void TraceFileTest::ticksComeBackWithTheirPeriods() {
             state.buttons = static_cast<std::uint32_t>(generator());
             state.valid = generator() % 3 != 0;
             state.period = std::abs(randomDouble(generator)) + std::numeric_limits<double>::min();
+            state.motorHeat = std::abs(randomDouble(generator));
         }
         states[3].pose.position.y = std::numeric_limits<double>::quiet_NaN();
         states[4].period = std::numeric_limits<double>::infinity();
         states[5].period = 0.0;
+        states[6].motorHeat = std::numeric_limits<double>::quiet_NaN();
         const auto read = parseTrace(formatTrace(states), "trace");
         RC_ASSERT(read.hasValue());
-        RC_ASSERT(read->size() == states.size());
+        RC_ASSERT(read->readings.size() == states.size());
         for (std::size_t i = 0; i < states.size(); ++i) {
-            const StylusState &wrote = states[i], &got = (*read)[i];
+            const StylusState &wrote = states[i], &got = read->readings[i];
+            RC_ASSERT(std::memcmp(&got.motorHeat, &wrote.motorHeat, sizeof(double)) == 0 || i == 6);
+            RC_ASSERT(i != 6 || got.motorHeat == 0.0);
             RC_ASSERT(got.valid == (wrote.valid && i != 3));
             RC_ASSERT(got.buttons == wrote.buttons);
             if (i != 3) RC_ASSERT(std::memcmp(&got.pose, &wrote.pose, sizeof(Pose)) == 0);
@@ -79,18 +86,57 @@ void TraceFileTest::ticksComeBackWithTheirPeriods() {
 void TraceFileTest::ticksThatAreWrongAreNamed_data() {
     QTest::addColumn<QByteArray>("line");
     QTest::newRow("no period") << QByteArray("0,1,2,3,1,0,0,0,0");
-    QTest::newRow("a period that is none") << QByteArray("0,1,2,3,1,0,0,0,0,x,1");
-    QTest::newRow("neither valid nor not") << QByteArray("0,1,2,3,1,0,0,0,0,0.001,2");
-    QTest::newRow("a quaternion that is none") << QByteArray("0,1,2,3,0,0,0,0,0,0.001,1");
+    QTest::newRow("a period that is none") << QByteArray("0,1,2,3,1,0,0,0,0,x,1,0");
+    QTest::newRow("neither valid nor not") << QByteArray("0,1,2,3,1,0,0,0,0,0.001,2,0");
+    QTest::newRow("a quaternion that is none") << QByteArray("0,1,2,3,0,0,0,0,0,0.001,1,0");
+    QTest::newRow("no heat") << QByteArray("0,1,2,3,1,0,0,0,0,0.001,1");
+    QTest::newRow("a heat that is none") << QByteArray("0,1,2,3,1,0,0,0,0,0.001,1,-0.1");
+    QTest::newRow("too many values") << QByteArray("0,1,2,3,1,0,0,0,0,0.001,1,0,0");
 }
 
 void TraceFileTest::ticksThatAreWrongAreNamed() {
     QFETCH(QByteArray, line);
-    const std::string text = std::string(tickTraceHeader) + "\n0,1,2,3,1,0,0,0,0,0.001,1\n" + line.toStdString() + "\n";
+    const std::string text = ticks + "0,1,2,3,1,0,0,0,0,0.001,1,0.5\n" + line.toStdString() + "\n";
     const auto read = parseTrace(text, "trace");
     QVERIFY(!read);
     QCOMPARE(read.error().code, ErrorCode::traceInvalid);
-    QCOMPARE(read.error().place, std::string("line 3"));
+    QCOMPARE(read.error().place, std::string("line 4"));
+}
+
+/// Lines behind the mark are kept as they are, with the reading that they come before.
+void TraceFileTest::whatWasToldStandsBetweenTheReadings() {
+    const std::string reading = "0,1,2,3,1,0,0,0,0,0.001,1,0\n";
+    const auto read = parseTrace(ticks + "!{\"a\": 1}\n" + reading + "!b\n!\n" + reading + reading + "!c\r\n", "trace");
+    QVERIFY(read);
+    QCOMPARE(read->readings.size(), std::size_t{3});
+    QCOMPARE(read->changes.size(), std::size_t{4});
+    const struct {
+        std::size_t reading, line;
+        const char* text;
+    } wanted[] = {{0, 3, "{\"a\": 1}"}, {1, 5, "b"}, {1, 6, ""}, {3, 9, "c"}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        QCOMPARE(read->changes[i].reading, wanted[i].reading);
+        QCOMPARE(read->changes[i].line, wanted[i].line);
+        QCOMPARE(read->changes[i].text, std::string(wanted[i].text));
+    }
+    QVERIFY(!parseTrace(header + "!c\n" + good, "trace")); // only a trace of ticks has them
+}
+
+/// The format of before: no mark, no heat, nothing between the readings.
+void TraceFileTest::theFirstVersionIsReadAsEver() {
+    const std::string text = "time_s,x_mm,y_mm,z_mm,qw,qx,qy,qz,buttons,period_s,valid\n0.5,1,2,3,1,0,0,0,7,0.001,1\n0,"
+                             "0,0,0,1,0,0,0,0,-1,0\n";
+    const auto read = parseTrace(text, "old.csv");
+    QVERIFY(read);
+    QCOMPARE(read->readings.size(), std::size_t{2});
+    QVERIFY(read->changes.empty());
+    QCOMPARE(read->readings[0].period, 0.001);
+    QCOMPARE(read->readings[0].buttons, 7U);
+    QCOMPARE(read->readings[0].motorHeat, 0.0);
+    QVERIFY(read->readings[0].valid && !read->readings[1].valid);
+    QVERIFY(!parseTrace(text + "!{}\n", "old.csv"));
+    QCOMPARE(parseTrace("# Burin trace 3\n" + text, "new.csv").error().place, std::string("line 1"));
+    QCOMPARE(parseTrace("# Burin trace 2\n" + text, "mixed.csv").error().place, std::string("line 2"));
 }
 
 void TraceFileTest::anyDoubleComesBackBitByBit() {
@@ -111,11 +157,11 @@ void TraceFileTest::anyDoubleComesBackBitByBit() {
         }
         const auto read = parseTrace(formatTrace(states), "trace");
         RC_ASSERT(read.hasValue());
-        RC_ASSERT(read->size() == states.size());
+        RC_ASSERT(read->readings.size() == states.size());
         for (std::size_t i = 0; i < states.size(); ++i) {
-            RC_ASSERT(std::memcmp(&(*read)[i].time, &states[i].time, sizeof(double)) == 0);
-            RC_ASSERT(std::memcmp(&(*read)[i].pose, &states[i].pose, sizeof(Pose)) == 0);
-            RC_ASSERT((*read)[i].buttons == states[i].buttons);
+            RC_ASSERT(std::memcmp(&read->readings[i].time, &states[i].time, sizeof(double)) == 0);
+            RC_ASSERT(std::memcmp(&read->readings[i].pose, &states[i].pose, sizeof(Pose)) == 0);
+            RC_ASSERT(read->readings[i].buttons == states[i].buttons);
         }
     }));
 }
@@ -136,7 +182,7 @@ void TraceFileTest::readsWhatPeopleWrite() {
     QFETCH(QByteArray, text);
     const auto read = parseTrace(text.toStdString(), "trace");
     QVERIFY(read);
-    QVERIFY(!read->empty() && read->front().valid);
+    QVERIFY(!read->readings.empty() && read->readings.front().valid);
 }
 
 void TraceFileTest::namesTheLineThatIsWrong_data() {
@@ -198,7 +244,7 @@ void TraceFileTest::noTextMakesItFail() {
         }
         const auto read = parseTrace(text, "trace");
         if (read) {
-            for (const StylusState& state : *read) RC_ASSERT(isFinite(state.pose.position));
+            for (const StylusState& state : read->readings) RC_ASSERT(isFinite(state.pose.position));
         } else {
             RC_ASSERT(read.error().code == ErrorCode::traceInvalid);
             RC_ASSERT(read.error().place.starts_with("line "));
@@ -214,7 +260,7 @@ void TraceFileTest::doesNotDependOnTheLocale() {
         std::string do_grouping() const override { return "\3"; }
     };
     const std::locale before = std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
-    const std::string text = formatTrace(*parseTrace(header + "1234.5,1.5,-2,3e-3,1,0,0,0,1000\n", "trace"));
+    const std::string text = formatTrace(parseTrace(header + "1234.5,1.5,-2,3e-3,1,0,0,0,1000\n", "trace")->readings);
     std::locale::global(before);
     QCOMPARE(text, header + "1234.5,1.5,-2,0.003,1,0,0,0,1000\n");
 }
@@ -238,9 +284,9 @@ void TraceFileTest::leavesOutReadingsThatAreNotValid() {
     QVERIFY(states[0].valid && !states[1].valid && states[2].valid);
     const auto read = parseTrace(formatTrace(states), "trace");
     QVERIFY(read);
-    QCOMPARE(read->size(), std::size_t{2});
-    QCOMPARE(read->back().pose.position.x, 2.0);
-    QCOMPARE(read->back().buttons, 2u);
+    QCOMPARE(read->readings.size(), std::size_t{2});
+    QCOMPARE(read->readings.back().pose.position.x, 2.0);
+    QCOMPARE(read->readings.back().buttons, 2u);
 }
 
 QTEST_APPLESS_MAIN(TraceFileTest)

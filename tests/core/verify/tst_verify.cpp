@@ -99,6 +99,8 @@ private slots:
     void rapidThroughStockIsFound();
     void spindleThatStandsStillIsFound();
     void shankInADeepGrooveIsFound();
+    void aToolInAFixtureIsFound_data();
+    void aToolInAFixtureIsFound();
     void limitsAreFound();
     void feedFromNowhereIsFound();
     void excessOverAFacedTopIsWhatWasLeft();
@@ -176,6 +178,38 @@ void VerifyTest::shankInADeepGrooveIsFound() {
     Case shallow;
     const VerifyReport fine = shallow.judge(start + "G0 Z5\nG0 X-30 Y0\nG1 Z-7.5 F300\nG1 X0 F600\nG1 Z5\n");
     QCOMPARE(countOf(fine, FindingKind::shankCollision), 0);
+}
+
+void VerifyTest::aToolInAFixtureIsFound_data() {
+    QTest::addColumn<double>("x"); // program X that the tip goes to beside a block whose face is at X = -25
+    QTest::addColumn<bool>("on");
+    QTest::addColumn<double>("depth");
+    QTest::newRow("a third of a millimetre in") << -22.3 << true << 0.3;
+    QTest::newRow("within the tolerance") << -22.015 << true << 0.0;
+    QTest::newRow("beside it") << -21.5 << true << 0.0;
+    QTest::newRow("the block is not there") << -22.3 << false << 0.0;
+}
+
+void VerifyTest::aToolInAFixtureIsFound() {
+    QFETCH(double, x);
+    QFETCH(bool, on);
+    QFETCH(double, depth);
+    Case job;
+    Obstacle block;
+    block.name = "block";
+    block.shape = Box{{-20.0, 5.0, 0.0}, {-10.0, 15.0, 45.0}};
+    block.margin = 2.0; // the hand's alone
+    block.on = on;
+    job.request.obstacles = {block};
+    for (const char* move : {"G0", "G1 F600"}) {
+        const VerifyReport report =
+            job.judge(start + "G0 Z5\nG0 X-10 Y0\n" + move + " X" + std::to_string(x) + "\nG0 X-10\nG0 Z10\n");
+        QCOMPARE(report.passed(), depth == 0.0);
+        QCOMPARE(countOf(report, FindingKind::obstacleCollision) > 0, depth > 0.0);
+        if (depth == 0.0) continue;
+        QVERIFY(std::abs(report.findings.front().amount - depth) < 1e-6);
+        QVERIFY(std::abs(report.findings.front().place.x + 10.0) < 1e-6);
+    }
 }
 
 void VerifyTest::limitsAreFound() {

@@ -193,7 +193,8 @@ size_t open_stylus_feature(const open_stylus* stylus, uint8_t id, uint8_t* repor
     if (id != OPEN_STYLUS_FEATURE_ID || room < OPEN_STYLUS_FEATURE_SIZE) return 0;
     memset(report, 0, OPEN_STYLUS_FEATURE_SIZE);
     report[0] = OPEN_STYLUS_FEATURE_ID;
-    report[1] = 1; /* protocol 1.0 */
+    report[1] = 1; /* protocol 1.1 */
+    report[2] = 1;
     report[3] = 1; /* units of protocol.md */
     memcpy(report + 4, "OSTY", 4);
     report[8] = limits->firmware_major;
@@ -216,6 +217,7 @@ size_t open_stylus_feature(const open_stylus* stylus, uint8_t id, uint8_t* repor
     put32(report + 48, limits->workspace_radius);
     put32(report + 52, limits->position_step);
     put32(report + 56, limits->rotation_step);
+    put16(report + 60, limits->handle_mass);
     put16(report + 62, open_stylus_crc(report, 62));
     return OPEN_STYLUS_FEATURE_SIZE;
 }

@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The Burin authors
  * SPDX-License-Identifier: Apache-2.0 */
 
-/* Reference firmware of the open HID stylus protocol, version 1.0 (protocol.md beside this folder). Portable C11: no
+/* Reference firmware of the open HID stylus protocol, version 1.1 (protocol.md beside this folder). Portable C11: no
  * allocation, no floating point, no operating system; sizes and byte order of the machine don't matter. What a board
  * has to supply is the table of functions open_stylus_port.
  *
@@ -71,6 +71,7 @@ typedef struct open_stylus_limits {
     uint32_t workspace_radius;          /* 1/65536 mm */
     uint32_t position_step;             /* 2^-24 mm */
     uint32_t rotation_step;             /* 2^-30 rad */
+    uint16_t handle_mass;               /* 1/65536 kg that the host shall lift; 0: the board does, or not known */
 } open_stylus_limits;
 
 /* What a board supplies. Every function gets `context`. */

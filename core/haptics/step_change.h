@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/haptics/guide.h"
+#include "core/haptics/workspace.h"
+
+#include <cstddef>
+#include <type_traits>
+#include <variant>
+
+namespace burin {
+
+struct AllowanceChange {
+    double allowance = 0.0; ///< mm, >= 0
+};
+struct LevelStep {
+    int levels = 0; ///< as GuideSet::step
+};
+struct LayerSwitch {
+    std::size_t layer = 0;
+    bool on = false;
+};
+struct SpindleRelease {
+    bool released = false;
+};
+struct TakeBegin {};       ///< the next tick does not cut
+struct CutResumption {};   ///< the owner has made room in the reserved memory
+struct WorkpieceChange {}; ///< the owner put another state of the workpiece in place
+
+/// What a step is told between two ticks: together with the readings it decides all that the step does. Plain data.
+using StepChange = std::variant<AllowanceChange, GuideSettings, LevelStep, WorkspaceSettings, LayerSwitch,
+                                SpindleRelease, TakeBegin, CutResumption, WorkpieceChange>;
+static_assert(std::is_trivially_copyable_v<StepChange>);
+
+/// Hears what a step is told, on the thread that tells it, before the step follows. No allocation, lock or file.
+class StepChangeListener {
+public:
+    virtual ~StepChangeListener() = default;
+    virtual void changed(const StepChange& change) noexcept = 0;
+};
+
+/// A change, and how many ticks came before it.
+struct TimedChange {
+    std::size_t tick = 0;
+    StepChange change;
+};
+
+} // namespace burin

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/obstacles.h"
+
+#include "core/base/parallel.h"
+#include "core/path/part_guard.h"
+
+#include <optional>
+
+namespace burin {
+
+Result<void> judgeObstacles(const std::vector<ToolMove>& moves, const VerifyRequest& request, Findings& findings,
+                            const Progress& progress) {
+    for (const ObstacleSolid& obstacle : solidsOf(request.obstacles)) {
+        if (!obstacle.on) continue;
+        const PartGuard guard(*obstacle.surface, request.tool);
+        std::vector<std::optional<PartGuard::Dip>> dips(moves.size());
+        parallelFor(std::size_t{0}, moves.size(), [&](std::size_t i) {
+            if (progress.cancelled()) return;
+            const ToolMove& move = moves[i];
+            dips[i] = guard.deepestDip(move.startKnown ? move.from : move.to, move.to, -request.gougeTolerance,
+                                       request.sampling);
+        });
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
+        for (std::size_t i = 0; i < moves.size(); ++i) {
+            if (!dips[i]) continue;
+            const ToolMove& move = moves[i];
+            const glm::dvec3 from = move.startKnown ? move.from : move.to;
+            const ToolClearance deepest = guard.clearance(glm::mix(from, move.to, dips[i]->part), 1.0);
+            findings.add(FindingKind::obstacleCollision, move.line, deepest.meshPoint, -dips[i]->clearance);
+        }
+    }
+    return {};
+}
+
+} // namespace burin

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/haptics/hostile_stylus.h"
+#include "tests/core/haptics/haptic_bench.h"
+
+namespace burin::test {
+
+/// A hostile hand that strays through what `stockOnPart` holds, deep into the part.
+inline HostileSettings strayingInTheStock(std::uint64_t seed) {
+    HostileSettings settings;
+    settings.stylus = desktopStylus();
+    settings.region = {{-12, -12, floorHeight - 6.0}, {12, 12, 8}};
+    settings.seed = seed;
+    return settings;
+}
+
+} // namespace burin::test
