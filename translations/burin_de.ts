@@ -856,6 +856,10 @@
         <source> (what led to it is in &quot;%1&quot;).</source>
         <translation> (was dazu führte, steht in „%1“).</translation>
     </message>
+    <message>
+        <source>The motors of &quot;%1&quot; are hot, so its forces go down to half; press less until they have cooled.</source>
+        <translation>Die Motoren von „%1“ sind heiß, darum sinken die Kräfte auf die Hälfte; drücken Sie weniger, bis sie abgekühlt sind.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -921,6 +925,10 @@
     <message>
         <source>The device gives all the force that it may.</source>
         <translation>Das Gerät gibt so viel Kraft, wie es darf.</translation>
+    </message>
+    <message>
+        <source>The motors are hot: forces go down until they have cooled.</source>
+        <translation>Die Motoren sind heiß: Die Kräfte gehen zurück, bis sie abgekühlt sind.</translation>
     </message>
 </context>
 <context>
@@ -1003,6 +1011,10 @@
     <message>
         <source>Kienzle exponent mc</source>
         <translation>Kienzle-Exponent mc</translation>
+    </message>
+    <message>
+        <source>In a fixture by %1</source>
+        <translation>%1 tief in einer Vorrichtung</translation>
     </message>
 </context>
 <context>
@@ -1264,6 +1276,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>device</source>
         <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>obstacle</source>
+        <translation>Hindernis</translation>
     </message>
 </context>
 <context>
@@ -2006,10 +2022,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The battery of “%1” is down to %2; charge it soon.</source>
         <translation>Der Akku von „%1“ hat noch %2; laden Sie ihn bald.</translation>
-    </message>
-    <message>
-        <source>The motors of “%1” are at %2 of the heat that they bear; press less, or rest a while.</source>
-        <translation>Die Motoren von „%1“ sind bei %2 der Wärme, die sie aushalten; drücken Sie weniger oder ruhen Sie etwas.</translation>
     </message>
 </context>
 <context>
