@@ -2531,6 +2531,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Stop the recording first.</source>
         <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
     </message>
+    <message>
+        <source>%1 X, Y, Z, in %2</source>
+        <translation>%1 X, Y, Z in %2</translation>
+    </message>
 </context>
 <context>
     <name>burin::PartPanel</name>

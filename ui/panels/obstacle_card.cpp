@@ -63,6 +63,7 @@ ObstacleCard::ObstacleCard(std::size_t place, const Obstacle& obstacle, QWidget*
                QStringLiteral("Margin"), tr("Margin"), -1, [](const Obstacle& of) { return of.margin; },
                [](Obstacle& of, double value) { of.margin = value; }));
     fields_.back().field->limit(0.0, widestMargin);
+    setUnit(LengthUnit::millimetre);
 }
 
 void ObstacleCard::addHead() {
@@ -97,7 +98,8 @@ void ObstacleCard::addRow(const QString& label, const QString& toolTip, Quantity
 /// Three fields beside each other under a label.
 void ObstacleCard::addTriple(const QString& name, const QString& label, const QString& toolTip, bool place,
                              const std::function<Get(int)>& get, const std::function<Set(int)>& set) {
-    auto* title = new QLabel(label + QStringLiteral(" X, Y, Z"), figures_);
+    auto* title = new QLabel(figures_);
+    titles_.push_back({title, label});
     title->setProperty("look", "quiet");
     title->setToolTip(toolTip);
     figures_->layout()->addWidget(title);
@@ -110,6 +112,7 @@ void ObstacleCard::addTriple(const QString& name, const QString& label, const QS
         field->limit(place ? -farthest : smallest, farthest);
         field->setToolTip(toolTip);
         field->setMinimumWidth(40);
+        fields_.back().bare = true;
         row->addWidget(field, 1);
     }
     static_cast<QVBoxLayout*>(figures_->layout())->addLayout(row);
@@ -181,7 +184,11 @@ void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool 
 }
 
 void ObstacleCard::setUnit(LengthUnit unit) {
-    for (const Field& field : fields_) field.field->setLengthUnit(unit);
+    for (const Field& field : fields_) {
+        field.field->setLengthUnit(unit);
+        if (field.bare) field.field->setSuffix({}); // three beside each other have no room for it
+    }
+    for (const Title& title : titles_) title.label->setText(tr("%1 X, Y, Z, in %2").arg(title.text, unitText(unit)));
 }
 
 } // namespace burin

@@ -9,6 +9,7 @@
 
 #include <functional>
 
+class QLabel;
 class QToolButton;
 
 namespace burin {
@@ -45,7 +46,12 @@ private:
     struct Field {
         QuantityField* field;
         Get get;
-        int axis; ///< of a place, which is shown from zero; -1: another figure
+        int axis;          ///< of a place, which is shown from zero; -1: another figure
+        bool bare = false; ///< one of three, whose title has the unit
+    };
+    struct Title {
+        QLabel* label;
+        QString text;
     };
     void addHead();
     void addShape();
@@ -62,6 +68,7 @@ private:
     ChoiceBox* kind_ = nullptr;
     QWidget* figures_ = nullptr;
     std::vector<Field> fields_;
+    std::vector<Title> titles_; ///< of three fields
 };
 
 } // namespace burin
