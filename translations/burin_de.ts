@@ -339,6 +339,54 @@
         <source>What goes to the right of the picture follows a hand that goes to the right.</source>
         <translation>Geht die Hand nach rechts, so geht auch das Werkzeug im Bild nach rechts.</translation>
     </message>
+    <message>
+        <source>G&amp;uides</source>
+        <translation>F&amp;ührungen</translation>
+    </message>
+    <message>
+        <source>Draw the guides of the hand that are on.</source>
+        <translation>Zeichnet die Führungen der Hand, die eingeschaltet sind.</translation>
+    </message>
+    <message>
+        <source>Fixture from a &amp;file…</source>
+        <translation>Vorrichtung aus einer &amp;Datei …</translation>
+    </message>
+    <message>
+        <source>Read a fixture that the tool keeps out of, as it lies in the part&apos;s frame.</source>
+        <translation>Liest eine Vorrichtung, in die das Werkzeug nicht eindringt, so wie sie zum Teil liegt.</translation>
+    </message>
+    <message>
+        <source>A&amp;xis as the view looks</source>
+        <translation>A&amp;chse in Blickrichtung</translation>
+    </message>
+    <message>
+        <source>The tool stands along the line from the eye, as a 3+2 machine holds it.</source>
+        <translation>Das Werkzeug steht in Blickrichtung, wie es eine 3+2-Maschine hält.</translation>
+    </message>
+    <message>
+        <source>Fi&amp;ner hand</source>
+        <translation>Fei&amp;nere Hand</translation>
+    </message>
+    <message>
+        <source>The tool goes less far for the hand&apos;s way.</source>
+        <translation>Das Werkzeug geht für den Weg der Hand weniger weit.</translation>
+    </message>
+    <message>
+        <source>C&amp;oarser hand</source>
+        <translation>&amp;Gröbere Hand</translation>
+    </message>
+    <message>
+        <source>The tool goes farther for the hand&apos;s way.</source>
+        <translation>Das Werkzeug geht für den Weg der Hand weiter.</translation>
+    </message>
+    <message>
+        <source>The hand sets the spee&amp;d</source>
+        <translation>Die Hand gibt das &amp;Tempo vor</translation>
+    </message>
+    <message>
+        <source>A stylus without motors sets the tool&apos;s speed, not its place.</source>
+        <translation>Ein Stift ohne Motoren gibt das Tempo des Werkzeugs vor, nicht seinen Ort.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -562,6 +610,45 @@
         <source>Programs (*.ngc *.nc);;All files (*)</source>
         <translation>Programme (*.ngc *.nc);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Import a fixture</source>
+        <translation>Vorrichtung importieren</translation>
+    </message>
+</context>
+<context>
+    <name>GuideWords</name>
+    <message>
+        <source>%1 apart</source>
+        <translation>Abstand %1</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Edge of the part</source>
+        <translation>Kante des Teils</translation>
+    </message>
+    <message>
+        <source>Distance from the part</source>
+        <translation>Abstand vom Teil</translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>Zeilenabstand</translation>
+    </message>
+    <message>
+        <source>Lead and tilt</source>
+        <translation>Vorlauf und Neigung</translation>
+    </message>
 </context>
 <context>
     <name>Messages</name>
@@ -769,12 +856,20 @@
         <source> (what led to it is in &quot;%1&quot;).</source>
         <translation> (was dazu führte, steht in „%1“).</translation>
     </message>
+    <message>
+        <source>The motors of &quot;%1&quot; are hot, so its forces go down to half; press less until they have cooled.</source>
+        <translation>Die Motoren von „%1“ sind heiß, darum sinken die Kräfte auf die Hälfte; drücken Sie weniger, bis sie abgekühlt sind.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
     <message>
         <source>Strokes of a recording can be taken back.</source>
         <translation>Züge einer Aufzeichnung lassen sich zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Fixtures, the tool&apos;s axis and guides are kept.</source>
+        <translation>Vorrichtungen, die Achse des Werkzeugs und Führungen werden mit gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -798,6 +893,42 @@
     <message>
         <source>The holder touches %1.</source>
         <translation>Der Halter berührt %1.</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s travel ends here.</source>
+        <translation>Hier endet der Verfahrweg der Maschine.</translation>
+    </message>
+    <message>
+        <source>“%1” holds the tool.</source>
+        <translation>„%1“ hält das Werkzeug auf.</translation>
+    </message>
+    <message>
+        <source>The memory for the workpiece is used up, so nothing is cut; save, and go on with larger voxels.</source>
+        <translation>Der Speicher für das Werkstück ist voll, darum wird nichts abgetragen; speichern Sie und arbeiten Sie mit größeren Voxeln weiter.</translation>
+    </message>
+    <message>
+        <source>The stylus gives no readings: the tool stands, and there is no force.</source>
+        <translation>Der Stift liefert keine Werte: Das Werkzeug steht, und es gibt keine Kraft.</translation>
+    </message>
+    <message>
+        <source>There is no room to lean the tool as the hand does: its axis stays where it is.</source>
+        <translation>Für die Neigung der Hand ist kein Platz: Die Achse des Werkzeugs bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>There is force while button %1 is held.</source>
+        <translation>Kraft gibt es, solange Taste %1 gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Forces fade in, once the tool is clear of the part.</source>
+        <translation>Die Kräfte setzen ein, sobald das Werkzeug vom Teil frei ist.</translation>
+    </message>
+    <message>
+        <source>The device gives all the force that it may.</source>
+        <translation>Das Gerät gibt so viel Kraft, wie es darf.</translation>
+    </message>
+    <message>
+        <source>The motors are hot: forces go down until they have cooled.</source>
+        <translation>Die Motoren sind heiß: Die Kräfte gehen zurück, bis sie abgekühlt sind.</translation>
     </message>
 </context>
 <context>
@@ -872,6 +1003,18 @@
     <message>
         <source>Cuts from an unknown place</source>
         <translation>Schnitt ab unbekannter Position</translation>
+    </message>
+    <message>
+        <source>Specific cutting force kc1.1</source>
+        <translation>Spezifische Schnittkraft kc1.1</translation>
+    </message>
+    <message>
+        <source>Kienzle exponent mc</source>
+        <translation>Kienzle-Exponent mc</translation>
+    </message>
+    <message>
+        <source>In a fixture by %1</source>
+        <translation>%1 tief in einer Vorrichtung</translation>
     </message>
 </context>
 <context>
@@ -1134,6 +1277,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>device</source>
         <translation>Gerät</translation>
     </message>
+    <message>
+        <source>obstacle</source>
+        <translation>Hindernis</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -1243,6 +1390,21 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::BoundsPanel</name>
+    <message>
+        <source>What keeps the tool out</source>
+        <translation>Was das Werkzeug fernhält</translation>
+    </message>
+    <message>
+        <source>Whether it keeps the tool out; one that the tool is inside of waits until it is clear</source>
+        <translation>Ob es das Werkzeug fernhält; steckt das Werkzeug darin, wartet es, bis es frei ist</translation>
+    </message>
+    <message>
+        <source>Machine&apos;s travel</source>
+        <translation>Verfahrweg der Maschine</translation>
+    </message>
+</context>
+<context>
     <name>burin::DocumentController</name>
     <message>
         <source>Untitled</source>
@@ -1267,32 +1429,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::GuideCard</name>
     <message>
-        <source>Plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>Levels</source>
-        <translation>Ebenen</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <translation>Gerade</translation>
-    </message>
-    <message>
-        <source>Edge of the part</source>
-        <translation>Kante des Teils</translation>
-    </message>
-    <message>
-        <source>Distance from the part</source>
-        <translation>Abstand vom Teil</translation>
-    </message>
-    <message>
         <source>Step-over</source>
         <translation>Zeilenabstand</translation>
-    </message>
-    <message>
-        <source>Lead and tilt</source>
-        <translation>Vorlauf und Neigung</translation>
     </message>
     <message>
         <source>Switch this guide on or off</source>
@@ -1445,30 +1583,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ebene darunter</translation>
     </message>
     <message>
-        <source>Hand and tool</source>
-        <translation>Hand und Werkzeug</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Maßstab</translation>
-    </message>
-    <message>
-        <source>How far the tool goes for the hand&apos;s way</source>
-        <translation>Wie weit das Werkzeug für den Weg der Hand geht</translation>
-    </message>
-    <message>
-        <source>Clutch</source>
-        <translation>Auskuppeln</translation>
-    </message>
-    <message>
-        <source>Recentre</source>
-        <translation>Zentrieren</translation>
-    </message>
-    <message>
-        <source>Align with the view</source>
-        <translation>An der Ansicht ausrichten</translation>
-    </message>
-    <message>
         <source>There are as many guides as can be.</source>
         <translation>Mehr Führungen sind nicht möglich.</translation>
     </message>
@@ -1500,9 +1614,119 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The guide takes the next level below, or ends the pass</source>
         <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Bahn</translation>
     </message>
+</context>
+<context>
+    <name>burin::HandController</name>
     <message>
-        <source>The mouse points at the bench itself. With a device in hand, its movements are scaled here.</source>
-        <translation>Die Maus zeigt direkt auf die Werkbank. Mit einem Gerät in der Hand werden dessen Bewegungen hier skaliert.</translation>
+        <source>scale of the hand</source>
+        <translation>Maßstab der Hand</translation>
+    </message>
+    <message>
+        <source>alignment of the hand</source>
+        <translation>Ausrichtung der Hand</translation>
+    </message>
+    <message>
+        <source>control of the hand</source>
+        <translation>Steuerung der Hand</translation>
+    </message>
+    <message>
+        <source>clutch button</source>
+        <translation>Kupplungstaste</translation>
+    </message>
+    <message>
+        <source>level button</source>
+        <translation>Ebenentaste</translation>
+    </message>
+    <message>
+        <source>force button</source>
+        <translation>Krafttaste</translation>
+    </message>
+</context>
+<context>
+    <name>burin::HandPanel</name>
+    <message>
+        <source>Hand and tool</source>
+        <translation>Hand und Werkzeug</translation>
+    </message>
+    <message>
+        <source>Clutch button</source>
+        <translation>Kupplungstaste</translation>
+    </message>
+    <message>
+        <source>While this button of the stylus is held, the tool stays</source>
+        <translation>Solange diese Taste des Stifts gehalten wird, bleibt das Werkzeug stehen</translation>
+    </message>
+    <message>
+        <source>Level button</source>
+        <translation>Ebenentaste</translation>
+    </message>
+    <message>
+        <source>This button of the stylus asks for the next level below, or ends a pass</source>
+        <translation>Diese Taste des Stifts wählt die nächste Ebene darunter oder beendet eine Zeile</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Dead man&apos;s switch: the stylus has forces only while this button is held</source>
+        <translation>Totmannschalter: Der Stift hat nur Kraft, solange diese Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>Heat of the motors</source>
+        <translation>Wärme der Motoren</translation>
+    </message>
+    <message>
+        <source>Of what they bear, as the device tells it</source>
+        <translation>Anteil dessen, was sie aushalten, nach Angabe des Geräts</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>How far the tool goes for the hand&apos;s way</source>
+        <translation>Wie weit das Werkzeug für den Weg der Hand geht</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>Auskuppeln</translation>
+    </message>
+    <message>
+        <source>Recentre</source>
+        <translation>Zentrieren</translation>
+    </message>
+    <message>
+        <source>Align with the view</source>
+        <translation>An der Ansicht ausrichten</translation>
+    </message>
+    <message>
+        <source>Sets the place</source>
+        <translation>Gibt den Ort vor</translation>
+    </message>
+    <message>
+        <source>The tool is where the hand is</source>
+        <translation>Das Werkzeug ist, wo die Hand ist</translation>
+    </message>
+    <message>
+        <source>Sets the speed</source>
+        <translation>Gibt das Tempo vor</translation>
+    </message>
+    <message>
+        <source>The farther the stylus leaves its middle, the faster the tool goes</source>
+        <translation>Je weiter der Stift aus seiner Mitte geht, desto schneller läuft das Werkzeug</translation>
+    </message>
+    <message>
+        <source>while button %1 is held (spindle)</source>
+        <translation>solange Taste %1 gehalten wird (Spindel)</translation>
+    </message>
+    <message>
+        <source>button %1</source>
+        <translation>Taste %1</translation>
     </message>
     <message>
         <source>The hand moves, the tool stays</source>
@@ -1515,6 +1739,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>As the hand works on, it comes back to the middle of the device&apos;s reach</source>
         <translation>Während die Hand weiterarbeitet, kommt sie in die Mitte der Reichweite des Geräts zurück</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>immer</translation>
+    </message>
+    <message>
+        <source>Stop the recording first.</source>
+        <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>%1, charging</source>
+        <translation>%1, lädt</translation>
+    </message>
+    <message>
+        <source>The mouse points at the bench itself. With a device in hand, its movements are scaled here.</source>
+        <translation>Die Maus zeigt direkt auf die Werkbank. Mit einem Gerät in der Hand werden dessen Bewegungen hier skaliert.</translation>
     </message>
 </context>
 <context>
@@ -1674,10 +1918,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>erst einbetten</translation>
     </message>
     <message>
-        <source>editing</source>
-        <translation>wird bearbeitet</translation>
-    </message>
-    <message>
         <source>not possible</source>
         <translation>nicht möglich</translation>
     </message>
@@ -1719,6 +1959,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>%n Aufnahme</numerusform>
             <numerusform>%n Aufnahmen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>being made</source>
+        <translation>in Arbeit</translation>
+    </message>
+    <message>
+        <source>waits for the workpiece</source>
+        <translation>wartet auf Werkstück</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +2018,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The folder can&apos;t be written, so this project is open for reading only; save it elsewhere to change it.</source>
         <translation>Der Ordner ist schreibgeschützt, das Projekt ist deshalb nur zum Lesen geöffnet; speichern Sie es anderswo, um es zu ändern.</translation>
+    </message>
+    <message>
+        <source>The battery of “%1” is down to %2; charge it soon.</source>
+        <translation>Der Akku von „%1“ hat noch %2; laden Sie ihn bald.</translation>
     </message>
 </context>
 <context>
@@ -2194,6 +2446,97 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::ObstacleCard</name>
+    <message>
+        <source>waits until the tool is out</source>
+        <translation>wartet, bis es frei ist</translation>
+    </message>
+    <message>
+        <source>holds the tool</source>
+        <translation>hält das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>How far every point of the tool keeps from it</source>
+        <translation>Wie weit jeder Punkt des Werkzeugs davon wegbleibt</translation>
+    </message>
+    <message>
+        <source>Whether it keeps the tool out</source>
+        <translation>Ob es das Werkzeug fernhält</translation>
+    </message>
+    <message>
+        <source>Remove it</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Fixture</source>
+        <translation>Vorrichtung</translation>
+    </message>
+    <message>
+        <source>Keep-out volume</source>
+        <translation>Sperrraum</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>A fixture stands there; a keep-out volume is to be kept clear</source>
+        <translation>Eine Vorrichtung steht dort; ein Sperrraum soll frei bleiben</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>The corner with the lowest coordinates, from program zero</source>
+        <translation>Die Ecke mit den kleinsten Koordinaten, vom Programmnullpunkt aus</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Length of its edges</source>
+        <translation>Länge der Kanten</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>The middle of its lower face, from program zero</source>
+        <translation>Die Mitte der unteren Fläche, vom Programmnullpunkt aus</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Of the cylinder</source>
+        <translation>Des Zylinders</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>As it lies in its file, %1 triangles</source>
+        <translation>Wie in der Datei, %1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Stop the recording first.</source>
+        <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>%1 X, Y, Z, in %2</source>
+        <translation>%1 X, Y, Z in %2</translation>
+    </message>
+</context>
+<context>
     <name>burin::PartPanel</name>
     <message>
         <source>Part</source>
@@ -2358,6 +2701,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The path is at most this far from what the hand did</source>
         <translation>Größte Abweichung der Bahn von der Handbewegung</translation>
+    </message>
+    <message>
+        <source>The workpiece is being made; then the edits are applied…</source>
+        <translation>Das Werkstück entsteht; danach werden die Bearbeitungen angewandt …</translation>
     </message>
 </context>
 <context>
@@ -2662,6 +3009,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>%1 Hz · p99.9 %2 ms, work %3 µs · %4 missed</source>
         <translation>%1 Hz · p99,9 %2 ms, Arbeit %3 µs · %4 ausgelassen</translation>
     </message>
+    <message>
+        <source>battery %1</source>
+        <translation>Akku %1</translation>
+    </message>
+    <message>
+        <source>motors %1</source>
+        <translation>Motoren %1</translation>
+    </message>
 </context>
 <context>
     <name>burin::StepButton</name>
@@ -2778,6 +3133,168 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Connecting %1</source>
         <translation>%1 wird verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>burin::SurroundingsController</name>
+    <message>
+        <source>Keep-out %1</source>
+        <translation>Sperrraum %1</translation>
+    </message>
+    <message>
+        <source>Fixture %1</source>
+        <translation>Vorrichtung %1</translation>
+    </message>
+    <message>
+        <source>new fixture</source>
+        <translation>neue Vorrichtung</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+    <message>
+        <source>fixture</source>
+        <translation>Vorrichtung</translation>
+    </message>
+    <message>
+        <source>fixture removed</source>
+        <translation>Vorrichtung entfernt</translation>
+    </message>
+    <message>
+        <source>fixture on</source>
+        <translation>Vorrichtung ein</translation>
+    </message>
+    <message>
+        <source>fixture off</source>
+        <translation>Vorrichtung aus</translation>
+    </message>
+    <message>
+        <source>axis of the tool</source>
+        <translation>Achse des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>machine&apos;s travel</source>
+        <translation>Verfahrweg der Maschine</translation>
+    </message>
+</context>
+<context>
+    <name>burin::SurroundingsPanel</name>
+    <message>
+        <source>Fixtures and keep-out volumes</source>
+        <translation>Vorrichtungen und Sperrräume</translation>
+    </message>
+    <message>
+        <source>Nothing stands around the stock. The tool keeps out of what is added here, and the hand feels it.</source>
+        <translation>Um das Rohteil steht nichts. In das, was hier hinzukommt, dringt das Werkzeug nicht ein, und die Hand fühlt es.</translation>
+    </message>
+    <message>
+        <source>Machine&apos;s travel</source>
+        <translation>Verfahrweg der Maschine</translation>
+    </message>
+    <message>
+        <source>What to add</source>
+        <translation>Was hinzukommt</translation>
+    </message>
+    <message>
+        <source>What shall stand around the stock</source>
+        <translation>Was um das Rohteil stehen soll</translation>
+    </message>
+    <message>
+        <source>Fixture: box</source>
+        <translation>Vorrichtung: Quader</translation>
+    </message>
+    <message>
+        <source>Fixture: cylinder</source>
+        <translation>Vorrichtung: Zylinder</translation>
+    </message>
+    <message>
+        <source>Fixture from a file…</source>
+        <translation>Vorrichtung aus Datei …</translation>
+    </message>
+    <message>
+        <source>Keep out: box</source>
+        <translation>Sperrraum: Quader</translation>
+    </message>
+    <message>
+        <source>Keep out: cylinder</source>
+        <translation>Sperrraum: Zylinder</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Axis of the tool</source>
+        <translation>Achse des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>fixed, Z</source>
+        <translation>fest, Z</translation>
+    </message>
+    <message>
+        <source>chosen, 3+2</source>
+        <translation>gewählt, 3+2</translation>
+    </message>
+    <message>
+        <source>free, with the hand</source>
+        <translation>frei, mit der Hand</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Whether the tool stands, and how</source>
+        <translation>Ob das Werkzeug fest steht, und wie</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Angle between the tool&apos;s axis and Z</source>
+        <translation>Winkel zwischen der Achse des Werkzeugs und Z</translation>
+    </message>
+    <message>
+        <source>Towards</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Where the holder leans to: 0° is X, 90° is Y</source>
+        <translation>Wohin sich der Halter neigt: 0° ist X, 90° ist Y</translation>
+    </message>
+    <message>
+        <source>As the view looks</source>
+        <translation>In Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Stop the recording first.</source>
+        <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>The tool stands along the line from the eye</source>
+        <translation>Das Werkzeug steht in Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Import a part first.</source>
+        <translation>Importieren Sie zuerst ein Teil.</translation>
+    </message>
+    <message>
+        <source>Work is under way.</source>
+        <translation>Es wird noch gerechnet.</translation>
+    </message>
+    <message>
+        <source>Put it beside the stock, or where its file says</source>
+        <translation>Stellt es neben das Rohteil oder dorthin, wo die Datei es hat</translation>
+    </message>
+    <message>
+        <source>The travel bounds an upright tool alone.</source>
+        <translation>Der Verfahrweg begrenzt nur ein senkrechtes Werkzeug.</translation>
+    </message>
+    <message>
+        <source>The tip stays within what the machine&apos;s axes reach</source>
+        <translation>Die Spitze bleibt dort, wo die Achsen der Maschine hinkommen</translation>
     </message>
 </context>
 <context>

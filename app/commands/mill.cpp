@@ -102,16 +102,22 @@ struct MillWork {
     Pace pace;
 };
 
-/// As the session was that left a trace, but for what this one is told otherwise.
-void playAgain(const SessionTrace& trace, const MillWork& work, TakeRequest& request) {
+/// As the session was that left a trace, but for the allowance where this one is told another.
+/// Errors: argumentInvalid (its tool had another axis).
+Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequest& request) {
     request.replayed = &trace;
-    if (!trace.began) return; // an older trace, or one that somebody wrote
+    if (!trace.began) return {}; // an older trace, or one that somebody wrote
+    const AxisMode &then = trace.began->axis, &now = work.bounds.axis();
+    if (then.free != now.free || (!now.free && glm::length(then.direction - now.direction) > 1e-9))
+        return Error{ErrorCode::argumentInvalid, "--axis", textOf(now),
+                     textOf(then) + ", as when the trace was recorded"};
     request.mapping = trace.began->mapping;
     request.period = trace.began->period;
     request.cutsOnButton = trace.began->cutsOnButton;
     request.forceButtons = trace.began->forceButtons;
     request.felt = trace.began->felt;
     request.allowance = work.arguments.allowance.value_or(trace.began->allowance);
+    return {};
 }
 
 /// One take with a stylus; its end, the time given, or the wish to stop ends it.
@@ -128,7 +134,8 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     if (work.arguments.deadMan > 0) request.forceButtons = 1U << static_cast<unsigned>(work.arguments.deadMan - 1);
     request.heardFault = [&work](const Error& fault) { work.context.message(Messages::sentence(fault).toStdString()); };
     if (work.arguments.seconds > 0.0) request.maximumSeconds = work.arguments.seconds;
-    if (replayed != nullptr) playAgain(*replayed, work, request);
+    if (replayed != nullptr)
+        if (Result<void> asThen = playAgain(*replayed, work, request); !asThen) return std::move(asThen).error();
     Result<TakeOutcome> outcome =
         recordTake(work.project, work.bench, work.bounds, stylus, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
@@ -216,10 +223,12 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         millAsAsked({arguments, *project, *bench, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast});
     if (!outcome) return context.fail(outcome.error());
 
+    const Box& travel = bounds->envelope().tips;
     json answer{{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
                 {"tool", jsonOf(bench->tool)},
                 {"axis", jsonOf(bounds->axis())},
                 {"layers", jsonOf(bounds->layers())},
+                {"machine_travel_mm", travel.empty() ? json(nullptr) : jsonOf(travel)},
                 {"takes", json::array()}};
     double removed = 0.0;
     std::uint64_t samples = 0;

@@ -76,6 +76,21 @@ json toJson(const WorkspaceMapping& mapping) {
     return {{"origin_mm", {o.x, o.y, o.z}}, {"rotation", {q.w, q.x, q.y, q.z}}, {"scale", mapping.scale}};
 }
 
+json toJson(const FeltCutting& felt) {
+    return {{"gain", felt.gain}, {"friction", felt.friction}};
+}
+
+json toJson(const AxisMode& axis) {
+    return {{"free", axis.free}, {"direction", {axis.direction.x, axis.direction.y, axis.direction.z}}};
+}
+
+AxisMode readAxis(JsonObject& object) {
+    const std::vector<double> d = object.numbers("direction", 3, {-1.0, 1.0});
+    const AxisMode axis{object.boolean("free"), {d[0], d[1], d[2]}};
+    if (std::abs(glm::length(axis.direction) - 1.0) > 1e-6) object.fail("direction", "has to be of unit length");
+    return axis;
+}
+
 WorkspaceMapping readMapping(JsonObject& object) {
     const std::vector<double> o = object.numbers("origin_mm", 3), q = object.numbers("rotation", 4);
     return {{o[0], o[1], o[2]}, glm::dquat(q[0], q[1], q[2], q[3]), object.number("scale", {1e-9, 1e9})};
@@ -87,7 +102,7 @@ std::string formatTracedSession(const TracedSession& session) {
     const json inner{{"stylus", toJson(session.stylus)},       {"mapping", toJson(session.mapping)},
                      {"allowance_mm", session.allowance},      {"period_s", session.period},
                      {"cuts_on_button", session.cutsOnButton}, {"force_buttons", session.forceButtons},
-                     {"felt_gain", session.felt.gain},         {"friction", session.felt.friction}};
+                     {"felt", toJson(session.felt)},           {"axis", toJson(session.axis)}};
     return std::string(beginning) + inner.dump() + "}";
 }
 
@@ -108,8 +123,10 @@ Result<TracedSession> readTracedSession(std::string_view text, const std::string
         const double buttons = inner.number("force_buttons", {0.0, largestWord});
         if (std::floor(buttons) != buttons) inner.fail("force_buttons", "has to be a whole number");
         session.forceButtons = static_cast<std::uint32_t>(buttons);
-        session.felt.gain = inner.number("felt_gain", atLeastNothing);
-        session.felt.friction = inner.number("friction", atLeastNothing);
+        inner.object("felt", [&](JsonObject& felt) {
+            session.felt = {felt.number("gain", atLeastNothing), felt.number("friction", atLeastNothing)};
+        });
+        inner.object("axis", [&](JsonObject& axis) { session.axis = readAxis(axis); });
     });
     if (Result<void> whole = object->finish(); !whole) return std::move(whole).error();
     if (Result<void> good = checkDescription(session.stylus); !good) return std::move(good).error();

@@ -21,6 +21,7 @@ struct TracedSession {
     bool cutsOnButton = false;      ///< as in HapticSettings
     std::uint32_t forceButtons = 0; ///< as in HapticSettings
     FeltCutting felt;
+    AxisMode axis; ///< decided by what bounds the tool
 };
 
 /// A JSON object of one line, without its end. Numbers come back to the bit.

@@ -85,8 +85,8 @@ Result<Bench> makeBench(const BenchRequest& request, Progress& progress) {
     const Result<CuttingConditions> conditions =
         cuttingConditions(request.tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
     if (!conditions) return conditions.error();
-    return Bench{request.model, request.setup,   request.tool,         std::move(*machine),
-                 *conditions,   std::move(part), std::move(*embedded), request.obstacles};
+    return Bench{request.model,   request.setup,        request.tool,      std::move(*machine), *conditions,
+                 std::move(part), std::move(*embedded), request.obstacles, request.travel};
 }
 
 Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress) {
@@ -98,12 +98,11 @@ Result<Bench> makeBench(const Project& project, const Tool& tool, const std::str
     if (!materials && materials.error().code != ErrorCode::projectIncomplete) return std::move(materials).error();
     Result<std::vector<Obstacle>> obstacles = project.obstacles();
     if (!obstacles) return std::move(obstacles).error();
-    BenchRequest request{std::make_shared<const Model>(std::move(*model)),
-                         std::move(*setup),
-                         tool,
-                         machineId,
-                         {},
-                         std::move(*obstacles)};
+    const Result<TravelPlacement> travel = project.travelPlacement();
+    if (!travel) return travel.error();
+    BenchRequest request{std::make_shared<const Model>(std::move(*model)), std::move(*setup), tool, machineId, {}};
+    request.obstacles = std::move(*obstacles);
+    request.travel = *travel;
     if (materials) request.materials = std::move(*materials);
     return makeBench(request, progress);
 }

@@ -5,6 +5,7 @@
 #include "core/cutting/cutting_force.h"
 #include "core/field/tool_field.h"
 #include "core/geometry/mesh_distance.h"
+#include "core/machine/envelope.h"
 #include "core/machine/machine_profile.h"
 #include "core/project/project.h"
 #include "core/setup/obstacle.h"
@@ -28,6 +29,7 @@ struct Bench {
     MeshDistance part;            ///< all bodies
     EmbeddedSetup embedded;
     std::vector<Obstacle> obstacles; ///< around the stock
+    TravelPlacement travel;
 
     Box tipRegion() const; ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
     Box tipRegion(const Tool& other) const; ///< the same for another tool
@@ -43,6 +45,7 @@ struct BenchRequest {
     std::string machineId;
     std::vector<Property> materials; ///< by id; the library has the others
     std::vector<Obstacle> obstacles{};
+    TravelPlacement travel{};
 };
 
 /// Errors: those of loadMaterial, loadMachine, embed, cuttingConditions, checkObstacle, cancelled.

@@ -58,6 +58,7 @@ public:
     /// By their number.
     const std::vector<BoundLayer>& layers() const noexcept { return layers_; }
     const AxisMode& axis() const noexcept { return axis_; }
+    const Envelope& envelope() const noexcept { return envelope_; }
     /// The part's clearance where the axis stands, over tips; null where it is free.
     const ClearanceField* field() const noexcept { return field_.get(); }
 

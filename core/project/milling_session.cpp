@@ -84,6 +84,7 @@ public:
         , stylus_(stylus)
         , strokes_(strokes)
         , allowance_(request.allowance)
+        , axis_(bounds.axis())
         , layerCount_(bounds.layers().size())
         , layersOn_(layersOn(bounds.layers()))
         , servo_(servoSettings(stylus, request))
@@ -132,6 +133,7 @@ private:
     const StylusHandle stylus_;
     StrokeHistory& strokes_;
     double allowance_;
+    const AxisMode axis_;
     const std::size_t layerCount_;
     std::uint64_t layersOn_; ///< wished, by bit
     const ServoSettings servo_;
@@ -161,7 +163,7 @@ Result<void> LiveSession::start(const SessionRequest& request) {
     if (!request.trace.empty()) {
         const TracedSession began{
             stylus_.device().description(), request.mapping,      request.allowance, servo_.period,
-            request.cutsOnButton,           request.forceButtons, request.felt};
+            request.cutsOnButton,           request.forceButtons, request.felt,      axis_};
         Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink, began);
         if (!trace) return std::move(trace).error();
         trace_ = std::move(*trace);

@@ -100,6 +100,8 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     verification.part = &bench.part;
     verification.setup = bench.setup;
     verification.obstacles = bench.obstacles;
+    if (bench.travel.zero) // what is only the rule's guess refuses no program
+        verification.travel = travelEnvelope(bench.machine, bench.travel, bench.setup.workOffset).tips;
     verification.tool = bench.tool;
     verification.machine = bench.machine;
     verification.gougeTolerance = request.gougeTolerance;

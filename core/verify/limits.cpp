@@ -4,20 +4,34 @@
 
 #include "core/base/units.h"
 
+#include <algorithm>
+
 namespace burin {
 
+namespace {
+
+/// mm of way along an axis that a tip so far away would take.
+double wayTo(const glm::dvec3& tip, int axis, const Box& travel) {
+    return std::max(travel.high[axis], tip[axis]) - std::min(travel.low[axis], tip[axis]);
+}
+
+} // namespace
+
 void judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const MachineProfile& machine,
-                 Findings& findings) {
+                 const Box& travel, Findings& findings) {
     Box used;
     for (const ToolMove& move : moves) {
         used.include(move.to);
         if (!move.rapid && !move.startKnown) findings.add(FindingKind::unknownStart, move.line, move.to, 0.0);
         if (!move.rapid && move.feed > machine.maximumFeed)
             findings.add(FindingKind::feedLimit, move.line, move.to, move.feed);
-        // Where the work offset lies on the table is the operator's choice: only the way itself can be too long.
-        for (int axis = 0; axis < 3; ++axis)
+        // Where nobody said how the setup stands on the table, only the way itself can be too long.
+        for (int axis = 0; axis < 3; ++axis) {
             if (used.size()[axis] > machine.travel[axis])
                 findings.add(FindingKind::travelLimit, move.line, move.to, used.size()[axis]);
+            if (!travel.empty() && (move.to[axis] < travel.low[axis] || move.to[axis] > travel.high[axis]))
+                findings.add(FindingKind::travelLimit, move.line, move.to, wayTo(move.to, axis, travel));
+        }
     }
     if (!moves.empty() && (spindleSpeed > machine.maximumSpindleSpeed ||
                            (spindleSpeed > 0.0 && spindleSpeed < machine.minimumSpindleSpeed)))

@@ -8,8 +8,9 @@
 namespace burin {
 
 /// Travel, feeds and spindle speed of a program against the machine; feed moves from nowhere.
+/// @param travel where the tip may go, mm, setup frame; empty: only its length is judged
 void judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const MachineProfile& machine,
-                 Findings& findings);
+                 const Box& travel, Findings& findings);
 
 /// s that the moves take at their feeds and at the machine's rapid feed, without acceleration.
 double machiningSeconds(const std::vector<ToolMove>& moves, const MachineProfile& machine);

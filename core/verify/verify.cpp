@@ -78,7 +78,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     const std::vector<ToolMove> moves = toolMoves(*request.program, request.setup.workOffset);
     Findings findings;
     VerifyReport report;
-    judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, findings);
+    judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, request.travel, findings);
     if (Result<void> judged = judgeObstacles(moves, request, findings, progress); !judged)
         return std::move(judged).error();
     report.machiningSeconds = machiningSeconds(moves, request.machine);

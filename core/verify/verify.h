@@ -26,6 +26,7 @@ struct VerifyRequest {
     std::vector<Obstacle> obstacles; ///< those that are on are judged
     Tool tool;
     MachineProfile machine;
+    Box travel; ///< mm, setup frame: where the machine lets the tip go; empty: where its travel lies is not known
     double gougeTolerance = 0.02;   ///< mm
     double sampling = 0.1;          ///< mm along moves
     std::size_t exactSamples = 500; ///< of the worst samples are judged on the exact B-rep; 0, or no B-rep: mesh only

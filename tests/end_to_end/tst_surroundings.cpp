@@ -96,6 +96,8 @@ void SurroundingsTest::noTickHasTheToolInAFixture() {
     const ProgramRun run = runBurin({"mill", project, "--tool", "ball-6", "--seconds", "12", "--json"});
     QVERIFY2(run.status == 0, run.messages.constData());
 
+    QCOMPARE(run.json()["machine_travel_mm"].toArray().size(), 2);
+
     const Result<Project> opened = Project::open(project.toStdString());
     QVERIFY(opened);
     const Result<Tool> tool = toolFor(*opened, "ball-6");
@@ -172,6 +174,7 @@ void SurroundingsTest::aLeaningToolDoesNotGouge() {
     const ProgramRun run = runBurin({"mill", project, "--tool", "ball-6", "--seconds", "25", "--json"});
     QVERIFY2(run.status == 0, run.messages.constData());
     QCOMPARE(run.json()["axis"].toObject()["mode"].toString(), QString("chosen"));
+    QVERIFY(run.json()["machine_travel_mm"].isNull()); // a three-axis machine's says nothing of a leaning tool
     const std::optional<PartJudge> judge = PartJudge::of(model, 3.0);
     const Result<Project> opened = Project::open(project.toStdString());
     QVERIFY(judge && opened);

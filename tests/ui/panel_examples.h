@@ -5,6 +5,7 @@
 #include "ui/panels/panel_states.h"
 
 #include <array>
+#include <cmath>
 
 /// States that panels are shown in: a job in the middle, with everything that a panel can have to tell.
 namespace burin::examples {
@@ -84,6 +85,56 @@ inline MillState mill() {
     state.canUndoStroke = true;
     state.alarm = QStringLiteral("The shank touches the stock.");
     state.takes = {take(1, "Take 1, roughing", 58210, 12), take(2, "Take 2, left flank", 31044, 1)};
+    return state;
+}
+
+inline SurroundingsState surroundings() {
+    SurroundingsState state;
+    state.hasPart = true;
+    state.zero = {60.0, 35.0, 45.0};
+    state.axis.direction = {0.0, -0.5, std::sqrt(0.75)};
+    const auto add = [&state](const char* name, std::variant<Box, CylinderShape, TriangleMesh> shape, ObstacleKind kind,
+                              BoundNews news) {
+        Obstacle obstacle;
+        obstacle.name = name;
+        obstacle.shape = std::move(shape);
+        obstacle.kind = kind;
+        obstacle.margin = 1.0;
+        state.obstacles.push_back({std::make_shared<const Obstacle>(std::move(obstacle)), true, news});
+    };
+    add("Fixture 1", Box{{-120.5, -40.25, 0.0}, {-10.0, 80.0, 32.0}}, ObstacleKind::fixture, BoundNews::holds);
+    add("Keep-out 1", CylinderShape{{150.0, 20.0, 0.0}, {0.0, 0.0, 1.0}, 12.0, 60.0}, ObstacleKind::keepOut,
+        BoundNews::waits);
+    add("vise jaw, left, with a name that is too long", TriangleMesh{}, ObstacleKind::fixture, BoundNews::none);
+    return state;
+}
+
+inline GuideState guides() {
+    GuideState state;
+    state.live = true;
+    for (const GuideKind kind : {GuideKind::levels, GuideKind::plane, GuideKind::line, GuideKind::surface,
+                                 GuideKind::stepOver, GuideKind::axis}) {
+        Guide guide;
+        guide.kind = kind;
+        guide.on = true;
+        state.guides.push_back(guide);
+    }
+    state.news[0] = {GuideNews::Is::holding, -2, 0.1};
+    state.news[1] = {GuideNews::Is::overruled, 0, 0.0};
+    state.news[2] = {GuideNews::Is::away, 0, 128.5};
+    return state;
+}
+
+inline HandState hand() {
+    HandState state;
+    state.hasDevice = state.motors = state.canRate = true;
+    state.scale = 1.25;
+    state.buttons = 3;
+    state.clutchButton = 2;
+    state.forceButton = 1;
+    state.battery = 0.42;
+    state.charging = true;
+    state.heat = 0.71;
     return state;
 }
 

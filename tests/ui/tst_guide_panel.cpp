@@ -4,7 +4,6 @@
 #include "tests/ui/panel_bench.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/guide_panel.h"
-#include "ui/panels/notice.h"
 #include "ui/theme/theme.h"
 
 #include <QCheckBox>
@@ -123,29 +122,6 @@ private slots:
         QCOMPARE(stepped.size(), 2);
         QCOMPARE(stepped[0][0].toInt(), -1);
         QCOMPARE(stepped[1][0].toInt(), 1);
-    }
-
-    void aDevicesWayIsScaledTheMousesIsNot() {
-        GuidePanel panel;
-        GuideState state;
-        panel.setState(state);
-        show(panel);
-        QVERIFY(child<Notice>(panel, "workspaceNotice").isVisible());
-        QVERIFY(!child<QDoubleSpinBox>(panel, "workspaceScaleField").isEnabled());
-        QVERIFY(!child<QPushButton>(panel, "clutchButton").isEnabled());
-        state.live = state.hasDevice = true;
-        state.scale = 0.5;
-        panel.setState(state);
-        QVERIFY(!child<Notice>(panel, "workspaceNotice").isVisible());
-        QSignalSpy scaled(&panel, &GuidePanel::scaleEdited), clutched(&panel, &GuidePanel::clutchToggled),
-            recentred(&panel, &GuidePanel::recentreRequested);
-        type(panel, "workspaceScaleField", "2");
-        QCOMPARE(scaled[0][0].toDouble(), 2.0);
-        click(panel, "clutchButton");
-        QCOMPARE(clutched[0][0].toBool(), true);
-        QVERIFY(!child<QPushButton>(panel, "clutchButton").isChecked()); // a wish, until the state says so
-        click(panel, "recentreButton");
-        QCOMPARE(recentred.size(), 1);
     }
 };
 

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/panel_examples.h"
 #include "ui/panels/allowance_panel.h"
+#include "ui/panels/bounds_panel.h"
 #include "ui/panels/elided_label.h"
+#include "ui/panels/guide_panel.h"
+#include "ui/panels/hand_panel.h"
 #include "ui/panels/job_line.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/meters.h"
@@ -11,6 +14,7 @@
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
 #include "ui/panels/stock_panel.h"
+#include "ui/panels/surroundings_panel.h"
 #include "ui/panels/tool_panel.h"
 #include "ui/panels/value_row.h"
 #include "ui/theme/theme.h"
@@ -35,7 +39,7 @@ constexpr int panelWidth = 320;
 
 std::unique_ptr<QWidget> make(const QString& name, LengthUnit unit = LengthUnit::millimetre) {
     const auto made = [unit](auto* panel, const auto& state) {
-        panel->setUnit(unit);
+        if constexpr (requires { panel->setUnit(unit); }) panel->setUnit(unit);
         panel->setState(state);
         return std::unique_ptr<QWidget>(panel);
     };
@@ -45,6 +49,10 @@ std::unique_ptr<QWidget> make(const QString& name, LengthUnit unit = LengthUnit:
     if (name == QLatin1String("tool")) return made(new ToolPanel, examples::tool());
     if (name == QLatin1String("allowance")) return made(new AllowancePanel, AllowanceState{0.3, 5.0, true});
     if (name == QLatin1String("mill")) return made(new MillPanel, examples::mill());
+    if (name == QLatin1String("surroundings")) return made(new SurroundingsPanel, examples::surroundings());
+    if (name == QLatin1String("bounds")) return made(new BoundsPanel, examples::surroundings());
+    if (name == QLatin1String("guides")) return made(new GuidePanel, examples::guides());
+    if (name == QLatin1String("hand")) return made(new HandPanel, examples::hand());
     if (name == QLatin1String("path")) return made(new PathPanel, examples::path());
     if (name == QLatin1String("program")) return made(new ProgramPanel, examples::program());
     if (name == QLatin1String("program failed")) return made(new ProgramPanel, examples::failedProgram());
@@ -52,8 +60,8 @@ std::unique_ptr<QWidget> make(const QString& name, LengthUnit unit = LengthUnit:
     return {};
 }
 
-const QStringList names{"part", "stock", "material", "tool",           "allowance",
-                        "mill", "path",  "program",  "program failed", "meters"};
+const QStringList names{"part",   "stock",  "surroundings", "material", "tool",    "allowance",      "mill",
+                        "bounds", "guides", "hand",         "path",     "program", "program failed", "meters"};
 
 void shape(QWidget& panel) {
     panel.setAttribute(Qt::WA_DontShowOnScreen);

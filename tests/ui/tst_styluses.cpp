@@ -19,15 +19,21 @@ namespace {
 
 /// What a test's devices are doing. Any thread.
 struct Hand {
-    std::atomic<bool> pluggedIn{true}, button{false};
+    std::atomic<bool> pluggedIn{true}, button{false}, secondButton{false};
+    std::atomic<bool> aside{false}; ///< it rests beside its middle; else it goes round
     std::atomic<OwnStylus*> stylus{nullptr};
 };
 
-StylusDescription description() {
+StylusDescription description(bool motors) {
     StylusDescription description = test::desktopStylus();
     description.name = "Arm";
-    description.buttons = 1;
+    description.buttons = 2;
     description.rate = {1000.0, "made up"};
+    if (motors) return description;
+    description.actuated = {};
+    description.maximumForce = {};
+    description.maximumStiffness = {};
+    description.maximumDamping = {};
     return description;
 }
 
@@ -45,11 +51,12 @@ public:
     Result<AnyStylus> make(const std::string& id, const std::string& mode) override {
         madeMode = mode;
         if (id != "one") return Error{ErrorCode::deviceNotAllowed, id, "/dev/none", {}};
-        auto stylus = std::make_unique<OwnStylus>(description(), [&hand = hand_](double time, int) {
+        auto stylus = std::make_unique<OwnStylus>(description(motors), [&hand = hand_](double time, int) {
             StylusState state;
             state.time = time;
             state.pose.position = {20.0 * std::sin(3.0 * time), 5.0 * std::cos(3.0 * time), -8.0};
-            state.buttons = hand.button ? 1U : 0U;
+            if (hand.aside) state.pose.position = {12.0, 0.0, 0.0};
+            state.buttons = (hand.button ? 1U : 0U) | (hand.secondButton ? 2U : 0U);
             state.valid = hand.pluggedIn;
             return state;
         });
@@ -57,6 +64,7 @@ public:
         return AnyStylus(std::unique_ptr<SelfPacedStylus>(std::move(stylus)));
     }
     std::string madeMode;
+    bool motors = true;
 
 private:
     Hand& hand_;
@@ -76,6 +84,25 @@ struct Shelf {
         std::make_shared<DeviceRegistry>(std::filesystem::path(folder.path().toStdString()) / "none");
     Arms* arms;
 };
+
+/// Until a cube is embedded and the arm is in the hand.
+bool takeInHand(Shelf& shelf, Workbench& bench) {
+    shelf.arms->put({{"one", "Arm", {}}});
+    bench.document.createNew(false, [&](bool made) {
+        if (made) bench.importPart(BURIN_FIXTURES "/models/cube.brep", false);
+    });
+    if (!QTest::qWaitFor([&] { return bench.setup.usable(); }, 60000)) return false;
+    Setup coarse = bench.setup.setup();
+    coarse.voxel = 1.0; // mm: soon embedded
+    bench.setup.edit(coarse);
+    bench.bench.embed();
+    if (!QTest::qWaitFor([&] { return bench.bench.ready(); }, 60000)) return false;
+    bench.styluses.start(shelf.registry);
+    if (!QTest::qWaitFor([&] { return bench.styluses.choices().size() == 2; }, 5000)) return false;
+    bench.styluses.choose(1);
+    bench.mill.enter();
+    return QTest::qWaitFor([&] { return bench.mill.active() && bench.session.state().ticks > 50; }, 5000);
+}
 
 QStringList namesOf(const StylusController& styluses) {
     QStringList names;
@@ -140,26 +167,10 @@ private slots:
     /// Its button begins a stroke and its recording; unplugged it says so, and goes on when it is back.
     void aDeviceMills() {
         Shelf shelf;
-        shelf.arms->put({{"one", "Arm", {}}});
         Workbench bench;
-        bench.document.createNew(false, [&](bool made) {
-            QVERIFY(made);
-            bench.importPart(BURIN_FIXTURES "/models/cube.brep", false);
-        });
-        QTRY_VERIFY_WITH_TIMEOUT(bench.setup.usable(), 60000);
-        Setup coarse = bench.setup.setup();
-        coarse.voxel = 1.0; // mm: soon embedded
-        bench.setup.edit(coarse);
-        bench.bench.embed();
-        QTRY_VERIFY_WITH_TIMEOUT(bench.bench.ready(), 60000);
-        bench.styluses.start(shelf.registry);
-        QTRY_COMPARE(bench.styluses.choices().size(), std::size_t{2});
-        bench.styluses.choose(1);
         QSignalSpy failed(&bench, &Workbench::failed);
-        bench.mill.enter();
-        QTRY_VERIFY(bench.mill.active());
+        QVERIFY(takeInHand(shelf, bench));
         QVERIFY(!bench.mill.stylus()); // no pointer leads it
-        QTRY_VERIFY(bench.session.state().ticks > 50);
         QVERIFY(!bench.mill.recording());
         shelf.hand.button = true;
         QTRY_VERIFY(bench.mill.recording());
@@ -189,6 +200,106 @@ private slots:
         QTRY_COMPARE(bench.mill.takes().size(), std::size_t{1});
         QCOMPARE(bench.mill.takes()[0].stylus, std::string("Arm"));
         QVERIFY(bench.mill.takes()[0].sampleCount > 0);
+    }
+
+    /// What is set stays with the device, and can be undone.
+    void theHandIsScaledAndClutched() {
+        Shelf shelf;
+        Workbench bench;
+        QVERIFY(takeInHand(shelf, bench));
+        HandController& hand = bench.hand;
+        const SessionState& state = bench.session.state();
+        const double first = state.workspaceScale;
+        hand.setScale(2.0 * first);
+        QTRY_VERIFY(std::abs(state.workspaceScale - 2.0 * first) < 1e-9);
+        bench.mill.leave();
+        QTRY_VERIFY(!bench.mill.active());
+        bench.mill.enter();
+        QTRY_VERIFY(bench.mill.active());
+        QTRY_VERIFY(std::abs(state.workspaceScale - 2.0 * first) < 1e-9);
+        bench.undoLast();
+        QTRY_VERIFY(std::abs(state.workspaceScale - first) < 1e-9);
+        QVERIFY(!hand.canRate()); // its motors would push it out of its place
+
+        hand.setClutched(true);
+        QTRY_VERIFY(state.clutched);
+        QTest::qWait(600); // what was under way
+        const glm::dvec3 rest = state.sample.stylusTip;
+        const glm::dvec3 place = state.sample.device.position;
+        QTRY_VERIFY(glm::distance(state.sample.device.position, place) > 5.0); // the hand goes on
+        QVERIFY(glm::distance(state.sample.stylusTip, rest) < 0.05);
+        hand.setClutched(false);
+        QTRY_VERIFY(!state.clutched);
+        hand.setClutchButton(2);
+        QVERIFY(!state.clutched);
+        shelf.hand.secondButton = true;
+        QTRY_VERIFY(state.clutched);
+        shelf.hand.secondButton = false;
+        QTRY_VERIFY(!state.clutched);
+    }
+
+    void aDeadMansSwitchKeepsForcesOff() {
+        Shelf shelf;
+        Workbench bench;
+        QVERIFY(takeInHand(shelf, bench));
+        const SessionState& state = bench.session.state();
+        QTRY_VERIFY((state.sample.flags & sampleForcesOff) == 0); // they have faded in
+        bench.hand.setForceButton(2);
+        QTRY_VERIFY(bench.mill.active() && state.ticks > 100 && (state.sample.flags & sampleForcesOff) != 0);
+        QTest::qWait(2500); // longer than forces take to fade in
+        QVERIFY((state.sample.flags & sampleForcesOff) != 0);
+        QCOMPARE(state.sample.force, glm::dvec3(0.0));
+        shelf.hand.secondButton = true;
+        QTRY_VERIFY((state.sample.flags & sampleForcesOff) == 0);
+        shelf.hand.secondButton = false;
+        QTRY_VERIFY((state.sample.flags & sampleForcesOff) != 0);
+        bench.undoLast();
+        QTRY_VERIFY(bench.mill.active() && (state.sample.flags & sampleForcesOff) == 0);
+    }
+
+    void aStylusWithoutMotorsMaySetTheSpeed() {
+        Shelf shelf;
+        shelf.arms->motors = false;
+        shelf.hand.aside = true;
+        Workbench bench;
+        QVERIFY(takeInHand(shelf, bench));
+        QVERIFY(bench.hand.canRate());
+        const SessionState& state = bench.session.state();
+        const glm::dvec3 rest = state.sample.stylusTip;
+        QTest::qWait(200);
+        QCOMPARE(state.sample.stylusTip, rest); // the hand rests, and so does the tool
+        bench.hand.setControl(WorkspaceControl::rate);
+        QTRY_VERIFY(state.sample.stylusTip.x > rest.x + 5.0); // it goes on as long as the hand is aside
+        const Box region = bench.bench.bench()->tipRegion();
+        QTest::qWait(3000);
+        QVERIFY(region.grown(1e-9).contains(state.sample.stylusTip)); // and not out of the bench
+        bench.undoLast();
+        QTest::qWait(100);
+        const glm::dvec3 stopped = state.sample.stylusTip;
+        QTest::qWait(200);
+        QCOMPARE(state.sample.stylusTip, stopped);
+    }
+
+    void aDeviceWhoseBatteryIsLowIsToldOnce() {
+        Shelf shelf;
+        Workbench bench;
+        QVERIFY(takeInHand(shelf, bench));
+        QSignalSpy low(&bench.hand, &HandController::batteryLow);
+        OwnStylus& arm = *shelf.hand.stylus.load();
+        arm.battery = 0.4;
+        arm.heat = 0.5;
+        QTRY_VERIFY(bench.hand.health().batteryShare && *bench.hand.health().motorHeat > 0.4);
+        QCOMPARE(low.size(), 0);
+        arm.battery = 0.12;
+        QTRY_COMPARE(low.size(), 1);
+        QCOMPARE(low[0][0].toDouble(), 0.12);
+        arm.battery = 0.11;
+        QTest::qWait(700);
+        QCOMPARE(low.size(), 1);
+        arm.battery = 0.5; // charged, and low again
+        QTRY_VERIFY(*bench.hand.health().batteryShare > 0.4);
+        arm.battery = 0.1;
+        QTRY_COMPARE(low.size(), 2);
     }
 
 private:

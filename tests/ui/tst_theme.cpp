@@ -100,7 +100,7 @@ private slots:
             QVERIFY(oracleContrast(loaded->field, *loaded.*fill) >= 4.5); // icons on filled buttons
         }
         // Lines that tell something: 3 : 1, as for graphics.
-        for (const ColourRole line : {&Palette::path, &Palette::livePath, &Palette::coupling})
+        for (const ColourRole line : {&Palette::path, &Palette::livePath, &Palette::coupling, &Palette::guide})
             for (const ColourRole ground : {&Palette::sceneTop, &Palette::sceneBottom})
                 QVERIFY2(oracleContrast(*loaded.*line, *loaded.*ground) >= 3.0,
                          qPrintable((*loaded.*line).name() + QStringLiteral(" on ") + (*loaded.*ground).name()));

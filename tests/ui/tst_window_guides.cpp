@@ -68,6 +68,8 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     QVERIFY2(farthest < 0.01, qPrintable(QString::number(farthest)));
     scrollTo(driver, "recentreButton");
     driver.shoot("guides");
+    scrollTo(driver, "levelAboveButton");
+    driver.shoot("guides-cards");
 
     driver.key(Qt::Key_Escape);
     QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));

@@ -76,6 +76,11 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QCOMPARE(again.mill.strokesOf(again.mill.takes().front().id), std::size_t{1});
     // Replayed from the recording: exactly what the hand left.
     QCOMPARE(removedSoFar(*again.bench.bench()), removed);
+    QVERIFY(driver.waitFor([&] { return again.path.evaluated() != nullptr; }));
+    QVERIFY(driver.settle());
+    QTest::qWait(500); // the window asks a moment after work on the project
+    QVERIFY(!again.document.unsaved()); // it was only looked at
+    QVERIFY(!driver.window().isWindowModified());
     driver.shoot("07-reopened");
 }
 

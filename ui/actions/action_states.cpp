@@ -22,6 +22,9 @@ void ActionStates::update() {
     enable(ActionId::saveAs, bench.document.isOpen());
     enable(ActionId::exportProgram, bench.program.exportable());
     enable(ActionId::embed, bench.setup.usable() && !bench.setup.locked() && !bench.bench.embedding());
+    enable(ActionId::addFixtureFile,
+           bench.setup.hasPart() && !bench.surroundings.locked() && !bench.surroundings.importing());
+    enable(ActionId::axisOfView, bench.setup.hasPart() && !bench.surroundings.locked());
     enable(ActionId::millMode, bench.bench.ready() && !showing);
     enable(ActionId::record, bench.bench.ready() && !showing);
     enable(ActionId::showMe, bench.setup.usable() && !showing && !bench.mill.active());
@@ -29,9 +32,10 @@ void ActionStates::update() {
     enable(ActionId::nearestEdge, bench.guides.hasEdges() && !bench.guides.full());
     enable(ActionId::levelAbove, bench.mill.active());
     enable(ActionId::levelBelow, bench.mill.active());
-    enable(ActionId::clutch, bench.guides.hasDevice());
-    enable(ActionId::recentre, bench.guides.hasDevice());
-    enable(ActionId::alignHand, bench.guides.hasDevice());
+    for (const ActionId id :
+         {ActionId::clutch, ActionId::recentre, ActionId::alignHand, ActionId::finerHand, ActionId::coarserHand})
+        enable(id, bench.hand.hasDevice());
+    enable(ActionId::rateControl, bench.hand.canRate());
     enable(ActionId::newPath, !bench.mill.takes().empty() && bench.bench.embedded());
     enable(ActionId::evaluatePath, bench.path.stored().has_value() && bench.bench.embedded());
     enable(ActionId::post, bench.path.evaluated() != nullptr && !bench.path.outdated());
@@ -39,7 +43,9 @@ void ActionStates::update() {
     actions_[ActionId::millMode]->setChecked(bench.mill.active());
     actions_[ActionId::record]->setChecked(bench.mill.recording());
     actions_[ActionId::guides]->setChecked(bench.guides.on());
-    actions_[ActionId::clutch]->setChecked(bench.guides.clutched());
+    actions_[ActionId::clutch]->setChecked(bench.hand.clutched());
+    actions_[ActionId::rateControl]->setChecked(bench.hand.canRate() &&
+                                                bench.hand.settings().control == WorkspaceControl::rate);
 }
 
 void ActionStates::updateUndo() {

@@ -66,12 +66,20 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Draw the tool."), "Ctrl+3", true},
     Row{ActionId::showPath, "showPathAction", QT_TRANSLATE_NOOP("Actions", "Pat&h"),
         QT_TRANSLATE_NOOP("Actions", "Draw the edited path."), "Ctrl+4", true},
+    Row{ActionId::showGuides, "showGuidesAction", QT_TRANSLATE_NOOP("Actions", "G&uides"),
+        QT_TRANSLATE_NOOP("Actions", "Draw the guides of the hand that are on."), "Ctrl+5", true},
     Row{ActionId::nextStep, "nextStepAction", QT_TRANSLATE_NOOP("Actions", "&Next step"),
         QT_TRANSLATE_NOOP("Actions", "Open the next step of the job."), "Alt+Right"},
     Row{ActionId::previousStep, "previousStepAction", QT_TRANSLATE_NOOP("Actions", "Pre&vious step"),
         QT_TRANSLATE_NOOP("Actions", "Open the step of the job before this one."), "Alt+Left"},
     Row{ActionId::embed, "embedAction", QT_TRANSLATE_NOOP("Actions", "&Embed the part"),
         QT_TRANSLATE_NOOP("Actions", "Put the part into its stock: the workpiece is made."), "Ctrl+B"},
+    Row{ActionId::addFixtureFile, "addFixtureAction", QT_TRANSLATE_NOOP("Actions", "Fixture from a &file…"),
+        QT_TRANSLATE_NOOP("Actions", "Read a fixture that the tool keeps out of, as it lies in the part's frame."),
+        "Ctrl+Shift+F"},
+    Row{ActionId::axisOfView, "axisOfViewAction", QT_TRANSLATE_NOOP("Actions", "A&xis as the view looks"),
+        QT_TRANSLATE_NOOP("Actions", "The tool stands along the line from the eye, as a 3+2 machine holds it."),
+        "Ctrl+Shift+X"},
     Row{ActionId::millMode, "millModeAction", QT_TRANSLATE_NOOP("Actions", "&Mill mode"),
         QT_TRANSLATE_NOOP("Actions", "Take the tool in hand; Esc puts it away."), "M", true},
     Row{ActionId::record, "recordAction", QT_TRANSLATE_NOOP("Actions", "&Record"),
@@ -96,6 +104,12 @@ constexpr std::array rows{
     Row{ActionId::alignHand, "alignHandAction", QT_TRANSLATE_NOOP("Actions", "A&lign the hand with the view"),
         QT_TRANSLATE_NOOP("Actions", "What goes to the right of the picture follows a hand that goes to the right."),
         "Ctrl+L"},
+    Row{ActionId::finerHand, "finerHandAction", QT_TRANSLATE_NOOP("Actions", "Fi&ner hand"),
+        QT_TRANSLATE_NOOP("Actions", "The tool goes less far for the hand's way."), "["},
+    Row{ActionId::coarserHand, "coarserHandAction", QT_TRANSLATE_NOOP("Actions", "C&oarser hand"),
+        QT_TRANSLATE_NOOP("Actions", "The tool goes farther for the hand's way."), "]"},
+    Row{ActionId::rateControl, "rateControlAction", QT_TRANSLATE_NOOP("Actions", "The hand sets the spee&d"),
+        QT_TRANSLATE_NOOP("Actions", "A stylus without motors sets the tool's speed, not its place."), "V", true},
     Row{ActionId::newPath, "newPathAction", QT_TRANSLATE_NOOP("Actions", "&New path"),
         QT_TRANSLATE_NOOP("Actions", "Make a path of the recordings, with the edits of the main job."), "Ctrl+P"},
     Row{ActionId::evaluatePath, "evaluatePathAction", QT_TRANSLATE_NOOP("Actions", "&Evaluate"),
@@ -126,6 +140,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
     (*this)[ActionId::millMode]->setChecked(false);
     (*this)[ActionId::record]->setChecked(false);
     (*this)[ActionId::clutch]->setChecked(false);
+    (*this)[ActionId::rateControl]->setChecked(false);
     (*this)[ActionId::quit]->setMenuRole(QAction::QuitRole);
     (*this)[ActionId::preferences]->setMenuRole(QAction::PreferencesRole);
     (*this)[ActionId::about]->setMenuRole(QAction::AboutRole);

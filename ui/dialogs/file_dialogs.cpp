@@ -14,6 +14,10 @@ struct FileDialogs {
     Q_DECLARE_TR_FUNCTIONS(FileDialogs)
 };
 
+QString models() {
+    return FileDialogs::tr("Parts (*.step *.stp *.STEP *.STP *.iges *.igs *.IGS *.brep *.stl *.STL);;All files (*)");
+}
+
 QString ask(QFileDialog& dialog, const QString& folder) {
     dialog.setObjectName(QStringLiteral("fileDialog"));
     dialog.setOption(QFileDialog::DontUseNativeDialog);
@@ -48,9 +52,11 @@ QString askProjectToOpen(QWidget* parent, const QString& folder) {
 }
 
 QString askPartToImport(QWidget* parent, const QString& folder) {
-    return askToOpen(parent, FileDialogs::tr("Import a part"), folder,
-                     FileDialogs::tr("Parts (*.step *.stp *.STEP *.STP *.iges *.igs *.IGS *.brep *.stl *.STL);;"
-                                     "All files (*)"));
+    return askToOpen(parent, FileDialogs::tr("Import a part"), folder, models());
+}
+
+QString askFixtureToImport(QWidget* parent, const QString& folder) {
+    return askToOpen(parent, FileDialogs::tr("Import a fixture"), folder, models());
 }
 
 QString askProjectToSave(QWidget* parent, const QString& folder, const QString& name) {

@@ -28,6 +28,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "edit"),
     BURIN_TEXT("Subject", "machine"),
     BURIN_TEXT("Subject", "material"),
+    BURIN_TEXT("Subject", "obstacle"),
     BURIN_TEXT("Subject", "path"),
     BURIN_TEXT("Subject", "stylus"),
     BURIN_TEXT("Subject", "take"),

@@ -5,6 +5,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/guide_words.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/texts.h"
 
@@ -22,34 +23,7 @@ constexpr double farthest = 10'000.0;                              // mm
 constexpr double largestDistance = 100.0, smallestDistance = 0.01; // mm
 constexpr double steepest = 1.4;                                   // rad, as checkGuide
 
-/// The axis that a direction is nearest to.
-int axisOf(const glm::dvec3& direction) {
-    const glm::dvec3 size = glm::abs(direction);
-    if (size.z >= size.x && size.z >= size.y) return 2;
-    return size.y >= size.x ? 1 : 0;
-}
-
 } // namespace
-
-QString guideName(GuideKind kind) {
-    switch (kind) {
-    case GuideKind::plane:
-        return GuideCard::tr("Plane");
-    case GuideKind::levels:
-        return GuideCard::tr("Levels");
-    case GuideKind::line:
-        return GuideCard::tr("Line");
-    case GuideKind::curve:
-        return GuideCard::tr("Edge of the part");
-    case GuideKind::surface:
-        return GuideCard::tr("Distance from the part");
-    case GuideKind::stepOver:
-        return GuideCard::tr("Step-over");
-    case GuideKind::axis:
-        return GuideCard::tr("Lead and tilt");
-    }
-    return {};
-}
 
 GuideCard::GuideCard(std::size_t place, const Guide& guide, QWidget* parent) : QFrame(parent), guide_(guide) {
     setProperty("look", "card");
@@ -112,8 +86,7 @@ QuantityField* GuideCard::addField(const QString& name, const QString& label, co
 }
 
 void GuideCard::addPlace(const QString& name, int axis, const QString& toolTip) {
-    static constexpr std::array<char, 3> letters{'X', 'Y', 'Z'};
-    const QString letter(QLatin1Char(letters[static_cast<std::size_t>(axis)]));
+    const QString letter = axisLetter(axis);
     QuantityField* field = addField(
         name + letter, letter, toolTip, new LengthField(this),
         [axis](Guide& guide) -> double& { return guide.point[axis]; }, axis);

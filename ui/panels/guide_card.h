@@ -18,9 +18,6 @@ namespace burin {
 class ChoiceBox;
 class QuantityField;
 
-/// "Level planes", and so on.
-QString guideName(GuideKind kind);
-
 /// One guide of the hand: its switch, where it is, and whether it holds.
 class GuideCard : public QFrame {
     Q_OBJECT

@@ -4,11 +4,9 @@
 
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
-#include "ui/panels/field_row.h"
 #include "ui/panels/guide_card.h"
-#include "ui/panels/notice.h"
+#include "ui/panels/guide_words.h"
 #include "ui/panels/panel_layout.h"
-#include "ui/panels/quantity_field.h"
 
 #include <QCheckBox>
 
@@ -19,7 +17,6 @@ namespace {
 
 constexpr std::array offered{GuideKind::levels,  GuideKind::plane,    GuideKind::line, GuideKind::curve,
                              GuideKind::surface, GuideKind::stepOver, GuideKind::axis};
-constexpr double smallestScale = 0.05, largestScale = 50.0;
 
 } // namespace
 
@@ -33,7 +30,6 @@ public:
 
 private:
     void addHead();
-    void addWorkspace();
     void rebuildCards();
     void refreshAdd();
     GuideKind wanted() const { return offered[static_cast<std::size_t>(kind_->currentIndex())]; }
@@ -42,10 +38,8 @@ private:
     QVBoxLayout *column_, *list_;
     QCheckBox* on_;
     ChoiceBox* kind_;
-    QPushButton *add_, *above_, *below_, *clutch_, *recentre_, *align_;
-    QuantityField* scale_;
+    QPushButton *add_, *above_, *below_;
     QLabel* none_;
-    Notice* mouse_;
     std::vector<GuideCard*> cards_;
     LengthUnit unit_ = LengthUnit::millimetre;
 };
@@ -61,7 +55,6 @@ GuidePanel::Fields::Fields(GuidePanel* panel) : QObject(panel), panel_(panel), c
     list_ = new QVBoxLayout;
     list_->setSpacing(8);
     column_->addLayout(list_);
-    addWorkspace();
     column_->addStretch(1);
 }
 
@@ -93,36 +86,6 @@ void GuidePanel::Fields::addHead() {
     steps->addWidget(above_, 1);
     steps->addWidget(below_, 1);
     column_->addLayout(steps);
-}
-
-void GuidePanel::Fields::addWorkspace() {
-    column_->addWidget(makeSectionTitle(GuidePanel::tr("Hand and tool"), panel_));
-    scale_ = new QuantityField(Quantity::ratio, panel_);
-    scale_->setObjectName(QStringLiteral("workspaceScaleField"));
-    scale_->limit(smallestScale, largestScale);
-    column_->addWidget(new FieldRow(GuidePanel::tr("Scale"), scale_,
-                                    GuidePanel::tr("How far the tool goes for the hand's way"), panel_));
-    connect(scale_, &QuantityField::valueEdited, panel_, &GuidePanel::scaleEdited);
-    clutch_ = makeButton(GuidePanel::tr("Clutch"), {}, QStringLiteral("clutchButton"), panel_);
-    clutch_->setCheckable(true);
-    recentre_ = makeButton(GuidePanel::tr("Recentre"), {}, QStringLiteral("recentreButton"), panel_);
-    // The state decides what is on: a click is a wish.
-    connect(clutch_, &QPushButton::clicked, this, [this] {
-        clutch_->setChecked(state.clutched);
-        emit panel_->clutchToggled(!state.clutched);
-    });
-    connect(recentre_, &QPushButton::clicked, panel_, &GuidePanel::recentreRequested);
-    align_ = makeButton(GuidePanel::tr("Align with the view"), {}, QStringLiteral("alignHandButton"), panel_);
-    connect(align_, &QPushButton::clicked, panel_, &GuidePanel::alignmentRequested);
-    auto* both = new QHBoxLayout;
-    both->setSpacing(8);
-    both->addWidget(clutch_, 1);
-    both->addWidget(recentre_, 1);
-    column_->addLayout(both);
-    column_->addWidget(align_);
-    mouse_ = new Notice(panel_);
-    mouse_->setObjectName(QStringLiteral("workspaceNotice"));
-    column_->addWidget(mouse_);
 }
 
 void GuidePanel::Fields::rebuildCards() {
@@ -170,20 +133,6 @@ void GuidePanel::Fields::refresh() {
                                           : QString();
     enableUnless(above_, noLevel, GuidePanel::tr("The guide takes the next level above, or ends the pass"));
     enableUnless(below_, noLevel, GuidePanel::tr("The guide takes the next level below, or ends the pass"));
-    const QString noDevice =
-        state.hasDevice
-            ? QString()
-            : GuidePanel::tr("The mouse points at the bench itself. With a device in hand, its movements are "
-                             "scaled here.");
-    scale_->setEnabled(state.hasDevice);
-    scale_->showValue(state.hasDevice ? state.scale : 1.0); // the mouse points at the bench itself
-    clutch_->setChecked(state.clutched);
-    enableUnless(clutch_, noDevice, GuidePanel::tr("The hand moves, the tool stays"));
-    enableUnless(align_, noDevice,
-                 GuidePanel::tr("What goes to the right of the picture follows a hand that goes to the right"));
-    enableUnless(recentre_, noDevice,
-                 GuidePanel::tr("As the hand works on, it comes back to the middle of the device's reach"));
-    mouse_->tell(Notice::Kind::information, noDevice);
 }
 
 void GuidePanel::Fields::setUnit(LengthUnit wanted) {

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// What leads the hand while it mills: guides, and how a device's movements become the tool's.
+/// The guides that lead the hand while it mills.
 class GuidePanel : public QWidget {
     Q_OBJECT
 public:
@@ -23,10 +23,6 @@ signals:
     void guideEdited(std::size_t place, const burin::Guide& guide);
     void guideRemovalRequested(std::size_t place);
     void levelStepped(int levels);
-    void clutchToggled(bool on);
-    void recentreRequested();
-    void alignmentRequested(); ///< with the view
-    void scaleEdited(double scale);
 
 private:
     class Fields;

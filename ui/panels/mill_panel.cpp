@@ -40,7 +40,7 @@ private:
     ChoiceBox* stylus_;
     QWidget *pointerTitle_, *keysTitle_, *keys_; ///< of what only the pointer needs
     QuantityField *depthOfCut_, *press_, *speed_;
-    Notice *missing_, *alarm_;
+    Notice *missing_, *alarm_, *hint_;
     QLabel* noTakes_;
     TakeList* takes_;
 };
@@ -55,6 +55,9 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
     alarm_ = new Notice(panel);
     alarm_->setObjectName(QStringLiteral("millAlarm"));
     column_->addWidget(alarm_);
+    hint_ = new Notice(panel);
+    hint_->setObjectName(QStringLiteral("millHint"));
+    column_->addWidget(hint_);
     pointerTitle_ = makeSectionTitle(MillPanel::tr("How the tool follows the hand"), panel);
     column_->addWidget(pointerTitle_);
     addDepth();
@@ -193,6 +196,7 @@ void MillPanel::Fields::refreshButtons() {
     show_->setText(state.showing ? MillPanel::tr("Stop showing") : MillPanel::tr("Show me"));
     missing_->tell(Notice::Kind::information, reason);
     alarm_->tell(Notice::Kind::error, state.alarm);
+    hint_->tell(Notice::Kind::warning, state.hint);
 }
 
 /// Devices come and go under the user's eyes, but never under an open list.

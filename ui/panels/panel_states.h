@@ -7,6 +7,7 @@
 #include "core/haptics/tick_sink.h"
 #include "core/path/edit.h"
 #include "core/project/project.h"
+#include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
@@ -36,6 +37,30 @@ struct StockState {
     bool locked = false;               ///< there are recordings: stock and material stay as they are
     bool busy = false;
     QString problem; ///< why this stock can't be embedded, a sentence; empty: it can
+};
+
+/// What becomes of a bound while the tool is in hand.
+enum class BoundNews {
+    none,  ///< nothing is to be told
+    waits, ///< the tool is inside of it: it holds as soon as that is clear
+    holds  ///< it holds the tool back
+};
+
+struct ObstacleRow {
+    std::shared_ptr<const Obstacle> obstacle; ///< never null; whether it is on says `on`
+    bool on = true;
+    BoundNews news = BoundNews::none;
+};
+
+struct SurroundingsState {
+    bool hasPart = false;
+    std::vector<ObstacleRow> obstacles;
+    bool travelOn = true; ///< the machine's travel bounds the tool
+    BoundNews travel = BoundNews::none;
+    AxisMode axis;
+    bool locked = false;  ///< a recording runs: shapes and axis stay
+    bool busy = false;    ///< a fixture is being read
+    glm::dvec3 zero{0.0}; ///< mm, of the program, in the setup frame
 };
 
 struct MaterialState {
@@ -78,7 +103,8 @@ struct MillState {
     bool canUndoStroke = false, canRedoStroke = false;
     DepthChoice depthRule = DepthChoice::level;
     double depthOfCut = 1.0, press = 2.0, speed = 60.0; ///< mm, mm, mm/s
-    QString alarm;                                      ///< what touches what; empty: nothing
+    QString alarm;                                      ///< what keeps the tool from cutting; empty: nothing
+    QString hint;                                       ///< what the hand may wonder about; empty: nothing
     std::vector<TakeRow> takes;
     bool showing = false; ///< the virtual operator mills
     QStringList styluses; ///< what can be milled with
@@ -92,10 +118,21 @@ struct GuideState {
     bool edges = false;        ///< the part has edges to follow
     bool live = false;         ///< mill mode: `news` counts
     std::array<GuideNews, GuideSettings::capacity> news{};
-    glm::dvec3 zero{0.0};   ///< mm, of the program, in the setup frame
+    glm::dvec3 zero{0.0}; ///< mm, of the program, in the setup frame
+};
+
+struct HandState {
     bool hasDevice = false; ///< a device is in the hand, not the mouse
     double scale = 1.0;     ///< mm of the tool per mm of the hand
     bool clutched = false;
+    bool canRate = false; ///< the device may set the tool's speed instead of its place
+    bool rate = false;    ///< and does
+    int buttons = 0;      ///< of the device
+    int clutchButton = 0, levelButton = 0, forceButton = 0; ///< numbers from 1; 0: none
+    bool motors = false;                                    ///< forces can be felt
+    bool recording = false;
+    std::optional<double> battery, heat; ///< 0 … 1, where the device tells them
+    bool charging = false;
 };
 
 struct PathState {
@@ -108,6 +145,7 @@ struct PathState {
     double cuttingLength = 0.0; ///< mm
     bool outdated = false;      ///< takes or edits changed since
     bool busy = false;
+    bool waiting = false; ///< for the workpiece; then it is evaluated by itself
     QString problem;
 };
 

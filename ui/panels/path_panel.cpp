@@ -89,7 +89,7 @@ void PathPanel::Fields::addHead() {
 }
 
 void PathPanel::Fields::refreshButtons() {
-    const QString busy = state.busy ? PathPanel::tr("Work is under way.") : QString();
+    const QString busy = state.busy || state.waiting ? PathPanel::tr("Work is under way.") : QString();
     new_->setVisible(!state.exists);
     enableUnless(new_, state.hasTakes ? busy : PathPanel::tr("Record a take first."),
                  PathPanel::tr("Make a path of all takes, with the standard edits"));
@@ -108,6 +108,9 @@ void PathPanel::Fields::tell() {
         notice_->tell(Notice::Kind::information, PathPanel::tr("The edits are being applied…"));
     else if (!state.problem.isEmpty())
         notice_->tell(Notice::Kind::error, state.problem);
+    else if (state.waiting)
+        notice_->tell(Notice::Kind::information,
+                      PathPanel::tr("The workpiece is being made; then the edits are applied…"));
     else if (!state.hasTakes)
         notice_->tell(Notice::Kind::information, PathPanel::tr("Record a take first."));
     else if (state.exists && state.outdated)

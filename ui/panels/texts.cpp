@@ -90,6 +90,8 @@ QString toolSummary(const Tool& tool, LengthUnit unit) {
 QString valueNameText(const std::string& name) {
     if (name == specificCuttingEnergy) return PanelTexts::tr("Specific cutting energy");
     if (name == radialForceRatio) return PanelTexts::tr("Radial force ratio");
+    if (name == kienzleForce) return PanelTexts::tr("Specific cutting force kc1.1");
+    if (name == kienzleExponent) return PanelTexts::tr("Kienzle exponent mc");
     if (name == density) return PanelTexts::tr("Density");
     if (name == surfaceSpeed) return PanelTexts::tr("Surface speed");
     if (name == chipLoadPerDiameter) return PanelTexts::tr("Chip load per diameter");
@@ -136,6 +138,10 @@ QString rateText(double cubicMillimetresPerSecond, LengthUnit unit) {
         return withUnit(QLocale().toString(cubicInchesPerMinute, 'f', 2), QStringLiteral("in³/min"));
     }
     return withUnit(QLocale().toString(cubicMillimetresPerSecond, 'f', 0), QStringLiteral("mm³/s"));
+}
+
+QString shareText(double share) {
+    return withUnit(QLocale().toString(100.0 * share, 'f', 0), QStringLiteral("%"));
 }
 
 QString durationText(double seconds) {

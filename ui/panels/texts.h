@@ -27,6 +27,7 @@ QString shortLength(double millimetres, LengthUnit unit);            ///< withou
 QString sizeText(const glm::dvec3& size, LengthUnit unit);           ///< "120 × 70 × 45 mm"
 QString volumeText(double cubicMillimetres, LengthUnit unit);        ///< "24.51 cm³", "1.496 in³"
 QString rateText(double cubicMillimetresPerSecond, LengthUnit unit); ///< "412 mm³/s"
+QString shareText(double share);                                     ///< "42 %", of 0.42
 QString durationText(double seconds);                                ///< "01:42", "1:02:07"
 
 QString findingText(const Finding& finding, LengthUnit unit); ///< "Gouge of 0.034 mm"

@@ -33,7 +33,9 @@ vtkSmartPointer<vtkImageData> imageData(const QImage& image) {
 }
 
 ScreenImage::ScreenImage(vtkRenderer& renderer)
-    : actor_(vtkSmartPointer<vtkTexturedActor2D>::New()), corners_(vtkSmartPointer<vtkPoints>::New()) {
+    : renderer_(renderer)
+    , actor_(vtkSmartPointer<vtkTexturedActor2D>::New())
+    , corners_(vtkSmartPointer<vtkPoints>::New()) {
     corners_->SetNumberOfPoints(4);
     for (vtkIdType i = 0; i < 4; ++i) corners_->SetPoint(i, 0.0, 0.0, 0.0);
     vtkNew<vtkFloatArray> texture;
@@ -51,6 +53,10 @@ ScreenImage::ScreenImage(vtkRenderer& renderer)
     actor_->SetMapper(mapper);
     actor_->PickableOff();
     renderer.AddActor2D(actor_);
+}
+
+ScreenImage::~ScreenImage() {
+    renderer_.RemoveActor2D(actor_);
 }
 
 void ScreenImage::setImage(const QImage& image) {

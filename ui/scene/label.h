@@ -22,6 +22,9 @@ vtkSmartPointer<vtkImageData> imageData(const QImage& image);
 class ScreenImage {
 public:
     explicit ScreenImage(vtkRenderer& renderer);
+    ~ScreenImage();
+    ScreenImage(const ScreenImage&) = delete;
+    ScreenImage& operator=(const ScreenImage&) = delete;
     void setImage(const QImage& image);
     /// Upper left corner in the renderer's widget, screen pixels; @param height of the widget, screen pixels
     void setPosition(const QPointF& upperLeft, int height);
@@ -29,6 +32,7 @@ public:
     const QSize& size() const noexcept { return size_; } ///< screen pixels
 
 private:
+    vtkRenderer& renderer_; ///< outlives it
     vtkSmartPointer<vtkTexturedActor2D> actor_;
     vtkSmartPointer<vtkPoints> corners_;
     QSize size_;
@@ -42,6 +46,8 @@ public:
     void set(const QString& text, const QColor& colour, const QColor& plate, double ratio);
     /// Middle of the label in the widget, screen pixels; @param height of the widget, screen pixels
     void setMiddle(const QPointF& middle, int height);
+    /// Its upper left corner instead, the same way.
+    void setUpperLeft(const QPointF& corner, int height) { image_.setPosition(corner, height); }
     void setVisible(bool visible) { image_.setVisible(visible); }
 
 private:

@@ -4,40 +4,15 @@
 
 #include "core/base/units.h"
 #include "ui/scene/actors.h"
+#include "ui/scene/shaded_polydata.h"
 
-#include <vtkCellArray.h>
-#include <vtkFloatArray.h>
 #include <vtkMapper.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkProperty.h>
-#include <vtkTypeInt32Array.h>
-
-#include <algorithm>
 
 namespace burin {
 namespace {
 
 constexpr double creaseAngle = 25.0 * pi / 180.0;
-
-vtkSmartPointer<vtkFloatArray> floats(const std::vector<glm::vec3>& vectors) {
-    auto array = vtkSmartPointer<vtkFloatArray>::New();
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(vectors.size()));
-    for (std::size_t i = 0; i < vectors.size(); ++i) array->SetTypedTuple(static_cast<vtkIdType>(i), &vectors[i].x);
-    return array;
-}
-
-vtkSmartPointer<vtkCellArray> cells(const std::vector<std::uint32_t>& corners, vtkIdType cornersEach) {
-    vtkNew<vtkTypeInt32Array> connectivity;
-    connectivity->SetNumberOfValues(static_cast<vtkIdType>(corners.size()));
-    std::ranges::transform(corners, connectivity->GetPointer(0),
-                           [](std::uint32_t corner) { return static_cast<vtkTypeInt32>(corner); });
-    auto array = vtkSmartPointer<vtkCellArray>::New();
-    array->SetData(cornersEach, connectivity);
-    return array;
-}
 
 } // namespace
 
@@ -60,17 +35,9 @@ void PartActors::setBodies(std::vector<ShadedBody> bodies) {
     bodies_.clear();
     triangles_ = 0;
     for (ShadedBody& body : bodies) {
-        vtkNew<vtkPoints> points;
-        points->SetData(floats(body.mesh.points));
-        vtkNew<vtkPolyData> surface;
-        surface->SetPoints(points);
-        surface->GetPointData()->SetNormals(floats(body.mesh.normals));
-        surface->SetPolys(cells(body.mesh.triangles, 3));
-        vtkNew<vtkPolyData> edges;
-        edges->SetPoints(points);
-        edges->SetLines(cells(body.mesh.creases, 2));
+        const ShadedPolyData data = polyDataOf(body.mesh);
         triangles_ += body.mesh.triangles.size() / 3;
-        bodies_.push_back({surfaceActor(surface), lineActor(edges), std::move(body)});
+        bodies_.push_back({surfaceActor(data.surface), lineActor(data.creases), std::move(body)});
         renderer_.AddActor(bodies_.back().surface);
         renderer_.AddActor(bodies_.back().edges);
     }

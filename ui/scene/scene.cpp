@@ -32,7 +32,8 @@ Box boundsOf(vtkRenderer& renderer) {
 
 } // namespace
 
-Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady)
+Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
+             ObstacleActors::Shader obstacles)
     : part_(*bench_)
     , workpiece_(*bench_, std::move(workpieceReady))
     , tool_(*bench_)
@@ -41,16 +42,23 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady)
     , grid_(*bench_)
     , stock_(*bench_)
     , scaleBar_(*bench_)
+    , obstacles_(*bench_, *films_, std::move(obstacles))
+    , guides_(*films_, *marks_, std::move(surfaces))
     , ghost_(*marks_)
     , force_(*marks_)
-    , cube_(window, 2) {
-    window.SetNumberOfLayers(3);
+    , cube_(window, 3) {
+    window.SetNumberOfLayers(4);
     bench_->GradientBackgroundOn();
     addBenchLights(*bench_);
     addBenchLights(*marks_);
-    marks_->SetLayer(1);
+    addBenchLights(*films_);
+    films_->SetLayer(1);
+    films_->PreserveDepthBufferOn();
+    films_->SetActiveCamera(bench_->GetActiveCamera());
+    marks_->SetLayer(2);
     marks_->SetActiveCamera(bench_->GetActiveCamera());
     window.AddRenderer(bench_);
+    window.AddRenderer(films_);
     window.AddRenderer(marks_);
 }
 
@@ -65,6 +73,8 @@ void Scene::setPalette(const Palette& palette) {
     grid_.setColour(palette.grid);
     stock_.setColour(palette.quietText);
     scaleBar_.setPalette(palette);
+    obstacles_.setPalette(palette);
+    guides_.setPalette(palette);
     ghost_.setPalette(palette);
     force_.setPalette(palette);
     cube_.setPalette(palette);
@@ -115,14 +125,21 @@ void Scene::setMarks(const ToolMarks& marks, bool flashLit) {
     toolMarks_ = marks;
     tool_.setPose(marks.proxy);
     tool_.setAlarm(marks.alarm, flashLit);
+    guides_.setTip(marks.proxy.tip);
     ghost_.set(marks.ghost, marks.stylusTip, marks.proxy);
     force_.set(toolVisible_ ? marks.force : glm::dvec3(0.0), marks.proxy.tip);
+}
+
+void Scene::setObstacles(std::vector<ObstacleMark> marks) {
+    obstacles_.set(std::move(marks));
+    refresh();
 }
 
 Box Scene::contentBox() const {
     Box content = partBox_;
     if (stock_.box()) content.include(*stock_.box());
     if (!shown_.empty()) content.include(shown_.grid().box());
+    content.include(obstacles_.box());
     return content;
 }
 
@@ -147,6 +164,8 @@ void Scene::setLineWidths(double ratio) {
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
     ghost_.setLineWidth(boldLine * ratio);
+    obstacles_.setLineWidth(ratio);
+    guides_.setLineWidth(thinLine * ratio);
     tool_.setLineWidth(pathLine * ratio);
     part_.setLineWidth(thinLine * ratio);
     stock_.setLineWidth(thinLine * ratio);
@@ -160,8 +179,10 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     stock_.drawLast();
     scaleBar_.place(view, size, ratio);
     force_.place(view, size, ratio);
+    guides_.place(view, size, ratio);
     cube_.place(view, size, ratio);
-    marks_->SetDraw(ghost_.visible() || force_.visible());
+    films_->SetDraw(guides_.visible() || obstacles_.filmsVisible());
+    marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible());
 
     const CameraAxes axes = axesOf(view);
     vtkCamera* camera = bench_->GetActiveCamera();
@@ -170,7 +191,8 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     camera->SetViewUp(axes.up.x, axes.up.y, axes.up.z);
     camera->SetViewAngle(cameraViewAngle * 180.0 / pi);
     Box bounds = boundsOf(*bench_);
-    if (marks_->GetDraw() != 0) bounds.include(boundsOf(*marks_));
+    for (vtkRenderer* layer : {films_.Get(), marks_.Get()})
+        if (layer->GetDraw() != 0) bounds.include(boundsOf(*layer));
     if (!bounds.empty()) {
         const std::array<double, 6> b{bounds.low.x,  bounds.high.x, bounds.low.y,
                                       bounds.high.y, bounds.low.z,  bounds.high.z};

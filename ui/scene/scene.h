@@ -6,7 +6,9 @@
 #include "ui/scene/edited_path.h"
 #include "ui/scene/force_arrow.h"
 #include "ui/scene/ground_grid.h"
+#include "ui/scene/guide_actors.h"
 #include "ui/scene/live_path.h"
+#include "ui/scene/obstacle_actors.h"
 #include "ui/scene/part_actors.h"
 #include "ui/scene/scale_bar.h"
 #include "ui/scene/stock_outline.h"
@@ -23,12 +25,15 @@
 
 namespace burin {
 
-/// Everything that stands on the bench, in one VTK window of three layers: the bench, the marks that must never be
-/// hidden (ghost, coupling, force), the view cube. Knows no Qt widget. Thread: user interface.
+/// Everything that stands on the bench, in one VTK window of four layers: the bench, the guides with the bench's
+/// depths, the marks that must never be hidden (ghost, coupling, force, guides seen through), the view cube. Knows no
+/// Qt widget. Thread: user interface.
 class Scene {
 public:
     /// @param workpieceReady called on a worker's thread when there is more of the workpiece to draw
-    Scene(vtkRenderWindow& window, std::function<void()> workpieceReady);
+    /// @param surfaces makes the surfaces of guides, @param obstacles the meshes of obstacles
+    Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
+          ObstacleActors::Shader obstacles);
 
     void setPalette(const Palette& palette);
     void setLengthUnit(LengthUnit unit) { scaleBar_.setUnit(unit); }
@@ -42,12 +47,14 @@ public:
     void setToolVisible(bool visible);
     /// @param flashLit the bright half of an alarm's flash
     void setMarks(const ToolMarks& marks, bool flashLit);
+    void setObstacles(std::vector<ObstacleMark> marks);
+    void setGuides(const GuideMarks& marks) { guides_.set(marks); }
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
-    /// Part, stock and workpiece: what `fit` shows. Not the tool, which may be far away.
+    /// Part, stock, workpiece and what stands around them: what `fit` shows. Not the tool, which may be far away.
     Box contentBox() const;
     /// The nearest place of workpiece or part on a sight. Nothing: it misses them.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
@@ -64,7 +71,7 @@ private:
     void refresh();
     void setLineWidths(double ratio);
 
-    vtkNew<vtkRenderer> bench_, marks_;
+    vtkNew<vtkRenderer> bench_, films_, marks_;
     PartActors part_;
     WorkpieceActors workpiece_;
     ToolActors tool_;
@@ -73,6 +80,8 @@ private:
     GroundGrid grid_;
     StockOutline stock_;
     ScaleBar scaleBar_;
+    ObstacleActors obstacles_;
+    GuideActors guides_;
     StylusGhost ghost_;
     ForceArrow force_;
     ViewCube cube_;

@@ -2,23 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/viewport.h"
 
-#include "ui/scene/camera_motion.h"
-#include "ui/scene/canvas.h"
-#include "ui/scene/frame_clock.h"
-#include "ui/scene/scene.h"
+#include "ui/scene/viewport_impl.h"
 
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkOpenGLState.h>
-
-#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QPointer>
-#include <QStyle>
-#include <QThreadPool>
-#include <QTimer>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -28,148 +16,12 @@ namespace burin {
 
 namespace {
 
-using namespace std::chrono_literals;
-constexpr auto flightTime = 180ms;
-constexpr auto restTime = 350ms; // after the last motion: then everything is drawn in full detail
-constexpr auto flashTime = 167ms;
-/// A paint is followed by a pause of this part of its time: painted back to back, a picture in software would leave
-/// nothing of the processor to those who make what it shows.
-constexpr int pausePerPaint = 4;
-
 bool same(const ToolMarks& a, const ToolMarks& b) {
     return a.proxy.tip == b.proxy.tip && a.proxy.axis == b.proxy.axis && a.stylusTip == b.stylusTip &&
            a.force == b.force && a.ghost == b.ghost && a.alarm == b.alarm && a.cutting == b.cutting;
 }
 
 } // namespace
-
-class Viewport::Impl final : public CanvasPainter {
-public:
-    explicit Impl(Viewport& viewport)
-        : widget(viewport), scene(*window, [&viewport] {
-            QMetaObject::invokeMethod(
-                &viewport, [&viewport] { viewport.impl_->refresh(); }, Qt::QueuedConnection);
-        }) {
-        rest.setSingleShot(true);
-        breath.setSingleShot(true);
-        breath.setTimerType(Qt::PreciseTimer);
-        rest.setInterval(restTime);
-        flash.setInterval(flashTime);
-    }
-
-    CameraMotion::Clock::duration flight() const {
-        const int duration = widget.style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, &widget);
-        return duration > 0 && widget.isVisible() ? flightTime : 0ms;
-    }
-    /// Paints soon: at once, or where that is costly after a pause in which others get their turn.
-    void refresh() {
-        if (breath.isActive())
-            waiting = true;
-        else
-            canvas->widget().update();
-    }
-    /// Something on the screen moves: coarse detail is enough until it rests.
-    void moved() {
-        rest.start();
-        refresh();
-    }
-    void contentChanged() {
-        motion.setContent(scene.contentBox());
-        refresh();
-    }
-    /// What a movement of the camera turns and scales about: the place under the pointer, or one as far away as what
-    /// the camera looks at.
-    glm::dvec3 pivotAt(const QPointF& position) const {
-        const Sight sight = sightThrough(motion.view(), motion.size(), position);
-        const CameraAxes axes = axesOf(motion.view());
-        return scene.pick(sight).value_or(
-            sight.origin - sight.direction * (motion.view().distance / glm::dot(sight.direction, axes.back)));
-    }
-    ViewportEvent eventAt(const QSinglePointEvent& event, Qt::KeyboardModifiers modifiers) const {
-        ViewportEvent sighted = widget.sight(event.position());
-        sighted.button = event.button();
-        sighted.buttons = event.buttons();
-        sighted.modifiers = modifiers;
-        return sighted;
-    }
-    void hoverCube(const std::optional<QPointF>& position) {
-        const auto face = position ? ViewCube::faceAt(motion.view(), motion.size(), *position) : std::nullopt;
-        if (scene.cube().setHovered(face)) refresh();
-    }
-    void begin(QOpenGLContext& context) override;
-    void paint(unsigned framebuffer) override;
-    void painted() override;
-    void end() override;
-
-    Viewport& widget;
-    vtkNew<vtkGenericOpenGLRenderWindow> window;
-    Scene scene;
-    CameraMotion motion;
-    FrameClock clock;
-    QTimer rest, flash, breath;
-    bool waiting = false; ///< to be painted after the breath
-    FrameClock::Clock::time_point paintBegan;
-    std::optional<FrameClock::Clock::time_point> paintedCut; ///< of the paint under way
-    InteractiveTool* tool = nullptr;
-    ToolMarks marks;
-    std::uint64_t partOrdered = 0; ///< counts setPart: a part that comes late must not replace a newer one
-    bool usable = false;           ///< there is a context that can draw
-    bool failureTold = false;
-    bool flashLit = true;
-    bool paintedMoving = true;      ///< the newest paint was made in motion
-    bool flying = false;            ///< the camera flies on after the paint under way
-    std::unique_ptr<Canvas> canvas; ///< last: it draws a last farewell to the above
-};
-
-void Viewport::Impl::begin(QOpenGLContext& context) {
-    const QString obstacle = obstacleOf(&context);
-    if (!obstacle.isEmpty()) {
-        if (!std::exchange(failureTold, true)) emit widget.drawingFailed(obstacle);
-        return;
-    }
-    window->SetMapped(true);
-    window->SetIsCurrent(true);
-    window->SetReadyForRendering(true);
-    window->SetOwnContext(0);
-    // Smooth edges cost nothing on a graphics card, but two to five times a frame in software (measured).
-    window->SetMultiSamples(drawsInSoftware(context) ? 0 : 4);
-    window->OpenGLInitContext();
-    window->SetFrameBlitModeToBlitToCurrent();
-    usable = true;
-}
-
-void Viewport::Impl::end() {
-    if (std::exchange(usable, false)) window->Finalize();
-}
-
-void Viewport::Impl::paint(unsigned framebuffer) {
-    if (!usable) return;
-    paintBegan = FrameClock::Clock::now();
-    flying = motion.advance(paintBegan);
-    const double ratio = widget.devicePixelRatioF();
-    paintedMoving = flying || motion.moving() || rest.isActive();
-    paintedCut = scene.prepare(motion.view(), QSizeF(widget.size()), ratio, paintedMoving);
-    window->SetSize(static_cast<int>(std::lround(widget.width() * ratio)),
-                    static_cast<int>(std::lround(widget.height() * ratio)));
-    window->SetIsCurrent(true);
-    vtkOpenGLState* state = window->GetState();
-    state->ResetGLBlendFuncState();
-    state->Reset();
-    state->Push();
-    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    window->Render();
-    state->Pop();
-}
-
-void Viewport::Impl::painted() {
-    if (!usable) return;
-    const auto end = FrameClock::Clock::now();
-    clock.add(paintBegan, end, std::exchange(paintedCut, std::nullopt));
-    const auto pause = std::chrono::duration_cast<std::chrono::milliseconds>((end - paintBegan) / pausePerPaint);
-    if (pause > 0ms) breath.start(pause);
-    if (flying) moved();
-    emit widget.painted();
-}
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(*this)) {
     impl_->canvas = Canvas::make(*this, *impl_);
@@ -264,6 +116,20 @@ void Viewport::setToolMarks(const ToolMarks& marks) {
 
 void Viewport::setToolVisible(bool visible) {
     impl_->scene.setToolVisible(visible);
+    impl_->refresh();
+}
+
+void Viewport::setObstacles(const std::vector<ObstacleMark>& obstacles) {
+    if (obstacles == impl_->obstacles) return;
+    impl_->obstacles = obstacles;
+    impl_->scene.setObstacles(obstacles);
+    impl_->contentChanged();
+}
+
+void Viewport::setGuides(const GuideMarks& guides) {
+    if (guides == impl_->guides) return;
+    impl_->guides = guides;
+    impl_->scene.setGuides(guides);
     impl_->refresh();
 }
 

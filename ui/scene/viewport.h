@@ -7,7 +7,9 @@
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
 #include "core/volume/run_volume.h"
+#include "ui/scene/guide_marks.h"
 #include "ui/scene/interactive_tool.h"
+#include "ui/scene/obstacle_mark.h"
 #include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
@@ -76,6 +78,10 @@ public:
     void setTool(const std::optional<Tool>& tool);
     void setToolMarks(const ToolMarks& marks);
     void setToolVisible(bool visible);
+    /// Fixtures and keep-out volumes; may come with every tick, too.
+    void setObstacles(const std::vector<ObstacleMark>& obstacles);
+    /// The guides of the hand; may come with every tick, as only what changed is made anew. Curves outlive their show.
+    void setGuides(const GuideMarks& guides);
     /// The path as it is recorded: tips, mm; a stroke begins where `newStroke`.
     void appendLivePath(std::span<const glm::vec3> tips, bool newStroke);
     void clearLivePath();

@@ -17,24 +17,24 @@ namespace burin {
 
 /// The roles that colours have; both themes carry the same ones. Values come from resources/themes/<id>.json.
 struct Palette {
-    QColor window, panel, field, border, text, quietText;          ///< surfaces and the two greys for text
-    QColor accent, force, inOrder, part;                           ///< one accent, three signals: red, green, blue
-    QColor sceneTop, sceneBottom, grid;                            ///< the viewport's background
-    QColor flutes, shank, holder, ghost, coupling, path, livePath; ///< in the viewport
+    QColor window, panel, field, border, text, quietText; ///< surfaces and the two greys for text
+    QColor accent, force, inOrder, part;                  ///< one accent, three signals: red, green, blue
+    QColor sceneTop, sceneBottom, grid;                   ///< the viewport's background
+    QColor flutes, shank, holder, ghost, coupling, guide, path, livePath; ///< in the viewport
 };
 
 /// One role of a palette: `&Palette::accent`. What keeps a role instead of a colour follows a change of theme.
 using ColourRole = QColor Palette::*;
 
 /// Every role with its key in the files.
-inline constexpr std::array<std::pair<std::string_view, ColourRole>, 20> colourRoles{{
+inline constexpr std::array<std::pair<std::string_view, ColourRole>, 21> colourRoles{{
     {"window", &Palette::window}, {"panel", &Palette::panel},        {"field", &Palette::field},
     {"border", &Palette::border}, {"text", &Palette::text},          {"quiet_text", &Palette::quietText},
     {"accent", &Palette::accent}, {"force", &Palette::force},        {"in_order", &Palette::inOrder},
     {"part", &Palette::part},     {"scene_top", &Palette::sceneTop}, {"scene_bottom", &Palette::sceneBottom},
     {"grid", &Palette::grid},     {"flutes", &Palette::flutes},      {"shank", &Palette::shank},
     {"holder", &Palette::holder}, {"ghost", &Palette::ghost},        {"coupling", &Palette::coupling},
-    {"path", &Palette::path},     {"live_path", &Palette::livePath},
+    {"guide", &Palette::guide},   {"path", &Palette::path},          {"live_path", &Palette::livePath},
 }};
 static_assert(colourRoles.size() * sizeof(QColor) == sizeof(Palette), "every colour of a palette has a role");
 

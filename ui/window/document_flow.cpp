@@ -82,6 +82,13 @@ void DocumentFlow::import() {
     importFile(file);
 }
 
+void DocumentFlow::importFixture() {
+    const QString file = askFixtureToImport(&window_, folder());
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    workbench_.surroundings.importFile(pathOf(file));
+}
+
 void DocumentFlow::importFile(const QString& file) {
     if (!workbench_.importNeedsNewProject()) {
         workbench_.importPart(pathOf(file), false);

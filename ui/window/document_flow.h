@@ -25,6 +25,7 @@ public:
     void openFile(const QString& file);
     void import();
     void importFile(const QString& file);
+    void importFixture(); ///< that the tool keeps out of
     void importSample();
     void showSample(); ///< imports the sample part and lets the virtual operator mill it
     /// A project or a part, as its name says.

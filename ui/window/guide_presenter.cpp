@@ -14,9 +14,6 @@ GuidePresenter::GuidePresenter(Workbench& workbench, GuidePanel& panel, QObject*
     connect(&panel, &GuidePanel::guideEdited, &guides, &GuideController::change);
     connect(&panel, &GuidePanel::guideRemovalRequested, &guides, &GuideController::remove);
     connect(&panel, &GuidePanel::levelStepped, &guides, &GuideController::stepLevel);
-    connect(&panel, &GuidePanel::clutchToggled, &guides, &GuideController::setClutched);
-    connect(&panel, &GuidePanel::recentreRequested, &guides, &GuideController::recentre);
-    connect(&panel, &GuidePanel::scaleEdited, &guides, &GuideController::setScale);
 }
 
 void GuidePresenter::setUnit(LengthUnit unit) {
@@ -32,15 +29,8 @@ void GuidePresenter::present() {
     state.full = guides.full();
     state.edges = guides.hasEdges();
     state.live = workbench_.mill.active();
-    state.hasDevice = guides.hasDevice();
-    state.clutched = guides.clutched();
     if (workbench_.bench.bench()) state.zero = workbench_.bench.bench()->setup.workOffset;
-    if (state.live) {
-        const SessionState& session = workbench_.session.state();
-        state.news = session.guides;
-        state.scale = session.workspaceScale;
-        state.clutched = state.clutched || session.clutched;
-    }
+    if (state.live) state.news = workbench_.session.state().guides;
     panel_.setState(state);
 }
 

@@ -74,7 +74,8 @@ JobStepState JobPresenter::mill() const {
 JobStepState JobPresenter::path() const {
     const PathController& path = workbench_.path;
     if (workbench_.mill.takes().empty()) return {StepProgress::missing, tr("no take yet")};
-    if (path.busy()) return {StepProgress::current, tr("editing")};
+    if (path.busy()) return {StepProgress::current, tr("being made")};
+    if (path.waiting()) return {StepProgress::current, tr("waits for the workpiece")};
     if (path.problem()) return {StepProgress::ready, tr("not possible")};
     if (!path.evaluated()) return {StepProgress::ready, tr("not yet")};
     if (path.outdated()) return {StepProgress::ready, tr("out of date")};

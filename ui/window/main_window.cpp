@@ -22,6 +22,7 @@ namespace {
 
 constexpr QSize smallestWindow(1024, 680);
 constexpr QSize firstWindow(1280, 800);
+constexpr double scaleStep = 1.25; // of the hand, by the keyboard
 
 /// The one file that is dragged; empty for anything else.
 QString draggedFile(const QMimeData& data) {
@@ -143,10 +144,23 @@ void MainWindow::connectActions() {
     on(ActionId::nearestEdge, [this] { workbench_.guides.add(GuideKind::curve); });
     on(ActionId::levelAbove, [this] { workbench_.guides.stepLevel(1); });
     on(ActionId::levelBelow, [this] { workbench_.guides.stepLevel(-1); });
-    on(ActionId::clutch, [this](bool wanted) { workbench_.guides.setClutched(wanted); });
-    on(ActionId::alignHand, [this] { workbench_.guides.alignWith(rightOf(*viewport_)); });
-    on(ActionId::recentre, [this] { workbench_.guides.recentre(); });
-    connect(panels_->guides, &GuidePanel::alignmentRequested, actions_[ActionId::alignHand], &QAction::trigger);
+    on(ActionId::clutch, [this](bool wanted) { workbench_.hand.setClutched(wanted); });
+    on(ActionId::alignHand, [this] { workbench_.hand.alignWith(rightOf(*viewport_)); });
+    on(ActionId::recentre, [this] { workbench_.hand.recentre(); });
+    on(ActionId::finerHand, [this] { workbench_.hand.scaleBy(1.0 / scaleStep); });
+    on(ActionId::coarserHand, [this] { workbench_.hand.scaleBy(scaleStep); });
+    on(ActionId::rateControl, [this](bool wanted) {
+        workbench_.hand.setControl(wanted ? WorkspaceControl::rate : WorkspaceControl::position);
+    });
+    on(ActionId::addFixtureFile, [this] { flow_.importFixture(); });
+    on(ActionId::axisOfView, [this] {
+        workbench_.surroundings.setAxis({false, -viewport_->sight(QRectF(viewport_->rect()).center()).rayDirection});
+    });
+    connect(&presenters_->surroundings, &SurroundingsPresenter::fixtureFileWanted, &flow_,
+            &DocumentFlow::importFixture);
+    connect(panels_->surroundings, &SurroundingsPanel::axisOfViewRequested, actions_[ActionId::axisOfView],
+            &QAction::trigger);
+    connect(panels_->hand, &HandPanel::alignmentRequested, actions_[ActionId::alignHand], &QAction::trigger);
     on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
     on(ActionId::evaluatePath, [this] { workbench_.path.evaluate(); });
     on(ActionId::post, [this] { workbench_.program.post(programName(workbench_)); });
@@ -165,6 +179,7 @@ void MainWindow::connectWorkbench() {
         const bool stopped = error.code == ErrorCode::cancelled;
         message_->tell(stopped ? Notice::Kind::information : Notice::Kind::error, Messages::sentence(error));
     });
+    connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
     workbench_.styluses.start();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
     connect(&workbench_.document, &DocumentController::opened, this, &MainWindow::tellAboutOpened);
@@ -232,6 +247,7 @@ void MainWindow::showBench(bool shown) {
 
 void MainWindow::showStep(JobStep step) {
     presenters_->job.setShown(step);
+    presenters_->guideScene.setShown(step);
     panels_->showStep(step);
 }
 
@@ -251,6 +267,11 @@ void MainWindow::tellAboutOpened() {
     else if (document.recovered())
         message_->tell(Notice::Kind::information,
                        tr("Burin ended before this work was saved; all of it is here again."));
+}
+
+void MainWindow::tellAboutBattery(double share) {
+    message_->tell(Notice::Kind::warning, tr("The battery of “%1” is down to %2; charge it soon.")
+                                              .arg(workbench_.styluses.chosenName(), shareText(share)));
 }
 
 void MainWindow::updateTitle() {

@@ -43,6 +43,7 @@ private:
     void showStep(JobStep step);
     void showBench(bool shown);
     void showWelcome();
+    void tellAboutBattery(double share);
     void updateTitle();
     void dress(Theme theme);
     void apply(const Preferences& preferences);

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/mill_presenter.h"
 
-#include "ui/panels/texts.h"
-
-#include <QCoreApplication>
+#include "ui/window/session_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,23 +11,9 @@ namespace burin {
 
 namespace {
 
-struct MillTexts {
-    Q_DECLARE_TR_FUNCTIONS(MillTexts)
-};
+constexpr int hintStays = 1200; // ms: a flag that comes and goes must not make the panel jump
 
 } // namespace
-
-QString shankSentence(const SessionState& state, const Bench& bench) {
-    if ((state.sample.flags & sampleShankContact) == 0) return {};
-    const PropertyList& properties = bench.embedded.workpiece.properties();
-    const bool shank = sectionOf(bench.tool.cutter, state.shankPiece) != ToolSection::holder;
-    const QString what = state.shankTouches == airProperty || state.shankTouches >= properties.size()
-                             ? MillTexts::tr("the workpiece")
-                             : materialName(properties[state.shankTouches]);
-    if (properties.isProtected(state.shankTouches))
-        return shank ? MillTexts::tr("The shank touches the part.") : MillTexts::tr("The holder touches the part.");
-    return (shank ? MillTexts::tr("The shank touches %1.") : MillTexts::tr("The holder touches %1.")).arg(what);
-}
 
 MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& panel, QObject* parent)
     : Presenter(workbench,
@@ -98,8 +82,20 @@ QString MillPresenter::missing() const {
     if (!workbench_.setup.hasPart()) return tr("Import a part first.");
     if (bench.embedding()) return tr("The part is being embedded.");
     if (!bench.embedded()) return tr("Embed the part in its stock first.");
-    if (!bench.field()) return tr("The boundary for the tool is being computed.");
+    if (!bench.bounds()) return tr("The boundary for the tool is being computed.");
     return {};
+}
+
+QString MillPresenter::hint() {
+    const MillController& mill = workbench_.mill;
+    const auto& bounds = workbench_.bench.bounds();
+    if (!mill.active() || !bounds) return hint_ = {};
+    const StylusDescription* stylus = mill.device() ? &*mill.device() : nullptr;
+    const QString now =
+        hintSentence(workbench_.session.state(), *bounds, stylus, workbench_.hand.settings().forceButton);
+    if (now.isEmpty() && !hint_.isEmpty() && hintSince_.elapsed() < hintStays) return hint_;
+    if (!now.isEmpty()) hintSince_.start();
+    return hint_ = now;
 }
 
 void MillPresenter::present() {
@@ -120,7 +116,8 @@ void MillPresenter::present() {
     state.press = settings.press;
     state.speed = settings.speed;
     if (workbench_.session.running() && workbench_.bench.bench())
-        state.alarm = shankSentence(session, *workbench_.bench.bench());
+        state.alarm = alarmSentence(session, *workbench_.bench.bench());
+    state.hint = hint();
     for (const TakeInfo& take : mill.takes()) {
         state.takes.push_back({take, workbench_.mill.strokesOf(take.id), false});
         if (!state.recording || take.id != session.take) continue;

@@ -7,6 +7,8 @@
 #include "ui/window/mill_mode.h"
 #include "ui/window/presenter.h"
 
+#include <QElapsedTimer>
+
 namespace burin {
 
 /// The mill panel.
@@ -23,8 +25,11 @@ private:
     void present() override;
     void edit(void (*change)(MillToolSettings&, double), double value);
     QString missing() const;
+    QString hint();
     MillMode& mode_;
     MillPanel& panel_;
+    QString hint_; ///< that stands
+    QElapsedTimer hintSince_;
 };
 
 /// Force, removal, rate: while a session runs.
@@ -44,8 +49,5 @@ private:
     Meters& meters_;
     MeterState state_;
 };
-
-/// "The shank touches Machinable wax.", empty when nothing is touched.
-QString shankSentence(const SessionState& state, const Bench& bench);
 
 } // namespace burin

@@ -6,6 +6,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <initializer_list>
+
 namespace burin {
 
 namespace {
@@ -23,16 +25,15 @@ QWidget* scrolling(QWidget* panel, const char* name) {
     return area;
 }
 
-/// One panel above another, as one.
-QWidget* stacked(QWidget* upper, QWidget* lower) {
-    auto* both = new QWidget;
-    auto* column = new QVBoxLayout(both);
+/// Panels one above the other, as one.
+QWidget* stacked(std::initializer_list<QWidget*> panels) {
+    auto* all = new QWidget;
+    auto* column = new QVBoxLayout(all);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(upper);
-    column->addWidget(lower);
+    for (QWidget* panel : panels) column->addWidget(panel);
     column->addStretch(1);
-    return both;
+    return all;
 }
 
 } // namespace
@@ -41,11 +42,14 @@ PanelStack::PanelStack(QWidget* parent)
     : QFrame(parent)
     , part(new PartPanel)
     , stock(new StockPanel)
+    , surroundings(new SurroundingsPanel)
     , material(new MaterialPanel)
     , tool(new ToolPanel)
     , allowance(new AllowancePanel)
     , mill(new MillPanel)
     , guides(new GuidePanel)
+    , bounds(new BoundsPanel)
+    , hand(new HandPanel)
     , path(new PathPanel)
     , program(new ProgramPanel)
     , meters(new Meters)
@@ -54,11 +58,11 @@ PanelStack::PanelStack(QWidget* parent)
     setFixedWidth(stackWidth);
     stack_->setObjectName(QStringLiteral("panelPages"));
     const std::array<std::pair<QWidget*, const char*>, 8> panels{{{part, "partPage"},
-                                                                  {stock, "stockPage"},
+                                                                  {stacked({stock, surroundings}), "stockPage"},
                                                                   {material, "materialPage"},
                                                                   {tool, "toolPage"},
                                                                   {allowance, "allowancePage"},
-                                                                  {stacked(mill, guides), "millPage"},
+                                                                  {stacked({mill, guides, bounds, hand}), "millPage"},
                                                                   {path, "pathPage"},
                                                                   {program, "programPage"}}};
     for (const auto& [panel, name] : panels) stack_->addWidget(scrolling(panel, name));

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "ui/panels/allowance_panel.h"
+#include "ui/panels/bounds_panel.h"
 #include "ui/panels/guide_panel.h"
+#include "ui/panels/hand_panel.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
@@ -11,6 +13,7 @@
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
 #include "ui/panels/stock_panel.h"
+#include "ui/panels/surroundings_panel.h"
 #include "ui/panels/tool_panel.h"
 
 #include <QFrame>
@@ -30,11 +33,14 @@ public:
 
     PartPanel* part;
     StockPanel* stock;
+    SurroundingsPanel* surroundings; ///< below the stock
     MaterialPanel* material;
     ToolPanel* tool;
     AllowancePanel* allowance;
     MillPanel* mill;
-    GuidePanel* guides; ///< below the mill panel
+    GuidePanel* guides;  ///< below the mill panel
+    BoundsPanel* bounds; ///< below the guides
+    HandPanel* hand;     ///< below the bounds
     PathPanel* path;
     ProgramPanel* program;
     Meters* meters;

@@ -53,6 +53,7 @@ void PathPresenter::present() {
     }
     state.outdated = path.outdated();
     state.busy = path.busy();
+    state.waiting = path.waiting();
     if (path.problem()) state.problem = Messages::sentence(*path.problem());
     panel_.setState(state);
 }

@@ -15,18 +15,21 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , tool(workbench, *stage.panels.tool, this)
     , allowance(workbench, *stage.panels.allowance, this)
     , mill(workbench, millMode, *stage.panels.mill, this)
+    , surroundings(workbench, *stage.panels.surroundings, *stage.panels.bounds, stage.viewport, this)
     , guides(workbench, *stage.panels.guides, this)
+    , hand(workbench, *stage.panels.hand, this)
     , path(workbench, *stage.panels.path, this)
     , program(workbench, *stage.panels.program, this)
     , meters(workbench, *stage.panels.meters, this)
     , status(workbench, meters, stage.status, this)
     , job(workbench, stage.jobLine, this)
-    , scene(workbench, stage.viewport, actions, this) {}
+    , scene(workbench, stage.viewport, actions, this)
+    , guideScene(workbench, stage.viewport, actions, this) {}
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter :
-         std::initializer_list<Presenter*>{&part, &stock, &material, &tool, &allowance, &mill, &guides, &path, &program,
-                                           &meters, &status, &job, &scene})
+         std::initializer_list<Presenter*>{&part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides,
+                                           &hand, &path, &program, &meters, &status, &job, &scene, &guideScene})
         presenter->setUnit(unit);
 }
 

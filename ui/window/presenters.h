@@ -3,6 +3,8 @@
 #pragma once
 
 #include "ui/window/guide_presenter.h"
+#include "ui/window/guide_scene_presenter.h"
+#include "ui/window/hand_presenter.h"
 #include "ui/window/job_presenter.h"
 #include "ui/window/mill_presenter.h"
 #include "ui/window/panel_stack.h"
@@ -10,6 +12,7 @@
 #include "ui/window/scene_presenter.h"
 #include "ui/window/setup_presenters.h"
 #include "ui/window/status_presenter.h"
+#include "ui/window/surroundings_presenter.h"
 
 namespace burin {
 
@@ -35,13 +38,16 @@ public:
     ToolPresenter tool;
     AllowancePresenter allowance;
     MillPresenter mill;
+    SurroundingsPresenter surroundings;
     GuidePresenter guides;
+    HandPresenter hand;
     PathPresenter path;
     ProgramPresenter program;
     MeterPresenter meters;
     StatusPresenter status;
     JobPresenter job;
     ScenePresenter scene;
+    GuideScenePresenter guideScene;
 };
 
 } // namespace burin

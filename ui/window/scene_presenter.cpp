@@ -50,6 +50,8 @@ void ScenePresenter::present() {
         const Bench& bench = *workbench_.bench.bench();
         const glm::dvec3 centre = bench.setup.stock.centre();
         ToolMarks parked;
+        const AxisMode& axis = workbench_.bench.bound().axis;
+        if (!axis.free) parked.proxy.axis = axis.direction;
         parked.proxy.tip = glm::dvec3(centre.x, centre.y, bench.safeHeight());
         viewport_.setToolMarks(parked);
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/status_presenter.h"
 
+#include "ui/panels/texts.h"
+
 #include <QLocale>
 
 #include <chrono>
@@ -51,6 +53,16 @@ void StatusPresenter::present() {
     presentSession();
 }
 
+/// " · battery 42 %", as far as the device tells.
+QString StatusPresenter::healthText() const {
+    if (!workbench_.hand.hasDevice()) return {};
+    const DeviceHealth& health = workbench_.hand.health();
+    QString text;
+    if (health.batteryShare) text += QStringLiteral(" · ") + tr("battery %1").arg(shareText(*health.batteryShare));
+    if (health.motorHeat) text += QStringLiteral(" · ") + tr("motors %1").arg(shareText(*health.motorHeat));
+    return text;
+}
+
 void StatusPresenter::presentSession() {
     const MeterState& state = meters_.state();
     if (!workbench_.session.running()) {
@@ -60,7 +72,7 @@ void StatusPresenter::presentSession() {
         return;
     }
     const QLocale locale;
-    line_.setStylus(state.stylus, true);
+    line_.setStylus(state.stylus + healthText(), true);
     line_.setRate(tr("%1 Hz · p99.9 %2 ms, work %3 µs · %4 missed")
                       .arg(locale.toString(state.rateHz, 'f', 0), locale.toString(1e-3 * state.intervalP999, 'f', 2),
                            locale.toString(state.workP999, 'f', 0), locale.toString(state.missed)));

@@ -20,6 +20,7 @@ private:
     void presentSession();
     void presentTask();
     QString savedText() const;
+    QString healthText() const;
 
     const MeterPresenter& meters_;
     StatusLine& line_;

@@ -9,6 +9,8 @@
 
 #include <QCoreApplication>
 
+#include <utility>
+
 namespace burin {
 
 namespace {
@@ -26,8 +28,38 @@ void BenchController::setWanted(std::shared_ptr<const Model> model, const Setup&
     model_ = std::move(model);
     setup_ = setup;
     tool_ = tool;
-    if (otherTool && bench_) buildField();
+    if (otherTool && bench_) buildBounds();
     emit changed();
+}
+
+void BenchController::setWanted(const WantedBounds& bounds) {
+    const WantedBounds before = std::exchange(wanted_, bounds);
+    if (!bench_) return;
+    if (boundAlike(before, bounds)) {
+        if (before.obstacles != bounds.obstacles) switchObstacles();
+        return;
+    }
+    // How high travel is free, and so where a tip may go, is the bench's to say.
+    desk_.tasks.abandon(TaskKind::field);
+    letGo([this] {
+        if (!bench_) return;
+        bench_->obstacles = obstaclesOf(wanted_.obstacles);
+        buildBounds();
+    });
+}
+
+/// Nothing reads the bench in the background then; a session has layers of its own.
+void BenchController::switchObstacles() {
+    desk_.tasks.whenIdle([this] {
+        if (bench_ && bench_->obstacles.size() == wanted_.obstacles.size())
+            for (std::size_t i = 0; i < wanted_.obstacles.size(); ++i)
+                bench_->obstacles[i].on = wanted_.obstacles[i].on;
+    });
+}
+
+std::shared_ptr<const ClearanceField> BenchController::field() const {
+    if (!bounds_ || bounds_->field() == nullptr) return nullptr;
+    return {bounds_, bounds_->field()}; // it goes with the bounds
 }
 
 bool BenchController::embedded() const {
@@ -35,14 +67,14 @@ bool BenchController::embedded() const {
 }
 
 bool BenchController::ready() const {
-    return embedded() && field_ && !embedding();
+    return embedded() && bounds_ && !embedding();
 }
 
 void BenchController::clear() {
     desk_.tasks.abandon(TaskKind::embedding);
     desk_.tasks.abandon(TaskKind::field);
     bench_.reset();
-    field_.reset();
+    bounds_.reset();
     strokes_.clear();
     emit workpieceChanged();
     emit changed();
@@ -64,7 +96,7 @@ void BenchController::embed() {
 }
 
 void BenchController::embedWith(std::vector<TakeWithTool> takes) {
-    BenchRequest request{model_, setup_, tool_, defaultMachine, {}};
+    BenchRequest request{model_, setup_, tool_, defaultMachine, {}, obstaclesOf(wanted_.obstacles)};
     desk_.tasks.start(
         TaskKind::embedding, tr("Embedding the part"),
         [request = std::move(request), takes = std::move(takes)](Progress& progress) -> Result<ReplayedBench> {
@@ -91,36 +123,42 @@ void BenchController::embedWith(std::vector<TakeWithTool> takes) {
 }
 
 void BenchController::adopt(std::shared_ptr<Bench> bench) {
-    field_.reset();
+    bounds_.reset();
     strokes_.clear();
     bench_ = std::move(bench);
     emit workpieceChanged();
     emit toolChanged();
-    buildField();
+    bench_->obstacles = obstaclesOf(wanted_.obstacles);
+    buildBounds();
     emit changed();
 }
 
-void BenchController::buildField() {
+void BenchController::buildBounds() {
     desk_.tasks.start(
         TaskKind::field,
         tr("Computing the boundary for %1").arg(QCoreApplication::translate("Resource", tool_.name.c_str())),
-        [bench = bench_, tool = tool_](Progress& progress) -> Result<std::shared_ptr<const ClearanceField>> {
-            auto field = clearanceField(*bench, tool, maximumAllowance, progress);
-            if (!field) return std::move(field).error();
-            return std::shared_ptr<const ClearanceField>(std::move(*field));
+        [bench = bench_, tool = tool_,
+         wanted = wanted_](Progress& progress) -> Result<std::shared_ptr<const ToolBounds>> {
+            TravelPlacement travel = wanted.travel;
+            travel.on = true; // it is a layer that sessions switch
+            Result<ToolBounds> bounds = ToolBounds::build(
+                *bench, tool, wanted.axis, surroundingsOf(*bench, travel, wanted.axis), maximumAllowance, progress);
+            if (!bounds) return std::move(bounds).error();
+            return std::make_shared<const ToolBounds>(std::move(*bounds));
         },
-        [this, bench = bench_, tool = tool_](Result<std::shared_ptr<const ClearanceField>> outcome) {
+        [this, bench = bench_, tool = tool_, wanted = wanted_](Result<std::shared_ptr<const ToolBounds>> outcome) {
             if (!outcome) {
                 emit changed();
                 emit failed(outcome.error());
             } else if (bench == bench_) {
-                letGo([this, tool, field = *outcome] { adoptField(tool, field); });
+                letGo([this, tool, wanted, bounds = *outcome] { adoptBounds(tool, wanted, bounds); });
             }
         });
     emit changed();
 }
 
-void BenchController::adoptField(const Tool& tool, std::shared_ptr<const ClearanceField> field) {
+void BenchController::adoptBounds(const Tool& tool, const WantedBounds& wanted,
+                                  std::shared_ptr<const ToolBounds> bounds) {
     if (!bench_) return;
     const PropertyList& properties = bench_->embedded.workpiece.properties();
     const Result<CuttingConditions> conditions =
@@ -132,21 +170,27 @@ void BenchController::adoptField(const Tool& tool, std::shared_ptr<const Clearan
     }
     bench_->tool = tool;
     bench_->conditions = *conditions;
-    field_ = std::move(field);
+    bounds_ = std::move(bounds);
+    bound_ = wanted;
     emit toolChanged();
     emit changed();
 }
 
 void BenchController::letGo(std::function<void()> then) {
     // What reads the bench in the background would read it while it changes.
+    emit readersStop();
     desk_.tasks.abandon(TaskKind::planning);
     desk_.tasks.abandon(TaskKind::path);
     desk_.tasks.abandon(TaskKind::program);
     desk_.tasks.whenIdle([this, then = std::move(then)] {
-        if (guard_)
-            guard_(then);
-        else
+        const auto change = [this, then] {
             then();
+            emit readersGoOn();
+        };
+        if (guard_)
+            guard_(change);
+        else
+            change();
     });
 }
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/bench.h"
+#include "core/project/bench_boundaries.h"
 #include "core/project/stroke_history.h"
 #include "ui/workbench/controller.h"
+#include "ui/workbench/surroundings.h"
 
 #include <functional>
 #include <map>
@@ -12,8 +13,8 @@
 
 namespace burin {
 
-/// The workpiece that is milled: embeds the part in its stock, cuts again what recordings cut, and keeps the boundary
-/// field of the tool in force. Both are made in the background; what stood before stays in force meanwhile.
+/// The workpiece that is milled: embeds the part in its stock, cuts again what recordings cut, and keeps the bounds of
+/// the tool in force. Both are made in the background; what stood before stays in force meanwhile.
 class BenchController final : public Controller {
     Q_OBJECT
 public:
@@ -24,10 +25,14 @@ public:
 
     /// What embedding will take. A bench that no longer fits stays until the next `embed`.
     void setWanted(std::shared_ptr<const Model> model, const Setup& setup, const Tool& tool);
-    bool embedded() const; ///< the workpiece stands as it is wanted
+    /// What bounds the tool besides the part.
+    void setWanted(const WantedBounds& bounds);
+    bool hasModel() const noexcept { return model_ != nullptr; }
+    const Box& wantedStock() const noexcept { return setup_.stock; } ///< mm, setup frame
+    bool embedded() const;                                           ///< the workpiece stands as it is wanted
     bool embedding() const { return reading_ || desk_.tasks.running(TaskKind::embedding); }
     bool fieldBusy() const { return desk_.tasks.running(TaskKind::field); }
-    bool ready() const; ///< it can be milled: workpiece and a field are there
+    bool ready() const; ///< it can be milled: workpiece and bounds are there
 
     /// Makes the workpiece anew: embeds, then replays the project's recordings.
     void embed();
@@ -35,7 +40,11 @@ public:
 
     /// Shared with what reads it in the background. While a session runs the workpiece is the session's.
     const std::shared_ptr<Bench>& bench() const noexcept { return bench_; }
-    const std::shared_ptr<const ClearanceField>& field() const noexcept { return field_; }
+    const std::shared_ptr<const ToolBounds>& bounds() const noexcept { return bounds_; }
+    /// What `bounds` were made of.
+    const WantedBounds& bound() const noexcept { return bound_; }
+    /// The part's clearance over tips, of `bounds`; null: there are none, or the axis is free.
+    std::shared_ptr<const ClearanceField> field() const;
     StrokeHistory& strokes() noexcept { return strokes_; }
 
     /// Asked before bench, tool or field change: whoever mills lets go of them and then calls what it is given.
@@ -44,21 +53,25 @@ public:
 signals:
     void workpieceChanged(); ///< outside a session
     void toolChanged();      ///< the tool in force
+    void readersStop();      ///< the bench is about to change: work in the background that reads it is abandoned
+    void readersGoOn();      ///< it has changed: what was abandoned can be done again
     /// The workpiece was made anew with these recordings: how many strokes stand in each.
     void replayed(const std::map<std::int64_t, std::size_t>& strokes);
 
 private:
     void embedWith(std::vector<TakeWithTool> takes);
     void adopt(std::shared_ptr<Bench> bench);
-    void buildField();
-    void adoptField(const Tool& tool, std::shared_ptr<const ClearanceField> field);
+    void buildBounds();
+    void adoptBounds(const Tool& tool, const WantedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);
+    void switchObstacles();
     void letGo(std::function<void()> then);
 
     std::shared_ptr<const Model> model_;
     Setup setup_;
     Tool tool_;
     std::shared_ptr<Bench> bench_;
-    std::shared_ptr<const ClearanceField> field_;
+    std::shared_ptr<const ToolBounds> bounds_;
+    WantedBounds wanted_, bound_;
     StrokeHistory strokes_;
     std::function<void(std::function<void()>)> guard_;
     bool reading_ = false; ///< the takes are being read

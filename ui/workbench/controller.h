@@ -29,12 +29,17 @@ signals:
     void failed(const burin::Error& error);
 
 protected:
-    /// Changes the project in the background; what goes wrong is told.
+    /// Changes the project in the background, if one is open; what goes wrong is told.
     template <class Work>
     void store(Work work) {
-        desk_.project.post(std::move(work), [this](const Result<void>& stored) {
-            if (!stored) emit failed(stored.error());
-        });
+        desk_.project.postToPlace(
+            [work = std::move(work)](std::optional<Project>& place) mutable -> Result<void> {
+                return place ? work(*place) : Result<void>();
+            },
+            [this](const Result<void>& stored) {
+                if (!stored) emit failed(stored.error());
+                emit desk_.project.worked();
+            });
     }
     Desk desk_;
 };

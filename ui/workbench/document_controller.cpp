@@ -29,6 +29,23 @@ fs::path nextUnnamedFile() {
     return DocumentController::unnamedFolder() / name.toStdString();
 }
 
+/// What stands around the stock, and leads the hand.
+Result<void> readBench(const Project& project, ProjectContents& contents) {
+    Result<std::vector<Obstacle>> obstacles = project.obstacles();
+    if (!obstacles) return std::move(obstacles).error();
+    contents.obstacles = std::move(*obstacles);
+    const Result<AxisMode> axis = project.axisMode();
+    if (!axis) return axis.error();
+    contents.axis = *axis;
+    const Result<TravelPlacement> travel = project.travelPlacement();
+    if (!travel) return travel.error();
+    contents.travel = *travel;
+    Result<KeptGuides> guides = project.guides();
+    if (!guides) return std::move(guides).error();
+    contents.guides = std::move(*guides);
+    return {};
+}
+
 Result<ProjectContents> contentsOf(const Project& project) {
     ProjectContents contents;
     Result<std::optional<Model>> model = unlessMissing(project.model());
@@ -37,6 +54,7 @@ Result<ProjectContents> contentsOf(const Project& project) {
     Result<std::optional<Setup>> setup = unlessMissing(project.setup());
     if (!setup) return std::move(setup).error();
     contents.setup = std::move(*setup);
+    if (Result<void> read = readBench(project, contents); !read) return std::move(read).error();
     Result<std::vector<Tool>> tools = project.tools();
     if (!tools) return std::move(tools).error();
     contents.tools = std::move(*tools);

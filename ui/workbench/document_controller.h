@@ -17,6 +17,10 @@ namespace burin {
 struct ProjectContents {
     std::shared_ptr<const Model> model; ///< null: none yet
     std::optional<Setup> setup;
+    std::vector<Obstacle> obstacles;
+    AxisMode axis;
+    TravelPlacement travel;
+    KeptGuides guides;
     std::vector<Tool> tools;
     std::vector<TakeInfo> takes;
     std::vector<StoredPath> paths;

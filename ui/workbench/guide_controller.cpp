@@ -24,10 +24,7 @@ GuideController::GuideController(const Desk& desk, BenchController& bench, MillC
         apply();
         emit changed();
     });
-    connect(&mill_, &MillController::left, this, [this] {
-        workspace_ = {}; // the next session has a mapping of its own
-        emit changed();
-    });
+    connect(&mill_, &MillController::left, this, &Controller::changed);
 }
 
 bool GuideController::hasEdges() const {
@@ -123,9 +120,27 @@ void GuideController::set(const QString& title, std::vector<Guide> guides, int k
     desk_.undo.push(new ValueCommand<std::vector<Guide>>(title, kind, guides_, std::move(guides),
                                                          [this](const std::vector<Guide>& wanted) {
                                                              guides_ = wanted;
+                                                             keep();
                                                              apply();
                                                              emit changed();
                                                          }));
+}
+
+void GuideController::load(const KeptGuides& guides) {
+    guides_ = guides.guides;
+    keptStepButtons_ = guides.stepButton;
+    used_.insert(used_.end(), guides.curves.begin(), guides.curves.end());
+    apply();
+    emit changed();
+}
+
+void GuideController::keep() {
+    KeptGuides kept;
+    kept.guides = guides_;
+    kept.stepButton = keptStepButtons_;
+    for (const std::shared_ptr<const GuideCurve>& curve : used_)
+        if (std::ranges::find(guides_, curve.get(), &Guide::curve) != guides_.end()) kept.curves.push_back(curve);
+    store([kept](Project& project) { return project.setGuides(kept); });
 }
 
 void GuideController::setOn(bool on) {
@@ -136,44 +151,22 @@ void GuideController::setOn(bool on) {
 }
 
 void GuideController::stepLevel(int levels) {
-    if (mill_.active()) session_.stepGuides(levels);
+    if (!mill_.active()) return;
+    session_.stepGuides(levels);
+    emit levelStepped();
 }
 
 void GuideController::apply() {
     if (!mill_.active()) return;
     GuideSettings settings;
+    settings.stepButton = stepButtons_;
     std::copy(guides_.begin(), guides_.end(), settings.guides.begin());
     for (Guide& guide : settings.guides) guide.on = guide.on && on_;
     if (const Result<void> set = session_.setGuides(settings); !set) emit failed(set.error());
 }
 
-void GuideController::setClutched(bool clutched) {
-    if (!hasDevice() || clutched == workspace_.clutched) return;
-    workspace_.clutched = clutched;
-    applyWorkspace();
-}
-
-void GuideController::recentre() {
-    if (!hasDevice()) return;
-    ++workspace_.recentrings;
-    applyWorkspace();
-}
-
-void GuideController::setScale(double scale) {
-    if (!hasDevice()) return;
-    workspace_.scale = scale;
-    applyWorkspace();
-}
-
-void GuideController::alignWith(const glm::dvec3& right) {
-    if (!hasDevice()) return;
-    workspace_.rotation = glm::angleAxis(std::atan2(right.y, right.x), glm::dvec3(0.0, 0.0, 1.0));
-    applyWorkspace();
-}
-
-void GuideController::applyWorkspace() {
-    session_.setWorkspace(workspace_);
-    emit changed();
+void GuideController::setStepButtons(std::uint32_t buttons) {
+    if (std::exchange(stepButtons_, buttons) != buttons) apply();
 }
 
 } // namespace burin

@@ -8,14 +8,16 @@
 
 namespace burin {
 
-/// The guides of the hand, and how a device's movements become the tool's. What changes in mill mode reaches the loop
-/// at its next tick. Guides are entries of the undo stack; they last as long as the window.
+/// The guides of the hand. What changes in mill mode reaches the loop at its next tick. Guides are entries of the undo
+/// stack and kept by the project.
 class GuideController final : public Controller {
     Q_OBJECT
 public:
     GuideController(const Desk& desk, BenchController& bench, MillController& mill, SessionRunner& session,
                     QObject* parent);
 
+    /// What a project holds.
+    void load(const KeptGuides& guides);
     const std::vector<Guide>& guides() const noexcept { return guides_; } ///< the earlier one stays
     bool on() const noexcept { return on_; }                              ///< all of them, or none
     bool full() const noexcept { return guides_.size() == GuideSettings::capacity; }
@@ -30,22 +32,18 @@ public:
     /// The next level, or the end of a pass. @param levels +1: along the normal
     void stepLevel(int levels);
 
-    /// A device is in the hand. The mouse points at the bench itself: there is nothing to scale.
-    bool hasDevice() const noexcept { return mill_.active() && mill_.stylus() == nullptr; }
-    bool clutched() const noexcept { return workspace_.clutched; }
-    void setClutched(bool clutched);
-    void recentre();
-    void setScale(double scale); ///< mm of setup per mm of device
-    /// What goes to the right of the picture follows a hand that goes to the right; up stays up. @param right of the
-    /// picture, setup frame, not upright
-    void alignWith(const glm::dvec3& right);
+    /// Which of a device's buttons ask for the next level below, or end a pass, by bit.
+    void setStepButtons(std::uint32_t buttons);
+
+signals:
+    void levelStepped(); ///< the loop was told of another level, or of the end of a pass
 
 private:
     void addNearestEdge();
     void addEdge();
     void set(const QString& title, std::vector<Guide> guides, int kind = -1);
     void apply();
-    void applyWorkspace();
+    void keep();
 
     BenchController& bench_;
     MillController& mill_;
@@ -55,7 +53,8 @@ private:
     std::shared_ptr<const Model> followed_; ///< whose edges are known
     Curves edges_;                          ///< of that
     Curves used_;                           ///< all that a loop or the undo stack may still know of
-    WorkspaceSettings workspace_;
+    std::uint32_t stepButtons_ = 0;         ///< of the device in hand
+    std::uint32_t keptStepButtons_ = 0;     ///< as the project has it
     bool on_ = true;
 };
 

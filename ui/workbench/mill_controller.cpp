@@ -7,7 +7,6 @@
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace burin {
@@ -25,18 +24,21 @@ MillController::MillController(const Desk& desk, BenchController& bench, Session
     : Controller(desk, parent), bench_(bench), session_(session), styluses_(styluses) {
     connect(&session_, &SessionRunner::ticked, this, &MillController::noteStrokes);
     connect(&session_, &SessionRunner::ticked, this, &MillController::followButton);
-    connect(&session_, &SessionRunner::ended, this, [this] {
-        const bool was = std::exchange(active_, false);
-        mouse_ = nullptr;
-        noteStrokes();
-        refreshTakes();
-        if (was) emit left();
-        emit changed();
-    });
+    connect(&session_, &SessionRunner::ended, this, &MillController::noteLeft);
     connect(&session_, &SessionRunner::recordingStarted, this, [this] { refreshTakes(); });
     connect(&session_, &SessionRunner::endedByItself, this, [this] {
         if (active()) leave(); // a fault, which ending tells
     });
+}
+
+void MillController::noteLeft() {
+    const bool was = std::exchange(active_, false);
+    mouse_ = nullptr;
+    device_.reset();
+    noteStrokes();
+    refreshTakes();
+    if (was) emit left();
+    emit changed();
 }
 
 void MillController::enter() {
@@ -71,6 +73,9 @@ void MillController::enterWithDevice() {
         SessionRequest request;
         request.mapping = mappingFor(*bench_.bench(), description);
         request.cutsOnButton = description.buttons > 0;
+        request.forceButtons = forceButtons_;
+        device_ = description;
+        mapping_ = request.mapping;
         begin(std::move(*stylus), nullptr, request);
     });
     emit changed();
@@ -79,12 +84,13 @@ void MillController::enterWithDevice() {
 void MillController::begin(AnyStylus stylus, SimulatedStylus* mouse, const SessionRequest& request) {
     SessionRequest wanted = request;
     wanted.allowance = allowance_;
-    session_.begin({bench_.bench(), bench_.field(), &bench_.strokes()}, std::move(stylus), wanted,
+    session_.begin({bench_.bench(), bench_.bounds(), &bench_.strokes()}, std::move(stylus), wanted,
                    [this, mouse](bool well) { begun(well, mouse); });
 }
 
 void MillController::begun(bool well, SimulatedStylus* mouse) {
     entering_ = false;
+    if (!well) device_.reset();
     if (well) {
         active_ = true;
         mouse_ = mouse;
@@ -148,6 +154,11 @@ void MillController::setAllowance(double millimetres) {
     if (wanted == allowance_) return;
     desk_.undo.push(new ValueCommand<double>(tr("allowance"), allowanceValue, allowance_, wanted,
                                              [this](const double& value) { applyAllowance(value); }));
+}
+
+void MillController::setForceButtons(std::uint32_t buttons) {
+    if (std::exchange(forceButtons_, buttons) == buttons || !active() || !device_) return;
+    interrupt([] {});
 }
 
 void MillController::applyAllowance(double millimetres) {

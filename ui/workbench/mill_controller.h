@@ -8,6 +8,7 @@
 #include "ui/workbench/stylus_controller.h"
 
 #include <map>
+#include <optional>
 
 namespace burin {
 
@@ -22,6 +23,9 @@ public:
     bool active() const noexcept { return active_; } ///< mill mode
     /// For the pointer to lead; null outside mill mode and with a device. The session owns it.
     SimulatedStylus* stylus() const noexcept { return mouse_; }
+    /// Of the device in the hand, and how it was laid over the bench; nothing outside mill mode and with the mouse.
+    const std::optional<StylusDescription>& device() const noexcept { return device_; }
+    const WorkspaceMapping& mapping() const noexcept { return mapping_; }
     bool recording() const noexcept { return session_.running() && session_.state().recording; }
     double allowance() const noexcept { return allowance_; } ///< mm
     const std::vector<TakeInfo>& takes() const noexcept { return takes_; }
@@ -35,7 +39,10 @@ public:
     void startRecording(); ///< enters mill mode where it is not on; nothing happens when one runs
     void stopRecording(Then then = {});
     void setAllowance(double millimetres); ///< an entry of the undo stack
-    void removeTake(std::int64_t id);      ///< for good; the workpiece is made anew without it
+    /// Dead man's: forces only while one of these buttons of a device is held, by bit; 0: always. With a device in the
+    /// hand mill mode begins anew, as nobody should feel the change in the middle of a stroke.
+    void setForceButtons(std::uint32_t buttons);
+    void removeTake(std::int64_t id); ///< for good; the workpiece is made anew without it
 
     /// What a project holds.
     void load(std::vector<TakeInfo> takes);
@@ -57,6 +64,7 @@ private:
     void enterWithDevice();
     void begin(AnyStylus stylus, SimulatedStylus* mouse, const SessionRequest& request);
     void begun(bool well, SimulatedStylus* mouse);
+    void noteLeft();
     void followButton();
 
     BenchController& bench_;
@@ -65,6 +73,9 @@ private:
     SimulatedStylus* mouse_ = nullptr;
     bool active_ = false, buttonDown_ = false, entering_ = false, startingRecording_ = false,
          recordOnceEntered_ = false;
+    std::optional<StylusDescription> device_;
+    WorkspaceMapping mapping_;
+    std::uint32_t forceButtons_ = 0;
     double allowance_ = 0.0;
     std::vector<TakeInfo> takes_;
     std::uint64_t strokesSeen_ = 0;

@@ -5,6 +5,9 @@
 #include "core/project/program_job.h"
 #include "ui/workbench/value_command.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace burin {
 
 namespace {
@@ -14,6 +17,27 @@ struct PathMatter {
     StoredPath path;
     std::shared_ptr<const std::vector<Take>> takes;
 };
+
+bool alike(const StoredPath& one, const StoredPath& other) {
+    return one.name == other.name && one.takes == other.takes &&
+           std::ranges::equal(one.edits, other.edits,
+                              [](const Edit& a, const Edit& b) { return toJson(a) == toJson(b); });
+}
+
+/// A path that the project holds just so is left alone: a project that was only opened has no changes.
+Result<void> keep(Project& project, StoredPath& path) {
+    if (path.id == 0) {
+        const Result<std::int64_t> id = project.addPath(path);
+        if (!id) return id.error();
+        path.id = *id;
+        return {};
+    }
+    const Result<std::vector<StoredPath>> kept = project.paths();
+    if (!kept) return kept.error();
+    const auto same = std::ranges::find(*kept, path.id, &StoredPath::id);
+    if (same != kept->end() && alike(*same, path)) return {};
+    return project.setPath(path);
+}
 
 /// A path has one tool: it takes the recordings that were made with it.
 Result<PathMatter> gather(Project& project, const std::optional<StoredPath>& stored, const std::string& toolId) {
@@ -32,20 +56,20 @@ Result<PathMatter> gather(Project& project, const std::optional<StoredPath>& sto
     }
     if (takes.empty()) return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
     matter.takes = std::make_shared<const std::vector<Take>>(std::move(takes));
-    if (matter.path.id != 0) {
-        if (const Result<void> done = project.setPath(matter.path); !done) return done.error();
-    } else {
-        const Result<std::int64_t> id = project.addPath(matter.path);
-        if (!id) return id.error();
-        matter.path.id = *id;
-    }
+    if (const Result<void> done = keep(project, matter.path); !done) return done.error();
     return matter;
 }
 
 } // namespace
 
 PathController::PathController(const Desk& desk, BenchController& bench, QObject* parent)
-    : Controller(desk, parent), bench_(bench) {}
+    : Controller(desk, parent), bench_(bench) {
+    connect(&bench_, &BenchController::readersStop, this,
+            [this] { interrupted_ = interrupted_ || desk_.tasks.running(TaskKind::path); });
+    connect(&bench_, &BenchController::readersGoOn, this, [this] {
+        if (std::exchange(interrupted_, false)) evaluate();
+    });
+}
 
 void PathController::load(const std::vector<StoredPath>& paths) {
     desk_.tasks.abandon(TaskKind::path);
@@ -53,6 +77,7 @@ void PathController::load(const std::vector<StoredPath>& paths) {
     evaluated_.reset();
     problem_.reset();
     takes_.reset();
+    interrupted_ = false;
     ++generation_;
     outdated_ = true;
     emit evaluatedAnew();
@@ -90,7 +115,7 @@ void PathController::apply(const std::vector<Edit>& edits) {
 
 void PathController::evaluate() {
     if (!bench_.bench()) return;
-    if (takes_)
+    if (takes_ && takesTool_ == bench_.bench()->tool.id)
         evaluateTakes(takes_);
     else if (!reading_)
         readTakes();
@@ -98,9 +123,9 @@ void PathController::evaluate() {
 
 void PathController::readTakes() {
     reading_ = true;
-    desk_.project.post([stored = stored_,
-                        toolId = bench_.bench()->tool.id](Project& project) { return gather(project, stored, toolId); },
-                       [this, generation = generation_](Result<PathMatter> matter) {
+    const std::string toolId = bench_.bench()->tool.id;
+    desk_.project.post([stored = stored_, toolId](Project& project) { return gather(project, stored, toolId); },
+                       [this, toolId, generation = generation_](Result<PathMatter> matter) {
                            reading_ = false;
                            if (!matter) {
                                problem_ = matter.error();
@@ -115,6 +140,7 @@ void PathController::readTakes() {
                                return;
                            }
                            takes_ = std::move(matter->takes);
+                           takesTool_ = toolId;
                            evaluateTakes(takes_);
                        });
     emit changed();

@@ -22,7 +22,9 @@ public:
     const std::shared_ptr<const EvaluatedPath>& evaluated() const noexcept { return evaluated_; }
     const std::optional<Error>& problem() const noexcept { return problem_; } ///< of the newest evaluation
     bool outdated() const noexcept { return outdated_; }
-    bool busy() const { return reading_ || desk_.tasks.running(TaskKind::path); }
+    bool busy() const { return reading_ || interrupted_ || desk_.tasks.running(TaskKind::path); }
+    /// A path that the project holds is evaluated as soon as the workpiece stands.
+    bool waiting() const { return stored_ && !evaluated_ && bench_.embedding(); }
 
     void makeNew();                                       ///< with the edits of the main job; evaluates it
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
@@ -46,8 +48,10 @@ private:
     std::shared_ptr<const EvaluatedPath> evaluated_;
     std::optional<Error> problem_;
     Takes takes_;            ///< as they were read; null: to be read again
+    std::string takesTool_;  ///< id of the tool that they were made with
     quint64 generation_ = 0; ///< of the recordings
     bool outdated_ = true, reading_ = false;
+    bool interrupted_ = false; ///< an evaluation was abandoned, as the bench changes
 };
 
 } // namespace burin

@@ -10,6 +10,8 @@ SessionRunner::SessionRunner(const Desk& desk, QObject* parent) : Controller(des
     frame_.setTimerType(Qt::PreciseTimer);
     frame_.setInterval(std::chrono::milliseconds(16));
     connect(&frame_, &QTimer::timeout, this, &SessionRunner::look);
+    healthTimer_.setInterval(std::chrono::milliseconds(300));
+    connect(&healthTimer_, &QTimer::timeout, this, &SessionRunner::readHealth);
 }
 
 SessionRunner::~SessionRunner() = default;
@@ -24,7 +26,7 @@ void SessionRunner::begin(const Place& place, AnyStylus stylus, const SessionReq
         }
         view_ = {place.bench->embedded.workpiece.snapshot(), std::nullopt};
         Result<std::unique_ptr<MillingSession>> session =
-            MillingSession::begin(*project, *place.bench, *place.field, *held, *place.strokes, request);
+            MillingSession::begin(*project, *place.bench, *place.bounds, *held, *place.strokes, request);
         if (!session) {
             emit failed(session.error());
             then(false);
@@ -36,6 +38,7 @@ void SessionRunner::begin(const Place& place, AnyStylus stylus, const SessionReq
         state_ = {};
         ended_ = false;
         frame_.start();
+        healthTimer_.start();
         then(true);
         if (!request.takeName.empty()) emit recordingStarted();
         emit changed();
@@ -46,6 +49,8 @@ void SessionRunner::end(Then then) {
     desk_.project.lend([this, then = std::move(then)](Project*) {
         if (session_) {
             frame_.stop();
+            healthTimer_.stop();
+            health_ = {};
             const Result<LoopStatistics> outcome = session_->end();
             session_.reset();
             const std::unique_ptr<AnyStylus> stylus = std::move(stylus_); // whoever leads it lets go of it below
@@ -98,6 +103,11 @@ void SessionRunner::setAllowance(double millimetres) {
     if (session_) session_->setAllowance(millimetres);
 }
 
+void SessionRunner::setLayer(std::size_t layer, bool on) {
+    if (!session_) return;
+    if (const Result<void> set = session_->setLayer(layer, on); !set) emit failed(set.error());
+}
+
 Result<void> SessionRunner::setGuides(const GuideSettings& guides) {
     return session_ ? session_->setGuides(guides) : Result<void>{};
 }
@@ -108,6 +118,12 @@ void SessionRunner::stepGuides(int levels) {
 
 void SessionRunner::setWorkspace(const WorkspaceSettings& workspace) {
     if (session_) session_->setWorkspace(workspace);
+}
+
+void SessionRunner::readHealth() {
+    if (!session_) return;
+    health_ = session_->health();
+    emit healthRead();
 }
 
 void SessionRunner::look() {

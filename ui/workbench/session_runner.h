@@ -24,7 +24,7 @@ public:
     /// What is milled with, for as long as the session lasts.
     struct Place {
         std::shared_ptr<Bench> bench;
-        std::shared_ptr<const ClearanceField> field;
+        std::shared_ptr<const ToolBounds> bounds;
         StrokeHistory* strokes = nullptr;
     };
     void begin(const Place& place, AnyStylus stylus, const SessionRequest& request, Then then);
@@ -34,24 +34,28 @@ public:
     void undoStroke(Then then);
     void redoStroke(Then then);
     void setAllowance(double millimetres);
+    void setLayer(std::size_t layer, bool on); ///< MillingSession::setLayer
     Result<void> setGuides(const GuideSettings& guides);
     void stepGuides(int levels);
     void setWorkspace(const WorkspaceSettings& workspace);
 
     bool running() const noexcept { return session_ != nullptr; }
     const SessionState& state() const noexcept { return state_; }
+    const DeviceHealth& health() const noexcept { return health_; }              ///< as it was read last; empty outside
     const VolumeSnapshot& workpiece() const noexcept { return view_.workpiece; } ///< the newest one; empty outside
 
 signals:
     void ticked(); ///< `state` is new
     void viewed(const burin::WorkpieceView& view);
     void traced(const std::vector<burin::MillingSession::TracePoint>& points);
+    void healthRead(); ///< some times a second while a session runs
     void recordingStarted();
     void endedByItself(); ///< the stylus finished, or a fault; `end` is still to be called
     void ended();         ///< the workpiece is its owner's again
 
 private:
     void look();
+    void readHealth();
     void withSession(std::function<Result<void>(MillingSession&)> use, Then then);
 
     Place place_;
@@ -60,7 +64,8 @@ private:
     SessionState state_;
     std::vector<MillingSession::TracePoint> trace_;
     WorkpieceView view_;
-    QTimer frame_;
+    DeviceHealth health_;
+    QTimer frame_, healthTimer_;
     bool ended_ = false; ///< `endedByItself` was told
 };
 

@@ -35,8 +35,8 @@ void ShowMe::start() {
     stopped_ = false;
     desk_.tasks.start(
         TaskKind::planning, tr("Planning the strokes"),
-        [bench = bench_.bench(), field = bench_.field(), request = requestFor(bench_.bench()->tool)](Progress&) {
-            return planOperator(*bench, *field, request);
+        [bench = bench_.bench(), bounds = bench_.bounds(), request = requestFor(bench_.bench()->tool)](Progress&) {
+            return planOperator(*bench, *bounds, request);
         },
         [this](Result<OperatorPlan> plan) {
             if (!plan) {
@@ -78,9 +78,10 @@ void ShowMe::millNext() {
     request.allowance = wanted.allowance;
     request.takeName = wanted.name;
     auto stylus = std::make_unique<VirtualOperator>(wanted.intent, plan_.mapping, plan_.hand);
-    session_.begin({bench_.bench(), bench_.field(), &bench_.strokes()}, std::move(stylus), request, [this](bool begun) {
-        if (!begun) endShow(false);
-    });
+    session_.begin({bench_.bench(), bench_.bounds(), &bench_.strokes()}, std::move(stylus), request,
+                   [this](bool begun) {
+                       if (!begun) endShow(false);
+                   });
     emit changed();
 }
 

@@ -37,6 +37,15 @@ private:
 };
 
 /// Kinds of values, for merging.
-enum ValueKind : int { allowanceValue = 1, voxelValue, marginValue, pathEditValue, guideValue /* and, with its place, of each guide */ };
+enum ValueKind : int {
+    allowanceValue = 1,
+    voxelValue,
+    marginValue,
+    pathEditValue,
+    guideValue, ///< and, with its place, of each guide
+    axisValue = 500,
+    obstacleValue = 1000, ///< and, with its place, of each obstacle
+    handValue = 2000      ///< and, with its number, of each device
+};
 
 } // namespace burin

@@ -14,7 +14,9 @@ Workbench::Workbench(QObject* parent)
     , styluses(desk_, this)
     , session(desk_, this)
     , mill(desk_, bench, session, styluses, this)
+    , surroundings(desk_, bench, mill, session, this)
     , guides(desk_, bench, mill, session, this)
+    , hand(desk_, bench, mill, session, styluses, guides, this)
     , showMe(desk_, bench, session, this)
     , path(desk_, bench, this)
     , program(desk_, bench, path, this) {
@@ -29,7 +31,8 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model, &setup, &tool, &bench, &styluses, &session, &mill, &guides, &showMe, &path, &program};
+    return {&document, &model,  &setup, &tool,   &bench, &styluses, &session,
+            &mill,     &guides, &hand,  &showMe, &path,  &program};
 }
 
 void Workbench::wire() {
@@ -44,6 +47,7 @@ void Workbench::wire() {
         setup.placeAround(model.model());
     });
     connect(&setup, &SetupController::changed, this, &Workbench::updateWanted);
+    connect(&surroundings, &Controller::changed, this, [this] { bench.setWanted(surroundings.wanted()); });
     connect(&tool, &ToolController::chosen, this, &Workbench::updateWanted);
     connect(&mill, &MillController::takesChanged, this, [this] {
         setup.setLocked(mill.recording() || !mill.takes().empty());
@@ -72,6 +76,8 @@ void Workbench::load(const ProjectContents& contents) {
     tool.load(contents.tools, contents.takes.empty() ? std::string() : contents.takes.back().toolId);
     setup.load(contents.model, contents.setup);
     setup.setLocked(!contents.takes.empty());
+    surroundings.load(contents.obstacles, contents.axis, contents.travel);
+    guides.load(contents.guides);
     mill.load(contents.takes);
     mill.setStrokes({});
     path.load(contents.paths);

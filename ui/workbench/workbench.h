@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/workbench/document_controller.h"
-#include "ui/workbench/guide_controller.h"
+#include "ui/workbench/hand_controller.h"
 #include "ui/workbench/mill_controller.h"
 #include "ui/workbench/model_controller.h"
 #include "ui/workbench/path_controller.h"
@@ -11,6 +11,7 @@
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/show_me.h"
 #include "ui/workbench/stylus_controller.h"
+#include "ui/workbench/surroundings_controller.h"
 #include "ui/workbench/tool_controller.h"
 
 #include <QObject>
@@ -39,7 +40,9 @@ public:
     StylusController styluses; ///< outlives the session, whose stylus may be of one of its drivers
     SessionRunner session;
     MillController mill;
+    SurroundingsController surroundings;
     GuideController guides;
+    HandController hand;
     ShowMe showMe;
     PathController path;
     ProgramController program;

@@ -48,7 +48,15 @@ public:
         thread_.join();
     }
 
+    DeviceHealth health() const noexcept override {
+        DeviceHealth told;
+        if (battery >= 0.0) told.batteryShare = battery;
+        if (heat >= 0.0) told.motorHeat = heat;
+        return told;
+    }
+
     FaultBox faults;
+    std::atomic<double> battery{-1.0}, heat{-1.0}; ///< 0 … 1; less: it does not tell
 
 private:
     Error unplugged() const { return errorOf(DeviceFault::unplugged, description_.name); }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/bench_boundaries.h"
-#include "tests/core/geometry/shapes.h"
-#include "tests/core/project/session_bench.h"
+#include "tests/core/project/part_bench.h"
 
 #include <QtTest>
 
@@ -11,26 +10,9 @@
 using namespace burin;
 using namespace burin::test;
 
-namespace {
-
-/// The block with a smaller one in it.
-Bench partBench() {
-    Body body;
-    body.name = "block";
-    body.box = {{6.0, 6.0, 1.0}, {14.0, 14.0, 8.0}};
-    body.mesh = shapes::box(body.box.low, body.box.high);
-    Model model;
-    model.bodies = {body};
-    Progress progress;
-    return *makeBench({std::make_shared<const Model>(model), blockSetup(), sessionTool(), "linuxcnc-mill", {}},
-                      progress);
-}
-
-} // namespace
-
 class TestBenchBoundaries : public QObject {
     Q_OBJECT
-    Bench bench_ = partBench();
+    Bench bench_ = partBench(sessionTool());
 
     Result<BoundaryLayers> layers(const AxisMode& axis, const Surroundings& surroundings = {}) {
         Progress progress;

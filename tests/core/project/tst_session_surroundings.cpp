@@ -3,6 +3,7 @@
 #include "core/project/milling_session.h"
 #include "core/project/program_job.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/core/project/part_bench.h"
 #include "tests/core/project/session_stage.h"
 #include "tests/oracles/tool_depth.h"
 
@@ -90,21 +91,6 @@ Tool toolWithHolder() {
     return tool;
 }
 
-/// The block with a smaller one in it as the part.
-Bench partBench() {
-    Body body;
-    body.name = "block";
-    body.box = {{6.0, 6.0, 1.0}, {14.0, 14.0, 8.0}};
-    body.mesh = shapes::box(body.box.low, body.box.high);
-    Model model;
-    model.bodies = {body};
-    Progress progress;
-    Result<Bench> bench = makeBench(
-        {std::make_shared<const Model>(model), blockSetup(), toolWithHolder(), "linuxcnc-mill", {}, {}}, progress);
-    if (!bench) std::abort();
-    return std::move(*bench);
-}
-
 /// An obstacle with the closed formula of its distance, and points of its edges.
 struct KnownObstacle {
     Obstacle obstacle;
@@ -180,7 +166,7 @@ struct AroundStage {
     }
 
     Project project;
-    Bench bench = partBench();
+    Bench bench = partBench(toolWithHolder());
     std::unique_ptr<ToolBounds> bounds;
     RovingHand hand;
     StrokeHistory strokes;
@@ -282,7 +268,7 @@ private slots:
         const Lines standing = linesOf(stage.bench.embedded.workpiece);
         QVERIFY(standing != states.front());
 
-        Bench again = partBench();
+        Bench again = partBench(toolWithHolder());
         Progress progress;
         QVERIFY(replayTakes(stage.project, again, progress));
         QVERIFY(linesOf(again.embedded.workpiece) == standing);

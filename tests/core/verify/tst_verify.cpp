@@ -102,6 +102,7 @@ private slots:
     void aToolInAFixtureIsFound_data();
     void aToolInAFixtureIsFound();
     void limitsAreFound();
+    void theEndOfTheTravelIsFoundWhereItIsKnown();
     void feedFromNowhereIsFound();
     void excessOverAFacedTopIsWhatWasLeft();
     void finishingMovesLieOnThePart();
@@ -218,6 +219,18 @@ void VerifyTest::limitsAreFound() {
     QCOMPARE(countOf(report, FindingKind::feedLimit), 1);
     QCOMPARE(countOf(report, FindingKind::spindleLimit), 1);
     QCOMPARE(countOf(report, FindingKind::travelLimit), 1);
+}
+
+/// 300 mm are enough for the way, but the table does not stand in the middle.
+void VerifyTest::theEndOfTheTravelIsFoundWhereItIsKnown() {
+    Case job;
+    const std::string moves = start + "G0 Z5\nG0 X-40 Y0\nG1 X10 F600\n";
+    QVERIFY(job.judge(moves).passed());
+    const glm::dvec3 zero = job.request.setup.workOffset;
+    job.request.travel = {zero - glm::dvec3(30.0, 150.0, 50.0), zero + glm::dvec3(270.0, 150.0, 50.0)};
+    const VerifyReport report = job.judge(moves);
+    QCOMPARE(countOf(report, FindingKind::travelLimit), 1);
+    QVERIFY(std::abs(report.findings.front().amount - 310.0) < 1e-9); // 10 mm beyond the low end
 }
 
 void VerifyTest::feedFromNowhereIsFound() {

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/window_steps.h"
+#include "ui/panels/notice.h"
+
+#include <QCheckBox>
+#include <QFile>
+#include <QScrollArea>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+bool scrollTo(WindowDriver& driver, const char* page, const char* name) {
+    auto* area = driver.visible<QScrollArea>(page);
+    auto* widget = driver.window().findChild<QWidget*>(QLatin1String(name));
+    if (area == nullptr || widget == nullptr) return false;
+    area->ensureWidgetVisible(widget);
+    QCoreApplication::processEvents();
+    return true;
+}
+
+/// How far the tip got along X from program zero while it cut, mm.
+class Farthest {
+public:
+    explicit Farthest(Workbench& bench) : bench_(bench) {
+        connection_ = QObject::connect(&bench.session, &SessionRunner::ticked, [this] {
+            const SessionState& state = bench_.session.state();
+            if (state.cutting)
+                farthest_ = std::max(farthest_, state.sample.proxy.tip.x - bench_.setup.setup().workOffset.x);
+        });
+    }
+    ~Farthest() { QObject::disconnect(connection_); }
+    double get() const { return farthest_; }
+
+private:
+    Workbench& bench_;
+    QMetaObject::Connection connection_;
+    double farthest_ = -1e9;
+};
+
+} // namespace
+
+class TestWindowSurroundings : public QObject {
+    Q_OBJECT
+private slots:
+    void theToolKeepsOutOfAFixture();
+};
+
+void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
+    WindowDriver driver;
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(makeReady(driver));
+    // A clamp on the stock's top, from 5 mm right of its middle on; the tool keeps 1 mm from it.
+    QVERIFY(scrollTo(driver, "stockPage", "addObstacleButton"));
+    QVERIFY(driver.clickOn("addObstacleButton"));
+    QVERIFY(driver.waitFor([&] { return bench.surroundings.obstacles().size() == 1; }, 3000));
+    for (const auto& [field, value] :
+         {std::pair{"obstacle0PlaceX", "5"}, {"obstacle0PlaceZ", "0"}, {"obstacle0SizeZ", "8"}})
+        QVERIFY2(driver.enter(field, value), field);
+    QVERIFY(driver.waitFor(
+        [&] { return std::abs(boundsOf(*bench.surroundings.obstacles()[0].obstacle).size().z - 8.0) < 1e-9; }));
+    QVERIFY(driver.settle());
+    QVERIFY(driver.waitFor([&] { return boundAlike(bench.bench.bound(), bench.surroundings.wanted()); }));
+    driver.shoot("16-fixture");
+
+    QVERIFY(driver.step(JobStep::mill));
+    QVERIFY(driver.clickOn("recordButton"));
+    QVERIFY(driver.waitFor([&] { return bench.mill.recording(); }, 5000));
+    bool told = false;
+    const auto* hint = driver.window().findChild<Notice*>("millHint");
+    const auto listening = QObject::connect(&bench.session, &SessionRunner::ticked, this, [&] {
+        told = told || hint->sentence().contains(QStringLiteral("Fixture 1"));
+    });
+    {
+        const Farthest farthest(bench);
+        millLine(driver, {-20, 0}, {20, 0});
+        // Its radius and the margin before the clamp's face.
+        QVERIFY2(farthest.get() > -5.0 && farthest.get() < 5.0 - 3.0 - 1.0 + 0.05,
+                 qPrintable(QString::number(farthest.get())));
+    }
+    QVERIFY(told);
+    driver.shoot("17-held-by-a-fixture");
+    QObject::disconnect(listening);
+
+    QVERIFY(scrollTo(driver, "millPage", "bound0Switch"));
+    QTest::mouseClick(driver.window().findChild<QCheckBox*>("bound0Switch"), Qt::LeftButton, {}, QPoint(8, 8));
+    QVERIFY(driver.waitFor([&] { return !bench.surroundings.obstacles()[0].on; }, 3000));
+    QVERIFY(bench.mill.recording()); // switching ends nothing
+    {
+        const Farthest farthest(bench);
+        millLine(driver, {-20, 3}, {20, 3});
+        QVERIFY2(farthest.get() > 15.0, qPrintable(QString::number(farthest.get())));
+    }
+    driver.key(Qt::Key_Escape);
+    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
+    bench.guides.add(GuideKind::levels);
+
+    const QString file = driver.folder().filePath("clamped.burin");
+    chooseFile(driver, file);
+    driver.key(Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(driver.waitFor([&] { return QFile::exists(file) && !bench.document.unsaved(); }, 5000));
+    QVERIFY(driver.restart());
+    QVERIFY(driver.clickOn("recentFileButton"));
+    Workbench& again = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return again.bench.ready(); }));
+    QVERIFY(driver.settle());
+    QCOMPARE(again.surroundings.obstacles().size(), std::size_t{1});
+    QVERIFY(!again.surroundings.obstacles()[0].on);
+    QCOMPARE(again.surroundings.obstacles()[0].obstacle->name, std::string("Fixture 1"));
+    QCOMPARE(again.guides.guides().size(), std::size_t{1});
+    QTest::qWait(500);
+    QVERIFY(!again.document.unsaved());
+}
+
+QTEST_MAIN(TestWindowSurroundings)
+#include "tst_window_surroundings.moc"

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/haptics/guide.h"
+#include "ui/theme/length_unit.h"
+
+#include <QString>
+
+namespace burin {
+
+/// "Plane", "Step-over", and so on.
+QString guideName(GuideKind kind);
+
+/// A guide in one line, for the view: "Plane · Y 12.000 mm". @param zero mm, of the program, in the setup frame
+QString guideLine(const Guide& guide, const glm::dvec3& zero, LengthUnit unit);
+
+/// The axis of the setup that a direction is nearest to: 0 … 2.
+int axisOf(const glm::dvec3& direction);
+/// "X"
+QString axisLetter(int axis);
+
+} // namespace burin

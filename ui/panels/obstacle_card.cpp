@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/obstacle_card.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
+#include "ui/panels/field_row.h"
+#include "ui/panels/guide_words.h"
+#include "ui/panels/length_field.h"
+#include "ui/panels/named_switch.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/panels/texts.h"
+
+#include <utility>
+
+namespace burin {
+namespace {
+
+constexpr double farthest = 10'000.0, smallest = 0.01, widestMargin = 100.0; // mm
+
+Box& boxOf(Obstacle& obstacle) {
+    return std::get<burin::Box>(obstacle.shape);
+}
+const Box& boxOf(const Obstacle& obstacle) {
+    return std::get<burin::Box>(obstacle.shape);
+}
+CylinderShape& cylinderOf(Obstacle& obstacle) {
+    return std::get<CylinderShape>(obstacle.shape);
+}
+const CylinderShape& cylinderOf(const Obstacle& obstacle) {
+    return std::get<CylinderShape>(obstacle.shape);
+}
+
+} // namespace
+
+QString boundNewsText(BoundNews news) {
+    switch (news) {
+    case BoundNews::waits:
+        return ObstacleCard::tr("waits until the tool is out");
+    case BoundNews::holds:
+        return ObstacleCard::tr("holds the tool");
+    case BoundNews::none:
+        break;
+    }
+    return {};
+}
+
+ObstacleCard::ObstacleCard(std::size_t place, const Obstacle& obstacle, QWidget* parent)
+    : QFrame(parent), name_(QStringLiteral("obstacle%1").arg(place)), obstacle_(obstacle) {
+    setProperty("look", "card");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 6, 8, 8);
+    column->setSpacing(4);
+    addHead();
+    figures_ = new QWidget(this);
+    auto* inner = new QVBoxLayout(figures_);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(4);
+    column->addWidget(figures_);
+    addShape();
+    addRow(tr("Margin"), tr("How far every point of the tool keeps from it"),
+           addField(
+               QStringLiteral("Margin"), tr("Margin"), -1, [](const Obstacle& of) { return of.margin; },
+               [](Obstacle& of, double value) { of.margin = value; }));
+    fields_.back().field->limit(0.0, widestMargin);
+    setUnit(LengthUnit::millimetre);
+}
+
+void ObstacleCard::addHead() {
+    switch_ = new NamedSwitch(name_, tr("Whether it keeps the tool out"), this);
+    connect(switch_, &NamedSwitch::switched, this, &ObstacleCard::switched);
+    remove_ = makeIconButton(QStringLiteral("remove"), tr("Remove it"), name_ + QStringLiteral("Remove"), this);
+    connect(remove_, &QToolButton::clicked, this, &ObstacleCard::removalRequested);
+    auto* head = new QHBoxLayout;
+    head->addWidget(switch_, 1);
+    head->addWidget(remove_);
+    static_cast<QVBoxLayout*>(layout())->addLayout(head);
+}
+
+QuantityField* ObstacleCard::addField(const QString& name, const QString& label, int axis, Get get, Set set) {
+    auto* field = new LengthField(figures_);
+    field->setObjectName(name_ + name);
+    field->setAccessibleName(QString::fromStdString(obstacle_.name) + QStringLiteral(", ") + label);
+    fields_.push_back({field, std::move(get), axis});
+    connect(field, &QuantityField::valueEdited, this, [this, axis, set = std::move(set)](double wanted) {
+        set(obstacle_, axis < 0 ? wanted : wanted + zero_[axis]);
+        emit edited(obstacle_);
+    });
+    return field;
+}
+
+void ObstacleCard::addRow(const QString& label, const QString& toolTip, QuantityField* field) {
+    const QString accessible = field->accessibleName();
+    figures_->layout()->addWidget(new FieldRow(label, field, toolTip, figures_));
+    field->setAccessibleName(accessible);
+}
+
+/// Three fields beside each other under a label.
+void ObstacleCard::addTriple(const QString& name, const QString& label, const QString& toolTip, bool place,
+                             const std::function<Get(int)>& get, const std::function<Set(int)>& set) {
+    auto* title = new QLabel(figures_);
+    titles_.push_back({title, label});
+    title->setProperty("look", "quiet");
+    title->setToolTip(toolTip);
+    figures_->layout()->addWidget(title);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    for (int axis = 0; axis < 3; ++axis) {
+        const QString letter = axisLetter(axis);
+        QuantityField* field =
+            addField(name + letter, label + QLatin1Char(' ') + letter, place ? axis : -1, get(axis), set(axis));
+        field->limit(place ? -farthest : smallest, farthest);
+        field->setToolTip(toolTip);
+        field->setMinimumWidth(40);
+        fields_.back().bare = true;
+        row->addWidget(field, 1);
+    }
+    static_cast<QVBoxLayout*>(figures_->layout())->addLayout(row);
+}
+
+void ObstacleCard::addShape() {
+    kind_ = new ChoiceBox(figures_);
+    kind_->setObjectName(name_ + QStringLiteral("Kind"));
+    kind_->addItems({tr("Fixture"), tr("Keep-out volume")}); // in the order of ObstacleKind
+    figures_->layout()->addWidget(new FieldRow(tr("Kind"), kind_,
+                                               tr("A fixture stands there; a keep-out volume is to be kept clear"),
+                                               figures_, FieldRow::choiceWidth));
+    connect(kind_, &QComboBox::activated, this, [this](int index) {
+        obstacle_.kind = static_cast<ObstacleKind>(index);
+        emit edited(obstacle_);
+    });
+    if (std::holds_alternative<burin::Box>(obstacle_.shape)) {
+        addTriple(
+            QStringLiteral("Place"), tr("From"), tr("The corner with the lowest coordinates, from program zero"), true,
+            [](int axis) -> Get { return [axis](const Obstacle& of) { return boxOf(of).low[axis]; }; },
+            [](int axis) -> Set {
+                return [axis](Obstacle& of, double value) {
+                    boxOf(of).high[axis] += value - boxOf(of).low[axis]; // it moves as it is
+                    boxOf(of).low[axis] = value;
+                };
+            });
+        addTriple(
+            QStringLiteral("Size"), tr("Size"), tr("Length of its edges"), false,
+            [](int axis) -> Get { return [axis](const Obstacle& of) { return boxOf(of).size()[axis]; }; },
+            [](int axis) -> Set {
+                return [axis](Obstacle& of, double value) { boxOf(of).high[axis] = boxOf(of).low[axis] + value; };
+            });
+    } else if (std::holds_alternative<CylinderShape>(obstacle_.shape)) {
+        addTriple(
+            QStringLiteral("Place"), tr("Foot"), tr("The middle of its lower face, from program zero"), true,
+            [](int axis) -> Get { return [axis](const Obstacle& of) { return cylinderOf(of).base[axis]; }; },
+            [](int axis) -> Set { return [axis](Obstacle& of, double value) { cylinderOf(of).base[axis] = value; }; });
+        addRow(tr("Diameter"), tr("Of the cylinder"),
+               addField(
+                   QStringLiteral("Diameter"), tr("Diameter"), -1,
+                   [](const Obstacle& of) { return 2.0 * cylinderOf(of).radius; },
+                   [](Obstacle& of, double value) { cylinderOf(of).radius = 0.5 * value; }));
+        fields_.back().field->limit(smallest, farthest);
+        addRow(tr("Height"), tr("Of the cylinder"),
+               addField(
+                   QStringLiteral("Height"), tr("Height"), -1, [](const Obstacle& of) { return cylinderOf(of).height; },
+                   [](Obstacle& of, double value) { cylinderOf(of).height = value; }));
+        fields_.back().field->limit(smallest, farthest);
+    } else {
+        QLabel* count = makeWrappedLabel(figures_);
+        count->setProperty("look", "small");
+        setWrappedText(count, tr("As it lies in its file, %1 triangles")
+                                  .arg(countText(std::get<TriangleMesh>(obstacle_.shape).triangles.size())));
+        figures_->layout()->addWidget(count);
+    }
+}
+
+void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool locked) {
+    obstacle_ = *row.obstacle;
+    zero_ = zero;
+    switch_->show(title(), row.on, boundNewsText(row.news));
+    kind_->setCurrentIndex(static_cast<int>(obstacle_.kind));
+    for (const Field& field : fields_) {
+        const double value = field.get(obstacle_);
+        field.field->showValue(field.axis < 0 ? value : value - zero[field.axis]);
+    }
+    figures_->setEnabled(!locked);
+    enableUnless(remove_, locked ? tr("Stop the recording first.") : QString(), tr("Remove it"));
+}
+
+void ObstacleCard::setUnit(LengthUnit unit) {
+    for (const Field& field : fields_) {
+        field.field->setLengthUnit(unit);
+        if (field.bare) field.field->setSuffix({}); // three beside each other have no room for it
+    }
+    for (const Title& title : titles_) title.label->setText(tr("%1 X, Y, Z, in %2").arg(title.text, unitText(unit)));
+}
+
+} // namespace burin

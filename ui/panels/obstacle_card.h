@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/panel_states.h"
+#include "ui/theme/length_unit.h"
+
+#include <QFrame>
+
+#include <functional>
+
+class QLabel;
+class QToolButton;
+
+namespace burin {
+
+class ChoiceBox;
+class NamedSwitch;
+class QuantityField;
+
+/// "holds the tool", and so on.
+QString boundNewsText(BoundNews news);
+
+/// One fixture or keep-out volume: its switch, its kind, where it is, how far the tool keeps from it.
+class ObstacleCard : public QFrame {
+    Q_OBJECT
+public:
+    /// @param place among the obstacles, from 0: part of the object names ("obstacle1Switch", "obstacle1SizeX")
+    ObstacleCard(std::size_t place, const Obstacle& obstacle, QWidget* parent = nullptr);
+
+    /// Shows values without a signal. The shape must be of the sort that it was made for. @param zero mm, of the
+    /// program, in the setup frame: places are shown from there. @param locked the switch alone can be used
+    void showRow(const ObstacleRow& row, const glm::dvec3& zero, bool locked);
+    void setUnit(LengthUnit unit);
+    std::size_t shape() const noexcept { return obstacle_.shape.index(); }
+    QString title() const { return QString::fromStdString(obstacle_.name); }
+
+signals:
+    void edited(const burin::Obstacle& obstacle);
+    void switched(bool on);
+    void removalRequested();
+
+private:
+    using Get = std::function<double(const Obstacle&)>;
+    using Set = std::function<void(Obstacle&, double)>;
+    struct Field {
+        QuantityField* field;
+        Get get;
+        int axis;          ///< of a place, which is shown from zero; -1: another figure
+        bool bare = false; ///< one of three, whose title has the unit
+    };
+    struct Title {
+        QLabel* label;
+        QString text;
+    };
+    void addHead();
+    void addShape();
+    QuantityField* addField(const QString& name, const QString& label, int axis, Get get, Set set);
+    void addRow(const QString& label, const QString& toolTip, QuantityField* field);
+    void addTriple(const QString& name, const QString& label, const QString& toolTip, bool place,
+                   const std::function<Get(int)>& get, const std::function<Set(int)>& set);
+
+    QString name_;
+    Obstacle obstacle_;
+    glm::dvec3 zero_{0.0};
+    NamedSwitch* switch_ = nullptr;
+    QToolButton* remove_ = nullptr;
+    ChoiceBox* kind_ = nullptr;
+    QWidget* figures_ = nullptr;
+    std::vector<Field> fields_;
+    std::vector<Title> titles_; ///< of three fields
+};
+
+} // namespace burin

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/panel_states.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+namespace burin {
+
+/// What stands around the stock, and how the tool's axis is held.
+class SurroundingsPanel : public QWidget {
+    Q_OBJECT
+public:
+    enum class Addition { fixtureBox, fixtureCylinder, fixtureFile, keepOutBox, keepOutCylinder };
+    Q_ENUM(Addition)
+
+    explicit SurroundingsPanel(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setState(const SurroundingsState& state); ///< never emits
+
+signals:
+    void additionWanted(burin::SurroundingsPanel::Addition addition);
+    void obstacleEdited(std::size_t place, const burin::Obstacle& obstacle);
+    void obstacleSwitched(std::size_t place, bool on);
+    void obstacleRemovalRequested(std::size_t place);
+    void travelSwitched(bool on);
+    void axisChosen(const burin::AxisMode& axis);
+    void axisOfViewRequested(); ///< the tool shall stand as the user looks
+
+private:
+    class Fields;
+    Fields* fields_ = nullptr;
+};
+
+} // namespace burin

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/film_actor.h"
+
+#include <vtkMapper.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLActor.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkOpenGLState.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+namespace burin {
+namespace {
+
+constexpr double nearer = -4.0; // units of depth: as lines that lie on a surface
+
+class FilmActor final : public vtkOpenGLActor {
+public:
+    static FilmActor* New();
+    void Render(vtkRenderer* renderer, vtkMapper* mapper) override {
+        vtkOpenGLState* state = vtkOpenGLRenderer::SafeDownCast(renderer)->GetState();
+        const vtkOpenGLState::ScopedglDepthMask before(state);
+        state->vtkglDepthMask(0);
+        mapper->Render(renderer, this);
+    }
+
+protected:
+    FilmActor() = default;
+};
+vtkStandardNewMacro(FilmActor);
+
+} // namespace
+
+vtkSmartPointer<vtkActor> filmActor(vtkPolyData* surface) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(surface);
+    mapper->ScalarVisibilityOff();
+    // As for lines (actors.cpp): VTK adds its own figures to everyone's.
+    vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+    double everyFactor = 0.0, everyUnits = 0.0;
+    vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(everyFactor, everyUnits);
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-everyFactor, nearer - everyUnits);
+    auto actor = vtkSmartPointer<FilmActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->PickableOff();
+    actor->ForceOpaqueOn(); // VTK's pass for transparent things costs full-screen buffers (actors.h)
+    return actor;
+}
+
+} // namespace burin

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/scene/camera_motion.h"
+#include "ui/scene/canvas.h"
+#include "ui/scene/frame_clock.h"
+#include "ui/scene/scene.h"
+#include "ui/scene/viewport.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+
+#include <QCoreApplication>
+#include <QMouseEvent>
+#include <QPointer>
+#include <QThreadPool>
+#include <QTimer>
+
+#include <type_traits>
+#include <utility>
+
+namespace burin {
+
+/// What a viewport is made of: scene, camera, canvas, and when to paint.
+class Viewport::Impl final : public CanvasPainter {
+public:
+    explicit Impl(Viewport& viewport);
+
+    CameraMotion::Clock::duration flight() const;
+    /// Paints soon: at once, or where that is costly after a pause in which others get their turn.
+    void refresh() {
+        if (breath.isActive())
+            waiting = true;
+        else
+            canvas->widget().update();
+    }
+    /// Something on the screen moves: coarse detail is enough until it rests.
+    void moved() {
+        rest.start();
+        refresh();
+    }
+    void contentChanged() {
+        motion.setContent(scene.contentBox());
+        refresh();
+    }
+    /// What a movement of the camera turns and scales about: the place under the pointer, or one as far away as what
+    /// the camera looks at.
+    glm::dvec3 pivotAt(const QPointF& position) const {
+        const Sight sight = sightThrough(motion.view(), motion.size(), position);
+        const CameraAxes axes = axesOf(motion.view());
+        return scene.pick(sight).value_or(
+            sight.origin - sight.direction * (motion.view().distance / glm::dot(sight.direction, axes.back)));
+    }
+    ViewportEvent eventAt(const QSinglePointEvent& event, Qt::KeyboardModifiers modifiers) const {
+        ViewportEvent sighted = widget.sight(event.position());
+        sighted.button = event.button();
+        sighted.buttons = event.buttons();
+        sighted.modifiers = modifiers;
+        return sighted;
+    }
+    void hoverCube(const std::optional<QPointF>& position) {
+        const auto face = position ? ViewCube::faceAt(motion.view(), motion.size(), *position) : std::nullopt;
+        if (scene.cube().setHovered(face)) refresh();
+    }
+    /// What takes some tenths of a second is made on a thread of the pool and handed over on this one.
+    template <class Make, class Then>
+    void onPool(Make make, Then then) {
+        const QPointer<Viewport> self(&widget);
+        QThreadPool::globalInstance()->start([self, make = std::move(make), then = std::move(then)] {
+            auto made = std::make_shared<const std::invoke_result_t<const Make&>>(make());
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(),
+                [self, then, made] {
+                    if (!self) return;
+                    then(made);
+                    self->impl_->contentChanged();
+                },
+                Qt::QueuedConnection);
+        });
+    }
+    void makeSurface(const GuideMarks& of, double distance, GuideActors::Shaped then) {
+        onPool([field = of.field, tips = of.tips, distance] { return guideSurface(*field, tips, distance); },
+               std::move(then));
+    }
+    void begin(QOpenGLContext& context) override;
+    void paint(unsigned framebuffer) override;
+    void painted() override;
+    void end() override;
+
+    Viewport& widget;
+    vtkNew<vtkGenericOpenGLRenderWindow> window;
+    Scene scene;
+    CameraMotion motion;
+    FrameClock clock;
+    QTimer rest, flash, breath;
+    bool waiting = false; ///< to be painted after the breath
+    FrameClock::Clock::time_point paintBegan;
+    std::optional<FrameClock::Clock::time_point> paintedCut; ///< of the paint under way
+    InteractiveTool* tool = nullptr;
+    ToolMarks marks;
+    GuideMarks guides;
+    std::vector<ObstacleMark> obstacles;
+    std::uint64_t partOrdered = 0; ///< counts setPart: a part that comes late must not replace a newer one
+    bool usable = false;           ///< there is a context that can draw
+    bool failureTold = false;
+    bool flashLit = true;
+    bool paintedMoving = true;      ///< the newest paint was made in motion
+    bool flying = false;            ///< the camera flies on after the paint under way
+    std::unique_ptr<Canvas> canvas; ///< last: it draws a last farewell to the above
+};
+
+} // namespace burin

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/session_words.h"
+
+#include "ui/panels/texts.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+struct MillTexts {
+    Q_DECLARE_TR_FUNCTIONS(MillTexts)
+};
+
+QString shankSentence(const SessionState& state, const Bench& bench) {
+    const PropertyList& properties = bench.embedded.workpiece.properties();
+    const bool shank = sectionOf(bench.tool.cutter, state.shankPiece) != ToolSection::holder;
+    const QString what = state.shankTouches == airProperty || state.shankTouches >= properties.size()
+                             ? MillTexts::tr("the workpiece")
+                             : materialName(properties[state.shankTouches]);
+    if (properties.isProtected(state.shankTouches))
+        return shank ? MillTexts::tr("The shank touches the part.") : MillTexts::tr("The holder touches the part.");
+    return (shank ? MillTexts::tr("The shank touches %1.") : MillTexts::tr("The holder touches %1.")).arg(what);
+}
+
+/// Of the first bound but the part that holds the tool.
+QString boundSentence(const SessionState& state, const ToolBounds& bounds) {
+    if ((state.sample.flags & sampleOnObstacle) == 0) return {};
+    for (std::size_t i = 1; i < std::min(state.layers.size(), bounds.layers().size()); ++i) {
+        if (!state.layers[i].holds) continue;
+        const BoundLayer& layer = bounds.layers()[i];
+        if (layer.kind == BoundLayer::Kind::machineTravel) return MillTexts::tr("The machine's travel ends here.");
+        return MillTexts::tr("“%1” holds the tool.").arg(QString::fromStdString(layer.name));
+    }
+    return {};
+}
+
+} // namespace
+
+QString alarmSentence(const SessionState& state, const Bench& bench) {
+    if ((state.sample.flags & sampleShankContact) != 0) return shankSentence(state, bench);
+    if ((state.sample.flags & sampleMemoryFull) != 0)
+        return MillTexts::tr("The memory for the workpiece is used up, so nothing is cut; save, and go on with larger "
+                             "voxels.");
+    return {};
+}
+
+QString hintSentence(const SessionState& state, const ToolBounds& bounds, const StylusDescription* stylus,
+                     int forceButton) {
+    const std::uint32_t flags = state.sample.flags;
+    if (const QString holding = boundSentence(state, bounds); !holding.isEmpty()) return holding;
+    if (stylus == nullptr) return {};
+    if ((flags & sampleStylusInvalid) != 0)
+        return MillTexts::tr("The stylus gives no readings: the tool stands, and there is no force.");
+    if ((flags & sampleAxisHeld) != 0)
+        return MillTexts::tr("There is no room to lean the tool as the hand does: its axis stays where it is.");
+    if (!stylus->hasMotors()) return {};
+    const bool held = forceButton == 0 || (state.sample.buttons >> static_cast<unsigned>(forceButton - 1) & 1U) != 0;
+    if (!held) return MillTexts::tr("There is force while button %1 is held.").arg(forceButton);
+    if ((flags & sampleForcesOff) != 0) return MillTexts::tr("Forces fade in, once the tool is clear of the part.");
+    if ((flags & sampleMotorsHot) != 0)
+        return MillTexts::tr("The motors are hot: forces go down until they have cooled.");
+    if ((flags & sampleForceSaturated) != 0) return MillTexts::tr("The device gives all the force that it may.");
+    return {};
+}
+
+} // namespace burin

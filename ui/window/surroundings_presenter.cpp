@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/surroundings_presenter.h"
+
+namespace burin {
+
+namespace {
+
+BoundNews newsOf(const std::optional<LayerNews>& news) {
+    if (!news) return BoundNews::none;
+    if (news->state == BoundaryLayers::State::waiting) return BoundNews::waits;
+    return news->holds ? BoundNews::holds : BoundNews::none;
+}
+
+} // namespace
+
+SurroundingsPresenter::SurroundingsPresenter(Workbench& workbench, SurroundingsPanel& panel, BoundsPanel& switches,
+                                             Viewport& viewport, QObject* parent)
+    : Presenter(workbench, {&workbench.surroundings, &workbench.setup, &workbench.bench, &workbench.mill}, parent)
+    , panel_(panel)
+    , switches_(switches)
+    , viewport_(viewport) {
+    SurroundingsController& surroundings = workbench.surroundings;
+    connect(&workbench.session, &SessionRunner::ticked, this, &Presenter::presentSoon);
+    connect(&panel, &SurroundingsPanel::additionWanted, this, &SurroundingsPresenter::add);
+    connect(&panel, &SurroundingsPanel::obstacleEdited, &surroundings, &SurroundingsController::change);
+    connect(&panel, &SurroundingsPanel::obstacleSwitched, &surroundings, &SurroundingsController::setOn);
+    connect(&panel, &SurroundingsPanel::obstacleRemovalRequested, &surroundings, &SurroundingsController::remove);
+    connect(&panel, &SurroundingsPanel::travelSwitched, &surroundings, &SurroundingsController::setTravelOn);
+    connect(&panel, &SurroundingsPanel::axisChosen, &surroundings, &SurroundingsController::setAxis);
+    connect(&switches, &BoundsPanel::obstacleSwitched, &surroundings, &SurroundingsController::setOn);
+    connect(&switches, &BoundsPanel::travelSwitched, &surroundings, &SurroundingsController::setTravelOn);
+}
+
+void SurroundingsPresenter::setUnit(LengthUnit unit) {
+    panel_.setUnit(unit);
+    Presenter::setUnit(unit);
+}
+
+void SurroundingsPresenter::add(SurroundingsPanel::Addition addition) {
+    using enum SurroundingsPanel::Addition;
+    SurroundingsController& surroundings = workbench_.surroundings;
+    switch (addition) {
+    case fixtureBox:
+        return surroundings.addBox(ObstacleKind::fixture);
+    case fixtureCylinder:
+        return surroundings.addCylinder(ObstacleKind::fixture);
+    case keepOutBox:
+        return surroundings.addBox(ObstacleKind::keepOut);
+    case keepOutCylinder:
+        return surroundings.addCylinder(ObstacleKind::keepOut);
+    case fixtureFile:
+        emit fixtureFileWanted();
+    }
+}
+
+void SurroundingsPresenter::present() {
+    const SurroundingsController& surroundings = workbench_.surroundings;
+    SurroundingsState state;
+    state.hasPart = workbench_.setup.hasPart();
+    std::vector<ObstacleMark> marks;
+    for (std::size_t i = 0; i < surroundings.obstacles().size(); ++i) {
+        const PlacedObstacle& placed = surroundings.obstacles()[i];
+        const BoundNews news = newsOf(surroundings.news(i));
+        state.obstacles.push_back({placed.obstacle, placed.on, news});
+        marks.push_back({placed.obstacle, placed.on, news == BoundNews::holds});
+    }
+    state.travelOn = surroundings.travelOn();
+    state.travel = newsOf(surroundings.travelNews());
+    state.axis = surroundings.axis();
+    state.locked = surroundings.locked();
+    state.busy = surroundings.importing();
+    state.zero = workbench_.setup.setup().workOffset;
+    panel_.setState(state);
+    switches_.setState(state);
+    viewport_.setObstacles(marks);
+}
+
+} // namespace burin

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/bounds_panel.h"
+#include "ui/panels/surroundings_panel.h"
+#include "ui/scene/viewport.h"
+#include "ui/window/presenter.h"
+
+namespace burin {
+
+/// Fixtures, keep-out volumes, travel and axis: on the set-up page, as switches beside milling, and in the viewport.
+class SurroundingsPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    SurroundingsPresenter(Workbench& workbench, SurroundingsPanel& panel, BoundsPanel& switches, Viewport& viewport,
+                          QObject* parent);
+    void setUnit(LengthUnit unit) override;
+
+signals:
+    void fixtureFileWanted();
+
+private:
+    void present() override;
+    void add(SurroundingsPanel::Addition addition);
+    SurroundingsPanel& panel_;
+    BoundsPanel& switches_;
+    Viewport& viewport_;
+};
+
+} // namespace burin
