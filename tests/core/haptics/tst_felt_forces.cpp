@@ -116,7 +116,15 @@ private slots:
         settings.mapping.rotation = glm::angleAxis(1.0, glm::dvec3(1, 0, 0));
         Bench bench(settings, ballTool(), stockOnPart(0, false));
         bench.begin(settings.mapping.toDevice({0, 0, 3}));
-        const Sample free = bench.rest(5);
+        // It comes in steps, so that it is no kick after a tick without force.
+        double before = 0.0;
+        bench.onTick = [&](const Sample&) {
+            const double sent = glm::length(bench.step.deviceWrench().force);
+            QVERIFY(sent - before <= 0.05 + 1e-9);
+            before = sent;
+        };
+        before = glm::length(bench.step.deviceWrench().force);
+        const Sample free = bench.rest(30);
         QVERIFY(glm::length(free.force) < 1e-9);
         QVERIFY(glm::length(bench.step.deviceWrench().force - glm::dvec3(0, 0, lift)) < 1e-9);
         // Pressed hard, lift and contact together stay within what may be sent, and both are there.
