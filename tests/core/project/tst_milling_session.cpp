@@ -380,6 +380,7 @@ private slots:
             SessionRequest lapse;
             lapse.allowance = part.allowance;
             lapse.mapping = plan->mapping;
+            lapse.felt = plan->felt;
             lapse.ticksPerEdge = 50;
             lapse.takeName = part.name;
             const auto session =
