@@ -1705,16 +1705,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>An der Ansicht ausrichten</translation>
     </message>
     <message>
-        <source>Sets the place</source>
-        <translation>Gibt den Ort vor</translation>
+        <source>By place</source>
+        <translation>Nach Ort</translation>
     </message>
     <message>
         <source>The tool is where the hand is</source>
         <translation>Das Werkzeug ist, wo die Hand ist</translation>
     </message>
     <message>
-        <source>Sets the speed</source>
-        <translation>Gibt das Tempo vor</translation>
+        <source>By speed</source>
+        <translation>Nach Tempo</translation>
     </message>
     <message>
         <source>The farther the stylus leaves its middle, the faster the tool goes</source>

@@ -106,7 +106,10 @@ struct MillWork {
 /// Errors: argumentInvalid (its tool had another axis).
 Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequest& request) {
     request.replayed = &trace;
-    if (!trace.began) return {}; // an older trace, or one that somebody wrote
+    // An older trace, one that somebody wrote, or a take's: readings alone say nothing of what was felt. Such traces
+    // are most often a virtual operator's, so what they cut is felt as by one; poses and cuts don't depend on it.
+    request.felt = feltByPlannedHand;
+    if (!trace.began) return {};
     const AxisMode &then = trace.began->axis, &now = work.bounds.axis();
     if (then.free != now.free || (!now.free && glm::length(then.direction - now.direction) > 1e-9))
         return Error{ErrorCode::argumentInvalid, "--axis", textOf(now),

@@ -20,8 +20,6 @@ namespace {
 constexpr double travelMargin = 10.0; // mm
 /// A part's surface is pressed on, but the hand needs way below it.
 constexpr double pressMargin = 5.0; // mm
-/// A share at which what is cut leads a firm hand off its plan by less than a finishing cut.
-constexpr FeltCutting feltByPlannedHand{.gain = 0.05};
 /// Between two looks at whether a session has ended.
 constexpr std::chrono::milliseconds glance{5};
 
@@ -233,7 +231,6 @@ Result<OperatorPlan> planOperator(const Bench& bench, const ToolBounds& bounds, 
     planned.mapping = frame.upright()
                           ? mappingFor(bench, planned.hand.stylus)
                           : mappingFor(frame.toSetup(ledRegion(frame.stock(), bench.tool)), planned.hand.stylus);
-    planned.felt = feltByPlannedHand;
     Result<void> made = addStages(bench, frame, request, planned);
     if (!made) return std::move(made).error();
     std::erase_if(planned.stages, [](const OperatorStage& stage) { return stage.intent.empty(); });

@@ -83,12 +83,16 @@ struct OperatorStage {
     double allowance = 0.0;          ///< mm
 };
 
+/// A planned hand can't look where it was pushed to, and would leave its plan: a share at which what is cut leads a
+/// firm hand off it by less than a finishing cut.
+inline constexpr FeltCutting feltByPlannedHand{.gain = 0.05};
+
 /// What a virtual operator is about to do: a VirtualOperator with a stage's intent, `mapping` and `hand` mills it.
 struct OperatorPlan {
     MillingPlan plan;
     WorkspaceMapping mapping;
     OperatorSettings hand;
-    FeltCutting felt; ///< little: a planned hand can't look where it was pushed to, and would leave its plan
+    FeltCutting felt = feltByPlannedHand;
     std::vector<OperatorStage> stages; ///< in order; one that has nothing to do is left out
 };
 

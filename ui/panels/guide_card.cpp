@@ -7,6 +7,7 @@
 #include "ui/panels/field_row.h"
 #include "ui/panels/guide_words.h"
 #include "ui/panels/length_field.h"
+#include "ui/panels/named_switch.h"
 #include "ui/panels/texts.h"
 
 #include <QCheckBox>
@@ -38,22 +39,16 @@ GuideCard::GuideCard(std::size_t place, const Guide& guide, QWidget* parent) : Q
 }
 
 void GuideCard::addHead(const QString& name) {
-    switch_ = new QCheckBox(guideName(guide_.kind), this);
-    switch_->setObjectName(name + QStringLiteral("Switch"));
-    switch_->setToolTip(tr("Switch this guide on or off"));
-    connect(switch_, &QCheckBox::clicked, this, [this](bool on) {
+    switch_ = new NamedSwitch(name, tr("Switch this guide on or off"), this);
+    connect(switch_, &NamedSwitch::switched, this, [this](bool on) {
         guide_.on = on;
         emit edited(guide_);
     });
-    news_ = new QLabel(this);
-    news_->setObjectName(name + QStringLiteral("News"));
-    news_->setProperty("look", "small");
     auto* remove =
         makeIconButton(QStringLiteral("remove"), tr("Remove this guide"), name + QStringLiteral("Remove"), this);
     connect(remove, &QToolButton::clicked, this, &GuideCard::removalRequested);
     auto* head = new QHBoxLayout;
     head->addWidget(switch_, 1);
-    head->addWidget(news_);
     head->addWidget(remove);
     static_cast<QVBoxLayout*>(layout())->addLayout(head);
 }
@@ -146,7 +141,7 @@ void GuideCard::addFigures(const QString& name) {
 void GuideCard::showGuide(const Guide& guide, const glm::dvec3& zero) {
     guide_ = guide;
     zero_ = zero;
-    switch_->setChecked(guide.on); // `clicked` is the user's alone
+    switch_->show(guideName(guide.kind), guide.on, news_);
     const int along = axisOf(guide.direction);
     if (direction_) direction_->setCurrentIndex(along);
     if (onSurface_) onSurface_->setChecked(guide.onSurface);
@@ -160,13 +155,13 @@ void GuideCard::showGuide(const Guide& guide, const glm::dvec3& zero) {
 }
 
 void GuideCard::showNews(const GuideNews* news, LengthUnit unit) {
-    QString text;
+    news_.clear();
     if (news != nullptr && news->is == GuideNews::Is::holding)
-        text = guide_.kind == GuideKind::levels ? tr("holds level %1").arg(news->level) : tr("holds");
-    if (news != nullptr && news->is == GuideNews::Is::overruled) text = tr("waits for another");
+        news_ = guide_.kind == GuideKind::levels ? tr("holds level %1").arg(news->level) : tr("holds");
+    if (news != nullptr && news->is == GuideNews::Is::overruled) news_ = tr("waits for another");
     if (news != nullptr && news->is == GuideNews::Is::away && guide_.kind != GuideKind::axis)
-        text = tr("%1 off").arg(lengthText(news->distance, unit));
-    if (news_->text() != text) news_->setText(text);
+        news_ = tr("%1 off").arg(lengthText(news->distance, unit));
+    switch_->show(guideName(guide_.kind), guide_.on, news_);
 }
 
 void GuideCard::setUnit(LengthUnit unit) {

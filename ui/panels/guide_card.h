@@ -11,11 +11,11 @@
 #include <vector>
 
 class QCheckBox;
-class QLabel;
 
 namespace burin {
 
 class ChoiceBox;
+class NamedSwitch;
 class QuantityField;
 
 /// One guide of the hand: its switch, where it is, and whether it holds.
@@ -51,10 +51,10 @@ private:
 
     Guide guide_;
     glm::dvec3 zero_{0.0};
-    QCheckBox* switch_ = nullptr;
+    NamedSwitch* switch_ = nullptr;
     QCheckBox* onSurface_ = nullptr;
     ChoiceBox* direction_ = nullptr;
-    QLabel* news_ = nullptr;
+    QString news_; ///< what became of it
     std::vector<Field> fields_;
 };
 

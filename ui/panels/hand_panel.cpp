@@ -106,9 +106,9 @@ void HandPanel::Fields::addControl() {
     auto* row = new QHBoxLayout(control_);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    place_ = makeChoiceButton(HandPanel::tr("Sets the place"), HandPanel::tr("The tool is where the hand is"),
+    place_ = makeChoiceButton(HandPanel::tr("By place"), HandPanel::tr("The tool is where the hand is"),
                               QStringLiteral("placeControlButton"), control_);
-    speed_ = makeChoiceButton(HandPanel::tr("Sets the speed"),
+    speed_ = makeChoiceButton(HandPanel::tr("By speed"),
                               HandPanel::tr("The farther the stylus leaves its middle, the faster the tool goes"),
                               QStringLiteral("rateControlButton"), control_);
     row->addWidget(place_, 1);
