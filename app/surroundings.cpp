@@ -81,6 +81,11 @@ std::string textOf(const glm::dvec3& vector) {
     return formatShortest(vector.x) + ", " + formatShortest(vector.y) + ", " + formatShortest(vector.z);
 }
 
+/// To the micrometre.
+std::string lengthsOf(const glm::dvec3& place) {
+    return textOf(glm::round(place * 1e3) / 1e3 + 0.0); // no "-0"
+}
+
 } // namespace
 
 void addAxis(CLI::App& command, std::string& axis) {
@@ -196,7 +201,7 @@ std::string textOf(const AxisMode& axis) {
 std::string textOf(const Obstacle& obstacle) {
     const Box box = boundsOf(obstacle);
     return std::string(kindName(obstacle.kind)) + " \"" + obstacle.name + "\": " + shapeName(obstacle) + " from (" +
-           textOf(box.low) + ") to (" + textOf(box.high) + ") mm, clearance " + formatShortest(obstacle.margin) +
+           lengthsOf(box.low) + ") to (" + lengthsOf(box.high) + ") mm, clearance " + formatShortest(obstacle.margin) +
            " mm" + (obstacle.on ? "" : ", off");
 }
 
