@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/viewport_fixture.h"
 
-#include <QElapsedTimer>
-
 #include <functional>
 
 using namespace burin;
@@ -154,33 +152,6 @@ private slots:
             seen += differs ? 1 : 0;
         }
         QVERIFY(seen > 18);
-    }
-
-    /// Marks come with every tick: those that are alike cost nothing, and a guide costs little of a frame.
-    void aGuideCostsLittle() {
-        std::vector<double> without, with;
-        QElapsedTimer timer;
-        const auto paint = [&](std::vector<double>& times) {
-            timer.start();
-            viewport_->grabFramebuffer();
-            times.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
-        };
-        GuideMarks all = example(GuideKind::stepOver);
-        for (const GuideKind kind : {GuideKind::plane, GuideKind::levels, GuideKind::curve})
-            all.guides.push_back(example(kind).guides[0]);
-        for (int round = 0; round < 12; ++round) {
-            viewport_->setGuides({});
-            viewport_->grabFramebuffer();
-            paint(without);
-            viewport_->setGuides(all);
-            viewport_->grabFramebuffer(); // shapes are made anew
-            paint(with);
-        }
-        std::ranges::sort(without);
-        std::ranges::sort(with);
-        qInfo("a frame without guides %.1f ms, with four %.1f ms (medians)", without[without.size() / 2],
-              with[with.size() / 2]);
-        QVERIFY(bench_->save("guide-several"));
     }
 
     void inBothThemes() {
