@@ -264,7 +264,7 @@ HostileOutcome hostileMice(std::uint64_t count) {
         HapticSettings settings = settingsFor(stylus->description());
         settings.tickPeriod = 0.004; // an emulated processor has other work than a thousand ticks a second
         RunningLoop loop(*stylus, settings);
-        for (std::uint64_t i = 0; i < count / 3; ++i, ++outcome.reports) {
+        for (std::uint64_t i = 0; i < (count + 2) / 3; ++i, ++outcome.reports) {
             Report report(random() % 32 == 0 ? 1 + random() % 4096 : 1 + random() % 16);
             for (auto& byte : report) byte = static_cast<std::uint8_t>(random());
             if (random() % 8 != 0) report[0] = ids[random() % ids.size()];
