@@ -149,6 +149,16 @@ Result<TravelPlacement> travelPlacementOf(const std::string& travel) {
     return TravelPlacement{true, zero};
 }
 
+Result<Around> aroundOf(const Project& project) {
+    Result<std::vector<Obstacle>> obstacles = project.obstacles();
+    if (!obstacles) return std::move(obstacles).error();
+    const Result<AxisMode> axis = project.axisMode();
+    if (!axis) return axis.error();
+    const Result<TravelPlacement> travel = project.travelPlacement();
+    if (!travel) return travel.error();
+    return Around{std::move(*obstacles), *axis, *travel};
+}
+
 std::vector<Obstacle> joined(std::vector<Obstacle> kept, std::vector<Obstacle> added) {
     for (Obstacle& obstacle : added) {
         const std::string name = obstacle.name;

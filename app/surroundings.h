@@ -38,6 +38,14 @@ Result<AxisMode> axisModeOf(const std::string& axis);
 /// "middle", "off" or "X,Y,Z". Errors: argumentInvalid.
 Result<TravelPlacement> travelPlacementOf(const std::string& travel);
 
+/// What a project says of what stands around its stock, and how its tool is held.
+struct Around {
+    std::vector<Obstacle> obstacles;
+    AxisMode axis;
+    TravelPlacement travel;
+};
+Result<Around> aroundOf(const Project& project);
+
 /// Names that `kept` has already get numbers; then both. So each obstacle can be told from the others.
 std::vector<Obstacle> joined(std::vector<Obstacle> kept, std::vector<Obstacle> added);
 

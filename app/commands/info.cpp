@@ -53,21 +53,17 @@ int runInfo(const std::string& file, CommandContext& context) {
     const Result<Setup> setup = project->setup();
     if (!setup && setup.error().code != ErrorCode::projectIncomplete) return context.fail(setup.error());
 
-    const Result<std::vector<Obstacle>> obstacles = project->obstacles();
-    if (!obstacles) return context.fail(obstacles.error());
-    const Result<AxisMode> axis = project->axisMode();
-    if (!axis) return context.fail(axis.error());
-    const Result<TravelPlacement> travel = project->travelPlacement();
-    if (!travel) return context.fail(travel.error());
+    const Result<Around> around = aroundOf(*project);
+    if (!around) return context.fail(around.error());
     const Result<KeptGuides> guides = project->guides();
     if (!guides) return context.fail(guides.error());
 
     json answer{{"project", std::filesystem::absolute(file).lexically_normal().string()},
                 {"recovered", project->recovered()},
                 {"model", model ? burin::jsonOf(*model) : json(nullptr)},
-                {"axis", burin::jsonOf(*axis)},
-                {"machine_travel", burin::jsonOf(*travel)},
-                {"obstacles", burin::jsonOf(*obstacles)},
+                {"axis", burin::jsonOf(around->axis)},
+                {"machine_travel", burin::jsonOf(around->travel)},
+                {"obstacles", burin::jsonOf(around->obstacles)},
                 {"guides", guides->guides.size()},
                 {"takes", json::array()},
                 {"paths", json::array()},
@@ -82,8 +78,8 @@ int runInfo(const std::string& file, CommandContext& context) {
     text << file << (project->recovered() ? " (taken up where an earlier run was ended)" : "");
     if (model) text << "\n" << textOf(*model);
     if (setup) text << "\n  stock    " << setup->stockMaterial << ", voxel " << formatShortest(setup->voxel) << " mm";
-    if (setup) text << "\n  axis     " << textOf(*axis);
-    for (const Obstacle& obstacle : *obstacles) text << "\n  " << textOf(obstacle);
+    if (setup) text << "\n  axis     " << textOf(around->axis);
+    for (const Obstacle& obstacle : around->obstacles) text << "\n  " << textOf(obstacle);
     for (const TakeInfo& take : *takes) {
         const Result<double> seconds = duration(*project, take);
         if (!seconds) return context.fail(seconds.error());

@@ -24,23 +24,6 @@ struct SetupArguments {
     }
 };
 
-/// What a project says of what stands around its stock, and how its tool is held.
-struct Around {
-    std::vector<Obstacle> obstacles;
-    AxisMode axis;
-    TravelPlacement travel;
-};
-
-Result<Around> aroundOf(const Project& project) {
-    Result<std::vector<Obstacle>> obstacles = project.obstacles();
-    if (!obstacles) return std::move(obstacles).error();
-    const Result<AxisMode> axis = project.axisMode();
-    if (!axis) return axis.error();
-    const Result<TravelPlacement> travel = project.travelPlacement();
-    if (!travel) return travel.error();
-    return Around{std::move(*obstacles), *axis, *travel};
-}
-
 /// Errors: nameUnknown.
 Result<std::vector<Obstacle>::iterator> named(std::vector<Obstacle>& obstacles, const std::string& name) {
     const auto found = std::ranges::find(obstacles, name, &Obstacle::name);

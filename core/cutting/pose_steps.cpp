@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/pose_steps.h"
 
+#include "core/geometry/frame_along.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,11 +12,6 @@ namespace burin {
 namespace {
 
 constexpr double mostSteps = 1 << 30; // no tool and tolerance that make sense come near it
-
-glm::dvec3 anyAcross(const glm::dvec3& axis) noexcept {
-    const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    return glm::normalize(glm::cross(axis, other));
-}
 
 } // namespace
 

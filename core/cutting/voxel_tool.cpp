@@ -28,11 +28,7 @@ double angleBetween(const glm::dquat& a, const glm::dquat& b) noexcept {
 /// Box of a box at a pose.
 Box placed(const Box& box, const Pose& pose) noexcept {
     Box result;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 at((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
-                            (corner & 4) != 0 ? box.high.z : box.low.z);
-        result.include(pose.position + pose.rotation * at);
-    }
+    for (unsigned i = 0; i < 8; ++i) result.include(pose.position + pose.rotation * box.corner(i));
     return result;
 }
 

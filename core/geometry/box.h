@@ -24,6 +24,10 @@ struct Box {
         low = glm::min(low, other.low);
         high = glm::max(high, other.high);
     }
+    /// Corner 0 … 7: the high x where bit 0 is set, the high y with bit 1, the high z with bit 2.
+    glm::dvec3 corner(unsigned i) const noexcept {
+        return {(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y, (i & 4U) != 0 ? high.z : low.z};
+    }
     Box grown(double margin) const noexcept { return {low - glm::dvec3(margin), high + glm::dvec3(margin)}; }
     bool contains(const glm::dvec3& p) const noexcept {
         return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;

@@ -8,19 +8,22 @@
 
 namespace burin {
 
+/// A direction square to one; the same one for the same. @param axis unit
+inline glm::dvec3 anyAcross(const glm::dvec3& axis) noexcept {
+    const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+    return glm::normalize(glm::cross(axis, other));
+}
+
 /// The turn from a frame to one whose z lies along an axis; the same axis gives the same one. @param axis unit
 inline glm::dmat3 frameAlong(const glm::dvec3& axis) noexcept {
-    const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 y = glm::normalize(glm::cross(axis, other));
+    const glm::dvec3 y = anyAcross(axis);
     return glm::transpose(glm::dmat3(glm::cross(y, axis), y, axis));
 }
 
 /// The box around a turned one.
 inline Box boxAround(const Box& box, const glm::dmat3& turn) noexcept {
     Box around;
-    for (int i = 0; i < 8; ++i)
-        around.include(turn * glm::dvec3(i & 1 ? box.low.x : box.high.x, i & 2 ? box.low.y : box.high.y,
-                                         i & 4 ? box.low.z : box.high.z));
+    for (unsigned i = 0; i < 8; ++i) around.include(turn * box.corner(i));
     return around;
 }
 

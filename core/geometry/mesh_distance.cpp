@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/mesh_distance.h"
 
+#include "core/geometry/frame_along.h"
 #include "core/geometry/piece_search.h"
 
 #include <algorithm>
@@ -92,11 +93,6 @@ void visitAxis(std::span<const RevolvedPiece> tool, const Visit& visit) {
 glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) noexcept {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : otherwise;
-}
-
-glm::dvec3 anyAcross(const glm::dvec3& axis) noexcept {
-    const glm::dvec3 other = std::abs(axis.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    return glm::normalize(glm::cross(axis, other));
 }
 
 } // namespace

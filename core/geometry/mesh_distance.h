@@ -108,7 +108,8 @@ public:
     }
     /// The axis may turn from pose to pose. No allocation.
     ToolClearance ask(const ToolPose& pose, double within, const ClearanceTolerance& tolerance) noexcept;
-    /// What all answers took together: looks at a triangle, some 50 ns each. The same poses take the same.
+    /// What all answers took together: looks at a triangle (60 to 120 ns each beside a fine mesh, measured with
+    /// other work running). The same poses take the same.
     std::uint64_t work() const noexcept;
 
 private:

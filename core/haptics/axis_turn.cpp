@@ -2,18 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/axis_turn.h"
 
+#include "core/geometry/frame_along.h"
+
 #include <cmath>
 
 namespace burin {
 namespace {
 
 constexpr double smallestSine = 1e-6;
-
-/// Any direction at a right angle to one.
-glm::dvec3 anyAcross(const glm::dvec3& direction) noexcept {
-    const glm::dvec3 other = std::abs(direction.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    return glm::normalize(glm::cross(direction, other));
-}
 
 } // namespace
 

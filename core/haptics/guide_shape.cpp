@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/guide_shape.h"
 
+#include "core/geometry/frame_along.h"
 #include "core/geometry/pose.h"
 #include "core/haptics/fixed_axis_boundary.h"
 
@@ -22,11 +23,6 @@ constexpr double surfaceTravel = 10.0; // mm a tick
 constexpr int surfaceSteps = 12;
 constexpr double surfaceTolerance = 0.25; // of the field's spacing
 constexpr double farthestLevel = 1e6;
-
-glm::dvec3 anyAcross(const glm::dvec3& direction) noexcept {
-    const glm::dvec3 other = std::abs(direction.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    return glm::normalize(glm::cross(direction, other));
-}
 
 /// Two planes that keep a tip at a point of a curve, but for sliding along it.
 GuideRows rowsAcross(const glm::dvec3& tangent, const glm::dvec3& point, const glm::dvec3& place) noexcept {

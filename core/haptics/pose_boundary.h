@@ -34,8 +34,8 @@ public:
     virtual double overlap() const noexcept = 0;
     /// mm from the tip to the farthest point of the tool that counts; 0 where a turn changes nothing.
     virtual double reach() const noexcept = 0;
-    /// What all answers took together, in units of some 50 ns; the same poses take the same, on any machine. 0 where
-    /// answers are too quick to count.
+    /// What all answers took together, in units as ClearanceAsker::work; the same poses take the same, on any machine.
+    /// 0 where answers are too quick to count.
     virtual std::uint64_t work() const noexcept { return 0; }
 };
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/pose_vector.h"
 
+#include "core/base/units.h"
+#include "core/geometry/frame_along.h"
+
 namespace burin {
 
 glm::dvec3 turnBetween(const glm::dvec3& from, const glm::dvec3& to) noexcept {
@@ -10,8 +13,7 @@ glm::dvec3 turnBetween(const glm::dvec3& from, const glm::dvec3& to) noexcept {
     const double sine = glm::length(normal), cosine = glm::dot(from, to);
     if (sine > 1e-12) return normal * (std::atan2(sine, cosine) / sine);
     if (cosine > 0.0) return normal; // a sine that small is its angle
-    const glm::dvec3 other = std::abs(from.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    return glm::normalize(glm::cross(from, other)) * std::acos(-1.0);
+    return anyAcross(from) * pi;
 }
 
 glm::dvec3 turnBetween(const glm::dquat& from, const glm::dquat& to) noexcept {

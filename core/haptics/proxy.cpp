@@ -20,7 +20,7 @@ constexpr double usableGradient = 0.2;       // below it (a medial axis) the dir
 constexpr int mostLooks = 20;                // at the boundary in one tick, before the whole way is looked at
 constexpr int chordSamples = 128;
 constexpr int mostBacktracks = 3;
-/// Units of PoseBoundary::work in a tick: some 0.3 ms where looks are dear (a long tool beside a fine mesh), half of it
+/// Units of PoseBoundary::work in a tick: some 0.4 ms where looks are dear (a long tool beside a fine mesh), half of it
 /// for finding a way. The tool then has come nearer, and goes on in the next tick.
 constexpr std::uint64_t workOfTick = 4000, workOfWay = workOfTick / 2;
 constexpr int fewestSamples = 2; // of a way, whatever they cost: a tool gets somewhere in every tick

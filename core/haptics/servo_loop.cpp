@@ -61,6 +61,7 @@ LoopStatistics statistics(const ServoTick& tick, const PacingOutcome& outcome, d
 Result<LoopStatistics> runServoLoop(const StylusHandle& stylus, HapticStep& step, TickSink& sink,
                                     const ServoSettings& settings, const std::atomic<bool>& stop) {
     if (const Result<void> checked = checkSettings(stylus, settings); !checked) return checked.error();
+    if (byTheClock(settings)) makeCodeResident();
     const auto tick = std::make_unique<ServoTick>(step, sink, settings.period, byTheClock(settings));
     const auto outcome = std::make_unique<PacingOutcome>();
     const LockedMemory tickMemory(tick.get(), sizeof *tick), stepMemory(&step, sizeof step);

@@ -5,6 +5,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+// Where the linker put the program's code.
+extern "C" const char __executable_start, etext;
+
 namespace burin {
 namespace {
 
@@ -47,6 +50,15 @@ void setFloatingPointMode(std::uint64_t) noexcept {}
 #endif
 
 } // namespace
+
+void makeCodeResident() noexcept {
+#if defined(MADV_POPULATE_READ)
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    const auto begin = reinterpret_cast<std::uintptr_t>(&__executable_start) / page * page;
+    const auto end = reinterpret_cast<std::uintptr_t>(&etext);
+    static_cast<void>(madvise(reinterpret_cast<void*>(begin), end - begin, MADV_POPULATE_READ));
+#endif
+}
 
 LockedMemory::LockedMemory(const void* begin, std::size_t bytes) noexcept
     : begin_(begin), bytes_(bytes), locked_(mlock(begin, bytes) == 0) {}

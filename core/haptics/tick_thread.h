@@ -26,6 +26,10 @@ private:
     bool locked_;
 };
 
+/// Reads the program's own code into memory: what a tick runs for the first time does not wait for the disk then. It
+/// may be paged out again under pressure. Quick where it is there already. No effect before Linux 5.14.
+void makeCodeResident() noexcept;
+
 /// Numbers too small for their full precision count as zero in the calling thread as long as this lives: filters that
 /// fade out would make ticks many times slower. Results differ from those with such numbers by less than 1e-300 in
 /// what they are added to, hence every pace of a loop uses it, so that all of them agree to the bit.

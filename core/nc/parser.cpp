@@ -3,7 +3,7 @@
 #include "core/nc/parser.h"
 
 #include "core/base/units.h"
-#include "core/nc/arc.h"
+#include "core/geometry/arc.h"
 #include "core/nc/block.h"
 
 #include <algorithm>
@@ -15,6 +15,22 @@ namespace {
 
 constexpr std::array<char, 3> axisLetters{'X', 'Y', 'Z'};
 constexpr std::array<char, 3> offsetLetters{'I', 'J', 'K'};
+
+constexpr double arcChordTolerance = 0.001;            // mm
+constexpr double radiusTolerance = 0.0282842712474619; // mm: 4 sqrt(2) times half a step of two decimals
+constexpr double radiusTolerancePart = 0.001;          // of the radius
+
+/// Why the end points and the centre give no arc; nullptr when they do. The rule of LinuxCNC's interp_arc.cc (2.9):
+/// radii at both ends may differ by 0.0283 mm, or by 0.1 % where that is more, up to 2.83 mm.
+const char* faultOf(const Arc& arc) noexcept {
+    const ArcTurn turn = turnOf(arc);
+    if (turn.startRadius < 1e-9 || turn.endRadius < 1e-9) return "arc of radius zero";
+    const double difference = std::abs(turn.startRadius - turn.endRadius);
+    if (difference > 100.0 * radiusTolerance ||
+        (difference > radiusTolerance && difference > radiusTolerancePart * std::max(turn.startRadius, turn.endRadius)))
+        return "radius at the end of the arc differs from the radius at its start";
+    return nullptr;
+}
 
 /// Carries blocks out, in the order of RS274/NGC (NIST 6556, table 8), whatever the order of the words.
 class Interpreter {
@@ -168,7 +184,7 @@ private:
         // A helix needs its start along the axis too, unless it goes nowhere there.
         if (!known_[static_cast<std::size_t>(planeAxis_)] && target[planeAxis_] != place_[planeAxis_])
             return fail(column, "arc from a place that is not known");
-        flatten(arc, chords_);
+        flatten(arc, arcChordTolerance, chords_);
         for (const glm::dvec3& place : chords_) move(place);
         return true;
     }

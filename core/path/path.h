@@ -5,6 +5,7 @@
 #include "core/geometry/pose.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,24 @@ enum class MoveKind : std::uint8_t {
     retract ///< feed away from material, upwards
 };
 
-/// A tip that the machine goes to in a straight line from the point before.
+/// How a move turns on its way: an arc of a circle, or a helix of at most one turn, about an axis of the frame, as
+/// Arc (core/geometry/arc.h) has it.
+struct PathArc {
+    glm::dvec3 centre{0.0}; ///< mm, setup frame; its component along the axis has no meaning
+    int axis = 2;           ///< 0 X, 1 Y, 2 Z
+    bool clockwise = false; ///< seen against the axis
+
+    friend bool operator==(const PathArc&, const PathArc&) = default;
+};
+
+/// A tip that the machine goes to from the point before: in a straight line, or along an arc.
 struct PathPoint {
-    glm::dvec3 tip{0.0};            ///< mm, setup frame
-    MoveKind kind = MoveKind::cut;  ///< of the move that ends here
-    double feed = 0.0;              ///< mm/min; 0: not decided yet, and for rapids
-    std::int64_t take = 0;          ///< TakeInfo::id of the hand's moment behind it; 0: made by an edit
-    std::int64_t sample = -1;       ///< tick within the take; -1: made by an edit
+    glm::dvec3 tip{0.0};           ///< mm, setup frame
+    MoveKind kind = MoveKind::cut; ///< of the move that ends here
+    double feed = 0.0;             ///< mm/min; 0: not decided yet, and for rapids
+    std::int64_t take = 0;         ///< TakeInfo::id of the hand's moment behind it; 0: made by an edit
+    std::int64_t sample = -1;      ///< tick within the take; -1: made by an edit
+    std::optional<PathArc> arc{};  ///< nothing: straight; never a rapid
 };
 
 /// What the machine shall do with one tool, axis +Z.

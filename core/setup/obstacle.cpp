@@ -3,6 +3,7 @@
 #include "core/setup/obstacle.h"
 
 #include "core/base/units.h"
+#include "core/geometry/frame_along.h"
 #include "core/geometry/pose.h"
 
 #include <algorithm>
@@ -13,9 +14,7 @@ namespace {
 
 TriangleMesh meshOf(const Box& box) {
     TriangleMesh mesh;
-    for (int i = 0; i < 8; ++i)
-        mesh.vertices.push_back(
-            {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z});
+    for (unsigned i = 0; i < 8; ++i) mesh.vertices.push_back(box.corner(i));
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     return mesh;
@@ -23,8 +22,7 @@ TriangleMesh meshOf(const Box& box) {
 
 /// A prism around the cylinder.
 TriangleMesh meshOf(const CylinderShape& cylinder) {
-    const glm::dvec3 other = std::abs(cylinder.axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 x = glm::normalize(glm::cross(cylinder.axis, other)), y = glm::cross(cylinder.axis, x);
+    const glm::dvec3 x = anyAcross(cylinder.axis), y = glm::cross(cylinder.axis, x);
     const double half = std::acos(cylinder.radius / (cylinder.radius + cylinderChord));
     const auto sides = static_cast<std::uint32_t>(std::clamp(std::ceil(pi / half), 8.0, 4096.0));
     const double radius = cylinder.radius / std::cos(pi / sides);

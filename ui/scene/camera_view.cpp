@@ -91,10 +91,8 @@ CameraView fitted(const CameraView& view, const QSizeF& size, const Box& box) {
     const double tallest = halfHeight / fitMargin;
     const double widest = tallest * size.width() / std::max(1.0, size.height());
     double distance = smallestDistance;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 place((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
-                               (corner & 4) != 0 ? box.high.z : box.low.z);
-        const glm::dvec3 from = place - fit.focus;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 from = box.corner(corner) - fit.focus;
         const double across =
             std::max(std::abs(glm::dot(from, axes.right)) / widest, std::abs(glm::dot(from, axes.up)) / tallest);
         distance = std::max(distance, across + glm::dot(from, axes.back));

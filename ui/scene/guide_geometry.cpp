@@ -3,6 +3,7 @@
 #include "ui/scene/guide_geometry.h"
 
 #include "core/base/units.h"
+#include "core/geometry/frame_along.h"
 #include "ui/scene/path_thinner.h"
 
 #include <algorithm>
@@ -16,17 +17,6 @@ namespace {
 constexpr double cornerStep = 15.0 * pi / 180.0;
 constexpr double tooNear = 0.999; // of the distance: nearer to the pass than this is no place of the guide
 constexpr double most = 1e9;      // levels
-
-/// Corner i has the high x where bit 0 is set, the high y with bit 1, the high z with bit 2.
-glm::dvec3 cornerOf(const Box& box, unsigned i) {
-    return {(i & 1U) != 0 ? box.high.x : box.low.x, (i & 2U) != 0 ? box.high.y : box.low.y,
-            (i & 4U) != 0 ? box.high.z : box.low.z};
-}
-
-glm::dvec3 anyAcross(const glm::dvec3& direction) {
-    const glm::dvec3 other = std::abs(direction.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    return glm::normalize(glm::cross(direction, other));
-}
 
 /// The corners of a convex polygon come in the order of their angle about its middle.
 void putInOrder(Polygon& corners, const glm::dvec3& normal) {
@@ -47,7 +37,7 @@ Polygon crossings(const Box& box, const std::array<double, 8>& heights, bool onI
             const unsigned to = from | bit;
             if (to == from || above(from) == above(to)) continue;
             const double share = heights[from] / (heights[from] - heights[to]);
-            corners.push_back(glm::mix(cornerOf(box, from), cornerOf(box, to), share));
+            corners.push_back(glm::mix(box.corner(from), box.corner(to), share));
         }
     return corners;
 }
@@ -134,7 +124,7 @@ bool SeenPass::touches(const glm::dvec3& place, double distance) const {
 
 Polygon planeInBox(const Box& box, const glm::dvec3& point, const glm::dvec3& normal) {
     std::array<double, 8> heights{};
-    for (unsigned i = 0; i < 8; ++i) heights[i] = glm::dot(normal, cornerOf(box, i) - point);
+    for (unsigned i = 0; i < 8; ++i) heights[i] = glm::dot(normal, box.corner(i) - point);
     Polygon corners = crossings(box, heights, true);
     if (corners.empty()) corners = crossings(box, heights, false);
     if (corners.size() < 3) return {};
@@ -146,7 +136,7 @@ std::optional<std::pair<int, int>> levelsInBox(const Box& box, const glm::dvec3&
                                                double distance) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (unsigned i = 0; i < 8; ++i) {
-        const double level = glm::dot(normal, cornerOf(box, i) - point) / distance;
+        const double level = glm::dot(normal, box.corner(i) - point) / distance;
         low = std::min(low, level);
         high = std::max(high, level);
     }

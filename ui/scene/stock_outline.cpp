@@ -14,12 +14,12 @@
 namespace burin {
 namespace {
 
-/// Corner i has the high x where bit 0 is set, the high y with bit 1, the high z with bit 2.
 vtkSmartPointer<vtkPoints> corners(const Box& box) {
     auto points = vtkSmartPointer<vtkPoints>::New();
-    for (int i = 0; i < 8; ++i)
-        points->InsertNextPoint((i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
-                                (i & 4) != 0 ? box.high.z : box.low.z);
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::dvec3 corner = box.corner(i);
+        points->InsertNextPoint(corner.x, corner.y, corner.z);
+    }
     return points;
 }
 

@@ -148,6 +148,7 @@ TickCosts costsOf(TickScene& scene, Beside* beside, Session& session) {
 /// What a pass asks of the system, from its second tick on.
 tests::SystemUse demandsOf(TickScene& scene) {
     const VolumeSnapshot whole = scene.workpiece.snapshot();
+    makeCodeResident(); // as the loop does before its first tick
     Pass pass(scene, nullptr);
     tests::SystemWatch watch;
     pass.tick(0);
