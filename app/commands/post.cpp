@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 struct PostArguments {
-    std::string project, output, dialect = "linuxcnc", machine = "linuxcnc-mill";
+    std::string project, output, dialect = "linuxcnc", machine = "linuxcnc-mill", overrideReason;
     std::int64_t path = 0;
     double tolerance = 0.02;
 };
@@ -66,20 +66,24 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     request.name = std::filesystem::path(arguments.output).filename().string();
     request.dialect = arguments.dialect;
     request.gougeTolerance = arguments.tolerance;
+    request.overrideReason = arguments.overrideReason;
     const Result<CheckedProgram> program = makeProgram(*bench, path->path, request, context.progress());
     if (!program) return context.fail(program.error());
 
     nlohmann::json answer = jsonOf(program->report);
     answer["program"] = nullptr;
-    answer["blocks"] = program->blocks;
+    answer["blocks"] = program->parsed.blocks;
     answer["edits"] = jsonOf(path->reports);
     answer["error_budget_mm"] = path->errorBudget;
     answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
     answer["tool"] = jsonOf(bench->tool);
     const std::string verdict = textOf(program->report, arguments.tolerance);
-    if (!program->report.passed()) {
+    answer["overridden"] = program->overridden;
+    if (!program->released()) {
         context.answer(answer, verdict);
-        context.message("\"" + arguments.output + "\" was not written: the program is refused.");
+        context.message("\"" + arguments.output +
+                        "\" was not written: the program is refused. With --override and a reason it is written, and "
+                        "its header says so.");
         return static_cast<int>(ErrorClass::checkFailed);
     }
     if (const Result<void> written = writeFileAtomically(arguments.output, program->text); !written)
@@ -89,7 +93,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     if (const Result<void> added = project->addProgram(kept); !added) return context.fail(added.error());
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
     answer["program"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
-    context.answer(answer, arguments.output + ": " + std::to_string(program->blocks) + " blocks\n" + verdict);
+    context.answer(answer, arguments.output + ": " + std::to_string(program->parsed.blocks) + " blocks\n" + verdict);
     return 0;
 }
 
@@ -106,6 +110,12 @@ void registerPost(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
+    command
+        ->add_option("--override", arguments->overrideReason,
+                     "Why the program is wanted even where its check refuses it; stands in its header")
+        ->check([](const std::string& reason) {
+            return reason.find_first_not_of(" \t\n") == std::string::npos ? "give a reason in words" : std::string();
+        });
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runPost(*arguments, context); });
 }

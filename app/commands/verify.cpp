@@ -49,7 +49,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
 
     nlohmann::json answer = jsonOf(checked->report);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
-    answer["blocks"] = checked->blocks;
+    answer["blocks"] = checked->parsed.blocks;
     answer["tool"] = jsonOf(bench->tool);
     answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
     if (!arguments.map.empty()) {

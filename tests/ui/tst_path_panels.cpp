@@ -6,16 +6,18 @@
 #include "ui/panels/notice.h"
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
-#include "ui/panels/program_view.h"
+#include "ui/panels/program_text.h"
 #include "ui/panels/program_words.h"
 #include "ui/theme/theme.h"
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTextBlock>
+#include <QToolButton>
 
 using namespace burin;
 
@@ -150,6 +152,47 @@ private slots:
         QCOMPARE(line[2][0].toInt(), 34);
         QTest::keyClick(&text, Qt::Key_A); // read only
         QCOMPARE(text.toPlainText(), examples::programText());
+    }
+
+    void aRefusedProgramIsWantedOnlyWithAReason() {
+        ProgramPanel panel;
+        panel.setState(examples::failedProgram());
+        show(panel);
+        QSignalSpy wanted(&panel, &ProgramPanel::overrideRequested), exported(&panel, &ProgramPanel::exportRequested);
+        click(panel, "overrideButton");
+        QCOMPARE(wanted.size(), 1);
+        ProgramState state = examples::failedProgram();
+        state.released = true; // its header gives the reason now
+        panel.setState(state);
+        QVERIFY(!child<QPushButton>(panel, "overrideButton").isVisible());
+        QCOMPARE(child<Notice>(panel, "verdict").kind(), Notice::Kind::warning);
+        click(panel, "exportButton");
+        QCOMPARE(exported.size(), 1);
+        panel.setState(examples::program());
+        QVERIFY(!child<QPushButton>(panel, "overrideButton").isVisible());
+    }
+
+    void aSearchGoesRoundAndRound() {
+        ProgramText view;
+        view.resize(320, 400);
+        view.showProgram(QStringLiteral("G1 X1\nM3\nG1 X2\nm30\nG0 Z5"));
+        view.show();
+        auto& text = child<QPlainTextEdit>(view, "programText");
+        auto& search = child<QLineEdit>(view, "programSearch");
+        QSignalSpy line(&view, &ProgramText::lineChosen);
+        view.startSearch();
+        QTest::keyClicks(&search, "m3");
+        QCOMPARE(child<QLabel>(view, "searchFound").text(), QStringLiteral("2"));
+        std::vector<int> lines;
+        for (const Qt::KeyboardModifiers keys : {Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ShiftModifier}) {
+            QTest::keyClick(&search, Qt::Key_Return, keys);
+            lines.push_back(text.textCursor().blockNumber() + 1);
+        }
+        QCOMPARE(lines, (std::vector{2, 4, 2, 4}));
+        QCOMPARE(line.size(), 4);
+        view.showProgram(QStringLiteral("G0"));
+        QCOMPARE(child<QLabel>(view, "searchFound").text(), QStringLiteral("none"));
+        QVERIFY(!child<QToolButton>(view, "searchNextButton").isEnabled());
     }
 
     void aLongProgramComesInPiecemeal() {

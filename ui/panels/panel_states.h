@@ -154,6 +154,7 @@ struct ProgramState {
     QString text; ///< empty: not posted
     std::size_t blocks = 0;
     std::optional<VerifyReport> report;
+    bool released = false;        ///< it passed, or its header says why it is wanted all the same
     double gougeTolerance = 0.02; ///< mm
     bool outdated = false;
     bool busy = false;

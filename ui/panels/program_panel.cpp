@@ -7,7 +7,7 @@
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
-#include "ui/panels/program_view.h"
+#include "ui/panels/program_text.h"
 #include "ui/panels/row_list.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
@@ -27,6 +27,7 @@ public:
     void setUnit(LengthUnit next);
 
     ProgramState state;
+    ProgramText* program;
 
 private:
     void addFigures();
@@ -35,17 +36,17 @@ private:
     QString reasonAgainstExport() const;
     QString failure() const;
     std::vector<ListRow> findingRows() const;
+    std::vector<LineMark> marks() const;
 
     ProgramPanel* panel_;
     QVBoxLayout* column_;
     LengthUnit unit_ = LengthUnit::millimetre;
-    QPushButton *post_, *export_;
+    QPushButton *post_, *export_, *override_;
     LengthField* tolerance_;
     Notice *verdict_, *notice_;
     RowList* findings_;
     QWidget* figures_;
     ValueRow *gouge_, *excess_, *onPart_, *removed_, *time_, *blocks_;
-    ProgramView* text_;
 };
 
 ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
@@ -73,22 +74,25 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     findings_->setAccessibleName(ProgramPanel::tr("Findings of the check"));
     findings_->setMaximumRows(5);
     column_->addWidget(findings_);
+    override_ = makeButton(ProgramPanel::tr("Override the check…"), QStringLiteral("warning"),
+                           QStringLiteral("overrideButton"), panel);
+    override_->setToolTip(
+        ProgramPanel::tr("Give a reason that goes into the program's header; then it can be exported"));
+    column_->addWidget(override_);
     addFigures();
-    text_ = new ProgramView(panel);
-    text_->setObjectName(QStringLiteral("programText"));
-    text_->setAccessibleName(ProgramPanel::tr("Text of the program"));
-    text_->setMinimumHeight(160);
-    column_->addWidget(text_, 1);
+    program = new ProgramText(panel);
+    column_->addWidget(program, 1);
     column_->addStretch(); // while there is no text
 
     connect(post_, &QPushButton::clicked, panel, &ProgramPanel::postRequested);
     connect(export_, &QPushButton::clicked, panel, &ProgramPanel::exportRequested);
     connect(tolerance_, &LengthField::valueEdited, panel, &ProgramPanel::gougeToleranceEdited);
-    connect(text_, &ProgramView::lineChosen, panel, &ProgramPanel::lineChosen);
+    connect(override_, &QPushButton::clicked, panel, &ProgramPanel::overrideRequested);
+    connect(program, &ProgramText::lineChosen, panel, &ProgramPanel::lineChosen);
     connect(findings_, &RowList::rowChosen, this, [this](int row) {
         if (!state.report || static_cast<std::size_t>(row) >= state.report->findings.size()) return;
         const int line = static_cast<int>(state.report->findings[static_cast<std::size_t>(row)].line);
-        text_->showLine(line);
+        program->showLine(line);
         emit panel_->lineChosen(line);
     });
 }
@@ -116,7 +120,7 @@ QString ProgramPanel::Fields::reasonAgainstExport() const {
     if (state.busy) return ProgramPanel::tr("Work is under way.");
     if (state.outdated) return ProgramPanel::tr("The path changed since: post and check it again.");
     if (!state.report) return ProgramPanel::tr("The program is not checked yet.");
-    if (!state.report->passed()) return ProgramPanel::tr("The program did not pass its check.");
+    if (!state.released) return ProgramPanel::tr("The program did not pass its check.");
     return {};
 }
 
@@ -140,6 +144,14 @@ std::vector<ListRow> ProgramPanel::Fields::findingRows() const {
     return rows;
 }
 
+std::vector<LineMark> ProgramPanel::Fields::marks() const {
+    std::vector<LineMark> marks;
+    if (!state.report) return marks;
+    for (const Finding& finding : state.report->findings)
+        marks.push_back({static_cast<int>(finding.line), LineMark::Kind::error, findingText(finding, unit_)});
+    return marks;
+}
+
 void ProgramPanel::Fields::refreshVerdict() {
     if (state.busy)
         notice_->tell(Notice::Kind::information, ProgramPanel::tr("The program is being posted and checked…"));
@@ -157,8 +169,12 @@ void ProgramPanel::Fields::refreshVerdict() {
         verdict_->tell(Notice::Kind::passed,
                        ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")
                            .arg(lengthText(state.report->gougeMax, unit_), lengthText(state.gougeTolerance, unit_)));
+    else if (state.released)
+        verdict_->tell(Notice::Kind::warning, failure() + QLatin1Char(' ') +
+                                                  ProgramPanel::tr("Its header says why it is wanted all the same."));
     else
         verdict_->tell(Notice::Kind::error, failure());
+    override_->setVisible(state.report && !state.released && !state.outdated && !state.busy);
     const std::vector<ListRow> rows = findingRows();
     findings_->setRows(rows);
     findings_->setVisible(!rows.empty());
@@ -189,8 +205,9 @@ void ProgramPanel::Fields::refresh() {
     tolerance_->showValue(state.gougeTolerance);
     refreshVerdict();
     refreshFigures();
-    text_->showProgram(state.text);
-    text_->setVisible(!state.text.isEmpty());
+    program->showProgram(state.text);
+    program->setMarks(marks());
+    program->setVisible(!state.text.isEmpty());
 }
 
 void ProgramPanel::Fields::setUnit(LengthUnit next) {
@@ -211,6 +228,18 @@ void ProgramPanel::setUnit(LengthUnit unit) {
 void ProgramPanel::setState(const ProgramState& state) {
     fields_->state = state;
     fields_->refresh();
+}
+
+void ProgramPanel::showLine(int line) {
+    fields_->program->showLine(line);
+}
+
+void ProgramPanel::showMachineState(const QString& state) {
+    fields_->program->showState(state);
+}
+
+void ProgramPanel::startSearch() {
+    fields_->program->startSearch();
 }
 
 } // namespace burin

@@ -75,8 +75,9 @@ void ProgramPresenter::present() {
     state.hasPath = workbench_.path.evaluated() != nullptr;
     state.text = program.storedText();
     if (program.program()) {
-        state.blocks = program.program()->blocks;
+        state.blocks = program.program()->parsed.blocks;
         state.report = program.program()->report;
+        state.released = program.program()->released();
     }
     state.gougeTolerance = program.gougeTolerance();
     state.outdated = program.outdated();

@@ -38,12 +38,13 @@ void ProgramController::setGougeTolerance(double millimetres) {
     emit changed();
 }
 
-void ProgramController::post(const QString& name) {
+void ProgramController::post(const QString& name, const QString& overrideReason) {
     if (!bench_.bench() || !path_.evaluated()) return;
     ProgramRequest request;
     request.name = name.toStdString();
     request.dialect = defaultDialect;
     request.gougeTolerance = gougeTolerance_;
+    request.overrideReason = overrideReason.trimmed().toStdString();
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
         [bench = bench_.bench(), path = path_.evaluated(), request](Progress& progress) {
@@ -63,7 +64,7 @@ void ProgramController::take(const std::string& name, Result<CheckedProgram> out
     program_ = std::make_shared<const CheckedProgram>(std::move(*outcome));
     storedText_ = QString::fromStdString(program_->text);
     outdated_ = path_.outdated();
-    if (program_->report.passed())
+    if (program_->released())
         store([name, program = program_, machine = bench_.bench()->machine.id](Project& project) {
             return project.addProgram({name, defaultDialect, machine, program->text, toJson(program->report)});
         });

@@ -11,7 +11,8 @@
 
 namespace burin {
 
-/// The program: posted, read back and checked in the background. Only what passed its check leaves the house.
+/// The program: posted, read back and checked in the background. Only what passed its check leaves the house, or what
+/// the user gave a reason for.
 class ProgramController final : public Controller {
     Q_OBJECT
 public:
@@ -25,9 +26,11 @@ public:
     const std::optional<Error>& problem() const noexcept { return problem_; }
     bool outdated() const noexcept { return outdated_; }
     bool busy() const { return desk_.tasks.running(TaskKind::program); }
-    bool exportable() const noexcept { return program_ && program_->report.passed() && !outdated_; }
+    bool refused() const noexcept { return program_ && !program_->released() && !outdated_; }
+    bool exportable() const noexcept { return program_ && program_->released() && !outdated_; }
 
-    void post(const QString& name); ///< @param name of the program
+    /// @param name of the program @param overrideReason why it is wanted even if its check refuses it; empty: it is not
+    void post(const QString& name, const QString& overrideReason = {});
     void setGougeTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
     void pathChanged(); ///< what was posted is no longer the path

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/scene/interactive_tool.h"
+
+#include <QObject>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace burin {
+
+/// Chooses a move with a click near it; every other click and drag is the camera's. Thread: user interface.
+class PathPicker final : public QObject, public InteractiveTool {
+    Q_OBJECT
+public:
+    static constexpr double reach = 8.0; ///< device-independent pixels from the pointer to a move
+
+    using Move = std::pair<glm::dvec3, glm::dvec3>; ///< its ends, mm, setup frame
+    /// @param appearance where a place in the setup frame appears, device-independent pixels
+    explicit PathPicker(std::function<QPointF(const glm::dvec3&)> appearance, QObject* parent = nullptr);
+
+    void setMoves(std::vector<Move> moves) { moves_ = std::move(moves); }
+
+    bool press(const ViewportEvent& event) override;
+    bool release(const ViewportEvent& event) override;
+
+signals:
+    void chosen(std::size_t move); ///< its place in the list
+
+private:
+    std::function<QPointF(const glm::dvec3&)> appearance_;
+    std::vector<Move> moves_;
+    bool taken_ = false; ///< the press that is under way was on a move
+};
+
+} // namespace burin
