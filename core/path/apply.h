@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/path/evaluate.h"
 #include "core/path/stroke.h"
 
 namespace burin {
@@ -26,6 +27,7 @@ Result<Deviation> apply(const Smooth& edit, PathUnderEdit& state, const PathCont
 /// Errors: pathGouges, where no place nearby is clear of the part.
 Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const Simplify& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 /// Errors: pathGouges, where the tool can't get to a stroke from above without entering the part.
 Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);

@@ -79,7 +79,7 @@ std::vector<PathPoint> pointsOf(const PathUnderEdit& state) {
     for (const PathStroke& stroke : state.strokes) {
         MoveKind kind = MoveKind::rapid;
         for (const StrokePoint& point : stroke.points) {
-            points.push_back({point.tip, kind, 0.0, stroke.take, point.sample});
+            points.push_back({point.tip, kind, 0.0, stroke.take, point.sample, point.arc});
             kind = MoveKind::cut;
         }
     }

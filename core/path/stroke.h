@@ -3,12 +3,12 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "core/path/path.h"
 #include "core/recording/sample.h"
 
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -19,9 +19,10 @@ struct StrokePoint {
     std::int64_t sample = 0; ///< tick within the take; of the moment before, for points that an edit put between two
     bool removes = false;    ///< the motion that ends here took material away
     bool onBoundary = false; ///< the part held the tool here
+    std::optional<PathArc> arc{}; ///< of the motion that ends here; nothing: straight
 };
 
-/// A stretch of one take without a gap: the tool goes from point to point in straight lines.
+/// A stretch of one take without a gap: the tool goes from point to point in straight lines, until edits fit arcs.
 struct PathStroke {
     std::int64_t take = 0;
     double allowance = 0.0; ///< mm, of the take

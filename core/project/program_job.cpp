@@ -113,6 +113,7 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
     context.machine = bench.machine;
     context.stock = bench.setup.stock;
     context.obstacles = solidsOf(bench.obstacles);
+    context.workOffset = bench.setup.workOffset;
     if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
     return evaluate(path.name, takes, path.edits, context, progress);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/nc/post.h"
+#include "core/path/evaluate.h"
 #include "core/project/bench.h"
 #include "core/verify/verify.h"
 

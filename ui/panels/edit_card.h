@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "ui/theme/length_unit.h"
 
 #include <QFrame>

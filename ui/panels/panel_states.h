@@ -5,7 +5,7 @@
 #include "core/cad/model.h"
 #include "core/haptics/guide.h"
 #include "core/haptics/tick_sink.h"
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "core/project/project.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"

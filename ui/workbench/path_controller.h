@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "ui/workbench/bench_controller.h"
 
 #include <memory>
