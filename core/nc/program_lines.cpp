@@ -6,14 +6,14 @@
 
 namespace burin {
 
-std::span<const NcMotion> motionsOf(const ParsedProgram& program, std::uint32_t line) {
-    const auto found = std::ranges::equal_range(program.motions, line, {}, &NcMotion::line);
+std::span<const NcMotion> motionsOf(std::span<const NcMotion> motions, std::uint32_t line) {
+    const auto found = std::ranges::equal_range(motions, line, {}, &NcMotion::line);
     return {found.begin(), found.end()};
 }
 
-const NcMotion* lastMotion(const ParsedProgram& program, std::uint32_t line) {
-    const auto behind = std::ranges::upper_bound(program.motions, line, {}, &NcMotion::line);
-    return behind == program.motions.begin() ? nullptr : &*std::prev(behind);
+const NcMotion* lastMotion(std::span<const NcMotion> motions, std::uint32_t line) {
+    const auto behind = std::ranges::upper_bound(motions, line, {}, &NcMotion::line);
+    return behind == motions.begin() ? nullptr : &*std::prev(behind);
 }
 
 } // namespace burin

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/nc/parser.h"
+#include "core/nc/parsed_program.h"
 
 #include <span>
 
@@ -11,9 +11,9 @@ namespace burin {
 // A program's motions by the lines of its text, in which they stand in order. Lines count from 1. Cost: log n.
 
 /// What one line makes the machine do; none for a line without a move.
-std::span<const NcMotion> motionsOf(const ParsedProgram& program, std::uint32_t line);
+std::span<const NcMotion> motionsOf(std::span<const NcMotion> motions, std::uint32_t line);
 
-/// The move that has brought the machine to where it stands when a line is done; null: none yet.
-const NcMotion* lastMotion(const ParsedProgram& program, std::uint32_t line);
+/// The motion that has brought the machine to where it stands when a line is done; null: none yet.
+const NcMotion* lastMotion(std::span<const NcMotion> motions, std::uint32_t line);
 
 } // namespace burin

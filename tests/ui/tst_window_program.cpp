@@ -41,7 +41,7 @@ bool post(WindowDriver& driver) {
 const NcMotion* longestCut(const ParsedProgram& program) {
     const NcMotion* longest = nullptr;
     for (const NcMotion& motion : program.motions)
-        if (!motion.rapid && motion.from.z == motion.to.z &&
+        if (motion.kind == NcMotionKind::line && motion.from.z == motion.to.z &&
             (longest == nullptr || glm::distance(motion.from, motion.to) > glm::distance(longest->from, longest->to)))
             longest = &motion;
     return longest;
@@ -76,12 +76,12 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     const auto* state = driver.visible<QLabel>("programState");
     QVERIFY(state != nullptr);
     const auto told = [&](double value) { return state->text().contains(QLocale().toString(value, 'f', 3)); };
-    QVERIFY2(told(cut->to.x) && told(cut->to.z) && state->text().contains("spindle on"), qPrintable(state->text()));
+    QVERIFY2(told(cut->to.x) && told(cut->to.z) && state->text().contains("spindle "), qPrintable(state->text()));
     driver.shoot("20-move-and-line");
     // And back: the cursor keys lead through the moves, the tool stands at their ends.
     text->setFocus();
     QTest::keyClick(text, Qt::Key_Down);
-    const NcMotion* next = lastMotion(program, cut->line + 1);
+    const NcMotion* next = lastMotion(program.motions, cut->line + 1);
     QVERIFY(next != nullptr && next->to != cut->to);
     QVERIFY2(told(next->to.x), qPrintable(state->text()));
     // A click beside every move is the camera's.

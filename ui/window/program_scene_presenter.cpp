@@ -7,6 +7,12 @@
 
 namespace burin {
 
+namespace {
+
+constexpr double drawnChord = 0.02; // mm that an arc's picture may leave it by
+
+} // namespace
+
 ProgramScenePresenter::ProgramScenePresenter(Workbench& workbench, Viewport& viewport, ProgramPanel& panel,
                                              ScenePresenter& scene, QObject* parent)
     : Presenter(workbench, {&workbench.program, &workbench.mill, &workbench.bench}, parent)
@@ -40,13 +46,11 @@ void ProgramScenePresenter::take(std::shared_ptr<const CheckedProgram> program) 
     if (program == program_) return;
     if (program && program_ && program->text != program_->text) line_ = 0;
     program_ = std::move(program);
+    moves_ = program_ ? straightMoves(program_->parsed, drawnChord) : std::vector<NcMotion>();
     std::vector<PathPicker::Move> moves;
-    if (program_) {
-        moves.reserve(program_->parsed.motions.size());
-        for (const NcMotion& motion : program_->parsed.motions)
-            moves.emplace_back(motion.from + zero_, motion.to + zero_);
-        if (!moves.empty()) moves.front().first = moves.front().second; // where it comes from is not known
-    }
+    moves.reserve(moves_.size());
+    for (const NcMotion& move : moves_) // where the first ones come from is not known
+        moves.emplace_back((move.startKnown() ? move.from : move.to) + zero_, move.to + zero_);
     picker_.setMoves(std::move(moves));
 }
 
@@ -56,21 +60,20 @@ void ProgramScenePresenter::choose(int line) {
 }
 
 void ProgramScenePresenter::pick(std::size_t move) {
-    if (!program_ || move >= program_->parsed.motions.size()) return;
-    line_ = static_cast<int>(program_->parsed.motions[move].line);
+    if (move >= moves_.size()) return;
+    line_ = static_cast<int>(moves_[move].line);
     panel_.showLine(line_);
     showLine();
 }
 
 void ProgramScenePresenter::showLine() {
     const auto line = static_cast<std::uint32_t>(line_);
-    const NcMotion* motion = program_ && line_ > 0 ? lastMotion(program_->parsed, line) : nullptr;
+    const NcMotion* motion = program_ && line_ > 0 ? lastMotion(program_->parsed.motions, line) : nullptr;
     std::vector<glm::dvec3> places;
     if (motion != nullptr)
-        for (const NcMotion& part : motionsOf(program_->parsed, line)) {
-            const bool known = part.fromKnown[0] && part.fromKnown[1] && part.fromKnown[2];
-            if (places.empty() && known) places.push_back(part.from + zero_);
-            places.push_back(part.to + zero_);
+        for (const NcMotion& move : motionsOf(moves_, line)) {
+            if (places.empty() && move.startKnown()) places.push_back(move.from + zero_);
+            places.push_back(move.to + zero_);
         }
     viewport_.setMoveMark(places);
     scene_.showToolAt(motion != nullptr ? std::optional(motion->to + zero_) : std::nullopt);
@@ -84,14 +87,17 @@ QString ProgramScenePresenter::stateText(const NcMotion& motion) const {
                             lengthNumber(motion.to.z, unit())) +
                    unitText(unit());
     const QString separator = QStringLiteral(" · ");
-    if (motion.rapid)
+    if (motion.rapid())
         text += separator + tr("rapid");
+    else if (motion.kind == NcMotionKind::dwell)
+        text += separator + tr("waits %1 s").arg(QLocale().toString(motion.seconds, 'f', 1));
     else
         text += separator + tr("feed %1 %2/min")
                                 .arg(QLocale().toString(inches ? motion.feed / millimetresPerInch : motion.feed, 'f',
                                                         inches ? 1 : 0),
                                      unitText(unit()));
-    text += separator + (motion.spindleOn ? tr("spindle on") : tr("spindle off"));
+    text += separator + (motion.spindleOn() ? tr("spindle %1/min").arg(QLocale().toString(motion.spindleSpeed, 'f', 0))
+                                            : tr("spindle off"));
     return text + separator + QLatin1Char('T') + QString::number(motion.tool);
 }
 

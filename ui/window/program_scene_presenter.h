@@ -32,8 +32,9 @@ private:
     ProgramPanel& panel_;
     ScenePresenter& scene_;
     PathPicker picker_;
-    std::shared_ptr<const CheckedProgram> program_; ///< whose moves the picker has
-    glm::dvec3 zero_{0.0};                          ///< mm, program zero in the setup frame
+    std::shared_ptr<const CheckedProgram> program_;
+    std::vector<NcMotion> moves_; ///< its moves as they are drawn and picked: straight ones
+    glm::dvec3 zero_{0.0};        ///< mm, program zero in the setup frame
     bool shown_ = false, active_ = false;
     int line_ = 0; ///< from 1; 0: none is looked at
 };
