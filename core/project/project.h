@@ -10,6 +10,7 @@
 #include "core/recording/sample.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
+#include "core/tool/tool.h"
 
 #include <filesystem>
 #include <memory>
