@@ -10,6 +10,17 @@
 
 using namespace burin;
 
+namespace {
+
+/// No more than has to be stated.
+const char* const shortProfile =
+    "{\"id\": \"own\", \"name\": \"own\", \"source\": \"measured\", \"travel_mm\": [300, 200, 100],"
+    "\"maximum_feed_mm_per_min\": 1000, \"rapid_feed_mm_per_min\": 3000, \"minimum_spindle_speed_rpm\": 0,"
+    "\"maximum_spindle_speed_rpm\": 8000, \"acceleration_mm_per_s2\": 250, \"tool_change_height_mm\": 20,"
+    "\"coordinate_decimals\": 3, \"maximum_line_length\": 80}";
+
+} // namespace
+
 class MachineLibraryTest : public QObject {
     Q_OBJECT
 
@@ -62,11 +73,7 @@ private slots:
     }
 
     void whatAMachineDoesNotStateHasItsDefault() {
-        const char* text = R"({"id": "own", "name": "own", "source": "measured", "travel_mm": [300, 200, 100],
-            "maximum_feed_mm_per_min": 1000, "rapid_feed_mm_per_min": 3000, "minimum_spindle_speed_rpm": 0,
-            "maximum_spindle_speed_rpm": 8000, "acceleration_mm_per_s2": 250, "tool_change_height_mm": 20,
-            "coordinate_decimals": 3, "maximum_line_length": 80})";
-        const Result<MachineProfile> own = machineFromJson(text, "own.json");
+        const Result<MachineProfile> own = machineFromJson(shortProfile, "own.json");
         QVERIFY(own.hasValue());
         QCOMPARE(own->axisRate(1), 3000.0);
         QCOMPARE(own->axisAcceleration(2), 250.0);
@@ -121,8 +128,8 @@ private slots:
         QTest::newRow("arcs upside down") << R"("smallest_radius_mm": 0.02)"
                                           << R"("smallest_radius_mm": 2000)"
                                           << "arcs.smallest_radius_mm";
-        QTest::newRow("a source of nothing") << R"("rapids": "EMC)"
-                                             << R"("jerk": "EMC)"
+        QTest::newRow("a source of nothing") << "\"rapids\": \"EMC"
+                                             << "\"jerk\": \"EMC"
                                              << "sources.jerk";
         QTest::newRow("a tool change above the travel") << R"("tool_change_height_mm": 60)"
                                                         << R"("tool_change_height_mm": 260)"
