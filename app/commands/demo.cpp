@@ -217,7 +217,7 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
         answer["program"] = (folder / "demo.ngc").string();
         if (const Result<void> written = writeFileAtomically(folder / "demo.ngc", result->program.text); !written)
             return context.fail(written.error());
-        const StoredProgram kept{"demo.ngc", "linuxcnc", arguments.machine, result->program.text,
+        const StoredProgram kept{"demo.ngc", ProgramRequest{}.dialect, arguments.machine, result->program.text,
                                  burin::jsonOf(result->program.report).dump()};
         if (const Result<void> added = project->addProgram(kept); !added) return context.fail(added.error());
     }

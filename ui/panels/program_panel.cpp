@@ -3,6 +3,7 @@
 #include "ui/panels/program_panel.h"
 
 #include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
@@ -12,11 +13,26 @@
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
 
+#include <algorithm>
+
 namespace burin {
 
 namespace {
 
 constexpr double smallestTolerance = 0.001, largestTolerance = 1.0; // mm
+
+/// Fills a choice anew only where its names changed: one that is open stays open.
+void showChoices(ChoiceBox& box, const std::vector<NamedChoice>& choices, const std::string& chosen) {
+    bool same = box.count() == static_cast<int>(choices.size());
+    for (int i = 0; same && i < box.count(); ++i) same = box.itemText(i) == choices[static_cast<std::size_t>(i)].name;
+    if (!same) {
+        box.clear();
+        for (const NamedChoice& choice : choices) box.addItem(choice.name);
+    }
+    const auto found = std::ranges::find(choices, chosen, &NamedChoice::id);
+    box.setCurrentIndex(found == choices.end() ? -1 : static_cast<int>(found - choices.begin()));
+    box.setEnabled(!choices.empty());
+}
 
 } // namespace
 
@@ -30,6 +46,7 @@ public:
     ProgramText* program;
 
 private:
+    void addTarget();
     void addFigures();
     void refreshVerdict();
     void refreshFigures();
@@ -42,6 +59,7 @@ private:
     QVBoxLayout* column_;
     LengthUnit unit_ = LengthUnit::millimetre;
     QPushButton *post_, *export_, *override_;
+    ChoiceBox *machine_, *dialect_;
     LengthField* tolerance_;
     Notice *verdict_, *notice_;
     RowList* findings_;
@@ -58,6 +76,7 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     buttons->addWidget(post_, 1);
     buttons->addWidget(export_, 1);
     column_->addLayout(buttons);
+    addTarget();
     tolerance_ = new LengthField(panel);
     tolerance_->setObjectName(QStringLiteral("gougeToleranceField"));
     tolerance_->limit(smallestTolerance, largestTolerance);
@@ -95,6 +114,23 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
         program->showLine(line);
         emit panel_->lineChosen(line);
     });
+}
+
+void ProgramPanel::Fields::addTarget() {
+    machine_ = new ChoiceBox(panel_);
+    machine_->setObjectName(QStringLiteral("machineChoice"));
+    column_->addWidget(new FieldRow(ProgramPanel::tr("Machine"), machine_,
+                                    ProgramPanel::tr("Its feeds, speeds and travel bound the program"), panel_,
+                                    FieldRow::choiceWidth));
+    dialect_ = new ChoiceBox(panel_);
+    dialect_->setObjectName(QStringLiteral("dialectChoice"));
+    column_->addWidget(new FieldRow(ProgramPanel::tr("Dialect"), dialect_,
+                                    ProgramPanel::tr("What the machine's control reads"), panel_,
+                                    FieldRow::choiceWidth));
+    connect(machine_, &QComboBox::activated, this,
+            [this](int index) { emit panel_->machineChosen(state.machines[static_cast<std::size_t>(index)].id); });
+    connect(dialect_, &QComboBox::activated, this,
+            [this](int index) { emit panel_->dialectChosen(state.dialects[static_cast<std::size_t>(index)].id); });
 }
 
 void ProgramPanel::Fields::addFigures() {
@@ -202,6 +238,8 @@ void ProgramPanel::Fields::refresh() {
                                 : QString(),
                  ProgramPanel::tr("Write the program, read it back and mill it again on a fresh workpiece"));
     enableUnless(export_, reasonAgainstExport(), ProgramPanel::tr("Write the program to a file for the machine"));
+    showChoices(*machine_, state.machines, state.machine);
+    showChoices(*dialect_, state.dialects, state.dialect);
     tolerance_->showValue(state.gougeTolerance);
     refreshVerdict();
     refreshFigures();

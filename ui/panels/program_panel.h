@@ -25,6 +25,8 @@ signals:
     void exportRequested();
     void overrideRequested(); ///< the program is wanted although its check refuses it
     void gougeToleranceEdited(double millimetres);
+    void machineChosen(const std::string& id);
+    void dialectChosen(const std::string& id);
     void lineChosen(int line); ///< from 1
 
 private:

@@ -7,14 +7,9 @@
 
 namespace burin {
 
-namespace {
-
-constexpr const char* defaultDialect = "linuxcnc";
-
-} // namespace
-
-ProgramController::ProgramController(const Desk& desk, BenchController& bench, PathController& path, QObject* parent)
-    : Controller(desk, parent), bench_(bench), path_(path) {}
+ProgramController::ProgramController(const Desk& desk, BenchController& bench, PathController& path,
+                                     const TargetController& target, QObject* parent)
+    : Controller(desk, parent), bench_(bench), path_(path), target_(target) {}
 
 void ProgramController::load(const std::vector<StoredProgram>& programs) {
     desk_.tasks.abandon(TaskKind::program);
@@ -26,6 +21,14 @@ void ProgramController::load(const std::vector<StoredProgram>& programs) {
 }
 
 void ProgramController::pathChanged() {
+    becomeOutdated();
+}
+
+void ProgramController::targetChanged() {
+    becomeOutdated();
+}
+
+void ProgramController::becomeOutdated() {
     if (outdated_) return;
     outdated_ = true;
     emit changed();
@@ -42,7 +45,7 @@ void ProgramController::post(const QString& name, const QString& overrideReason)
     if (!bench_.bench() || !path_.evaluated()) return;
     ProgramRequest request;
     request.name = name.toStdString();
-    request.dialect = defaultDialect;
+    request.dialect = target_.dialect();
     request.gougeTolerance = gougeTolerance_;
     request.overrideReason = overrideReason.trimmed().toStdString();
     desk_.tasks.start(
@@ -50,11 +53,12 @@ void ProgramController::post(const QString& name, const QString& overrideReason)
         [bench = bench_.bench(), path = path_.evaluated(), request](Progress& progress) {
             return makeProgram(*bench, path->path, request, progress);
         },
-        [this, name = request.name](Result<CheckedProgram> outcome) { take(name, std::move(outcome)); });
+        [this, posted = StoredProgram{request.name, request.dialect, bench_.bench()->machine.id, {}, {}}](
+            Result<CheckedProgram> outcome) { take(posted, std::move(outcome)); });
     emit changed();
 }
 
-void ProgramController::take(const std::string& name, Result<CheckedProgram> outcome) {
+void ProgramController::take(const StoredProgram& posted, Result<CheckedProgram> outcome) {
     if (!outcome) {
         problem_ = outcome.error();
         emit changed();
@@ -65,8 +69,9 @@ void ProgramController::take(const std::string& name, Result<CheckedProgram> out
     storedText_ = QString::fromStdString(program_->text);
     outdated_ = path_.outdated();
     if (program_->released())
-        store([name, program = program_, machine = bench_.bench()->machine.id](Project& project) {
-            return project.addProgram({name, defaultDialect, machine, program->text, toJson(program->report)});
+        store([posted, program = program_](Project& project) {
+            return project.addProgram(
+                {posted.name, posted.dialect, posted.machine, program->text, toJson(program->report)});
         });
     emit changed();
 }

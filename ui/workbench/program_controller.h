@@ -5,6 +5,7 @@
 #include "core/project/program_job.h"
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/path_controller.h"
+#include "ui/workbench/target_controller.h"
 
 #include <filesystem>
 #include <memory>
@@ -16,7 +17,8 @@ namespace burin {
 class ProgramController final : public Controller {
     Q_OBJECT
 public:
-    ProgramController(const Desk& desk, BenchController& bench, PathController& path, QObject* parent);
+    ProgramController(const Desk& desk, BenchController& bench, PathController& path, const TargetController& target,
+                      QObject* parent);
 
     /// The newest one; null: none yet.
     const std::shared_ptr<const CheckedProgram>& program() const noexcept { return program_; }
@@ -33,7 +35,8 @@ public:
     void post(const QString& name, const QString& overrideReason = {});
     void setGougeTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
-    void pathChanged(); ///< what was posted is no longer the path
+    void pathChanged();   ///< what was posted is no longer the path
+    void targetChanged(); ///< what was posted is for another machine or control
 
     void load(const std::vector<StoredProgram>& programs);
 
@@ -41,10 +44,12 @@ signals:
     void exported(const QString& file);
 
 private:
-    void take(const std::string& name, Result<CheckedProgram> outcome);
+    void take(const StoredProgram& posted, Result<CheckedProgram> outcome);
+    void becomeOutdated();
 
     BenchController& bench_;
     PathController& path_;
+    const TargetController& target_;
     std::shared_ptr<const CheckedProgram> program_;
     QString storedText_;
     double gougeTolerance_ = 0.02;
