@@ -46,7 +46,7 @@ std::optional<double> centreOnBisector(std::span<const StrokePoint> points, cons
 /// The place on the grid of figures around `centre` from where both ends, as the control gets them, are most nearly
 /// equally far. Nothing where none is good enough.
 std::optional<glm::dvec2> roundedCentre(const glm::dvec2& centre, const glm::dvec2& from, const glm::dvec2& to,
-                                        const glm::dvec2& zero, const ArcRules& rules) {
+                                        const glm::dvec2& zero, const ArcFitRules& rules) {
     const auto rounded = [&](const glm::dvec2& place) {
         return glm::round((place - zero) / rules.figure) * rules.figure;
     };
@@ -105,7 +105,7 @@ std::optional<Deviation> deviationOf(std::span<const StrokePoint> points, const 
 
 } // namespace
 
-std::optional<FittedArc> fitArc(std::span<const StrokePoint> points, int axis, const ArcRules& rules) {
+std::optional<FittedArc> fitArc(std::span<const StrokePoint> points, int axis, const ArcFitRules& rules) {
     const PlaneOfArc plane(axis);
     const glm::dvec3 &first = points.front().tip, &last = points.back().tip;
     const glm::dvec2 from = plane.of(first), to = plane.of(last), chord = to - from;

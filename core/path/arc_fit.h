@@ -11,7 +11,7 @@
 namespace burin {
 
 /// What an arc has to obey.
-struct ArcRules {
+struct ArcFitRules {
     double tolerance = 0.01;     ///< mm
     double largestSweep = 0.0;   ///< rad, at most half a turn
     double smallestRadius = 0.0; ///< mm
@@ -35,6 +35,6 @@ struct FittedArc {
 /// order, so that every place of one has a place of the other at its angle. Between two vertices the radius is least at
 /// the foot of the perpendicular; along the axis a chord leaves the even climb by no more than 0.08 h² of its own
 /// climb, h half of the angle it spans (at most 30°), and a quarter of its relative change of radius.
-std::optional<FittedArc> fitArc(std::span<const StrokePoint> points, int axis, const ArcRules& rules);
+std::optional<FittedArc> fitArc(std::span<const StrokePoint> points, int axis, const ArcFitRules& rules);
 
 } // namespace burin

@@ -25,7 +25,7 @@ struct Primitive {
 
 class Fitter {
 public:
-    Fitter(const ArcRules& rules, const PartGuard& guard, const PathStroke& stroke)
+    Fitter(const ArcFitRules& rules, const PartGuard& guard, const PathStroke& stroke)
         : rules_(rules), guard_(guard), required_(stroke.required), points_(stroke.points) {}
 
     /// What stands for the points from `first` to `last`, both included.
@@ -102,7 +102,7 @@ private:
         });
     }
 
-    const ArcRules& rules_;
+    const ArcFitRules& rules_;
     const PartGuard& guard_;
     double required_; // mm from the part
     const std::vector<StrokePoint>& points_;
@@ -121,7 +121,7 @@ std::vector<std::pair<std::size_t, std::size_t>> groupsOf(const std::vector<Stro
     return groups;
 }
 
-Deviation fitStroke(PathStroke& stroke, const ArcRules& rules, const PartGuard& guard, const Progress& progress) {
+Deviation fitStroke(PathStroke& stroke, const ArcFitRules& rules, const PartGuard& guard, const Progress& progress) {
     Deviation deviation;
     if (stroke.points.size() < 2) return deviation;
     const auto groups = groupsOf(stroke.points);
@@ -154,7 +154,7 @@ Deviation fitStroke(PathStroke& stroke, const ArcRules& rules, const PartGuard& 
 Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
-    ArcRules rules;
+    ArcFitRules rules;
     rules.tolerance = edit.tolerance;
     rules.largestSweep = edit.largestSweep;
     rules.smallestRadius = edit.smallestRadius;
