@@ -47,7 +47,7 @@ struct CheckField {
         if (value.take >= 0 && value.tick >= 0) return {};
         return invalid(field, "", "a take and a tick of it, from 0");
     }
-    Result<void> operator()(const Stretch& value) const {
+    Result<void> operator()(const TakeStretch& value) const {
         if (value.take >= 0 && value.first >= 0 && value.first <= value.last) return {};
         return invalid(field, "", "a take and two ticks of it, the earlier one first");
     }

@@ -18,7 +18,10 @@
 namespace burin {
 
 /// All kinds of edits. What is known of each stands in one row of edit_rows.h.
-using EditParameters = std::variant<DropAirCuts, DropDwells, Smooth, HoldOut, Simplify, FitArcs, Link, SetFeed>;
+using EditParameters =
+    std::variant<DropAirCuts, DropDwells, CutOut, Trim, Split, Join, Reorder, Reverse, Mirror, Rotate, Array,
+                 MovePoints, ReplaceStretch, RemoveArea, LiftArea, Smooth, SmoothSpline, Project, Offset, GuideRows,
+                 HoldOut, Simplify, FitArcs, Link, SetFeed, AreaFeed>;
 
 /// One entry of a path's history.
 struct Edit {
@@ -37,7 +40,8 @@ Result<void> validate(const Edit& edit);
 
 /// What one parameter of an edit is: a number, a switch, one of some names, a place or vector, places, a moment or a
 /// stretch of the hand.
-using EditValue = std::variant<double, bool, std::string_view, glm::dvec3, std::vector<glm::dvec3>, Moment, Stretch>;
+using EditValue =
+    std::variant<double, bool, std::string_view, glm::dvec3, std::vector<glm::dvec3>, Moment, TakeStretch>;
 
 /// One parameter of an edit, with what it may be. What files, panels and validation know of it.
 struct EditField {

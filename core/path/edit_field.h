@@ -52,7 +52,7 @@ constexpr PlainField<T, Moment> moment(std::string_view key, Moment T::*member) 
     return {key, member, 0.0, 0.0};
 }
 template <class T>
-constexpr PlainField<T, Stretch> stretch(std::string_view key, Stretch T::*member) {
+constexpr PlainField<T, TakeStretch> stretch(std::string_view key, TakeStretch T::*member) {
     return {key, member, 0.0, 0.0};
 }
 template <class T>

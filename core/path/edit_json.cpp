@@ -31,9 +31,9 @@ struct Write {
         return list;
     }
     Json operator()(const Moment& value) const { return {{"take", value.take}, {"tick", value.tick}}; }
-    Json operator()(const Stretch& value) const {
+    Json operator()(const TakeStretch& value) const {
         Json object{{"take", value.take}, {"first", value.first}};
-        if (value.last != Stretch{}.last) object["last"] = value.last;
+        if (value.last != TakeStretch{}.last) object["last"] = value.last;
         return object;
     }
 };
@@ -107,8 +107,8 @@ struct Read {
         value = moment;
         return {};
     }
-    Refusal operator()(const Stretch&) const {
-        Stretch stretch;
+    Refusal operator()(const TakeStretch&) const {
+        TakeStretch stretch;
         if (!readNumbers(json, {{"take", &stretch.take}, {"first", &stretch.first}, {"last", &stretch.last}}))
             return R"({"take": number, "first": number, "last": number})";
         value = stretch;

@@ -20,14 +20,14 @@ struct Moment {
 };
 
 /// What the hand did from one moment of a take to another, both included.
-struct Stretch {
+struct TakeStretch {
     std::int64_t take = 0;                                                   ///< TakeInfo::id; 0: everything
     std::int64_t first = 0, last = std::numeric_limits<std::int64_t>::max(); ///< ticks
 
     bool contains(const Moment& moment) const noexcept {
         return take == 0 || (take == moment.take && moment.tick >= first && moment.tick <= last);
     }
-    friend bool operator==(const Stretch&, const Stretch&) = default;
+    friend bool operator==(const TakeStretch&, const TakeStretch&) = default;
 };
 
 /// A region: a polygon in plan, between two heights.

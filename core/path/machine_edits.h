@@ -22,4 +22,10 @@ struct Link {
 /// 45°, get the plunge feed.
 struct SetFeed {};
 
+/// Feeds in an area are multiplied by a factor; the machine's limit holds. Lines are split at its border; an arc counts
+/// where its middle lies.
+struct AreaFeed : Area {
+    double factor = 0.5;
+};
+
 } // namespace burin

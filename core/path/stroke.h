@@ -32,6 +32,15 @@ struct PathStroke {
     std::vector<StrokePoint> points;
 };
 
+/// Whether a point of a stroke was made in a stretch of the hand.
+inline bool contains(const TakeStretch& stretch, const PathStroke& stroke, const StrokePoint& point) noexcept {
+    return stretch.contains({stroke.take, point.sample});
+}
+/// Whether any of its points was.
+bool touches(const TakeStretch& stretch, const PathStroke& stroke) noexcept;
+/// Whether a stroke goes through a moment.
+bool holds(const PathStroke& stroke, const Moment& moment) noexcept;
+
 /// A path between two edits: strokes until they are linked, points from then on.
 struct PathUnderEdit {
     std::vector<PathStroke> strokes;
