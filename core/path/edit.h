@@ -20,8 +20,8 @@ namespace burin {
 /// All kinds of edits. What is known of each stands in one row of edit_rows.h.
 using EditParameters =
     std::variant<DropAirCuts, DropDwells, CutOut, Trim, Split, Join, Reorder, Reverse, Mirror, Rotate, Array,
-                 MovePoints, ReplaceStretch, RemoveArea, LiftArea, Smooth, SmoothSpline, Project, Offset, GuideRows,
-                 HoldOut, Simplify, FitArcs, Link, SetFeed, AreaFeed>;
+                 MovePoints, ReplaceStretch, RemoveArea, LiftArea, Smooth, SmoothSpline, LayOnPart, Offset,
+                 StepOverRows, HoldOut, Simplify, FitArcs, Link, SetFeed, AreaFeed>;
 
 /// One entry of a path's history.
 struct Edit {

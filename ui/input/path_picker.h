@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/input/nearest_segment.h"
 #include "ui/scene/interactive_tool.h"
 
 #include <QObject>
 
-#include <functional>
-#include <utility>
 #include <vector>
 
 namespace burin {
@@ -16,11 +15,8 @@ namespace burin {
 class PathPicker final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
-    static constexpr double reach = 8.0; ///< device-independent pixels from the pointer to a move
-
     using Move = std::pair<glm::dvec3, glm::dvec3>; ///< its ends, mm, setup frame
-    /// @param appearance where a place in the setup frame appears, device-independent pixels
-    explicit PathPicker(std::function<QPointF(const glm::dvec3&)> appearance, QObject* parent = nullptr);
+    explicit PathPicker(Appearance appearance, QObject* parent = nullptr);
 
     void setMoves(std::vector<Move> moves) { moves_ = std::move(moves); }
 
@@ -31,7 +27,7 @@ signals:
     void chosen(std::size_t move); ///< its place in the list
 
 private:
-    std::function<QPointF(const glm::dvec3&)> appearance_;
+    Appearance appearance_;
     std::vector<Move> moves_;
     bool taken_ = false; ///< the press that is under way was on a move
 };

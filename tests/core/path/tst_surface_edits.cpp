@@ -76,7 +76,7 @@ private slots:
     }
     void aStrokeIsLaidOnThePart() {
         QFETCH(double, allowance);
-        Project project;
+        LayOnPart project;
         project.allowance = allowance;
         const auto path = run({takeOf(overTheDome())}, {{project}, {Simplify{0.002}}}, domeContext());
         QVERIFY2(path, path ? "" : path.error().detail.c_str());
@@ -97,8 +97,8 @@ private slots:
             const double angle = 0.004 * i, reach = 11.0 + 1.5 * std::sin(5.0 * angle);
             ticks.push_back({domeCentre + glm::dvec3(reach * std::cos(angle), reach * std::sin(angle), 6.0)});
         }
-        Project project;
-        project.along = Project::Along::normal;
+        LayOnPart project;
+        project.along = LayOnPart::Along::normal;
         const auto path = run({takeOf(ticks)}, {{project}}, domeContext());
         QVERIFY(path);
         double heights = 0.0;
@@ -110,7 +110,7 @@ private slots:
     }
 
     void besideThePartNothingIsLeft() {
-        const auto path = run({takeOf(along({{-40, 0, 5}, {40, 0, 5}}, 60.0))}, {{Project{}}}, domeContext());
+        const auto path = run({takeOf(along({{-40, 0, 5}, {40, 0, 5}}, 60.0))}, {{LayOnPart{}}}, domeContext());
         QVERIFY(path);
         for (const PathPoint& point : path->path.points) QVERIFY(std::abs(point.tip.x) <= 18.0 + toolRadius + 0.01);
     }
@@ -144,7 +144,7 @@ private slots:
     }
 
     void rowsKeepTheirStepBesideTheGuide() {
-        GuideRows rows;
+        StepOverRows rows;
         rows.guide = {{-16, -8, 0}, {0, -10, 0}, {16, -6, 0}};
         rows.stepOver = 0.8;
         rows.left = 12;
@@ -242,7 +242,7 @@ private:
                                               {remove},
                                               {Smooth{5.0, std::abs(by.x)}},
                                               {SmoothSpline{5.0, std::abs(by.x)}}};
-            const std::vector<Edit> onSurface{{Offset{stretch, by.x}}, {Simplify{0.5}}, {Project{0.2}}};
+            const std::vector<Edit> onSurface{{Offset{stretch, by.x}}, {Simplify{0.5}}, {LayOnPart{0.2}}};
             edits.push_back(*rc::gen::elementOf(surface ? onSurface : recording));
         }
         return edits;
