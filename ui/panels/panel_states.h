@@ -135,6 +135,9 @@ struct HandState {
     bool charging = false;
 };
 
+/// What a drag of a place of the path changes.
+enum class DragChoice { level, x, y, z, surface };
+
 struct PathState {
     bool hasTakes = false;
     bool exists = false;
@@ -146,6 +149,9 @@ struct PathState {
     bool outdated = false;      ///< takes or edits changed since
     bool busy = false;
     bool waiting = false; ///< for the workpiece; then it is evaluated by itself
+    std::optional<TakeStretch> selection;
+    DragChoice drag = DragChoice::level;
+    bool drawing = false; ///< a stroke is being drawn in the selection's stead
     QString problem;
 };
 

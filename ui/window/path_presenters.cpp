@@ -28,13 +28,17 @@ QString programName(const Workbench& workbench) {
     return (name.isEmpty() ? QStringLiteral("program") : name) + QStringLiteral(".ngc");
 }
 
-PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel) {
+PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)
+    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel), scene_(scene) {
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
     connect(&panel, &PathPanel::editAdded, &workbench.path, &PathController::addEdit);
     connect(&panel, &PathPanel::editRemoved, &workbench.path, &PathController::removeEdit);
     connect(&panel, &PathPanel::editMoved, &workbench.path, &PathController::moveEdit);
+    connect(&panel, &PathPanel::dragChosen, &scene, &PathScenePresenter::setDrag);
+    connect(&panel, &PathPanel::drawingWanted, &scene, &PathScenePresenter::setDrawing);
+    connect(&panel, &PathPanel::selectionCleared, &workbench.path, &PathController::clearSelection);
+    connect(&scene, &PathScenePresenter::changed, this, &Presenter::presentSoon);
     connect(&panel, &PathPanel::evaluateRequested, &workbench.path, &PathController::evaluate);
 }
 
@@ -59,6 +63,9 @@ void PathPresenter::present() {
     state.busy = path.busy();
     state.waiting = path.waiting();
     if (path.problem()) state.problem = Messages::sentence(*path.problem());
+    state.selection = path.selection();
+    state.drag = scene_.drag();
+    state.drawing = scene_.drawing();
     panel_.setState(state);
 }
 

@@ -18,7 +18,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , surroundings(workbench, *stage.panels.surroundings, *stage.panels.bounds, stage.viewport, this)
     , guides(workbench, *stage.panels.guides, this)
     , hand(workbench, *stage.panels.hand, this)
-    , path(workbench, *stage.panels.path, this)
+    , pathScene(workbench, stage.viewport, this)
+    , path(workbench, *stage.panels.path, pathScene, this)
     , program(workbench, *stage.panels.program, this)
     , meters(workbench, *stage.panels.meters, this)
     , status(workbench, meters, stage.status, this)
@@ -29,8 +30,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides, &hand, &path, &program,
-             &meters, &status, &job, &scene, &guideScene, &programScene})
+             &part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides, &hand, &pathScene, &path,
+             &program, &meters, &status, &job, &scene, &guideScene, &programScene})
         presenter->setUnit(unit);
 }
 

@@ -38,8 +38,9 @@ void ProgramScenePresenter::present() {
         active_ = active;
         // In mill mode the pointer is the mill's own.
         if (active || !workbench_.mill.active()) viewport_.setInteractiveTool(active ? &picker_ : nullptr);
+        if (!active) showLine();
     }
-    showLine();
+    if (active) showLine();
 }
 
 void ProgramScenePresenter::take(std::shared_ptr<const CheckedProgram> program) {
