@@ -21,7 +21,7 @@ namespace burin {
 using EditParameters =
     std::variant<DropAirCuts, DropDwells, CutOut, Trim, Split, Join, Reorder, Reverse, Mirror, Rotate, Array,
                  MovePoints, ReplaceStretch, RemoveArea, LiftArea, Smooth, SmoothSpline, Project, Offset, GuideRows,
-                 HoldOut, Simplify, FitArcs, Link, SetFeed, AreaFeed>;
+                 HoldOut, Simplify, RoundCorners, FitArcs, LeadIn, LeadOut, Link, SetFeed, LevelFeed, AreaFeed>;
 
 /// One entry of a path's history.
 struct Edit {
