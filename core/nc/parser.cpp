@@ -16,7 +16,6 @@ namespace {
 constexpr std::array<char, 3> axisLetters{'X', 'Y', 'Z'};
 constexpr std::array<char, 3> offsetLetters{'I', 'J', 'K'};
 
-constexpr double arcChordTolerance = 0.001;            // mm
 constexpr double radiusTolerance = 0.0282842712474619; // mm: 4 sqrt(2) times half a step of two decimals
 constexpr double radiusTolerancePart = 0.001;          // of the radius
 
@@ -98,13 +97,21 @@ private:
     bool toolChange(const Block& block) {
         if (!block.code(MGroup::toolChange).given()) return true;
         tool_ = selectedTool_;
-        turning_ = false;
+        spindle_ = SpindleState::off;
+        mist_ = flood_ = false;
         known_ = {false, false, false};
         return true;
     }
 
     bool spindle(const Block& block) {
-        if (const Code& code = block.code(MGroup::spindle); code.given()) turning_ = code.number != 50;
+        if (const Code& code = block.code(MGroup::spindle); code.given())
+            spindle_ = code.number == 30   ? SpindleState::clockwise
+                       : code.number == 40 ? SpindleState::anticlockwise
+                                           : SpindleState::off;
+        if (const Code& code = block.code(MGroup::coolant); code.given()) {
+            mist_ = code.number == 70 || (mist_ && code.number == 80);
+            flood_ = code.number == 80 || (flood_ && code.number == 70);
+        }
         return true;
     }
 
@@ -125,7 +132,12 @@ private:
 
     /// Another offset gives the place where the tool stands other coordinates, which the text does not tell.
     bool offsets(const Block& block) {
-        if (block.code(GGroup::lengthOffset).given()) known_[2] = false;
+        if (const Code& code = block.code(GGroup::lengthOffset); code.given()) {
+            known_[2] = false;
+            lengthOffset_ = code.number == 490        ? 0
+                            : block.word('H').given() ? static_cast<int>(block.word('H').value)
+                                                      : tool_;
+        }
         if (const Code& code = block.code(GGroup::workOffset); code.given()) {
             const int offset = code.number / 10;
             if (offset != program.workOffset) known_ = {false, false, false};
@@ -156,15 +168,15 @@ private:
         if (motion_ == 0 || motion_ == 10) {
             if (block.hasOffset()) return fail(firstOffset(block), "arc offset without an arc");
             if (motion_ == 10 && feed_ <= 0.0) return fail(firstAxis(block), "feed is missing");
-            move(target);
-        } else if (!arc(block, target)) {
+            move(target, known, firstAxis(block));
+        } else if (!arc(block, target, known)) {
             return false;
         }
         known_ = known;
         return true;
     }
 
-    bool arc(const Block& block, const glm::dvec3& target) {
+    bool arc(const Block& block, const glm::dvec3& target, const std::array<bool, 3>& known) {
         const auto column = block.hasAxis() ? firstAxis(block) : firstOffset(block);
         if (feed_ <= 0.0) return fail(column, "feed is missing");
         Arc arc{place_, target, place_, planeAxis_, motion_ == 20};
@@ -184,21 +196,31 @@ private:
         // A helix needs its start along the axis too, unless it goes nowhere there.
         if (!known_[static_cast<std::size_t>(planeAxis_)] && target[planeAxis_] != place_[planeAxis_])
             return fail(column, "arc from a place that is not known");
-        flatten(arc, arcChordTolerance, chords_);
-        for (const glm::dvec3& place : chords_) move(place);
+        move(target, known, column);
+        NcMotion& motion = program.motions.back();
+        motion.centre = arc.centre;
+        motion.arcAxis = static_cast<std::uint8_t>(planeAxis_);
+        motion.clockwise = arc.clockwise;
         return true;
     }
 
-    void move(const glm::dvec3& target) {
+    void move(const glm::dvec3& target, const std::array<bool, 3>& known, std::uint32_t column) {
         NcMotion& motion = program.motions.emplace_back();
-        motion.rapid = motion_ == 0;
+        motion.kind = motion_ == 0 ? NcMotionKind::rapid : motion_ == 10 ? NcMotionKind::line : NcMotionKind::arc;
         motion.from = place_;
         motion.to = target;
-        std::copy(known_.begin(), known_.end(), motion.fromKnown);
-        motion.feed = motion.rapid ? 0.0 : feed_;
-        motion.spindleOn = turning_ && speed_ > 0.0;
+        motion.fromKnown = known_;
+        motion.toKnown = known;
+        motion.feed = motion.rapid() ? 0.0 : feed_;
+        motion.spindle = spindle_;
+        motion.spindleSpeed = speed_;
+        motion.mist = mist_;
+        motion.flood = flood_;
+        motion.lengthOffset = lengthOffset_;
+        motion.workOffset = program.workOffset;
         motion.tool = tool_;
         motion.line = line_;
+        motion.column = column;
         place_ = target;
     }
 
@@ -232,9 +254,10 @@ private:
     bool unitsStated_ = false;
     double feed_ = 0.0;  // mm/min
     double speed_ = 0.0; // 1/min
-    bool turning_ = false;
+    SpindleState spindle_ = SpindleState::off;
+    bool mist_ = false, flood_ = false;
+    int lengthOffset_ = 0;
     int selectedTool_ = 0, tool_ = 0;
-    std::vector<glm::dvec3> chords_;
 };
 
 Error syntaxError(const std::string& origin, std::uint32_t line, const BlockFault& fault) {

@@ -42,10 +42,10 @@ Result<Deviation> apply(const RemoveArea& edit, PathUnderEdit& state, const Path
 Result<Deviation> apply(const LiftArea& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 /// Errors: pathGouges, where no place nearby is clear of the part.
 Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
-Result<Deviation> apply(const Project& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const LayOnPart& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const Offset& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 /// Errors: argumentInvalid, where the path has no such guide.
-Result<Deviation> apply(const GuideRows& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const StepOverRows& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const Simplify& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const RoundCorners& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);

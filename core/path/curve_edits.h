@@ -11,9 +11,9 @@ namespace burin {
 /// Arcs and helices of constant pitch in the three planes, and lines between them, through points of the stroke: no
 /// place of the stroke lies farther than `tolerance` from the result, nor the other way round. An arc is taken where it
 /// replaces at least three moves and more of the stroke than a line would, keeps the tool as far from the part as the
-/// points had to be, and obeys the control's rules: at most `largestSweep`, a radius within bounds, and radii that
-/// differ by no more than `radiusMismatch` between start and end once all figures are rounded to the control's
-/// decimals.
+/// points had to be, and obeys these rules and the machine's own (MachineProfile::arcs), the stricter of both: at most
+/// `largestSweep`, a radius within bounds, and radii that differ by no more than `radiusMismatch` between start and end
+/// once all figures are rounded to the control's decimals.
 struct FitArcs {
     double tolerance = 0.01;                   ///< mm
     double largestSweep = 3.14159265358979324; ///< rad

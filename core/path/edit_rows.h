@@ -140,13 +140,13 @@ struct EditRow<HoldOut> {
                                        number("sampling_mm", &HoldOut::sampling, 0.005, 1.0)};
 };
 template <>
-struct EditRow<Project> {
+struct EditRow<LayOnPart> {
     static constexpr EditTraits traits{
         .id = "project", .title = BURIN_TEXT("Edit", "Lay on the part"), .step = EditStep::surface, .holdsOut = true};
     static constexpr std::array<std::string_view, 2> ways{"axis", "normal"};
-    static constexpr std::tuple fields{number("allowance_mm", &Project::allowance, 0.0, 100.0),
-                                       number("sampling_mm", &Project::sampling, 0.01, 1.0),
-                                       choice("along", &Project::along, ways)};
+    static constexpr std::tuple fields{number("allowance_mm", &LayOnPart::allowance, 0.0, 100.0),
+                                       number("sampling_mm", &LayOnPart::sampling, 0.01, 1.0),
+                                       choice("along", &LayOnPart::along, ways)};
 };
 template <>
 struct EditRow<Offset> {
@@ -156,17 +156,17 @@ struct EditRow<Offset> {
                                        number("distance_mm", &Offset::distance, -1000.0, 1000.0)};
 };
 template <>
-struct EditRow<GuideRows> {
+struct EditRow<StepOverRows> {
     static constexpr EditTraits traits{.id = "guide-rows",
                                        .title = BURIN_TEXT("Edit", "Rows along a guide"),
                                        .step = EditStep::surface,
                                        .holdsOut = true};
-    static constexpr std::tuple fields{stretch("stretch", &GuideRows::stretch),
-                                       places("guide_mm", &GuideRows::guide, 2.0),
-                                       number("step_over_mm", &GuideRows::stepOver, 0.005, 100.0),
-                                       count("left", &GuideRows::left, 0.0, 1000.0),
-                                       count("right", &GuideRows::right, 0.0, 1000.0),
-                                       number("allowance_mm", &GuideRows::allowance, 0.0, 100.0)};
+    static constexpr std::tuple fields{stretch("stretch", &StepOverRows::stretch),
+                                       places("guide_mm", &StepOverRows::guide, 2.0),
+                                       number("step_over_mm", &StepOverRows::stepOver, 0.005, 100.0),
+                                       count("left", &StepOverRows::left, 0.0, 1000.0),
+                                       count("right", &StepOverRows::right, 0.0, 1000.0),
+                                       number("allowance_mm", &StepOverRows::allowance, 0.0, 100.0)};
 };
 template <>
 struct EditRow<Simplify> {

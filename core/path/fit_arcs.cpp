@@ -148,10 +148,11 @@ Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathCon
     if (!guard) return guard.error();
     ArcFitRules rules;
     rules.tolerance = edit.tolerance;
-    rules.largestSweep = edit.largestSweep;
-    rules.smallestRadius = edit.smallestRadius;
-    rules.largestRadius = edit.largestRadius;
-    rules.radiusMismatch = edit.radiusMismatch;
+    const ArcRules& control = context.machine.arcs;
+    rules.largestSweep = std::min(edit.largestSweep, control.largestSweep);
+    rules.smallestRadius = std::max(edit.smallestRadius, control.smallestRadius);
+    rules.largestRadius = std::min(edit.largestRadius, control.largestRadius);
+    rules.radiusMismatch = std::min(edit.radiusMismatch, control.radiusMismatch);
     rules.figure = std::pow(10.0, -context.machine.coordinateDecimals);
     rules.programZero = context.workOffset;
     std::vector<Deviation> deviations(state.strokes.size());

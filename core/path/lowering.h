@@ -15,12 +15,12 @@ namespace burin {
 class Lowering {
 public:
     /// Keeps a reference to the guard. @param distance mm, from the part @param floor mm, the lowest tip
-    Lowering(const PartGuard& guard, double distance, double floor, Project::Along along)
+    Lowering(const PartGuard& guard, double distance, double floor, LayOnPart::Along along)
         : guard_(guard), distance_(distance), floor_(floor), along_(along) {}
 
     /// Nothing where the tool touches nowhere.
     std::optional<glm::dvec3> operator()(const glm::dvec3& tip) const {
-        return along_ == Project::Along::axis ? alongAxis(tip) : alongNormal(tip);
+        return along_ == LayOnPart::Along::axis ? alongAxis(tip) : alongNormal(tip);
     }
 
 private:
@@ -29,7 +29,7 @@ private:
 
     const PartGuard& guard_;
     double distance_, floor_;
-    Project::Along along_;
+    LayOnPart::Along along_;
 };
 
 /// The strokes that a stroke becomes on the part, with a point at every `sampling` mm at least.

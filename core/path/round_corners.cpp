@@ -33,7 +33,9 @@ struct Rounding {
 class Rounder {
 public:
     Rounder(const RoundCorners& edit, const PartGuard& guard, const PathContext& context) : edit_(edit), guard_(guard) {
-        rules_.radiusMismatch = FitArcs{}.radiusMismatch;
+        rules_.radiusMismatch = std::min(FitArcs{}.radiusMismatch, context.machine.arcs.radiusMismatch);
+        rules_.smallestRadius = context.machine.arcs.smallestRadius;
+        rules_.largestRadius = context.machine.arcs.largestRadius;
         rules_.figure = std::pow(10.0, -context.machine.coordinateDecimals);
         rules_.programZero = context.workOffset;
     }
@@ -67,6 +69,7 @@ private:
         const auto plane = [&](const glm::dvec3& place) { return glm::dvec2(place[u], place[v]); };
         const auto centre = roundedCentre(plane(ideal), plane(start), plane(end), plane(rules_.programZero), rules_);
         if (!centre || glm::distance(start, end) < 16.0 * rules_.figure) return {};
+        if (radius < rules_.smallestRadius || radius > rules_.largestRadius) return {};
         Rounding rounding;
         rounding.start = start;
         rounding.distance = radius / perDistance;

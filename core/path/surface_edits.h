@@ -29,7 +29,7 @@ struct Simplify {
 /// nothing lies below, down to the stock's floor, or the way leads nowhere, the stroke ends; it goes on behind. Steps
 /// on the way down are 0.02 mm at least: what is thinner than that, and no nearer than that to the tool before, may be
 /// passed by the point, and is then met by the hold-out.
-struct Project {
+struct LayOnPart {
     enum class Along { axis, normal };
     double allowance = 0.0; ///< mm of stock left on the part
     double sampling = 0.1;  ///< mm
@@ -44,9 +44,9 @@ struct Offset {
 };
 
 /// Rows with the same step in plan beside a guide that was drawn, the guide's own among them, each laid on the part as
-/// Project does it. The strokes of the stretch are the guide and give way to the rows; a guide of places needs none.
+/// LayOnPart does it. The strokes of the stretch are the guide and give way to the rows; a guide of places needs none.
 /// Every other row goes back.
-struct GuideRows {
+struct StepOverRows {
     TakeStretch stretch;
     std::vector<glm::dvec3> guide;   ///< mm; none: the strokes of the stretch
     double stepOver = 0.5;           ///< mm

@@ -135,7 +135,7 @@ void compare(const Interpreter& truth, const ParsedProgram& parsed) {
     QCOMPARE(truth.moves.size(), parsed.motions.size());
     for (std::size_t i = 0; i < truth.moves.size(); ++i) {
         const glm::dvec3 difference = glm::abs(truth.moves[i].to - parsed.motions[i].to);
-        QVERIFY2(truth.moves[i].rapid == parsed.motions[i].rapid, qPrintable(QString("move %1").arg(i)));
+        QVERIFY2(truth.moves[i].rapid == parsed.motions[i].rapid(), qPrintable(QString("move %1").arg(i)));
         QVERIFY2(difference.x <= 1e-4 && difference.y <= 1e-4 && difference.z <= 1e-4,
                  qPrintable(QString("move %1").arg(i)));
     }
@@ -181,10 +181,10 @@ private slots:
                 const glm::dvec3 rounded = glm::round(move.target * 1000.0) / 1000.0;
                 if (glm::distance(parsed->motions[at - 1].to, rounded) < 1e-9) continue; // no way left: no block
                 RC_ASSERT(glm::distance(parsed->motions[at].to, rounded) < 1e-9);
-                RC_ASSERT(parsed->motions[at].rapid == (move.kind == NcMoveKind::rapid));
-                if (!parsed->motions[at].rapid)
+                RC_ASSERT(parsed->motions[at].rapid() == (move.kind == NcMoveKind::rapid));
+                if (!parsed->motions[at].rapid())
                     RC_ASSERT(std::abs(parsed->motions[at].feed - move.feed) <= 0.05 + 1e-9);
-                RC_ASSERT(parsed->motions[at].spindleOn && parsed->motions[at].tool == 3);
+                RC_ASSERT(parsed->motions[at].spindleOn() && parsed->motions[at].tool == 3);
                 ++at;
             }
             RC_ASSERT(parsed->motions.back().to.z == 60.0);

@@ -149,11 +149,20 @@ struct PathState {
     QString problem;
 };
 
+/// Something that can be chosen by its name.
+struct NamedChoice {
+    std::string id;
+    QString name;
+};
+
 struct ProgramState {
     bool hasPath = false;
-    QString text; ///< empty: not posted
+    std::vector<NamedChoice> machines, dialects;
+    std::string machine, dialect; ///< ids of those in force
+    QString text;                 ///< empty: not posted
     std::size_t blocks = 0;
     std::optional<VerifyReport> report;
+    bool released = false;        ///< it passed, or its header says why it is wanted all the same
     double gougeTolerance = 0.02; ///< mm
     bool outdated = false;
     bool busy = false;

@@ -35,15 +35,15 @@ private slots:
         QCOMPARE(program->maximumSpindleSpeed, 9000.0);
         const std::vector<NcMotion>& m = program->motions;
         QCOMPARE(m.size(), std::size_t{5});
-        QVERIFY(m[0].rapid && !m[0].fromKnown[0] && !m[0].fromKnown[1] && !m[0].fromKnown[2]);
-        QVERIFY(m[1].rapid && m[1].fromKnown[0] && m[1].fromKnown[1] && !m[1].fromKnown[2]);
+        QVERIFY(m[0].rapid() && !m[0].fromKnown[0] && !m[0].fromKnown[1] && !m[0].fromKnown[2]);
+        QVERIFY(m[1].rapid() && m[1].fromKnown[0] && m[1].fromKnown[1] && !m[1].fromKnown[2]);
         QVERIFY(m[1].to == glm::dvec3(1, -2, 5.5));
-        QVERIFY(!m[2].rapid && m[2].fromKnown[2]);
+        QVERIFY(!m[2].rapid() && m[2].fromKnown[2]);
         QVERIFY(m[2].from == m[1].to && m[2].to == glm::dvec3(1.5, -2, 5.5));
         QCOMPARE(m[2].feed, 200.0);
         QVERIFY(m[3].to == glm::dvec3(1.75, -2, 5.0));
         QVERIFY(m[4].to == glm::dvec3(25.4, -2, 5.0));
-        for (const NcMotion& motion : m) QVERIFY(motion.spindleOn && motion.tool == 3);
+        for (const NcMotion& motion : m) QVERIFY(motion.spindleOn() && motion.tool == 3);
         QCOMPARE(m[2].line, 7u);
         QCOMPARE(m[4].line, 10u);
     }
@@ -71,7 +71,7 @@ private slots:
         QVERIFY(program);
         QString found;
         for (int axis = 0; axis < 3; ++axis) {
-            if (program->motions[1].fromKnown[axis]) found += QChar('x' + axis);
+            if (program->motions[1].fromKnown[static_cast<std::size_t>(axis)]) found += QChar('x' + axis);
         }
         QCOMPARE(found, known);
     }
@@ -109,9 +109,10 @@ private slots:
         const auto program = parseProgram(("G0 " + start + "\nF100 " + arc).toStdString(), "job");
         QVERIFY(program);
         double turned = 0.0;
-        for (std::size_t i = 1; i < program->motions.size(); ++i) {
-            const NcMotion& m = program->motions[i];
-            QVERIFY(!m.rapid && m.line == 2);
+        const std::vector<NcMotion> moves = straightMoves(*program, 0.001);
+        for (std::size_t i = 1; i < moves.size(); ++i) {
+            const NcMotion& m = moves[i];
+            QVERIFY(!m.rapid() && m.line == 2);
             QVERIFY(std::abs(std::hypot(m.to[u], m.to[v]) - 10.0) < 1e-9);
             const glm::dvec3 middle = 0.5 * (m.from + m.to);
             QVERIFY(10.0 - std::hypot(middle[u], middle[v]) <= 0.001 + 1e-12); // the stated chord
@@ -158,7 +159,7 @@ private slots:
         const auto program = parseFixture("circle-inch.gcode");
         QVERIFY(program);
         std::size_t onCircle = 0;
-        for (const NcMotion& m : program->motions) {
+        for (const NcMotion& m : straightMoves(*program, 0.001)) {
             if (m.feed != 2.5 * 25.4) continue;
             QVERIFY(std::abs(std::hypot(m.to.x, m.to.y) - 12.7) < 1e-9);
             ++onCircle;

@@ -11,7 +11,7 @@ constexpr double thinning = 0.002; // mm, of points between which there is no sh
 
 } // namespace
 
-Result<Deviation> apply(const Project& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
+Result<Deviation> apply(const LayOnPart& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
     const HoldOut hold;

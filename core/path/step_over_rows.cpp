@@ -10,7 +10,7 @@ namespace burin {
 namespace {
 
 /// The strokes that are the guide; they leave the path.
-std::vector<PathStroke> takeGuide(const GuideRows& edit, PathUnderEdit& state, const PathContext& context) {
+std::vector<PathStroke> takeGuide(const StepOverRows& edit, PathUnderEdit& state, const PathContext& context) {
     std::vector<PathStroke> guide, others;
     if (!edit.guide.empty()) {
         PathStroke drawn{0, edit.allowance, edit.allowance, context.tickPeriod, {}};
@@ -30,7 +30,7 @@ std::vector<PathStroke> takeGuide(const GuideRows& edit, PathUnderEdit& state, c
 }
 
 /// From the outermost row on the right to the one on the left, every other one backwards.
-std::vector<PathStroke> rowsBeside(const PathStroke& guide, const GuideRows& edit, const Progress& progress) {
+std::vector<PathStroke> rowsBeside(const PathStroke& guide, const StepOverRows& edit, const Progress& progress) {
     const auto left = static_cast<int>(edit.left), right = static_cast<int>(edit.right);
     std::vector<std::vector<std::vector<StrokePoint>>> rows(static_cast<std::size_t>(left + right + 1));
     parallelFor(std::size_t{0}, rows.size(), [&](std::size_t i) {
@@ -52,7 +52,8 @@ std::vector<PathStroke> rowsBeside(const PathStroke& guide, const GuideRows& edi
 
 } // namespace
 
-Result<Deviation> apply(const GuideRows& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
+Result<Deviation> apply(const StepOverRows& edit, PathUnderEdit& state, const PathContext& context,
+                        Progress& progress) {
     const std::vector<PathStroke> guides = takeGuide(edit, state, context);
     if (guides.empty())
         return Error{ErrorCode::argumentInvalid, "stretch", "take " + std::to_string(edit.stretch.take),
@@ -61,7 +62,7 @@ Result<Deviation> apply(const GuideRows& edit, PathUnderEdit& state, const PathC
     for (const PathStroke& guide : guides)
         for (PathStroke& row : rowsBeside(guide, edit, progress)) rows.strokes.push_back(std::move(row));
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
-    Project onto;
+    LayOnPart onto;
     onto.allowance = edit.allowance;
     const Result<Deviation> laid = apply(onto, rows, context, progress);
     if (!laid) return laid.error();

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/parsed_program.h"
+
+#include "core/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double coincident = 1e-9; // mm: radii of a circle that differ by no more are one
+
+double arcLength(const NcMotion& motion) noexcept {
+    const ArcTurn turn = motion.turn();
+    const double rise = motion.to[motion.arcAxis] - motion.from[motion.arcAxis];
+    if (std::abs(turn.endRadius - turn.startRadius) <= coincident)
+        return std::hypot(turn.startRadius * turn.sweep, rise);
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(turn.sweep) * 512.0 / (2.0 * pi))));
+    double length = 0.0;
+    glm::dvec3 last = motion.from;
+    for (int i = 1; i <= steps; ++i) {
+        const glm::dvec3 next = placeOn(motion.arc(), turn, static_cast<double>(i) / steps);
+        length += glm::distance(last, next);
+        last = next;
+    }
+    return length;
+}
+
+void appendChords(const NcMotion& motion, double chordTolerance, std::vector<NcMotion>& moves) {
+    const ArcTurn turn = motion.turn();
+    const double radius = std::max(turn.startRadius, turn.endRadius);
+    const double step = 2.0 * std::acos(std::max(0.5, 1.0 - chordTolerance / radius));
+    const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(turn.sweep) / step)));
+    NcMotion chord = motion;
+    chord.kind = NcMotionKind::line;
+    for (std::size_t i = 1; i <= count; ++i) {
+        chord.to = placeOn(motion.arc(), turn, static_cast<double>(i) / static_cast<double>(count));
+        chord.toKnown = motion.toKnown;
+        moves.push_back(chord);
+        chord.from = chord.to;
+        chord.fromKnown = motion.toKnown;
+    }
+}
+
+} // namespace
+
+ArcTurn NcMotion::turn() const noexcept {
+    ArcTurn turn = turnOf(arc());
+    turn.sweep += (clockwise ? -2.0 : 2.0) * pi * wholeTurns;
+    return turn;
+}
+
+double lengthOf(const NcMotion& motion) noexcept {
+    return motion.kind == NcMotionKind::arc ? arcLength(motion) : glm::distance(motion.from, motion.to);
+}
+
+std::vector<NcMotion> straightMoves(const ParsedProgram& program, double chordTolerance) {
+    std::vector<NcMotion> moves;
+    moves.reserve(program.motions.size());
+    for (const NcMotion& motion : program.motions) appendStraightMoves(motion, chordTolerance, moves);
+    return moves;
+}
+
+void appendStraightMoves(const NcMotion& motion, double chordTolerance, std::vector<NcMotion>& moves) {
+    if (motion.kind == NcMotionKind::arc)
+        appendChords(motion, chordTolerance, moves);
+    else if (motion.kind != NcMotionKind::dwell)
+        moves.push_back(motion);
+}
+
+} // namespace burin

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/arc.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+enum class NcMotionKind : std::uint8_t { rapid, line, arc, dwell };
+enum class SpindleState : std::uint8_t { off, clockwise, anticlockwise };
+
+/// What an F word means.
+enum class FeedMode : std::uint8_t {
+    perMinute,    ///< G94
+    inverseTime,  ///< G93: each move takes 1/F min
+    perRevolution ///< G95: per turn of the spindle
+};
+
+/// One move, or a dwell, as the control makes it. Places are mm in the frame of the work offset in force (G54 …), with
+/// shifts of G52 and G92 already in them.
+struct NcMotion {
+    NcMotionKind kind = NcMotionKind::line;
+    SpindleState spindle = SpindleState::off;
+    FeedMode feedMode = FeedMode::perMinute; ///< in force; `feed` is resolved whatever it is
+    bool mist = false, flood = false;        ///< coolant
+    bool clockwise = false;                  ///< arc: seen against its axis (G2)
+    std::uint8_t arcAxis = 2;                ///< arc: 0 X (G19), 1 Y (G18), 2 Z (G17)
+    /// False for axes that no block has set before, or not since a tool change, another work offset, (Z) another length
+    /// offset or a move in the machine's frame. `from` is then without meaning on that axis.
+    std::array<bool, 3> fromKnown{true, true, true};
+    /// False where the block leaves an unknown axis alone, or moves it in the machine's frame (G28, G30, G53).
+    std::array<bool, 3> toKnown{true, true, true};
+    glm::dvec3 from{0.0}, to{0.0};
+    glm::dvec3 centre{0.0};       ///< arc; its component along the axis has no meaning
+    std::uint32_t wholeTurns = 0; ///< arc: turns made before the last one, which is what `arc` describes
+    double feed = 0.0;            ///< mm/min along the way; 0 for rapids, dwells and where the text does not tell it
+    double seconds = 0.0;         ///< of a dwell
+    double spindleSpeed = 0.0;    ///< 1/min
+    int tool = 0;                 ///< loaded
+    int lengthOffset = 0;         ///< H number in force; 0: none, -1: one that the program itself states (G43.1)
+    int workOffset = 54;          ///< 54 … 59; 591 … 593: G59.1 … G59.3; 1000 + n: G54.1 Pn, G154 Pn
+    std::uint32_t line = 0;       ///< of the text, from 1
+    std::uint32_t column = 0;     ///< of the block's word that makes the move, from 1
+
+    bool rapid() const noexcept { return kind == NcMotionKind::rapid; }
+    bool spindleOn() const noexcept { return spindle != SpindleState::off && spindleSpeed > 0.0; }
+    bool startKnown() const noexcept { return fromKnown[0] && fromKnown[1] && fromKnown[2]; }
+    /// The arc without its whole turns; of an arc alone.
+    Arc arc() const noexcept { return {from, to, centre, arcAxis, clockwise}; }
+    /// The whole sweep of an arc, `wholeTurns` included.
+    ArcTurn turn() const noexcept;
+};
+
+/// What a program does, read back from its text.
+struct ParsedProgram {
+    std::vector<NcMotion> motions;
+    std::size_t blocks = 0;           ///< lines that hold at least one word
+    double maximumSpindleSpeed = 0.0; ///< 1/min
+    int workOffset = 54;              ///< in force at the end, numbered as in NcMotion
+    bool ended = false;               ///< M2, M30 or a closing %
+};
+
+/// The length of a move's way, mm: of a straight one, or of an arc with all its turns. Of a spiral, whose radius goes
+/// evenly from one to the other, the chords of a 512th of a turn are added up: less than 1e-4 of it too short.
+double lengthOf(const NcMotion& motion) noexcept;
+
+/// The moves for readers that want straight ones: arcs become lines whose chords leave them by no more than
+/// `chordTolerance` mm, more than 0; dwells are left out. Each keeps what else its motion says.
+std::vector<NcMotion> straightMoves(const ParsedProgram& program, double chordTolerance);
+/// The same of one motion, put behind what `moves` holds.
+void appendStraightMoves(const NcMotion& motion, double chordTolerance, std::vector<NcMotion>& moves);
+
+} // namespace burin
