@@ -114,6 +114,11 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
     context.stock = bench.setup.stock;
     context.obstacles = solidsOf(bench.obstacles);
     context.workOffset = bench.setup.workOffset;
+    context.makeStock = [&bench](Progress& stockProgress) -> Result<RunVolume> {
+        Result<EmbeddedSetup> embedded = embed(*bench.model, bench.setup, stockProgress);
+        if (!embedded) return std::move(embedded).error();
+        return std::move(embedded->workpiece);
+    };
     if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
     return evaluate(path.name, takes, path.edits, context, progress);
 }

@@ -84,8 +84,9 @@ private slots:
         walk(path->path.points, 0.05, [&](const PathPoint&, const glm::dvec3& place) {
             const double clearance = clearanceOf(place);
             QVERIFY2(clearance >= allowance - 0.004, qPrintable(QString::number(clearance)));
-            QVERIFY2(clearance <= allowance + 0.02, qPrintable(QString::number(clearance)));
+            QVERIFY2(clearance <= allowance + 0.04, qPrintable(QString::number(clearance))); // across the crease
         });
+        for (const PathPoint& point : path->path.points) QVERIFY(clearanceOf(point.tip) <= allowance + 0.012);
         if (allowance == 0.0)
             for (const PathPoint& point : path->path.points)
                 QVERIFY(std::abs(point.tip.z - restingHeight(point.tip.x, point.tip.y)) < 0.05);
@@ -130,7 +131,10 @@ private slots:
         for (glm::dvec3& corner : flat) corner.z = 0.0;
         for (const double distance : {1.0, -1.0, 4.0, -0.3}) {
             const auto path = run({takeOf(along(corners, 100.0))}, {{Offset{{}, distance}}}, context);
-            QVERIFY(path);
+            if (!path) { // inside the slot there is no room
+                QVERIFY(path.error().code == ErrorCode::pathEmpty && distance >= 1.0 && corners.size() == 4);
+                continue;
+            }
             for (std::size_t i = 1; i < path->path.points.size(); ++i) {
                 if (path->path.points[i].kind == MoveKind::rapid) continue;
                 for (const glm::dvec3& place : placesOf(path->path.points[i - 1].tip, path->path.points[i], 0.02)) {
@@ -166,6 +170,7 @@ private slots:
     }
 
     void noRandomSequenceOfEditsGouges() {
+        int judged = 0;
         QVERIFY(rc::check("with the hold-out last", [&] {
             const std::vector<Edit> recorded = randomEdits(false), later = randomEdits(true);
             std::vector<Edit> edits = recorded;
@@ -177,10 +182,13 @@ private slots:
             if (!path && path.error().code == ErrorCode::pathEmpty) return;
             RC_ASSERT(static_cast<bool>(path));
             expectNoGouge(*path);
+            ++judged;
         }));
+        QVERIFY2(judged > 60, qPrintable(QString::number(judged))); // of a hundred
     }
 
     void noOrderOfEditsGouges() {
+        int judged = 0;
         QVERIFY(rc::check("an order is refused, or what comes of it does not enter the part", [&] {
             std::vector<Edit> edits = randomEdits(false);
             for (const Edit& edit : randomEdits(true)) edits.push_back(edit);
@@ -192,9 +200,13 @@ private slots:
             const auto path = run({randomTake()}, edits, domeContext());
             const bool linked = std::ranges::any_of(
                 edits, [](const Edit& edit) { return std::holds_alternative<Link>(edit.parameters); });
-            if (path && linked) expectNoGouge(*path);
+            if (path && linked) {
+                expectNoGouge(*path);
+                ++judged;
+            }
             if (!path) RC_ASSERT(!path.error().detail.empty() || path.error().code == ErrorCode::pathEmpty);
         }));
+        QVERIFY2(judged > 15, qPrintable(QString::number(judged)));
     }
 
 private:
