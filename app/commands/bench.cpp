@@ -24,6 +24,8 @@ struct Benchmark {
 constexpr std::array benchmarks{
     Benchmark{"volume", "burin-bench-volume",
               "the S-RLE engine and cutting beside the paper's way, dense grids, OpenVDB and VTK"},
+    Benchmark{"verify", "burin-bench-verify",
+              "reading programs back and judging them beside CAMotics, and where the time goes"},
     Benchmark{"haptics", "burin-bench-haptics", "the haptic loop: cost of a tick, push-back, stability, guards"},
 };
 

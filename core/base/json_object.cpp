@@ -209,6 +209,23 @@ void JsonObject::objectsByName(std::string_view key,
     }
 }
 
+std::map<std::string, std::string> JsonObject::textsByName(std::string_view key) {
+    std::map<std::string, std::string> texts;
+    const json* value = find(key);
+    if (value == nullptr) return texts;
+    if (!value->is_object()) {
+        fail(key, "has to be an object");
+        return texts;
+    }
+    for (const auto& item : value->items()) {
+        if (item.value().is_string() && !item.value().get_ref<const std::string&>().empty())
+            texts[item.key()] = item.value().get<std::string>();
+        else
+            fail(std::string(key) + "." + item.key(), "has to be a text that is not empty");
+    }
+    return texts;
+}
+
 Result<void> JsonObject::finish() {
     for (const auto& [key, value] : node_->items())
         if (!asked_.contains(key)) fail(key, "is not known");

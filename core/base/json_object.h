@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -47,6 +48,9 @@ public:
     void objects(std::string_view key, const std::function<void(JsonObject&)>& read);
     /// An object whose keys are data: each of its values must be an object.
     void objectsByName(std::string_view key, const std::function<void(const std::string& name, JsonObject&)>& read);
+
+    /// An object whose keys are data and whose values are texts, none of them empty.
+    std::map<std::string, std::string> textsByName(std::string_view key);
 
     bool has(std::string_view key) const;
     /// For rules between keys: a fault of `key`.

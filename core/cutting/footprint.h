@@ -12,6 +12,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace burin {
 
@@ -30,17 +31,18 @@ inline LineRange linesWithin(const Span& stretch, double low, double edge, std::
             static_cast<std::int32_t>(std::clamp(last, -1.0, static_cast<double>(count) - 1.0))};
 }
 
-/// Calls `visit(line, from, to)` for every scanline whose centre line meets the swept piece in the grid, run positions
-/// from < to rounded by Grid's one rule; stops when it returns false.
+/// Calls `visit(line, from, to)` for every scanline of some rows (v) whose centre line meets the swept piece in the
+/// grid, run positions from < to rounded by Grid's one rule; stops when it returns false.
 /// @param swept in the frame of the grid's lines (inLineFrame)
 template <class Visit>
-void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexcept {
+void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineRange within, Visit&& visit) noexcept {
     const Box reach = swept.bounds(), box = inLineFrame(grid, grid.box());
     if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
     double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at one height
     RunPosition to = 0;
     const LineRange rows = linesWithin({reach.low.y, reach.high.y}, box.low.y, grid.edge(), grid.lineCountV());
-    for (std::int32_t v = rows.first; v <= rows.last; ++v) {
+    const std::int32_t last = std::min(rows.last, within.last);
+    for (std::int32_t v = std::max(rows.first, within.first); v <= last; ++v) {
         const double y = grid.lineCentre({0, v}).y;
         const std::optional<Span> shadow = swept.shadow(y);
         if (!shadow) continue;
@@ -56,6 +58,12 @@ void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexc
             if (from < to && !visit(line, from, to)) return;
         }
     }
+}
+
+/// The same for every scanline of the grid.
+template <class Visit>
+void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit) noexcept {
+    forEachSpanInRows(swept, grid, {0, grid.lineCountV() - 1}, std::forward<Visit>(visit));
 }
 
 /// Calls `visit(property, start, end)` for every piece of a line's segments between `from` and `to` that is not air.

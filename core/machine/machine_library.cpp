@@ -13,8 +13,79 @@ namespace {
 constexpr NumberRange travel{1.0, 1e5};
 constexpr NumberRange feed{1.0, 1e6};
 constexpr NumberRange spindleSpeed{0.0, 1e6};
+constexpr NumberRange spindlePower{1.0, 1e6};
 constexpr NumberRange acceleration{1.0, 1e6};
+constexpr NumberRange jerk{1.0, 1e9};
 constexpr NumberRange height{0.0, 1e4};
+constexpr NumberRange toolChange{0.0, 3600.0};
+constexpr NumberRange tolerance{0.0, 1.0};
+constexpr NumberRange sweep{1.0, 360.0};
+constexpr NumberRange radius{0.0, 1e6};
+
+glm::dvec3 axesOr(JsonObject& file, std::string_view key, NumberRange range) {
+    if (!file.has(key)) return glm::dvec3(0.0);
+    const std::vector<double> axes = file.numbers(key, 3, range);
+    return {axes[0], axes[1], axes[2]};
+}
+
+void readMotion(JsonObject& file, MachineProfile& machine) {
+    machine.maximumFeed = file.number("maximum_feed_mm_per_min", feed);
+    machine.rapidFeed = file.number("rapid_feed_mm_per_min", feed);
+    machine.axisRates = axesOr(file, "axis_rates_mm_per_min", feed);
+    machine.acceleration = file.number("acceleration_mm_per_s2", acceleration);
+    machine.axisAccelerations = axesOr(file, "axis_accelerations_mm_per_s2", acceleration);
+    machine.axisJerks = axesOr(file, "axis_jerks_mm_per_s3", jerk);
+    if (file.has("rapids"))
+        machine.rapids = static_cast<RapidMode>(file.choice("rapids", {"synchronised", "independent", "tip"}));
+    if (file.has("junctions"))
+        file.object("junctions", [&](JsonObject& junctions) {
+            machine.junctions =
+                static_cast<JunctionRule>(junctions.choice("rule", {"exact_stop", "deviation", "blend"}));
+            machine.junctionTolerance = junctions.numberOr("tolerance_mm", 0.0, tolerance);
+            if (machine.junctions != JunctionRule::exactStop && !(machine.junctionTolerance > 0.0))
+                junctions.fail("tolerance_mm", "has to be above 0 with this rule");
+        });
+}
+
+void readArcs(JsonObject& file, ArcRules& rules) {
+    if (!file.has("arcs")) return;
+    file.object("arcs", [&](JsonObject& arcs) {
+        rules.largestSweep = arcs.number("largest_sweep_deg", sweep) * pi / 180.0;
+        rules.smallestRadius = arcs.number("smallest_radius_mm", radius);
+        rules.largestRadius = arcs.number("largest_radius_mm", radius);
+        rules.radiusMismatch = arcs.number("radius_mismatch_mm", tolerance);
+        if (rules.smallestRadius >= rules.largestRadius)
+            arcs.fail("smallest_radius_mm", "has to be below largest_radius_mm");
+    });
+}
+
+void readSpindle(JsonObject& file, MachineProfile& machine) {
+    machine.minimumSpindleSpeed = file.number("minimum_spindle_speed_rpm", spindleSpeed);
+    machine.maximumSpindleSpeed = file.number("maximum_spindle_speed_rpm", spindleSpeed);
+    if (!(machine.maximumSpindleSpeed > 0.0)) file.fail("maximum_spindle_speed_rpm", "has to be above 0");
+    if (machine.minimumSpindleSpeed > machine.maximumSpindleSpeed)
+        file.fail("minimum_spindle_speed_rpm", "has to be at most maximum_spindle_speed_rpm");
+    if (file.has("spindle_power_w")) machine.spindlePower = file.number("spindle_power_w", spindlePower);
+}
+
+/// A source that names no figure of the file is a slip of the pen.
+void readSources(JsonObject& file, MachineProfile& machine) {
+    machine.source = file.text("source");
+    if (!file.has("sources")) return;
+    machine.sources = file.textsByName("sources");
+    for (const auto& [key, source] : machine.sources)
+        if (!file.has(key)) file.fail("sources." + key, "names no key of this file");
+}
+
+/// Rules between keys.
+void checkTogether(JsonObject& file, const MachineProfile& machine) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (machine.axisRates[axis] > machine.rapidFeed)
+            file.fail("axis_rates_mm_per_min[" + std::to_string(axis) + "]",
+                      "has to be at most rapid_feed_mm_per_min, the greatest feed of all");
+    if (machine.toolChangeHeight >= machine.travel.z)
+        file.fail("tool_change_height_mm", "has to be below the travel of Z");
+}
 
 } // namespace
 
@@ -24,20 +95,18 @@ Result<MachineProfile> machineFromJson(std::string_view text, const std::string&
     MachineProfile machine;
     machine.id = file->text("id");
     machine.name = file->text("name");
-    machine.source = file->text("source");
+    if (file->has("dialect")) machine.dialect = file->text("dialect");
     const std::vector<double> axes = file->numbers("travel_mm", 3, travel);
     machine.travel = {axes[0], axes[1], axes[2]};
-    machine.maximumFeed = file->number("maximum_feed_mm_per_min", feed);
-    machine.rapidFeed = file->number("rapid_feed_mm_per_min", feed);
-    machine.minimumSpindleSpeed = file->number("minimum_spindle_speed_rpm", spindleSpeed);
-    machine.maximumSpindleSpeed = file->number("maximum_spindle_speed_rpm", spindleSpeed);
-    machine.acceleration = file->number("acceleration_mm_per_s2", acceleration);
+    readMotion(*file, machine);
+    readSpindle(*file, machine);
+    readArcs(*file, machine.arcs);
     machine.toolChangeHeight = file->number("tool_change_height_mm", height);
+    machine.toolChangeSeconds = file->numberOr("tool_change_s", 0.0, toolChange);
     machine.coordinateDecimals = file->integer("coordinate_decimals", 0, 9);
     machine.maximumLineLength = file->integer("maximum_line_length", 20, 100000);
-    if (!(machine.maximumSpindleSpeed > 0.0)) file->fail("maximum_spindle_speed_rpm", "has to be above 0");
-    if (machine.minimumSpindleSpeed > machine.maximumSpindleSpeed)
-        file->fail("minimum_spindle_speed_rpm", "has to be at most maximum_spindle_speed_rpm");
+    readSources(*file, machine);
+    checkTogether(*file, machine);
     if (Result<void> read = file->finish(); !read) return read.error();
     return machine;
 }

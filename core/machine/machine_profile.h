@@ -2,26 +2,70 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/units.h"
 #include "core/geometry/box.h"
 
+#include <cstdint>
+#include <map>
 #include <string>
 
 namespace burin {
 
-/// A three-axis machine and its control, plain data. resources/machines/<id>.json.
+/// How a control makes a rapid that moves several axes.
+enum class RapidMode : std::uint8_t {
+    synchronised, ///< straight to the end; all axes arrive together, none faster than its own rate
+    independent,  ///< each axis at its own rate until it is there: a way with a bend ("dog-leg")
+    tip,          ///< straight, the tip at the rapid feed, no axis faster than its own rate
+};
+
+/// How fast a control goes through the corner between two blocks.
+enum class JunctionRule : std::uint8_t {
+    exactStop, ///< it stands still at every corner
+    deviation, ///< as if it drove an arc that leaves the corner by the tolerance, at the acceleration (GRBL's $11)
+    blend,     ///< it rounds the corner by a parabola that leaves it by the tolerance at most (LinuxCNC's G64 P)
+};
+
+/// Which arcs a control takes. What is beyond has to be split or posted as lines.
+struct ArcRules {
+    double largestSweep = 2.0 * pi; ///< rad, of one block; a whole circle where it is 2 pi
+    double smallestRadius = 0.0;    ///< mm
+    double largestRadius = 1e4;     ///< mm
+    double radiusMismatch = 0.002;  ///< mm, between the radii at start and end
+};
+
+/// A three-axis machine and its control, plain data. resources/machines/<id>.json; core/machine/README.md says what
+/// each key means.
 struct MachineProfile {
     std::string id;
     std::string name;
-    std::string source;                 ///< where the numbers come from
-    glm::dvec3 travel{0.0};             ///< mm along X, Y, Z
-    double maximumFeed = 0.0;           ///< mm/min, cutting
-    double rapidFeed = 0.0;             ///< mm/min
-    double minimumSpindleSpeed = 0.0;   ///< 1/min
-    double maximumSpindleSpeed = 0.0;   ///< 1/min
-    double acceleration = 0.0;          ///< mm/s², each axis
-    double toolChangeHeight = 0.0;      ///< mm above the work offset's zero that is always safe to go to
-    int coordinateDecimals = 3;         ///< digits behind the point in mm
-    int maximumLineLength = 255;        ///< characters
+    std::string source;                         ///< where the numbers come from, unless `sources` says otherwise
+    std::map<std::string, std::string> sources; ///< by key of the file: where that number comes from
+    std::string dialect;                        ///< id of the dialect that its control reads; empty: not stated
+    glm::dvec3 travel{0.0};                     ///< mm along X, Y, Z
+    double maximumFeed = 0.0;                   ///< mm/min, cutting
+    double rapidFeed = 0.0;                     ///< mm/min
+    glm::dvec3 axisRates{0.0};                  ///< mm/min, greatest of each axis; 0: the rapid feed (see axisRate)
+    double minimumSpindleSpeed = 0.0;           ///< 1/min
+    double maximumSpindleSpeed = 0.0;           ///< 1/min
+    double spindlePower = 0.0;                  ///< W; 0: not stated
+    double acceleration = 0.0;                  ///< mm/s², of an axis that has none of its own; 0: without limit
+    glm::dvec3 axisAccelerations{0.0};          ///< mm/s², of each axis; 0: `acceleration` (see axisAcceleration)
+    glm::dvec3 axisJerks{0.0};                  ///< mm/s³, of each axis; 0: without limit
+    double toolChangeSeconds = 0.0;             ///< s, from chip to chip
+    double toolChangeHeight = 0.0;              ///< mm above the work offset's zero that is always safe to go to
+    RapidMode rapids = RapidMode::synchronised;
+    JunctionRule junctions = JunctionRule::blend;
+    double junctionTolerance = 0.01; ///< mm; of `blend` where the program states none
+    ArcRules arcs;
+    int coordinateDecimals = 3;  ///< digits behind the point in mm
+    int maximumLineLength = 255; ///< characters
+
+    /// mm/min, the greatest rate of an axis (0, 1, 2).
+    double axisRate(int axis) const noexcept { return axisRates[axis] > 0.0 ? axisRates[axis] : rapidFeed; }
+    /// mm/s², of an axis; 0: without limit.
+    double axisAcceleration(int axis) const noexcept {
+        return axisAccelerations[axis] > 0.0 ? axisAccelerations[axis] : acceleration;
+    }
 };
 
 } // namespace burin

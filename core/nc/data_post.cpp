@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/data_post.h"
 
+#include "core/base/units.h"
 #include "core/nc/arc_steps.h"
 #include "core/nc/block_writer.h"
 
@@ -22,6 +23,16 @@ std::size_t indexOf(Text kind) noexcept {
     return static_cast<std::size_t>(kind);
 }
 
+/// What both the dialect and the machine's own control take.
+DialectArcs limitsOf(const DialectArcs& dialect, const ArcRules& machine) {
+    DialectArcs limits = dialect;
+    limits.largestSweep = std::min(dialect.largestSweep, machine.largestSweep * 180.0 / pi);
+    limits.smallestRadius = std::max(dialect.smallestRadius, machine.smallestRadius);
+    limits.largestRadius = std::min(dialect.largestRadius, machine.largestRadius);
+    limits.largestMismatch = std::min(dialect.largestMismatch, machine.radiusMismatch);
+    return limits;
+}
+
 /// Words a program and keeps what is in force while it does.
 class ProgramWriter {
 public:
@@ -30,6 +41,7 @@ public:
         , program_(program)
         , numbers_(dialect, program.units, machine.coordinateDecimals)
         , writer_(dialect, std::max(3, std::min(dialect.lineLength, machine.maximumLineLength)), sink)
+        , arcs_(limitsOf(dialect.arcs, machine.arcs))
         , clearHeight_(std::max(program.safeHeight, machine.toolChangeHeight)) {}
 
     Result<void> write(Progress& progress) {
@@ -174,7 +186,7 @@ private:
             return sound.error();
         const double reach = glm::length(arc.centre - arc.from);
         if (!(reach <= largestCoordinate)) return Error{ErrorCode::programLimit, "arc", "centre is not a place", ""};
-        for (const StepMove& step : arcSteps(arc, from, numbers_, dialect_.arcs)) {
+        for (const StepMove& step : arcSteps(arc, from, numbers_, arcs_)) {
             Result<void> done = step.arc ? arcBlock(step, arc, move.feed)
                                          : line(NcMoveKind::line, step.to, {true, true, true}, move.feed);
             if (!done) return done;
@@ -311,6 +323,7 @@ private:
     const NcSection* section_ = nullptr;
     NumberWords numbers_;
     BlockWriter writer_;
+    DialectArcs arcs_;
     double clearHeight_;                            // mm
     std::array<std::optional<long long>, 3> place_; // in steps of the last digit; nothing: not known
     std::optional<std::string> motion_;

@@ -59,13 +59,15 @@ double lengthOf(const NcMotion& motion) noexcept {
 std::vector<NcMotion> straightMoves(const ParsedProgram& program, double chordTolerance) {
     std::vector<NcMotion> moves;
     moves.reserve(program.motions.size());
-    for (const NcMotion& motion : program.motions) {
-        if (motion.kind == NcMotionKind::arc)
-            appendChords(motion, chordTolerance, moves);
-        else if (motion.kind != NcMotionKind::dwell)
-            moves.push_back(motion);
-    }
+    for (const NcMotion& motion : program.motions) appendStraightMoves(motion, chordTolerance, moves);
     return moves;
+}
+
+void appendStraightMoves(const NcMotion& motion, double chordTolerance, std::vector<NcMotion>& moves) {
+    if (motion.kind == NcMotionKind::arc)
+        appendChords(motion, chordTolerance, moves);
+    else if (motion.kind != NcMotionKind::dwell)
+        moves.push_back(motion);
 }
 
 } // namespace burin

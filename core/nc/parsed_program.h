@@ -74,5 +74,7 @@ double lengthOf(const NcMotion& motion) noexcept;
 /// The moves for readers that want straight ones: arcs become lines whose chords leave them by no more than
 /// `chordTolerance` mm, more than 0; dwells are left out. Each keeps what else its motion says.
 std::vector<NcMotion> straightMoves(const ParsedProgram& program, double chordTolerance);
+/// The same of one motion, put behind what `moves` holds.
+void appendStraightMoves(const NcMotion& motion, double chordTolerance, std::vector<NcMotion>& moves);
 
 } // namespace burin

@@ -48,6 +48,14 @@ void ClearedHeights::cut(const glm::dvec3& from, const glm::dvec3& to) {
     for (long i = 0; i <= steps; ++i) cutAt(from + (static_cast<double>(i) / static_cast<double>(steps)) * (to - from));
 }
 
+void ClearedHeights::cut(const Arc& arc) {
+    const ArcTurn turn = turnOf(arc);
+    const double length =
+        std::hypot(std::max(turn.startRadius, turn.endRadius) * turn.sweep, arc.to[arc.axis] - arc.from[arc.axis]);
+    const auto steps = static_cast<long>(std::max(1.0, std::ceil(length / edge_)));
+    for (long i = 0; i <= steps; ++i) cutAt(placeOn(arc, turn, static_cast<double>(i) / static_cast<double>(steps)));
+}
+
 void ClearedHeights::cutAt(const glm::dvec3& tip) {
     const std::span<const RevolvedPiece> flutes = std::span(pieces_).first(fluteCount_);
     const double widest = widestOf(flutes);

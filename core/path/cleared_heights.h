@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/arc.h"
 #include "core/geometry/box.h"
 #include "core/geometry/revolved_piece.h"
 
@@ -21,6 +22,8 @@ public:
 
     /// The flutes went straight from one tip to another.
     void cut(const glm::dvec3& from, const glm::dvec3& to);
+    /// The same along an arc.
+    void cut(const Arc& arc);
 
     /// The lowest tip above (x, y) at which the whole tool is in empty space, mm; very low beside the stock.
     double freeHeight(double x, double y) const { return restingHeight(x, y, pieces_, stock_.low.z - 1e3); }

@@ -39,6 +39,12 @@ Access accessOf(const PathStroke& stroke, const PartGuard& guard, double height)
     return access;
 }
 
+/// The same arc, gone the other way.
+std::optional<PathArc> reversed(std::optional<PathArc> arc) {
+    if (arc) arc->clockwise = !arc->clockwise;
+    return arc;
+}
+
 /// Strings strokes together.
 class Linker {
 public:
@@ -59,7 +65,8 @@ public:
             leave();
             enter(stroke, access);
         }
-        for (std::size_t i = joined ? 0 : 1; i < stroke.points.size(); ++i) cut(stroke, i);
+        if (joined) cut(stroke, 0, {});
+        for (std::size_t i = 1; i < stroke.points.size(); ++i) cut(stroke, i, stroke.points[i].arc);
         for (std::size_t i = stroke.points.size() - 1; i > access.exit; --i) back_.push_back({&stroke, i - 1});
         lastRequired_ = stroke.required;
     }
@@ -67,7 +74,7 @@ public:
     /// Up to where the tool may travel.
     void leave() {
         if (points.empty()) return;
-        for (const auto& [stroke, index] : back_) cut(*stroke, index);
+        for (const auto& [stroke, index] : back_) cut(*stroke, index, reversed(stroke->points[index + 1].arc));
         back_.clear();
         const glm::dvec3 tip = points.back().tip;
         const double near = std::min(tip.z + approach_, safeHeight_);
@@ -80,10 +87,15 @@ public:
 private:
     void go(const glm::dvec3& tip, MoveKind kind) { points.push_back({tip, kind, 0.0, 0, -1}); }
 
-    void cut(const PathStroke& stroke, std::size_t index) {
+    /// To a point of a stroke, along the arc or straight.
+    void cut(const PathStroke& stroke, std::size_t index, const std::optional<PathArc>& arc) {
         const StrokePoint& point = stroke.points[index];
-        cleared_.cut(points.empty() ? point.tip : points.back().tip, point.tip);
-        points.push_back({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample});
+        const glm::dvec3 from = points.empty() ? point.tip : points.back().tip;
+        if (arc)
+            cleared_.cut(Arc{from, point.tip, arc->centre, arc->axis, arc->clockwise});
+        else
+            cleared_.cut(from, point.tip);
+        points.push_back({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample, arc});
     }
 
     /// To the stroke's first point: across at the safe height, rapidly down to the approach above what is left there,
@@ -96,7 +108,7 @@ private:
         if (free < safeHeight_) go({tip.x, tip.y, free}, MoveKind::rapid);
         cleared_.cut(points.back().tip, tip);
         points.push_back({tip, MoveKind::plunge, 0.0, stroke.take, entry.sample});
-        for (std::size_t i = access.entry; i > 0; --i) cut(stroke, i - 1);
+        for (std::size_t i = access.entry; i > 0; --i) cut(stroke, i - 1, reversed(stroke.points[i].arc));
     }
 
     /// Whether the tool may go straight on at its cutting feed: not far, clear of part and obstacles, and shank and

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/geometry/mesh_distance.h"
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 
 #include <optional>
 #include <vector>

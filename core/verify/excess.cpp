@@ -46,25 +46,49 @@ std::vector<SurfacePoint> pointsOver(const TriangleMesh& mesh, double spacing) {
     return points;
 }
 
-PropertyIndex propertyAt(const RunVolume& workpiece, const glm::dvec3& place) {
-    const Grid& grid = workpiece.grid();
-    const glm::dvec3 index = (place - grid.low()) / grid.edge();
-    const LineIndex line{static_cast<std::int32_t>(std::floor(index.x)),
-                         static_cast<std::int32_t>(std::floor(index.y))};
-    if (!grid.contains(line) || index.z < 0.0 || index.z >= grid.voxelsPerLine()) return airProperty;
-    const auto position = static_cast<RunPosition>(index.z * unitsPerVoxel);
-    for (const Segment segment : workpiece.line(line))
-        if (position < segment.end()) return segment.property();
-    return airProperty;
-}
+/// Reads a workpiece at places that follow each other closely.
+class PlaceReader {
+public:
+    explicit PlaceReader(const RunVolume& workpiece) : workpiece_(workpiece), grid_(workpiece.grid()) {}
+
+    PropertyIndex at(const glm::dvec3& place) {
+        const glm::dvec3 index = (place - grid_.low()) / grid_.edge();
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(index[axis] >= 0.0 && index[axis] < grid_.count()[axis])) return airProperty;
+        const LineIndex line{static_cast<std::int32_t>(index[grid_.axisOfU()]),
+                             static_cast<std::int32_t>(index[grid_.axisOfV()])};
+        const auto position = static_cast<RunPosition>(index[grid_.axisOfRuns()] * unitsPerVoxel);
+        if (!(line == line_ && position >= from_ && position < to_)) find(line, position);
+        return property_;
+    }
+
+private:
+    void find(LineIndex line, RunPosition position) {
+        line_ = line;
+        to_ = 0;
+        for (const Segment segment : workpiece_.line(line)) {
+            from_ = to_;
+            to_ = segment.end();
+            property_ = segment.property();
+            if (position < to_) return;
+        }
+    }
+
+    const RunVolume& workpiece_;
+    const Grid& grid_;
+    LineIndex line_{-1, -1}; ///< of the segment that was read last
+    RunPosition from_ = 0, to_ = 0;
+    PropertyIndex property_ = airProperty;
+};
 
 /// Length along the normal until the stock ends. Starts half a voxel's diagonal out, where a scanline's centre can no
 /// longer lie inside the part, and goes on in eighths of a voxel.
 double excessAt(const RunVolume& workpiece, const SurfacePoint& point) {
     const double step = workpiece.grid().edge() / 8.0;
+    PlaceReader reader(workpiece);
     double thickness = 0.0;
     for (double way = step; way <= longestExcess; way += step) {
-        const PropertyIndex property = propertyAt(workpiece, point.place + way * point.normal);
+        const PropertyIndex property = reader.at(point.place + way * point.normal);
         if (property == airProperty) break;
         if (!workpiece.properties().isProtected(property)) thickness = way;
     }
@@ -89,33 +113,44 @@ glm::dvec3 touchingTip(std::span<const PieceProfile> flutes, const SurfacePoint&
     return {glm::dvec2(point.place) + touching.radius * outward, point.place.z - touching.height};
 }
 
-bool isReachable(const VerifyRequest& request, std::span<const RevolvedPiece> stack,
-                 std::span<const PieceProfile> flutes, const SurfacePoint& point, double lowest) {
+/// A tool, ready to be asked what it can touch.
+struct TouchingTool {
+    explicit TouchingTool(const Tool& tool) : stack(pieces(tool.cutter)) {
+        for (const RevolvedPiece& piece : flutePieces(tool.cutter)) flutes.emplace_back(piece);
+    }
+
+    std::vector<RevolvedPiece> stack;
+    std::vector<PieceProfile> flutes;
+};
+
+bool isReachable(const VerifyRequest& request, const TouchingTool& tool, const SurfacePoint& point, double lowest) {
     if (point.normal.z < -1e-6) return false;
-    const glm::dvec3 tip = touchingTip(flutes, point);
+    const glm::dvec3 tip = touchingTip(tool.flutes, point);
     if (tip.z < lowest - 1e-6) return false;
-    return request.part->clearance(stack, ToolPose{tip, {0.0, 0.0, 1.0}}, 0.1).clearance >= reachableClearance;
+    // Whether it enters the part by more than is allowed is all that is asked: nothing that is less deep is looked for.
+    const ToolPose pose{tip, {0.0, 0.0, 1.0}};
+    return request.part->clearance(tool.stack, pose, 0.0, -reachableClearance).clearance >= reachableClearance;
 }
 
 } // namespace
 
 Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,
-                                                   Progress& progress) {
+                                                   std::span<const Tool> tools, Progress& progress) {
     std::vector<SurfacePoint> points;
     for (const Body& body : request.model->bodies) {
         const std::vector<SurfacePoint> more = pointsOver(body.mesh, workpiece.grid().edge());
         points.insert(points.end(), more.begin(), more.end());
     }
-    const std::vector<RevolvedPiece> stack = pieces(request.tool.cutter);
-    const std::vector<RevolvedPiece> cutting = flutePieces(request.tool.cutter);
-    const std::vector<PieceProfile> flutes(cutting.begin(), cutting.end());
+    const std::vector<TouchingTool> touching(tools.begin(), tools.end());
     const double lowest = request.model->box().low.z;
     std::vector<DeviationSample> samples(points.size());
     parallelStretches(std::size_t{0}, points.size(), 256, [&](std::size_t from, std::size_t to) {
         if (progress.cancelled()) return;
         for (std::size_t i = from; i != to; ++i)
             samples[i] = {points[i].place, excessAt(workpiece, points[i]),
-                          isReachable(request, stack, flutes, points[i], lowest)};
+                          std::any_of(touching.begin(), touching.end(), [&](const TouchingTool& tool) {
+                              return isReachable(request, tool, points[i], lowest);
+                          })};
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
     return samples;

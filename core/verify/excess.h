@@ -4,13 +4,16 @@
 
 #include "core/verify/verify.h"
 
+#include <span>
+
 namespace burin {
 
 /// How much stock a workpiece leaves over the part, at places spread over the part's surface about a voxel apart: the
 /// length along the outward normal until the stock ends. Reachable are places that the cutter can touch from above
 /// (tip not below the part's lowest point) without entering the part elsewhere.
+/// @param tools that the program uses: reachable is what one of them can touch
 /// Errors: cancelled.
 Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,
-                                                   Progress& progress);
+                                                   std::span<const Tool> tools, Progress& progress);
 
 } // namespace burin

@@ -1,49 +1,110 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/gouge.h"
+
 #include "core/base/parallel.h"
+#include "core/verify/move_samples.h"
 
 #include <algorithm>
-#include <cmath>
+#include <atomic>
 
 namespace burin {
 
 namespace {
 
-/// Farther than this from the part nobody asks how far.
-constexpr double searchDistance = 1.0; // mm
-
+/// A place along the moves that is near the part.
 struct Sample {
     std::uint32_t move = 0;
     glm::dvec3 tip{0.0};
     ToolClearance clearance;
 };
 
-std::vector<Sample> samplesAlong(const std::vector<ToolMove>& moves, double sampling) {
-    std::vector<Sample> samples;
-    for (std::size_t index = 0; index < moves.size(); ++index) {
-        const ToolMove& move = moves[index];
-        const glm::dvec3 from = move.startKnown ? move.from : move.to;
-        const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(move.to - from) / sampling)));
-        for (int i = index == 0 ? 0 : 1; i <= steps; ++i)
-            samples.push_back(
-                {static_cast<std::uint32_t>(index), glm::mix(from, move.to, static_cast<double>(i) / steps), {}});
-    }
-    return samples;
-}
+/// What a batch of samples found.
+struct Batch {
+    std::vector<Sample> near;
+    std::size_t finishSamples = 0, onPart = 0;
+};
 
-bool judgeOnMesh(std::vector<Sample>& samples, const VerifyRequest& request, Progress& progress) {
-    const std::vector<RevolvedPiece> stack = pieces(request.tool.cutter);
+/// Judges one batch of samples after another on the mesh.
+class MeshJudge {
+public:
+    MeshJudge(const std::vector<ToolMove>& moves, std::span<const Tool> tools, std::span<const ShrunkOutline> outlines,
+              const VerifyRequest& request)
+        : moves_(moves), outlines_(outlines), part_(*request.part), cuttingFeed_(tools.size()) {
+        for (const Tool& tool : tools) {
+            stacks_.push_back(pieces(tool.cutter));
+            flutes_.push_back(flutePieces(tool.cutter));
+        }
+        for (const ToolMove& move : moves) // plunges are slower than the cutting feed
+            if (!move.rapid) cuttingFeed_[move.tool] = std::max(cuttingFeed_[move.tool], move.feed);
+    }
+
+    Batch judge(const MoveSamples& samples, std::size_t first, std::size_t end) const {
+        Batch batch;
+        std::optional<ClearanceAsker> asker;
+        std::uint16_t tool = 0;
+        glm::dvec3 last(0.0);
+        double spare = -1.0, within = leastSearch; // mm: from `last`, how far nothing can come near; how far was asked
+        samples.forEach(first, end, [&](std::uint32_t number, const glm::dvec3& tip) {
+            const ToolMove& move = moves_[number];
+            if (!asker || move.tool != tool) {
+                asker.emplace(part_, stacks_[move.tool]);
+                tool = move.tool;
+                spare = -1.0;
+            }
+            bool onPart = false;
+            if (glm::length(tip - last) > spare) {
+                const ToolClearance found = asker->ask(tip, within, {});
+                last = tip;
+                spare = found.clearance - onPartDistance;
+                within = found.clearance < within ? leastSearch : std::min(2.0 * within, greatestSearch);
+                onPart = found.clearance <= onPartDistance && isByFlutes(found, tool, tip);
+                if (found.clearance <= onPartDistance) batch.near.push_back({number, tip, found});
+            }
+            if (!isFinishing(move) || !outlines_[tool].contains(tip.x, tip.y)) return;
+            ++batch.finishSamples;
+            if (onPart) ++batch.onPart;
+        });
+        return batch;
+    }
+
+private:
+    static constexpr double leastSearch = 0.5, greatestSearch = 8.0; // mm: farther from the part nobody asks how far
+
+    bool isFinishing(const ToolMove& move) const noexcept {
+        return !move.rapid && move.startKnown && move.feed >= cuttingFeed_[move.tool];
+    }
+    bool isByFlutes(const ToolClearance& found, std::uint16_t tool, const glm::dvec3& tip) const {
+        if (found.piece < flutes_[tool].size()) return true;
+        const ToolPose pose{tip, {0.0, 0.0, 1.0}};
+        return part_.clearance(flutes_[tool], pose, 2.0 * onPartDistance).clearance <= onPartDistance;
+    }
+
+    const std::vector<ToolMove>& moves_;
+    std::span<const ShrunkOutline> outlines_;
+    const MeshDistance& part_;
+    std::vector<std::vector<RevolvedPiece>> stacks_, flutes_;
+    std::vector<double> cuttingFeed_;
+};
+
+/// All samples near the part, in the order of the moves, whatever the number of threads: batches are of fixed length.
+std::vector<Sample> nearSamples(const MoveSamples& samples, const MeshJudge& judge, GougeJudgement& judgement,
+                                Progress& progress) {
+    constexpr std::size_t length = 256;
+    std::vector<Batch> batches((samples.count() + length - 1) / length);
     std::atomic<std::size_t> done{0};
-    parallelStretches(std::size_t{0}, samples.size(), 512, [&](std::size_t from, std::size_t to) {
+    parallelFor(std::size_t{0}, batches.size(), [&](std::size_t i) {
         if (progress.cancelled()) return;
-        for (std::size_t i = from; i != to; ++i)
-            samples[i].clearance =
-                request.part->clearance(stack, ToolPose{samples[i].tip, {0.0, 0.0, 1.0}}, searchDistance);
-        done += to - from;
-        progress.report(static_cast<double>(done.load()) / static_cast<double>(samples.size()));
+        batches[i] = judge.judge(samples, i * length, std::min((i + 1) * length, samples.count()));
+        progress.report(static_cast<double>(++done) / static_cast<double>(batches.size()));
     });
-    return !progress.cancelled();
+    std::vector<Sample> near;
+    for (Batch& batch : batches) {
+        near.insert(near.end(), batch.near.begin(), batch.near.end());
+        judgement.finishSamples += batch.finishSamples;
+        judgement.onPart += batch.onPart;
+    }
+    return near;
 }
 
 /// Where the exact judgement has to measure, and what its answer means: gouge = offset − signed distance.
@@ -67,44 +128,46 @@ void report(const Sample& sample, double depth, const std::vector<ToolMove>& mov
         findings.add(FindingKind::gouge, moves[sample.move].line, sample.clearance.meshPoint, depth);
 }
 
-} // namespace
-
-Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, const VerifyRequest& request, Findings& findings,
-                                   Progress& progress) {
-    std::vector<Sample> samples = samplesAlong(moves, request.sampling);
-    GougeJudgement judgement;
-    judgement.samples = samples.size();
-    if (samples.empty()) return judgement;
-    if (!judgeOnMesh(samples, request, progress)) return Error{ErrorCode::cancelled, "verification", {}, {}};
-
+/// The worst samples on the B-rep; they stand first in `samples` afterwards.
+/// @return their depths, mm
+Result<std::vector<double>> exactDepths(std::vector<Sample>& samples, const std::vector<ToolMove>& moves,
+                                        std::span<const Tool> tools, const VerifyRequest& request, Progress& progress) {
     const bool exact = request.exactSamples > 0 && !request.model->brep.empty();
-    const std::size_t worstCount = std::min(exact ? request.exactSamples : 0, samples.size());
-    const auto nearer = [](const Sample& a, const Sample& b) { return a.clearance.clearance < b.clearance.clearance; };
-    std::nth_element(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(worstCount) - (worstCount > 0),
-                     samples.end(), nearer);
-    for (const Sample& sample : samples)
-        judgement.maximumMesh = std::max(judgement.maximumMesh, -sample.clearance.clearance);
-
+    const std::size_t count = std::min(exact ? request.exactSamples : 0, samples.size());
+    if (count == 0) return std::vector<double>();
+    std::nth_element(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count) - 1, samples.end(),
+                     [](const Sample& a, const Sample& b) { return a.clearance.clearance < b.clearance.clearance; });
     std::vector<glm::dvec3> points;
     std::vector<double> offsets;
-    for (std::size_t i = 0; i < worstCount; ++i) {
-        const ExactQuestion question = questionFor(samples[i], request.tool.cutter);
+    for (std::size_t i = 0; i < count; ++i) {
+        const ExactQuestion question = questionFor(samples[i], tools[moves[samples[i].move].tool].cutter);
         points.push_back(question.point);
         offsets.push_back(question.offset);
     }
-    if (!points.empty()) {
-        Result<std::vector<double>> distances =
-            exactSignedDistances(request.model->brep, points, request.import, progress);
-        if (!distances) return std::move(distances).error();
-        for (std::size_t i = 0; i < worstCount; ++i) {
-            const double depth = offsets[i] - (*distances)[i];
-            judgement.maximum = std::max(judgement.maximum, depth);
-            report(samples[i], depth, moves, request, findings);
-        }
-        judgement.exactSamples = worstCount;
-    }
-    for (std::size_t i = worstCount; i < samples.size(); ++i) {
-        const double depth = -samples[i].clearance.clearance;
+    Result<std::vector<double>> distances = exactSignedDistances(request.model->brep, points, request.import, progress);
+    if (!distances) return distances;
+    for (std::size_t i = 0; i < count; ++i) (*distances)[i] = offsets[i] - (*distances)[i];
+    return distances;
+}
+
+} // namespace
+
+Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                                   std::span<const ShrunkOutline> outlines, const VerifyRequest& request,
+                                   Findings& findings, Progress& progress) {
+    const MoveSamples places(moves, request.sampling);
+    GougeJudgement judgement;
+    judgement.samples = places.count();
+    std::vector<Sample> samples = nearSamples(places, {moves, tools, outlines, request}, judgement, progress);
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
+    for (const Sample& sample : samples)
+        judgement.maximumMesh = std::max(judgement.maximumMesh, -sample.clearance.clearance);
+
+    const Result<std::vector<double>> exact = exactDepths(samples, moves, tools, request, progress);
+    if (!exact) return exact.error();
+    judgement.exactSamples = exact->size();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double depth = i < exact->size() ? (*exact)[i] : -samples[i].clearance.clearance;
         judgement.maximum = std::max(judgement.maximum, depth);
         report(samples[i], depth, moves, request, findings);
     }

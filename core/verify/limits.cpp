@@ -21,10 +21,11 @@ void judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const 
                  const Box& travel, Findings& findings) {
     Box used;
     for (const ToolMove& move : moves) {
-        used.include(move.to);
         if (!move.rapid && !move.startKnown) findings.add(FindingKind::unknownStart, move.line, move.to, 0.0);
         if (!move.rapid && move.feed > machine.maximumFeed)
             findings.add(FindingKind::feedLimit, move.line, move.to, move.feed);
+        if (!move.endKnown) continue;
+        used.include(move.to);
         // Where nobody said how the setup stands on the table, only the way itself can be too long.
         for (int axis = 0; axis < 3; ++axis) {
             if (used.size()[axis] > machine.travel[axis])
@@ -42,7 +43,8 @@ double machiningSeconds(const std::vector<ToolMove>& moves, const MachineProfile
     double seconds = 0.0;
     for (const ToolMove& move : moves) {
         const double feed = move.rapid ? machine.rapidFeed : move.feed;
-        if (move.startKnown && feed > 0.0) seconds += glm::length(move.to - move.from) / feed * secondsPerMinute;
+        if (move.startKnown && move.endKnown && feed > 0.0)
+            seconds += glm::length(move.to - move.from) / feed * secondsPerMinute;
     }
     return seconds;
 }

@@ -9,24 +9,24 @@
 
 namespace burin {
 
-Result<void> judgeObstacles(const std::vector<ToolMove>& moves, const VerifyRequest& request, Findings& findings,
-                            const Progress& progress) {
+Result<void> judgeObstacles(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                            const VerifyRequest& request, Findings& findings, const Progress& progress) {
     for (const ObstacleSolid& obstacle : solidsOf(request.obstacles)) {
         if (!obstacle.on) continue;
-        const PartGuard guard(*obstacle.surface, request.tool);
+        std::vector<PartGuard> guards;
+        for (const Tool& tool : tools) guards.emplace_back(*obstacle.surface, tool);
         std::vector<std::optional<PartGuard::Dip>> dips(moves.size());
         parallelFor(std::size_t{0}, moves.size(), [&](std::size_t i) {
-            if (progress.cancelled()) return;
             const ToolMove& move = moves[i];
-            dips[i] = guard.deepestDip(move.startKnown ? move.from : move.to, move.to, -request.gougeTolerance,
-                                       request.sampling);
+            if (progress.cancelled() || !move.endKnown) return;
+            dips[i] = guards[move.tool].deepestDip(move.begin(), move.to, -request.gougeTolerance, request.sampling);
         });
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
         for (std::size_t i = 0; i < moves.size(); ++i) {
             if (!dips[i]) continue;
             const ToolMove& move = moves[i];
-            const glm::dvec3 from = move.startKnown ? move.from : move.to;
-            const ToolClearance deepest = guard.clearance(glm::mix(from, move.to, dips[i]->part), 1.0);
+            const glm::dvec3 tip = glm::mix(move.begin(), move.to, dips[i]->part);
+            const ToolClearance deepest = guards[move.tool].clearance(tip, 1.0);
             findings.add(FindingKind::obstacleCollision, move.line, deepest.meshPoint, -dips[i]->clearance);
         }
     }

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/replay.h"
 
-#include "core/cutting/contact.h"
-#include "core/cutting/removal.h"
+#include "core/cutting/line_frame.h"
+#include "core/verify/row_replay.h"
 
-#include <cmath>
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <tuple>
 
 namespace burin {
 
@@ -15,50 +18,143 @@ namespace {
 /// tolerate is one run unit on the lines of a voxel's face.
 constexpr double harmlessRemoval = 1e-3; // mm³
 
-void judgeRemoval(const ToolMove& move, const CutResult& cut, Findings& findings) {
+/// Which moves come near which row of bricks, in order.
+class Turns {
+public:
+    Turns(const std::vector<ToolMove>& moves, std::span<const ReplayTool> tools, const RunVolume& workpiece)
+        : grid_(workpiece.grid()), first_(rowCount() + 1) {
+        std::vector<LineRange> rows(moves.size());
+        const double top = topOf(workpiece);
+        for (std::size_t i = 0; i < moves.size(); ++i) {
+            rows[i] = rowsOf(moves[i], tools[moves[i].tool], top);
+            for (std::int32_t row = rows[i].first; row <= rows[i].last; ++row)
+                ++first_[static_cast<std::size_t>(row) + 1];
+        }
+        for (std::size_t row = 1; row < first_.size(); ++row) first_[row] += first_[row - 1];
+        moves_.resize(first_.back());
+        std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+        for (std::size_t i = 0; i < moves.size(); ++i)
+            for (std::int32_t row = rows[i].first; row <= rows[i].last; ++row)
+                moves_[next[static_cast<std::size_t>(row)]++] = static_cast<std::uint32_t>(i);
+    }
+
+    std::size_t rowCount() const noexcept {
+        return static_cast<std::size_t>((grid_.lineCountV() + brickSide - 1) / brickSide);
+    }
+    std::span<const std::uint32_t> of(std::size_t row) const noexcept {
+        return std::span(moves_).subspan(first_[row], first_[row + 1] - first_[row]);
+    }
+
+private:
+    /// mm along the runs, line frame: nothing stands higher.
+    static double topOf(const RunVolume& workpiece) {
+        const Grid& grid = workpiece.grid();
+        RunPosition highest = 0;
+        for (LineIndex line{0, 0}; line.v < grid.lineCountV(); ++line.v)
+            for (line.u = 0; line.u < grid.lineCountU(); ++line.u) {
+                const std::span<const Segment> segments = workpiece.line(line);
+                const std::size_t last = segments.size();
+                if (segments[last - 1].property() != airProperty)
+                    highest = grid.lineEnd();
+                else if (last > 1)
+                    highest = std::max(highest, segments[last - 2].end());
+            }
+        return grid.toMillimetres(highest);
+    }
+    /// Of bricks; none: last < first.
+    LineRange rowsOf(const ToolMove& move, const ReplayTool& tool, double top) const {
+        if (!move.endKnown) return {};
+        const glm::dvec3 from = inLineFrame(grid_, move.begin()), to = inLineFrame(grid_, move.to);
+        const glm::dvec3 axis = inLineFrame(grid_, glm::dvec3(0.0, 0.0, 1.0));
+        const bool guards = std::min(from.z, to.z) + tool.guardBottom < top;
+        Box reach;
+        for (std::size_t i = 0; i < (guards ? tool.stack.size() : tool.fluteCount); ++i) {
+            const Box piece = SweptPiece(tool.stack[i], from, to, axis).bounds();
+            if (piece.low.z < top) reach.include(piece);
+        }
+        if (reach.empty()) return {};
+        const glm::dvec3 low = inLineFrame(grid_, grid_.low());
+        const LineRange columns = linesWithin({reach.low.x, reach.high.x}, low.x, grid_.edge(), grid_.lineCountU());
+        const LineRange lines = linesWithin({reach.low.y, reach.high.y}, low.y, grid_.edge(), grid_.lineCountV());
+        if (columns.last < columns.first || lines.last < lines.first || reach.high.z <= low.z) return {};
+        return {lines.first / brickSide, lines.last / brickSide};
+    }
+
+    const Grid& grid_;
+    std::vector<std::size_t> first_;
+    std::vector<std::uint32_t> moves_;
+};
+
+void judgeRemoval(const ToolMove& move, const MoveCut& cut, Findings& findings) {
     if (cut.volume <= harmlessRemoval) return;
     if (move.rapid) findings.add(FindingKind::rapidInStock, move.line, cut.centroid, cut.volume);
     if (!move.spindleOn) findings.add(FindingKind::spindleOff, move.line, cut.centroid, cut.volume);
 }
 
-void judgeContact(const ToolMove& move, const Cutter& cutter, const ShankContact& contact, Findings& findings) {
-    if (!contact.touches) return;
-    const bool shank = sectionOf(cutter, contact.piece) == ToolSection::shank;
-    const FindingKind kind = shank ? FindingKind::shankCollision : FindingKind::holderCollision;
-    findings.add(kind, move.line, contact.place, contact.volume);
+std::vector<MoveCut> sumsOf(const std::vector<RowResult>& rows, std::size_t moves, const Grid& grid) {
+    std::vector<UnitSum> sums(moves);
+    for (const RowResult& row : rows)
+        for (const MoveUnits& cut : row.cuts) sums[cut.move].add(cut.sum);
+    std::vector<MoveCut> cuts(moves);
+    for (std::size_t i = 0; i < moves; ++i)
+        if (sums[i].units > 0) cuts[i] = {sums[i].volume(grid), sums[i].centroid(grid)};
+    return cuts;
+}
+
+/// Overlap of shank and holder after one step, over the whole grid.
+struct Contact {
+    std::map<std::uint32_t, std::uint64_t> byPiece;
+    UnitSum sum;
+};
+
+void judgeContacts(const std::vector<RowResult>& rows, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                   const Grid& grid, Findings& findings) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Contact> contacts;
+    for (const RowResult& row : rows)
+        for (const StepContact& step : row.contacts) {
+            Contact& contact = contacts[{step.move, step.step}];
+            contact.byPiece[step.piece] += step.sum.units;
+            contact.sum.add(step.sum);
+        }
+    for (const auto& [place, contact] : contacts) {
+        const ToolMove& move = moves[place.first];
+        const auto most = std::max_element(contact.byPiece.begin(), contact.byPiece.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        const bool shank = sectionOf(tools[move.tool].cutter, most->first) == ToolSection::shank;
+        findings.add(shank ? FindingKind::shankCollision : FindingKind::holderCollision, move.line,
+                     contact.sum.centroid(grid), contact.sum.volume(grid));
+    }
 }
 
 } // namespace
 
-Result<double> replay(const std::vector<ToolMove>& moves, const Tool& tool, RunVolume& workpiece, Findings& findings,
-                      Progress& progress) {
-    const double step = workpiece.grid().edge();
-    const std::vector<RevolvedPiece> stack = pieces(tool.cutter);
-    const std::size_t fluteCount = flutePieces(tool.cutter).size();
-    ContactCheck contact(workpiece.grid());
-    MaterialRemoval removal(tool.cutter, workpiece.grid());
-    double removed = 0.0;
-    for (std::size_t index = 0; index < moves.size(); ++index) {
-        if (index % 256 == 0) {
-            if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
-            progress.report(static_cast<double>(index) / static_cast<double>(moves.size()));
+Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                                    RunVolume& workpiece, Findings& findings, Progress& progress) {
+    const Grid& grid = workpiece.grid();
+    std::vector<ReplayTool> replayTools;
+    for (const Tool& tool : tools) replayTools.emplace_back(tool.cutter, grid);
+    const Turns turns(moves, replayTools, workpiece);
+    std::vector<RowResult> rows(turns.rowCount());
+    std::atomic<std::size_t> done{0};
+    const bool written = workpiece.rewriteBricks([&](std::int32_t row, BrickSink& sink) {
+        const auto place = static_cast<std::size_t>(row);
+        if (turns.of(place).empty() || progress.cancelled()) return;
+        RowStock stock(workpiece, row);
+        rows[place] = RowReplay(stock, grid, moves, replayTools).run(turns.of(place), progress);
+        BrickLines lines(grid.lineEnd());
+        for (std::int32_t brick = 0; brick < stock.brickCount(); ++brick) {
+            if (!stock.isCut(brick)) continue;
+            stock.brick(brick, lines);
+            sink.put({brick * brickSide, stock.firstV()}, lines);
         }
-        const ToolMove& move = moves[index];
-        const glm::dvec3 from = move.startKnown ? move.from : move.to;
-        const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(move.to - from) / step)));
-        glm::dvec3 tip = from;
-        for (int i = 1; i <= steps; ++i) {
-            const glm::dvec3 next = i == steps ? move.to : glm::mix(from, move.to, static_cast<double>(i) / steps);
-            const CutResult cut = removal.cut(workpiece, tip, next);
-            if (cut.outOfMemory)
-                return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
-            removed += cut.volume;
-            judgeRemoval(move, cut, findings);
-            judgeContact(move, tool.cutter, contact.at(workpiece, stack, fluteCount, {next, {0.0, 0.0, 1.0}}), findings);
-            tip = next;
-        }
-    }
-    return removed;
+        progress.report(static_cast<double>(++done) / static_cast<double>(rows.size()));
+    });
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
+    if (!written) return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
+    std::vector<MoveCut> cuts = sumsOf(rows, moves.size(), grid);
+    for (std::size_t i = 0; i < moves.size(); ++i) judgeRemoval(moves[i], cuts[i], findings);
+    judgeContacts(rows, moves, tools, grid, findings);
+    return cuts;
 }
 
 } // namespace burin

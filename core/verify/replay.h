@@ -5,12 +5,23 @@
 #include "core/verify/findings.h"
 #include "core/verify/tool_moves.h"
 
+#include <span>
+#include <vector>
+
 namespace burin {
 
-/// Cuts the moves into a workpiece, flutes before shank and holder, in steps of at most a voxel, and reports what must
-/// not happen: removal by a rapid or with the spindle off, shank or holder in anything.
-/// @return mm³ removed. Errors: volumeOutOfMemory, cancelled.
-Result<double> replay(const std::vector<ToolMove>& moves, const Tool& tool, RunVolume& workpiece, Findings& findings,
-                      Progress& progress);
+/// What one move took away.
+struct MoveCut {
+    double volume = 0.0;      ///< mm³
+    glm::dvec3 centroid{0.0}; ///< mm, setup frame; meaningless where the volume is 0
+};
+
+/// Cuts the moves, in order, into a workpiece, flutes before shank and holder, and reports what must not happen:
+/// removal by a rapid or with the spindle off, shank or holder in anything. All cores; the result does not depend on
+/// how many. What it takes is what the moves take one by one: each is swept exactly.
+/// @param tools those that ToolMove::tool counts
+/// @return by move. Errors: volumeOutOfMemory, cancelled.
+Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                                    RunVolume& workpiece, Findings& findings, Progress& progress);
 
 } // namespace burin

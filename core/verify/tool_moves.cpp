@@ -2,27 +2,85 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/tool_moves.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace burin {
+
 namespace {
 
-constexpr double arcChord = 0.001; // mm
+constexpr double sameTime = 1e-12; // min: axes that arrive so close together arrive at once
+
+bool allKnown(const std::array<bool, 3>& known) {
+    return known[0] && known[1] && known[2];
+}
+
+void appendRapid(const ToolMove& rapid, const MachineProfile& machine, std::vector<ToolMove>& moves) {
+    if (!rapid.startKnown || !rapid.endKnown) {
+        moves.push_back(rapid);
+        return;
+    }
+    ToolMove stretch = rapid;
+    for (const glm::dvec3& corner : rapidWay(rapid.from, rapid.to, machine)) {
+        stretch.to = corner;
+        moves.push_back(stretch);
+        stretch.from = corner;
+    }
+}
 
 } // namespace
 
-std::vector<ToolMove> toolMoves(const ParsedProgram& program, const glm::dvec3& workOffset) {
-    const std::vector<NcMotion> motions = straightMoves(program, arcChord);
+std::vector<glm::dvec3> rapidWay(const glm::dvec3& from, const glm::dvec3& to, const MachineProfile& machine) {
+    if (machine.rapids != RapidMode::independent) return {to};
+    std::array<double, 3> arrival{}; // min
+    for (int axis = 0; axis < 3; ++axis) {
+        const double rate = machine.axisRate(axis);
+        arrival[static_cast<std::size_t>(axis)] = rate > 0.0 ? std::abs(to[axis] - from[axis]) / rate : 0.0;
+    }
+    std::array<double, 3> times = arrival;
+    std::sort(times.begin(), times.end());
+    std::vector<glm::dvec3> corners;
+    double last = 0.0;
+    for (const double time : times) {
+        if (time - last <= sameTime || times[2] - time <= sameTime) continue;
+        glm::dvec3 corner = to;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double whole = arrival[static_cast<std::size_t>(axis)];
+            if (whole > time + sameTime) corner[axis] = from[axis] + (to[axis] - from[axis]) * (time / whole);
+        }
+        corners.push_back(corner);
+        last = time;
+    }
+    corners.push_back(to);
+    return corners;
+}
+
+std::vector<ToolMove> toolMoves(const ParsedProgram& program, const glm::dvec3& workOffset,
+                                const MachineProfile& machine, std::span<const std::uint16_t> toolOf) {
     std::vector<ToolMove> moves;
-    moves.reserve(motions.size());
-    for (const NcMotion& motion : motions) {
-        ToolMove move;
-        move.from = motion.from + workOffset;
-        move.to = motion.to + workOffset;
-        move.feed = motion.feed;
-        move.line = motion.line;
-        move.rapid = motion.rapid();
-        move.spindleOn = motion.spindleOn();
-        move.startKnown = motion.startKnown();
-        moves.push_back(move);
+    moves.reserve(program.motions.size());
+    std::vector<NcMotion> straight;
+    for (std::size_t i = 0; i < program.motions.size(); ++i) {
+        straight.clear();
+        appendStraightMoves(program.motions[i], arcChord, straight);
+        for (const NcMotion& motion : straight) {
+            ToolMove move;
+            move.from = motion.from + workOffset;
+            move.to = motion.to + workOffset;
+            move.feed = motion.feed;
+            move.line = motion.line;
+            move.motion = static_cast<std::uint32_t>(i);
+            move.tool = toolOf.empty() ? std::uint16_t{0} : toolOf[i];
+            move.rapid = motion.rapid();
+            move.spindleOn = motion.spindleOn();
+            move.startKnown = motion.startKnown();
+            move.endKnown = allKnown(motion.toKnown);
+            if (move.rapid)
+                appendRapid(move, machine, moves);
+            else
+                moves.push_back(move);
+        }
     }
     return moves;
 }

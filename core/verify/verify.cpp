@@ -8,6 +8,7 @@
 #include "core/verify/limits.h"
 #include "core/verify/obstacles.h"
 #include "core/verify/outline.h"
+#include "core/verify/program_tools.h"
 #include "core/verify/replay.h"
 #include "core/verify/tool_moves.h"
 
@@ -18,37 +19,11 @@ namespace burin {
 
 namespace {
 
-/// A cutter this near to the part is said to lie on it.
-constexpr double onPartDistance = 0.1; // mm
-
-bool hasOneTool(const ParsedProgram& program) {
-    return std::all_of(program.motions.begin(), program.motions.end(), [&](const NcMotion& motion) {
-        return motion.tool == 0 || motion.tool == program.motions.back().tool;
-    });
-}
-
-/// How much of what is cut over the part's outline, shrunk by the radius, lies on the part.
-void judgeFinish(const std::vector<ToolMove>& moves, const VerifyRequest& request, const ShrunkOutline& outline,
-                 VerifyReport& report) {
-    const std::vector<RevolvedPiece> cutter = flutePieces(request.tool.cutter);
-    double cuttingFeed = 0.0; // plunges are slower than the cutting feed
-    for (const ToolMove& move : moves)
-        if (!move.rapid) cuttingFeed = std::max(cuttingFeed, move.feed);
-    std::size_t onPart = 0;
-    for (const ToolMove& move : moves) {
-        if (move.rapid || !move.startKnown || move.feed < cuttingFeed) continue;
-        const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(move.to - move.from) / request.sampling)));
-        for (int i = 1; i <= steps; ++i) {
-            const glm::dvec3 tip = glm::mix(move.from, move.to, static_cast<double>(i) / steps);
-            if (!outline.contains(tip.x, tip.y)) continue;
-            ++report.onPartSamples;
-            const double clearance =
-                request.part->clearance(cutter, ToolPose{tip, {0.0, 0.0, 1.0}}, 2.0 * onPartDistance).clearance;
-            if (clearance <= onPartDistance) ++onPart;
-        }
-    }
-    if (report.onPartSamples > 0)
-        report.onPartShare = static_cast<double>(onPart) / static_cast<double>(report.onPartSamples);
+/// The part's outline, shrunk by the radius of each tool.
+std::vector<ShrunkOutline> outlinesFor(const std::vector<Tool>& tools, const RunVolume& workpiece) {
+    std::vector<ShrunkOutline> outlines;
+    for (const Tool& tool : tools) outlines.emplace_back(workpiece, tool.cutter.radius());
+    return outlines;
 }
 
 void summariseExcess(VerifyReport& report) {
@@ -65,40 +40,48 @@ void summariseExcess(VerifyReport& report) {
     report.reachableShare = static_cast<double>(reachable) / static_cast<double>(report.deviations.size());
 }
 
+void take(const GougeJudgement& gouges, VerifyReport& report) {
+    report.gougeMax = gouges.maximum;
+    report.gougeMaxMesh = gouges.maximumMesh;
+    report.samples = gouges.samples;
+    report.exactSamples = gouges.exactSamples;
+    report.onPartSamples = gouges.finishSamples;
+    if (gouges.finishSamples > 0)
+        report.onPartShare = static_cast<double>(gouges.onPart) / static_cast<double>(gouges.finishSamples);
+}
+
 } // namespace
 
 Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined) {
-    if (!hasOneTool(*request.program))
-        return Error{ErrorCode::notSupported, "a program with a tool change", "one program a tool", {}};
+    const Result<ProgramTools> tools = toolsOf(request);
+    if (!tools) return tools.error();
     progress.stage(0.0, 0.05);
     Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, progress);
     if (!embedded) return std::move(embedded).error();
     RunVolume& workpiece = embedded->workpiece;
 
-    const std::vector<ToolMove> moves = toolMoves(*request.program, request.setup.workOffset);
+    const std::vector<ToolMove> moves =
+        toolMoves(*request.program, request.setup.workOffset, request.machine, tools->ofMotion);
+    const std::vector<ShrunkOutline> outlines = outlinesFor(tools->tools, workpiece);
     Findings findings;
     VerifyReport report;
     judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, request.travel, findings);
-    if (Result<void> judged = judgeObstacles(moves, request, findings, progress); !judged)
+    if (Result<void> judged = judgeObstacles(moves, tools->tools, request, findings, progress); !judged)
         return std::move(judged).error();
     report.machiningSeconds = machiningSeconds(moves, request.machine);
-    judgeFinish(moves, request, ShrunkOutline(workpiece, request.tool.cutter.radius()), report);
 
     progress.stage(0.05, 0.4);
-    Result<double> removed = replay(moves, request.tool, workpiece, findings, progress);
-    if (!removed) return std::move(removed).error();
-    report.removed = *removed;
+    const Result<std::vector<MoveCut>> cuts = replay(moves, tools->tools, workpiece, findings, progress);
+    if (!cuts) return cuts.error();
+    for (const MoveCut& cut : *cuts) report.removed += cut.volume;
 
     progress.stage(0.4, 0.9);
-    Result<GougeJudgement> gouges = judgeGouges(moves, request, findings, progress);
-    if (!gouges) return std::move(gouges).error();
-    report.gougeMax = gouges->maximum;
-    report.gougeMaxMesh = gouges->maximumMesh;
-    report.samples = gouges->samples;
-    report.exactSamples = gouges->exactSamples;
+    const Result<GougeJudgement> gouges = judgeGouges(moves, tools->tools, outlines, request, findings, progress);
+    if (!gouges) return gouges.error();
+    take(*gouges, report);
 
     progress.stage(0.9, 1.0);
-    Result<std::vector<DeviationSample>> deviations = measureExcess(workpiece, request, progress);
+    Result<std::vector<DeviationSample>> deviations = measureExcess(workpiece, request, tools->tools, progress);
     if (!deviations) return std::move(deviations).error();
     report.deviations = std::move(*deviations);
     summariseExcess(report);

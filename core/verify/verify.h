@@ -24,7 +24,8 @@ struct VerifyRequest {
     const MeshDistance* part = nullptr; ///< of the model's meshes, chord <= 0.005 mm
     Setup setup;
     std::vector<Obstacle> obstacles; ///< those that are on are judged
-    Tool tool;
+    Tool tool;                       ///< of every move, where `tools` is empty
+    std::vector<Tool> tools;         ///< those that the program may call by their numbers; empty: it may call one alone
     MachineProfile machine;
     Box travel; ///< mm, setup frame: where the machine lets the tip go; empty: where its travel lies is not known
     double gougeTolerance = 0.02;   ///< mm
@@ -47,6 +48,8 @@ enum class FindingKind : std::uint8_t {
 };
 /// Stable id of a kind, for JSON: "gouge", "rapid_in_stock", …
 const char* idOf(FindingKind kind);
+/// What a kind's amount is counted in, in ASCII: "mm", "mm^3"; empty where the amount says nothing.
+const char* unitOf(FindingKind kind);
 
 struct Finding {
     FindingKind kind = FindingKind::gouge;
@@ -86,7 +89,8 @@ struct VerifyReport {
 /// limits, gouges on the fine mesh and, at the worst samples, on exact geometry. core/verify/README.md states the
 /// rules.
 /// @param machined  the workpiece as the program leaves it, where not null
-/// Errors: those of embed and exactSignedDistances, notSupported (more than one tool), cancelled.
+/// Errors: those of embed and exactSignedDistances, nameUnknown (a tool that the request does not have), notSupported
+/// (several tools, and a request with one for all), cancelled.
 Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined = nullptr);
 
 } // namespace burin

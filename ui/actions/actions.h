@@ -58,6 +58,8 @@ enum class ActionId : std::size_t {
     newPath,
     evaluatePath,
     post,
+    findInProgram,
+    overrideCheck,
     welcome,
     about,
     count

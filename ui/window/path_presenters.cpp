@@ -4,6 +4,7 @@
 
 #include "ui/messages/messages.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace burin {
@@ -31,6 +32,9 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, QObject* pa
     : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel) {
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
+    connect(&panel, &PathPanel::editAdded, &workbench.path, &PathController::addEdit);
+    connect(&panel, &PathPanel::editRemoved, &workbench.path, &PathController::removeEdit);
+    connect(&panel, &PathPanel::editMoved, &workbench.path, &PathController::moveEdit);
     connect(&panel, &PathPanel::evaluateRequested, &workbench.path, &PathController::evaluate);
 }
 
@@ -59,7 +63,9 @@ void PathPresenter::present() {
 }
 
 ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.program, &workbench.path}, parent), panel_(panel) {
+    : Presenter(workbench, {&workbench.program, &workbench.path, &workbench.target}, parent), panel_(panel) {
+    connect(&panel, &ProgramPanel::machineChosen, &workbench.target, &TargetController::chooseMachine);
+    connect(&panel, &ProgramPanel::dialectChosen, &workbench.target, &TargetController::chooseDialect);
     connect(&panel, &ProgramPanel::postRequested, this, [this] { workbench_.program.post(programName(workbench_)); });
     connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);
 }
@@ -73,10 +79,18 @@ void ProgramPresenter::present() {
     const ProgramController& program = workbench_.program;
     ProgramState state;
     state.hasPath = workbench_.path.evaluated() != nullptr;
+    const TargetController& target = workbench_.target;
+    for (const MachineProfile& machine : target.machines())
+        state.machines.push_back({machine.id, QCoreApplication::translate("Resource", machine.name.c_str())});
+    for (const DialectDescription& dialect : target.dialects())
+        state.dialects.push_back({dialect.id, QString::fromStdString(dialect.name)});
+    state.machine = target.machine().id;
+    state.dialect = target.dialect();
     state.text = program.storedText();
     if (program.program()) {
-        state.blocks = program.program()->blocks;
+        state.blocks = program.program()->parsed.blocks;
         state.report = program.program()->report;
+        state.released = program.program()->released();
     }
     state.gougeTolerance = program.gougeTolerance();
     state.outdated = program.outdated();

@@ -24,12 +24,13 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , status(workbench, meters, stage.status, this)
     , job(workbench, stage.jobLine, this)
     , scene(workbench, stage.viewport, actions, this)
-    , guideScene(workbench, stage.viewport, actions, this) {}
+    , guideScene(workbench, stage.viewport, actions, this)
+    , programScene(workbench, stage.viewport, *stage.panels.program, scene, this) {}
 
 void Presenters::setUnit(LengthUnit unit) {
-    for (Presenter* presenter :
-         std::initializer_list<Presenter*>{&part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides,
-                                           &hand, &path, &program, &meters, &status, &job, &scene, &guideScene})
+    for (Presenter* presenter : std::initializer_list<Presenter*>{
+             &part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides, &hand, &path, &program,
+             &meters, &status, &job, &scene, &guideScene, &programScene})
         presenter->setUnit(unit);
 }
 

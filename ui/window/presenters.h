@@ -9,6 +9,7 @@
 #include "ui/window/mill_presenter.h"
 #include "ui/window/panel_stack.h"
 #include "ui/window/path_presenters.h"
+#include "ui/window/program_scene_presenter.h"
 #include "ui/window/scene_presenter.h"
 #include "ui/window/setup_presenters.h"
 #include "ui/window/status_presenter.h"
@@ -48,6 +49,7 @@ public:
     JobPresenter job;
     ScenePresenter scene;
     GuideScenePresenter guideScene;
+    ProgramScenePresenter programScene;
 };
 
 } // namespace burin

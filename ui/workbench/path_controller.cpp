@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/path_controller.h"
 
+#include "core/path/edit_step.h"
 #include "core/project/program_job.h"
 #include "ui/workbench/value_command.h"
 
@@ -17,6 +18,19 @@ struct PathMatter {
     StoredPath path;
     std::shared_ptr<const std::vector<Take>> takes;
 };
+
+/// The edits with one more, as late as their order allows it; at the end where no place is right, so that evaluation
+/// says what is wrong.
+std::vector<Edit> withEdit(const std::vector<Edit>& edits, const Edit& edit) {
+    for (std::size_t place = edits.size() + 1; place-- > 0;) {
+        std::vector<Edit> tried = edits;
+        tried.insert(tried.begin() + static_cast<std::ptrdiff_t>(place), edit);
+        if (checkOrder(tried)) return tried;
+    }
+    std::vector<Edit> appended = edits;
+    appended.push_back(edit);
+    return appended;
+}
 
 bool alike(const StoredPath& one, const StoredPath& other) {
     return one.name == other.name && one.takes == other.takes &&
@@ -101,7 +115,32 @@ void PathController::changeEdit(std::size_t index, const Edit& edit) {
     std::vector<Edit> edits = stored_->edits;
     if (toJson(edits[index]) == toJson(edit)) return;
     edits[index] = edit;
-    desk_.undo.push(new ValueCommand<std::vector<Edit>>(tr("edit of the path"), -1, stored_->edits, edits,
+    push(tr("change of an edit"), std::move(edits));
+}
+
+void PathController::addEdit(const Edit& edit) {
+    if (!stored_) return;
+    push(tr("new edit"), withEdit(stored_->edits, edit));
+}
+
+void PathController::removeEdit(std::size_t index) {
+    if (!stored_ || index >= stored_->edits.size()) return;
+    std::vector<Edit> edits = stored_->edits;
+    edits.erase(edits.begin() + static_cast<std::ptrdiff_t>(index));
+    push(tr("removal of an edit"), std::move(edits));
+}
+
+void PathController::moveEdit(std::size_t from, std::size_t to) {
+    if (!stored_ || from >= stored_->edits.size() || to >= stored_->edits.size() || from == to) return;
+    std::vector<Edit> edits = stored_->edits;
+    const Edit moved = edits[from];
+    edits.erase(edits.begin() + static_cast<std::ptrdiff_t>(from));
+    edits.insert(edits.begin() + static_cast<std::ptrdiff_t>(to), moved);
+    push(tr("order of edits"), std::move(edits));
+}
+
+void PathController::push(const QString& text, std::vector<Edit> edits) {
+    desk_.undo.push(new ValueCommand<std::vector<Edit>>(text, -1, stored_->edits, std::move(edits),
                                                         [this](const std::vector<Edit>& value) { apply(value); }));
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "ui/workbench/bench_controller.h"
 
 #include <memory>
@@ -28,6 +28,10 @@ public:
 
     void makeNew();                                       ///< with the edits of the main job; evaluates it
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
+    /// Entries of the undo stack; each evaluates the path. A new edit comes as late as the order of edits allows.
+    void addEdit(const Edit& edit);
+    void removeEdit(std::size_t index);
+    void moveEdit(std::size_t from, std::size_t to);
     void evaluate();
     void takesChanged(); ///< what was evaluated may be no longer what was recorded
 
@@ -38,6 +42,7 @@ signals:
 
 private:
     using Takes = std::shared_ptr<const std::vector<Take>>;
+    void push(const QString& text, std::vector<Edit> edits);
     void apply(const std::vector<Edit>& edits);
     void readTakes();
     void evaluateTakes(const Takes& takes);

@@ -6,7 +6,20 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
+
 using namespace burin;
+
+namespace {
+
+/// No more than has to be stated.
+const char* const shortProfile =
+    "{\"id\": \"own\", \"name\": \"own\", \"source\": \"measured\", \"travel_mm\": [300, 200, 100],"
+    "\"maximum_feed_mm_per_min\": 1000, \"rapid_feed_mm_per_min\": 3000, \"minimum_spindle_speed_rpm\": 0,"
+    "\"maximum_spindle_speed_rpm\": 8000, \"acceleration_mm_per_s2\": 250, \"tool_change_height_mm\": 20,"
+    "\"coordinate_decimals\": 3, \"maximum_line_length\": 80}";
+
+} // namespace
 
 class MachineLibraryTest : public QObject {
     Q_OBJECT
@@ -24,7 +37,50 @@ private slots:
             QCOMPARE(machine->id, id);
             QVERIFY(machine->rapidFeed >= machine->maximumFeed);
             QVERIFY(machine->toolChangeHeight < machine->travel.z);
+            QVERIFY(!machine->dialect.empty());
+            for (int axis = 0; axis < 3; ++axis) {
+                QVERIFY(machine->axisRate(axis) > 0.0 && machine->axisRate(axis) <= machine->rapidFeed);
+                QVERIFY(machine->axisAcceleration(axis) > 0.0);
+            }
         }
+    }
+
+    void thereIsOneToStartFromForEveryKindOfControl() {
+        const std::vector<std::string> ids = machineIds();
+        for (const char* id :
+             {"linuxcnc-mill", "grbl-router", "grblhal-router", "haas-mill", "fanuc-mill", "mach-mill"})
+            QVERIFY2(std::find(ids.begin(), ids.end(), id) != ids.end(), id);
+    }
+
+    /// Figures of GRBL's own defaults for that router, and rules that its documentation states.
+    void theGrblRouterIsAsGrblSaysItIs() {
+        const Result<MachineProfile> router = loadMachine("grbl-router");
+        QVERIFY(router.hasValue());
+        QCOMPARE(router->travel, glm::dvec3(425.0, 465.0, 80.0));
+        QCOMPARE(router->axisRate(2), 5000.0);
+        QCOMPARE(router->axisAcceleration(0), 400.0);
+        QVERIFY(router->junctions == JunctionRule::deviation);
+        QCOMPARE(router->junctionTolerance, 0.02);
+        QVERIFY(router->rapids == RapidMode::synchronised);
+        QCOMPARE(router->maximumLineLength, 79);
+        QVERIFY(router->arcs.radiusMismatch <= 0.005);
+        QVERIFY(router->sources.at("travel_mm").find("SHAPEOKO_3") != std::string::npos);
+    }
+
+    /// Each axis at its own rate unless a parameter says otherwise: the classic dog-leg.
+    void largeControlsBendTheirRapids() {
+        for (const char* id : {"haas-mill", "fanuc-mill"}) QVERIFY(loadMachine(id)->rapids == RapidMode::independent);
+    }
+
+    void whatAMachineDoesNotStateHasItsDefault() {
+        const Result<MachineProfile> own = machineFromJson(shortProfile, "own.json");
+        QVERIFY(own.hasValue());
+        QCOMPARE(own->axisRate(1), 3000.0);
+        QCOMPARE(own->axisAcceleration(2), 250.0);
+        QCOMPARE(own->axisJerks, glm::dvec3(0.0));
+        QCOMPARE(own->arcs.largestSweep, 2.0 * pi);
+        QCOMPARE(own->toolChangeSeconds, 0.0);
+        QVERIFY(own->dialect.empty() && own->sources.empty());
     }
 
     void theExampleMillTakesTheSamplePart() {
@@ -60,6 +116,24 @@ private slots:
         QTest::newRow("spindle upside down") << R"("minimum_spindle_speed_rpm": 3000)"
                                              << R"("minimum_spindle_speed_rpm": 30000)"
                                              << "minimum_spindle_speed_rpm";
+        QTest::newRow("rapids of no kind") << R"("synchronised")"
+                                           << R"("diagonal")"
+                                           << "rapids";
+        QTest::newRow("an axis beyond the rapids") << "[6000, 6000, 3000]"
+                                                   << "[6000, 7000, 3000]"
+                                                   << "axis_rates_mm_per_min[1]";
+        QTest::newRow("a blend by nothing") << R"("tolerance_mm": 0.01)"
+                                            << R"("tolerance_mm": 0)"
+                                            << "junctions.tolerance_mm";
+        QTest::newRow("arcs upside down") << R"("smallest_radius_mm": 0.02)"
+                                          << R"("smallest_radius_mm": 2000)"
+                                          << "arcs.smallest_radius_mm";
+        QTest::newRow("a source of nothing") << "\"rapids\": \"EMC"
+                                             << "\"jerk\": \"EMC"
+                                             << "sources.jerk";
+        QTest::newRow("a tool change above the travel") << R"("tool_change_height_mm": 60)"
+                                                        << R"("tool_change_height_mm": 260)"
+                                                        << "tool_change_height_mm";
         QTest::newRow("missing") << R"("coordinate_decimals": 3,)"
                                  << ""
                                  << "coordinate_decimals";

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/row_replay.h"
+
+#include "core/cutting/line_frame.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+namespace {
+
+constexpr glm::dvec3 toolAxis(0.0, 0.0, 1.0);        // setup frame
+constexpr RunPosition tolerance = unitsPerVoxel / 4; // as ContactCheck
+constexpr std::size_t movesBetweenLooks = 256;
+
+/// The part of a straight way whose place along one axis lies in a stretch, as shares of the way; none: low > high.
+Span shareWithin(double from, double to, const Span& stretch) noexcept {
+    const double way = to - from;
+    if (std::abs(way) < 1e-12) return from >= stretch.low && from <= stretch.high ? Span{0.0, 1.0} : Span{1.0, 0.0};
+    const double a = (stretch.low - from) / way, b = (stretch.high - from) / way;
+    return {std::max(0.0, std::min(a, b)), std::min(1.0, std::max(a, b))};
+}
+
+} // namespace
+
+ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid)
+    : stack(pieces(cutter))
+    , fluteCount(flutePieces(cutter).size())
+    , guardBottom(std::numeric_limits<double>::infinity())
+    , upright(grid.axis() == RunAxis::z)
+    , filter(std::span(stack).first(fluteCount), grid) {
+    const glm::dvec3 axis = inLineFrame(grid, toolAxis);
+    for (std::size_t i = 0; i < stack.size(); ++i) {
+        if (i < fluteCount) {
+            fluteRadius = std::max(fluteRadius, stack[i].widestRadius());
+            continue;
+        }
+        const double across = stack[i].widestRadius() * std::sqrt(std::max(0.0, 1.0 - axis.z * axis.z));
+        guardBottom = std::min(guardBottom, std::min(stack[i].bottom * axis.z, stack[i].top * axis.z) - across);
+    }
+}
+
+std::uint32_t stepsOf(const ToolMove& move, double edge) noexcept {
+    return static_cast<std::uint32_t>(std::max(1.0, std::ceil(glm::length(move.to - move.begin()) / edge)));
+}
+
+RowResult RowReplay::run(std::span<const std::uint32_t> turns, const Progress& progress) {
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        if (i % movesBetweenLooks == 0) {
+            if (progress.cancelled()) break;
+            reach_ = stock_.reach();
+        }
+        make(turns[i]);
+    }
+    return std::move(result_);
+}
+
+void RowReplay::make(std::uint32_t number) {
+    const ToolMove& move = moves_[number];
+    const ReplayTool& tool = tools_[move.tool];
+    const glm::dvec3 from = inLineFrame(grid_, move.begin()), to = inLineFrame(grid_, move.to);
+    UnitSum removed;
+    if (!mayTouch(tool, from, to)) {
+        if (tool.upright)
+            cutUpright(tool, from, to, removed);
+        else
+            cutSwept(tool, from, to, removed);
+    } else {
+        const std::uint32_t steps = stepsOf(move, grid_.edge());
+        glm::dvec3 tip = from;
+        for (std::uint32_t step = 1; step <= steps; ++step) {
+            const glm::dvec3 next = step == steps ? to : glm::mix(from, to, static_cast<double>(step) / steps);
+            cutSwept(tool, tip, next, removed);
+            lookAt(tool, next, number, step);
+            tip = next;
+        }
+    }
+    if (removed.units > 0) result_.cuts.push_back({number, removed});
+}
+
+void RowReplay::cutUpright(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed) {
+    const Box box = inLineFrame(grid_, grid_.box());
+    const double edge = grid_.edge(), radius = tool.fluteRadius;
+    const double lowest = (std::min(from.z, to.z) - box.low.z) / edge * unitsPerVoxel;
+    const Span band{box.low.y + stock_.firstV() * edge - radius,
+                    box.low.y + (stock_.firstV() + stock_.lineCountV()) * edge + radius};
+    const Span share = shareWithin(from.y, to.y, band);
+    if (share.low > share.high) return;
+    const double a = from.x + share.low * (to.x - from.x), b = from.x + share.high * (to.x - from.x);
+    const LineRange columns =
+        linesWithin({std::min(a, b) - radius, std::max(a, b) + radius}, box.low.x, edge, grid_.lineCountU());
+    if (columns.last < columns.first) return;
+    const CutFilter::Way way = tool.filter.way(from, to);
+    const auto stride = static_cast<std::size_t>(stock_.brickCount()) * brickSide;
+    flutes_.clear();
+    for (std::int32_t brick = columns.first / brickSide; brick <= columns.last / brickSide; ++brick) {
+        if (lowest >= stock_.brickTop(brick)) continue;
+        const LineIndex corner{brick * brickSide, stock_.firstV()};
+        const std::uint64_t lines = tool.filter.mayCut(way, corner, stock_.tops(corner.v) + corner.u, stride);
+        if (lines == 0) continue;
+        if (flutes_.empty())
+            for (std::size_t i = 0; i < tool.fluteCount; ++i) flutes_.emplace_back(tool.stack[i], from, to);
+        cutBrick(brick, lines, flutes_, removed);
+    }
+}
+
+void RowReplay::cutBrick(std::int32_t brick, std::uint64_t lines, std::span<const SweptPiece> flutes,
+                         UnitSum& removed) {
+    const Box box = inLineFrame(grid_, grid_.box());
+    const std::uint64_t before = removed.units;
+    for (; lines != 0; lines &= lines - 1) {
+        const int place = std::countr_zero(lines);
+        const LineIndex line{brick * brickSide + place % brickSide, stock_.firstV() + place / brickSide};
+        const glm::dvec2 centre = grid_.lineCentre(line);
+        for (const SweptPiece& piece : flutes) {
+            const std::optional<Span> span = piece.along(centre.x, centre.y);
+            if (!span) continue;
+            const RunPosition from = span->low <= box.low.z ? 0 : grid_.toRunPosition(span->low);
+            const RunPosition to = span->high >= box.high.z ? grid_.lineEnd() : grid_.toRunPosition(span->high);
+            if (from < to) stock_.cut(line, from, to, removed);
+        }
+    }
+    if (removed.units > before) stock_.settle(brick);
+}
+
+void RowReplay::cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed) {
+    const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
+    for (std::size_t i = 0; i < tool.fluteCount; ++i) {
+        std::int32_t brick = -1;
+        const auto take = [&](LineIndex line, RunPosition low, RunPosition high) {
+            const std::uint64_t before = removed.units;
+            stock_.cut(line, low, high, removed);
+            if (removed.units == before || line.u / brickSide == brick) return true;
+            if (brick >= 0) stock_.settle(brick);
+            brick = line.u / brickSide;
+            return true;
+        };
+        forEachSpanInRows(SweptPiece(tool.stack[i], from, to, axis), grid_, rows(), take);
+        if (brick >= 0) stock_.settle(brick);
+    }
+}
+
+bool RowReplay::mayTouch(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to) const {
+    const double lowest = std::min(from.z, to.z) + tool.guardBottom - inLineFrame(grid_, grid_.low()).z;
+    if (lowest >= reach_ * grid_.edge() / unitsPerVoxel) return false;
+    const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
+    for (std::size_t i = tool.fluteCount; i < tool.stack.size(); ++i)
+        if (touches(SweptPiece(tool.stack[i], from, to, axis))) return true;
+    return false;
+}
+
+bool RowReplay::touches(const SweptPiece& piece) const {
+    bool found = false;
+    UnitSum sum;
+    forEachSpanInRows(piece, grid_, rows(), [&](LineIndex line, RunPosition from, RunPosition to) {
+        if (static_cast<std::int32_t>(from) < stock_.brickReach(line.u / brickSide))
+            found = stock_.overlap(line, from, to, sum) > tolerance;
+        return !found;
+    });
+    return found;
+}
+
+void RowReplay::lookAt(const ReplayTool& tool, const glm::dvec3& tip, std::uint32_t number, std::uint32_t step) {
+    const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
+    for (std::size_t i = tool.fluteCount; i < tool.stack.size(); ++i) {
+        UnitSum touched;
+        const SweptPiece piece(tool.stack[i], tip, tip, axis);
+        forEachSpanInRows(piece, grid_, rows(), [&](LineIndex line, RunPosition from, RunPosition to) {
+            UnitSum here;
+            if (stock_.overlap(line, from, to, here) > tolerance) touched.add(here);
+            return true;
+        });
+        if (touched.units > 0) result_.contacts.push_back({number, step, static_cast<std::uint32_t>(i), touched});
+    }
+}
+
+} // namespace burin

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/cutting/footprint.h"
+#include "core/verify/cut_filter.h"
+#include "core/verify/row_stock.h"
+#include "core/verify/tool_moves.h"
+
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// A tool, ready to be replayed among the lines of a grid.
+struct ReplayTool {
+    ReplayTool(const Cutter& cutter, const Grid& grid);
+
+    std::vector<RevolvedPiece> stack; ///< pieces(cutter)
+    std::size_t fluteCount = 0;       ///< so many of them, from the tip, cut
+    double fluteRadius = 0.0;         ///< mm, widest
+    double guardBottom = 0.0;         ///< mm along the runs from the tip: shank and holder reach no lower
+    bool upright = true;              ///< the axis lies along the runs
+    CutFilter filter;
+};
+
+/// What a move took of one row of bricks.
+struct MoveUnits {
+    std::uint32_t move = 0;
+    UnitSum sum;
+};
+/// What a piece that must not touch overlapped of one row of bricks after a step of a move.
+struct StepContact {
+    std::uint32_t move = 0, step = 0, piece = 0;
+    UnitSum sum;
+};
+struct RowResult {
+    std::vector<MoveUnits> cuts;
+    std::vector<StepContact> contacts;
+};
+
+/// Makes moves, in order, in one row of bricks. Lines do not know of each other, so that rows can be made in any order
+/// and by any number of threads, and their sums are those of the moves made one by one over the whole grid.
+///
+/// A move's flutes cut in one go, swept exactly. Shank and holder are asked for as what they sweep on the whole move in
+/// what stands before it: where that overlaps nothing no step of it does. Only else the move is made in steps of at
+/// most a voxel, each cut before it is looked at.
+class RowReplay {
+public:
+    RowReplay(RowStock& stock, const Grid& grid, std::span<const ToolMove> moves, std::span<const ReplayTool> tools)
+        : stock_(stock), grid_(grid), moves_(moves), tools_(tools), reach_(stock.reach()) {}
+
+    /// @param turns places in the moves, rising
+    RowResult run(std::span<const std::uint32_t> turns, const Progress& progress);
+
+private:
+    void make(std::uint32_t number);
+    void cutUpright(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
+    void cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
+    void cutBrick(std::int32_t brick, std::uint64_t lines, std::span<const SweptPiece> flutes, UnitSum& removed);
+    bool mayTouch(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to) const;
+    bool touches(const SweptPiece& piece) const;
+    void lookAt(const ReplayTool& tool, const glm::dvec3& tip, std::uint32_t number, std::uint32_t step);
+    LineRange rows() const noexcept { return {stock_.firstV(), stock_.firstV() + stock_.lineCountV() - 1}; }
+
+    RowStock& stock_;
+    const Grid& grid_;
+    std::span<const ToolMove> moves_;
+    std::span<const ReplayTool> tools_;
+    std::int32_t reach_; ///< run units, of all that the row holds
+    std::vector<SweptPiece> flutes_;
+    RowResult result_;
+};
+
+/// Steps that a move is made in where shank or holder may touch.
+std::uint32_t stepsOf(const ToolMove& move, double edge) noexcept;
+
+} // namespace burin

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/brick_lines.h"
+#include "core/volume/run_volume.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// Length of material with its moments: whole numbers, so that sums do not depend on their order.
+struct UnitSum {
+    std::uint64_t units = 0;   ///< run units
+    std::uint64_t momentU = 0; ///< units times line along u
+    std::uint64_t momentV = 0; ///< units times line along v
+    std::uint64_t along = 0;   ///< units times (start + end), run units
+
+    void add(const UnitSum& other) noexcept {
+        units += other.units;
+        momentU += other.momentU;
+        momentV += other.momentV;
+        along += other.along;
+    }
+    double volume(const Grid& grid) const noexcept { return static_cast<double>(units) * grid.unitVolume(); }
+    glm::dvec3 centroid(const Grid& grid) const noexcept; ///< mm, setup frame; not of nothing
+};
+
+/// The machinable stock of one row of bricks (8 scanlines along v, all along u) while moves are cut out of it, in a
+/// form that is quick to cut: of each line the topmost stretch apart from those below. The volume stands unchanged
+/// meanwhile; `brick` says what it is to hold afterwards. One thread.
+class RowStock {
+public:
+    /// @param row of bricks, from 0 along v
+    RowStock(const RunVolume& volume, std::int32_t row);
+
+    std::int32_t firstV() const noexcept { return firstV_; }
+    std::int32_t lineCountV() const noexcept { return countV_; }
+    std::int32_t brickCount() const noexcept { return bricks_; }
+
+    /// Ends of the topmost machinable stretches of a row of lines (v from firstV on), u rising, padded to whole bricks
+    /// with 0; 0 where a line has none.
+    const std::int32_t* tops(std::int32_t v) const noexcept { return top_.data() + lineAt({0, v}); }
+    /// No machinable stretch of a brick ends above.
+    std::int32_t brickTop(std::int32_t brick) const noexcept { return brickTop_[static_cast<std::size_t>(brick)]; }
+    /// Nothing in a brick, machinable or not, ends above.
+    std::int32_t brickReach(std::int32_t brick) const noexcept {
+        return std::max(brickTop(brick), protectedTop_[static_cast<std::size_t>(brick)]);
+    }
+    /// Nothing in the whole row ends above. Cost: a look at each brick.
+    std::int32_t reach() const noexcept;
+
+    /// Takes the machinable stock between two places of a line away and adds it to `removed`.
+    void cut(LineIndex line, RunPosition from, RunPosition to, UnitSum& removed);
+    /// After cuts in a brick: brings its bound up to date. Cost: its 64 lines.
+    void settle(std::int32_t brick) noexcept;
+    /// Adds what a line holds between two places, machinable or not, and tells how much it is.
+    std::uint64_t overlap(LineIndex line, RunPosition from, RunPosition to, UnitSum& sum) const;
+
+    /// Whether anything was taken of a brick.
+    bool isCut(std::int32_t brick) const noexcept { return cut_[static_cast<std::size_t>(brick)]; }
+    /// All lines of a brick as they are now.
+    void brick(std::int32_t brick, BrickLines& lines) const;
+
+private:
+    struct Stretch {
+        std::int32_t from = 0, to = 0;
+    };
+    std::size_t lineAt(LineIndex line) const noexcept {
+        return static_cast<std::size_t>(line.v - firstV_) * width_ + static_cast<std::size_t>(line.u);
+    }
+    void read(LineIndex line, std::int32_t& brickProtected);
+    void cutBelow(std::vector<Stretch>& stretches, std::int32_t from, std::int32_t to, LineIndex line,
+                  UnitSum& removed);
+    void popTop(std::size_t at);
+    /// Calls `visit(from, to)` for each machinable stretch of a line, rising.
+    template <class Visit>
+    void forEachStretch(std::size_t at, const Visit& visit) const {
+        for (const Stretch& stretch : below_[at]) visit(stretch.from, stretch.to);
+        if (top_[at] > 0) visit(base_[at], top_[at]);
+    }
+
+    const RunVolume& volume_;
+    std::int32_t firstV_ = 0, countV_ = 0, bricks_ = 0;
+    std::size_t width_ = 0; ///< lines along u, whole bricks
+    std::vector<std::int32_t> top_, base_;
+    std::vector<std::vector<Stretch>> below_; ///< of each line, rising
+    std::vector<std::int32_t> brickTop_, protectedTop_;
+    std::vector<bool> cut_;
+};
+
+} // namespace burin
