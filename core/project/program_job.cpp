@@ -69,8 +69,9 @@ Result<std::string> post(const Bench& bench, const Path& path, const ProgramRequ
 }
 
 /// The verdict of a program for its text with more lines in the header, which move all others down.
-Result<CheckedProgram> overridden(CheckedProgram checked, std::string text, const std::string& origin) {
-    Result<ParsedProgram> parsed = parseProgram(text, origin);
+Result<CheckedProgram> overridden(CheckedProgram checked, std::string text, const std::string& origin,
+                                  const Control& control) {
+    Result<ParsedProgram> parsed = parseProgram(text, origin, control);
     if (!parsed) return std::move(parsed).error();
     const auto lines = [](const std::string& all) { return std::count(all.begin(), all.end(), '\n'); };
     const auto added = static_cast<std::uint32_t>(lines(text) - lines(checked.text));
@@ -139,12 +140,12 @@ Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const P
     if (!checked || checked->report.passed() || request.overrideReason.empty()) return checked;
     text = post(bench, path, request, overrideLines(checked->report, request.overrideReason), progress);
     if (!text) return std::move(text).error();
-    return overridden(std::move(*checked), std::move(*text), request.name);
+    return overridden(std::move(*checked), std::move(*text), request.name, controlOfDialect(request.dialect));
 }
 
 Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,
                                     const ProgramRequest& request, Progress& progress) {
-    Result<ParsedProgram> parsed = parseProgram(text, origin);
+    Result<ParsedProgram> parsed = parseProgram(text, origin, controlOfDialect(request.dialect));
     if (!parsed) return std::move(parsed).error();
     VerifyRequest verification;
     verification.program = &*parsed;
