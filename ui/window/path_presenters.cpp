@@ -74,6 +74,9 @@ ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QO
     connect(&panel, &ProgramPanel::machineChosen, &workbench.target, &TargetController::chooseMachine);
     connect(&panel, &ProgramPanel::dialectChosen, &workbench.target, &TargetController::chooseDialect);
     connect(&panel, &ProgramPanel::postRequested, this, [this] { workbench_.program.post(programName(workbench_)); });
+    connect(&panel, &ProgramPanel::textEdited, &workbench.program, &ProgramController::editText);
+    connect(&panel, &ProgramPanel::textCheckRequested, this,
+            [this] { workbench_.program.checkText(programName(workbench_)); });
     connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);
 }
 
@@ -94,7 +97,9 @@ void ProgramPresenter::present() {
     state.machine = target.machine().id;
     state.dialect = target.dialect();
     state.text = program.storedText();
-    if (program.program()) {
+    state.edited = program.edited();
+    state.lint = program.lint();
+    if (program.program() && !program.edited()) {
         state.blocks = program.program()->parsed.blocks;
         state.report = program.program()->report;
         state.released = program.program()->released();

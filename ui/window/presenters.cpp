@@ -26,12 +26,15 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , job(workbench, stage.jobLine, this)
     , scene(workbench, stage.viewport, actions, this)
     , guideScene(workbench, stage.viewport, actions, this)
-    , programScene(workbench, stage.viewport, *stage.panels.program, scene, this) {}
+    , programScene(workbench, stage.viewport, *stage.panels.program, scene, this)
+    , deviation(workbench, stage.viewport, stage.panels.program->deviation(), scene, this) {
+    connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);
+}
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
              &part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides, &hand, &pathScene, &path,
-             &program, &meters, &status, &job, &scene, &guideScene, &programScene})
+             &program, &meters, &status, &job, &scene, &guideScene, &programScene, &deviation})
         presenter->setUnit(unit);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/window/deviation_presenter.h"
 #include "ui/window/guide_presenter.h"
 #include "ui/window/guide_scene_presenter.h"
 #include "ui/window/hand_presenter.h"
@@ -52,6 +53,7 @@ public:
     ScenePresenter scene;
     GuideScenePresenter guideScene;
     ProgramScenePresenter programScene;
+    DeviationPresenter deviation;
 };
 
 } // namespace burin
