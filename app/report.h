@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
 

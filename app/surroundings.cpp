@@ -156,7 +156,9 @@ Result<Around> aroundOf(const Project& project) {
     if (!axis) return axis.error();
     const Result<TravelPlacement> travel = project.travelPlacement();
     if (!travel) return travel.error();
-    return Around{std::move(*obstacles), *axis, *travel};
+    const Result<ProgramTarget> target = project.programTarget();
+    if (!target) return target.error();
+    return Around{std::move(*obstacles), *axis, *travel, *target};
 }
 
 std::vector<Obstacle> joined(std::vector<Obstacle> kept, std::vector<Obstacle> added) {

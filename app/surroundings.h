@@ -43,6 +43,7 @@ struct Around {
     std::vector<Obstacle> obstacles;
     AxisMode axis;
     TravelPlacement travel;
+    ProgramTarget target;
 };
 Result<Around> aroundOf(const Project& project);
 

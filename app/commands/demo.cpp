@@ -145,7 +145,7 @@ json jsonOf(const DemoResult& result) {
     answer["tick_cpu_us_p999"] = cpuP999; // without what other programs took from the tick
     answer["milling_s"] = simulated;
     answer["milling_wall_s"] = wall;
-    answer["blocks"] = result.program.blocks;
+    answer["blocks"] = result.program.parsed.blocks;
     answer["edits"] = burin::jsonOf(result.path.reports);
     answer["error_budget_mm"] = result.path.errorBudget;
     answer["work_offset_mm"] = burin::jsonOf(result.bench.setup.workOffset);
@@ -217,7 +217,7 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
         answer["program"] = (folder / "demo.ngc").string();
         if (const Result<void> written = writeFileAtomically(folder / "demo.ngc", result->program.text); !written)
             return context.fail(written.error());
-        const StoredProgram kept{"demo.ngc", "linuxcnc", arguments.machine, result->program.text,
+        const StoredProgram kept{"demo.ngc", ProgramRequest{}.dialect, arguments.machine, result->program.text,
                                  burin::jsonOf(result->program.report).dump()};
         if (const Result<void> added = project->addProgram(kept); !added) return context.fail(added.error());
     }
@@ -229,7 +229,7 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
         return context.fail(written.error());
     context.answer(answer, "project  " + answer["project"].get<std::string>() + "\nprogram  " +
                                (passed ? answer["program"].get<std::string>() : std::string("refused")) + ", " +
-                               std::to_string(result->program.blocks) + " blocks\npicture  " +
+                               std::to_string(result->program.parsed.blocks) + " blocks\npicture  " +
                                answer["picture"].get<std::string>() + "\nreport   " +
                                answer["report"].get<std::string>() + "\n" +
                                textOf(result->program.report, arguments.tolerance));

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 struct MillArguments {
-    std::string project, stylus = "operator", mode, tool = "ball-6", machine = "linuxcnc-mill", trace, axis;
+    std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis;
     bool realtime = false, fast = false;
     double seconds = 0.0, rate = 1000.0;
     int deadMan = 0; ///< button, from 1; 0: none
@@ -276,8 +276,8 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
         ->capture_default_str();
     command->add_option("--trace", arguments->trace, "Also write what a trace or device did, to be played again");
     command->add_option("--tool", arguments->tool, "Tool")->capture_default_str();
-    command->add_option("--machine", arguments->machine, "Machine, for the spindle speed and its travel")
-        ->capture_default_str();
+    command->add_option("--machine", arguments->machine,
+                        "Machine, for the spindle speed and its travel; without it the project's");
     CLI::Option* realtime = command->add_flag("--realtime", arguments->realtime, "One tick a millisecond of the clock");
     command->add_flag("--fast", arguments->fast, "As fast as the machine can (the default)")->excludes(realtime);
     command->add_option("--seconds", arguments->seconds, "Length of the session, s; 0: as long as the job takes")

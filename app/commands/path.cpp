@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 struct PathArguments {
-    std::string project, machine = "linuxcnc-mill", output, edit, name = "path";
+    std::string project, machine, output, edit, name = "path";
     std::int64_t path = 0, take = 0;
     std::vector<std::int64_t> takes;
     std::size_t place = 0;
@@ -208,7 +208,7 @@ void registerPath(CLI::App& program, CommandContext& context, int& status) {
     make->add_option("--name", arguments->name, "Its name")->capture_default_str();
     CLI::App* evaluateOne = withPath(add("show", "Evaluate a path and report what each edit did", show));
     evaluateOne->add_option("-o,--csv", arguments->output, "Write the points as CSV");
-    evaluateOne->add_option("--machine", arguments->machine, "Machine")->capture_default_str();
+    evaluateOne->add_option("--machine", arguments->machine, "Machine; without it the project's");
     CLI::App* apply =
         withPath(add("apply", "Add an edit to a path", [](const PathArguments& given, CommandContext& where) {
             return change(given, where, [&](StoredPath& path) { return applyEdit(path, given); });

@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 struct PostArguments {
-    std::string project, output, dialect = "linuxcnc", machine = "linuxcnc-mill";
+    std::string project, output, dialect, machine, overrideReason;
     std::int64_t path = 0;
     double tolerance = 0.02;
 };
@@ -44,6 +44,12 @@ Result<std::string> toolOf(const Project& project, const StoredPath& path) {
     return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
 }
 
+/// What is asked for, or what the project's programs are for, or what another machine's control reads.
+std::string dialectFor(const PostArguments& arguments, const ProgramTarget& target, const MachineProfile& machine) {
+    if (!arguments.dialect.empty()) return arguments.dialect;
+    return machine.id == target.machine ? target.dialectFor(machine) : machine.dialect;
+}
+
 int runPost(const PostArguments& arguments, CommandContext& context) {
     context.stage("Opening");
     Result<Project> project = Project::open(arguments.project);
@@ -64,32 +70,38 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     context.stage("Posting and checking");
     ProgramRequest request;
     request.name = std::filesystem::path(arguments.output).filename().string();
-    request.dialect = arguments.dialect;
+    const Result<ProgramTarget> target = project->programTarget();
+    if (!target) return context.fail(target.error());
+    request.dialect = dialectFor(arguments, *target, bench->machine);
     request.gougeTolerance = arguments.tolerance;
+    request.overrideReason = arguments.overrideReason;
     const Result<CheckedProgram> program = makeProgram(*bench, path->path, request, context.progress());
     if (!program) return context.fail(program.error());
 
     nlohmann::json answer = jsonOf(program->report);
     answer["program"] = nullptr;
-    answer["blocks"] = program->blocks;
+    answer["blocks"] = program->parsed.blocks;
     answer["edits"] = jsonOf(path->reports);
     answer["error_budget_mm"] = path->errorBudget;
     answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
     answer["tool"] = jsonOf(bench->tool);
     const std::string verdict = textOf(program->report, arguments.tolerance);
-    if (!program->report.passed()) {
+    answer["overridden"] = program->overridden;
+    if (!program->released()) {
         context.answer(answer, verdict);
-        context.message("\"" + arguments.output + "\" was not written: the program is refused.");
+        context.message("\"" + arguments.output +
+                        "\" was not written: the program is refused. With --override and a reason it is written, and "
+                        "its header says so.");
         return static_cast<int>(ErrorClass::checkFailed);
     }
     if (const Result<void> written = writeFileAtomically(arguments.output, program->text); !written)
         return context.fail(written.error());
-    const StoredProgram kept{request.name, arguments.dialect, arguments.machine, program->text,
+    const StoredProgram kept{request.name, request.dialect, bench->machine.id, program->text,
                              jsonOf(program->report).dump()};
     if (const Result<void> added = project->addProgram(kept); !added) return context.fail(added.error());
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
     answer["program"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
-    context.answer(answer, arguments.output + ": " + std::to_string(program->blocks) + " blocks\n" + verdict);
+    context.answer(answer, arguments.output + ": " + std::to_string(program->parsed.blocks) + " blocks\n" + verdict);
     return 0;
 }
 
@@ -100,12 +112,19 @@ void registerPost(CLI::App& program, CommandContext& context, int& status) {
     CLI::App* command = program.add_subcommand("post", "Write a path as a program, once the program passes its check");
     command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
     command->add_option("-o,--output", arguments->output, "Program to write")->required();
-    command->add_option("--dialect", arguments->dialect, "Dialect of the control")->capture_default_str();
-    command->add_option("--machine", arguments->machine, "Machine")->capture_default_str();
+    command->add_option("--dialect", arguments->dialect,
+                        "Dialect of the control; without it the project's, or the machine's");
+    command->add_option("--machine", arguments->machine, "Machine; without it the project's");
     command->add_option("--path", arguments->path, "Path; without it the first, or a new one of all takes");
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
+    command
+        ->add_option("--override", arguments->overrideReason,
+                     "Why the program is wanted even where its check refuses it; stands in its header")
+        ->check([](const std::string& reason) {
+            return reason.find_first_not_of(" \t\n") == std::string::npos ? "give a reason in words" : std::string();
+        });
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runPost(*arguments, context); });
 }

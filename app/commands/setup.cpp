@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/surroundings.h"
+#include "core/machine/machine_library.h"
+#include "core/nc/dialect_library.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,10 +19,12 @@ struct SetupArguments {
     SurroundingsArguments around;
     std::vector<std::string> remove, switchOn, switchOff;
     double stlUnit = 1.0;
+    std::string machine, dialect;
 
     bool changes() const {
-        return !(around.fixtures.empty() && around.keepOuts.empty() && around.axis.empty() && around.travel.empty() &&
-                 remove.empty() && switchOn.empty() && switchOff.empty());
+        return !(machine.empty() && dialect.empty() && around.fixtures.empty() && around.keepOuts.empty() &&
+                 around.axis.empty() && around.travel.empty() && remove.empty() && switchOn.empty() &&
+                 switchOff.empty());
     }
 };
 
@@ -51,6 +55,19 @@ Result<void> changeObstacles(std::vector<Obstacle>& obstacles, const SetupArgume
     return {};
 }
 
+/// Another machine comes with the dialect of its control.
+Result<void> changeTarget(ProgramTarget& target, const SetupArguments& arguments) {
+    if (!arguments.machine.empty()) {
+        if (const Result<MachineProfile> machine = loadMachine(arguments.machine); !machine) return machine.error();
+        target = {arguments.machine, {}};
+    }
+    if (!arguments.dialect.empty()) {
+        if (const auto dialect = loadDialect(arguments.dialect); !dialect) return dialect.error();
+        target.dialect = arguments.dialect;
+    }
+    return {};
+}
+
 /// What is wrong with the arguments is found before anything is kept.
 Result<void> change(Project& project, Around& around, const SetupArguments& arguments, Progress& progress) {
     if (Result<void> done = changeObstacles(around.obstacles, arguments, progress); !done) return done;
@@ -64,8 +81,10 @@ Result<void> change(Project& project, Around& around, const SetupArguments& argu
         if (!travel) return travel.error();
         around.travel = *travel;
     }
-    for (const Result<void>& step : {project.setObstacles(around.obstacles), project.setAxisMode(around.axis),
-                                     project.setTravelPlacement(around.travel), project.save()})
+    if (Result<void> done = changeTarget(around.target, arguments); !done) return done;
+    for (const Result<void>& step :
+         {project.setObstacles(around.obstacles), project.setAxisMode(around.axis),
+          project.setTravelPlacement(around.travel), project.setProgramTarget(around.target), project.save()})
         if (!step) return step;
     return {};
 }
@@ -81,11 +100,15 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
         if (const Result<void> done = change(*project, *around, arguments, context.progress()); !done)
             return context.fail(done.error());
     }
-    std::string text = "axis     " + textOf(around->axis);
+    const ProgramTarget& target = around->target;
+    std::string text = "axis     " + textOf(around->axis) + "\nmachine  " + target.machine;
+    if (!target.dialect.empty()) text += ", dialect " + target.dialect;
     for (const Obstacle& obstacle : around->obstacles) text += "\n" + textOf(obstacle);
     context.answer({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
                     {"axis", jsonOf(around->axis)},
                     {"machine_travel", jsonOf(around->travel)},
+                    {"machine", target.machine},
+                    {"dialect", target.dialect.empty() ? nlohmann::json() : nlohmann::json(target.dialect)},
                     {"obstacles", jsonOf(around->obstacles)}},
                    text);
     return 0;
@@ -95,8 +118,8 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
 
 void registerSetup(CLI::App& program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<SetupArguments>();
-    CLI::App* command =
-        program.add_subcommand("setup", "Fixtures, keep-out volumes, tool axis and travel of a project; shows them");
+    CLI::App* command = program.add_subcommand(
+        "setup", "Fixtures, keep-out volumes, tool axis, machine and travel of a project; shows them");
     command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
     addSurroundings(*command, arguments->around);
     const auto addNames = [&](const char* option, std::vector<std::string>& names, const char* help) {
@@ -108,6 +131,8 @@ void registerSetup(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--stl-unit", arguments->stlUnit, "Millimetres per unit of an STL file")
         ->check(CLI::Range(1e-6, 1e6))
         ->capture_default_str();
+    command->add_option("--machine", arguments->machine, "Machine that its programs are for");
+    command->add_option("--dialect", arguments->dialect, "Dialect of its programs; without it the machine's");
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runSetup(*arguments, context); });
 }

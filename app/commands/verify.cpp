@@ -13,7 +13,7 @@ namespace burin {
 namespace {
 
 struct VerifyArguments {
-    std::string program, project, tool, map, machine = "linuxcnc-mill";
+    std::string program, project, tool, map, machine;
     double tolerance = 0.02;
     std::size_t exactSamples = 500;
 };
@@ -49,7 +49,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
 
     nlohmann::json answer = jsonOf(checked->report);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
-    answer["blocks"] = checked->blocks;
+    answer["blocks"] = checked->parsed.blocks;
     answer["tool"] = jsonOf(bench->tool);
     answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
     if (!arguments.map.empty()) {
@@ -69,7 +69,7 @@ void registerVerify(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("PROGRAM", arguments->program, "NC program")->required();
     command->add_option("--project", arguments->project, "Project file (.burin)")->required();
     command->add_option("--tool", arguments->tool, "Tool; without it that of the first take");
-    command->add_option("--machine", arguments->machine, "Machine")->capture_default_str();
+    command->add_option("--machine", arguments->machine, "Machine; without it the project's");
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();

@@ -152,6 +152,24 @@ std::vector<double> JsonObject::numbers(std::string_view key, std::size_t count,
     return result;
 }
 
+std::vector<std::string> JsonObject::texts(std::string_view key) {
+    std::vector<std::string> result;
+    const json* value = find(key);
+    if (value == nullptr) return result;
+    if (!value->is_array()) {
+        fail(key, "has to be a list of texts");
+        return result;
+    }
+    for (std::size_t i = 0; i < value->size(); ++i) {
+        const json& one = (*value)[i];
+        if (one.is_string() && !one.get_ref<const std::string&>().empty())
+            result.push_back(one.get<std::string>());
+        else
+            fail(std::string(key) + "[" + std::to_string(i) + "]", "has to be a text that is not empty");
+    }
+    return result;
+}
+
 void JsonObject::readNested(const json& node, const std::string& path, const std::function<void(JsonObject&)>& read) {
     if (!node.is_object()) {
         failAt(path, "has to be an object");

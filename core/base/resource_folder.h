@@ -19,6 +19,7 @@ struct ResourceKind {
 inline constexpr ResourceKind materialResource{"material", "materials"};
 inline constexpr ResourceKind toolResource{"tool", "tools"};
 inline constexpr ResourceKind machineResource{"machine", "machines"};
+inline constexpr ResourceKind dialectResource{"dialect", "dialects"};
 
 /// A data file as it was read.
 struct ResourceText {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/result.h"
+#include "core/nc/problem.h"
 
 #include <array>
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace burin {
 
-/// Modal groups of G words (RS274/NGC, table 4): two words of one group can't stand in one block.
+/// Modal groups of G words (NIST IR 6556, table 4): two words of one group can't stand in one block.
 enum class GGroup : std::uint8_t {
-    dwell,
+    once, ///< not modal: G4 G10 G28 G30 G52 G53 G92 …
     motion,
     plane,
     distance,
@@ -23,15 +23,33 @@ enum class GGroup : std::uint8_t {
     lengthOffset,
     workOffset,
     control,
+    retract,
+    harmless, ///< switches off what Burin does not read: G50 G69
+    smoothing,
     count
 };
 /// Modal groups of M words.
-enum class MGroup : std::uint8_t { stop, toolChange, spindle, coolant, count };
+enum class MGroup : std::uint8_t { stop, toolChange, spindle, coolant, overrides, subprogram, count };
+
+/// Ten times the numbers of G words that the code names.
+namespace gcode {
+inline constexpr int rapid = 0, line = 10, clockwise = 20, anticlockwise = 30, dwell = 40, setOffset = 100;
+inline constexpr int planeXY = 170, planeZX = 180, planeYZ = 190, inch = 200, millimetre = 210;
+inline constexpr int inchByG70 = 700, millimetreByG71 = 710;
+inline constexpr int home = 280, storeHome = 281, secondHome = 300, storeSecondHome = 301;
+inline constexpr int noCompensation = 400, lengthOffset = 430, statedLength = 431, noLengthOffset = 490;
+inline constexpr int localShift = 520, machineFrame = 530, furtherOffset = 541, exactStop = 610, exactPath = 611;
+inline constexpr int blend = 640, peckBreaking = 730, noMotion = 800, absolute = 900, absoluteCentres = 901;
+inline constexpr int incremental = 910, incrementalCentres = 911, shift = 920, dropShift = 921, pauseShift = 922;
+inline constexpr int restoreShift = 923, inverseTime = 930, perMinute = 940, perRevolution = 950;
+inline constexpr int retractToStart = 980, retractToHeight = 990, furtherOffsetHaas = 1540;
+} // namespace gcode
 
 /// A word that stands alone in its block: letter and number.
 struct Word {
     double value = 0.0;
     std::uint32_t column = 0; ///< of the letter, from 1; 0: the block has no such word
+    bool point = false;       ///< its number was written with a decimal point, or came from an expression
     bool given() const noexcept { return column != 0; }
 };
 
@@ -58,18 +76,15 @@ struct Block {
     bool hasAxis() const noexcept { return word('X').given() || word('Y').given() || word('Z').given(); }
     /// Any of I J K.
     bool hasOffset() const noexcept { return word('I').given() || word('J').given() || word('K').given(); }
+    std::uint32_t firstAxis() const noexcept;   ///< column of the first of X Y Z; 0: none
+    std::uint32_t firstOffset() const noexcept; ///< column of the first of I J K; 0: none
 };
 
-/// What is wrong with a block: where and which word.
+/// What is wrong with a block, and where.
 struct BlockFault {
-    std::uint32_t column = 0; ///< from 1
-    std::string_view reason;  ///< a literal
-    std::string_view text;    ///< the words concerned, out of the program
+    ProgramProblem problem = ProgramProblem::characterNotAllowed;
+    std::uint32_t column = 1; ///< from 1
+    std::uint32_t length = 1; ///< characters concerned
 };
-
-/// Takes one line apart. Comments are left out, letters may be of either case, blanks may stand between words and
-/// between a letter and its number, but not inside a number. A block behind / is read as if block delete were off.
-/// @return true, or false and `fault` filled
-bool readBlock(std::string_view line, Block& block, BlockFault& fault) noexcept;
 
 } // namespace burin

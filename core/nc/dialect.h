@@ -20,18 +20,20 @@ public:
 };
 
 /// Writes a checked program in one controller's dialect. Keeps no state between calls; one thread at a time.
-/// Every coordinate arrives in millimetres, in the frame of the work offset in force; the dialect rounds and words them.
+/// Every coordinate arrives in millimetres, in the frame of the work offset in force; the dialect rounds and words
+/// them.
 class PostProcessor {
 public:
-    static constexpr int interfaceVersion = 1; ///< +1 with any change to this declaration or to NcProgram
+    static constexpr int interfaceVersion = 2; ///< +1 with any change to this declaration or to NcProgram
     virtual ~PostProcessor() = default;
     virtual Result<void> write(const NcProgram& program, const MachineProfile& machine, LineSink& sink,
                                Progress& progress) const = 0;
 };
 
-/// A dialect plugin is a folder with plugin.json ({"id", "kind": "dialect", "name", "version", "interface_version",
-/// "library", "file_suffix"}) and the library it names, which exports this one function. Metadata is read, and the
-/// interface version compared, before any code of the plugin runs.
+/// A dialect that data can't word is a plugin: a folder with plugin.json ({"id", "kind": "dialect", "name", "version",
+/// "interface_version", "library", "file_suffix"}) and the library it names, which exports this one function. Metadata
+/// is read, and the interface version compared, before any code of the plugin runs. All others are data:
+/// dialect_data.h.
 inline constexpr const char* dialectEntryPoint = "burinCreatePostProcessor";
 using CreatePostProcessor = PostProcessor* (*)(); ///< the caller owns the object and deletes it
 

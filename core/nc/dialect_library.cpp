@@ -3,7 +3,10 @@
 #include "core/nc/dialect_library.h"
 
 #include "core/base/plugin_library.h"
+#include "core/base/resource_folder.h"
+#include "core/nc/data_post.h"
 
+#include <algorithm>
 #include <array>
 
 namespace burin {
@@ -15,8 +18,25 @@ constexpr std::array<std::string_view, 1> furtherKeys{"file_suffix"};
 constexpr PluginKind dialectPlugin{"dialect", "dialects", PostProcessor::interfaceVersion, furtherKeys};
 
 DialectDescription dialectOf(const PluginDescription& plugin) {
-    return {plugin.id,     plugin.name, plugin.version, plugin.interfaceVersion, plugin.further.at("file_suffix"),
-            plugin.library};
+    return {plugin.id, plugin.name,   plugin.version, plugin.interfaceVersion, plugin.further.at("file_suffix"),
+            plugin.id, plugin.library};
+}
+
+Result<DialectData> readData(const std::string& id) {
+    const Result<ResourceText> file = findResource(dialectResource, id);
+    if (!file) return file.error();
+    Result<DialectData> dialect = dialectFromJson(file->text, file->file);
+    if (dialect && dialect->id != id)
+        return Error{ErrorCode::resourceInvalid, file->file, "id", "has to be the file's name"};
+    return dialect;
+}
+
+/// Plugins may be missing altogether where nobody asked for a folder of them.
+Result<std::vector<PluginDescription>> pluginsBelow(const fs::path& folder) {
+    auto plugins = findPlugins(dialectPlugin, folder);
+    if (!plugins && folder.empty() && plugins.error().code == ErrorCode::fileNotFound)
+        return std::vector<PluginDescription>();
+    return plugins;
 }
 
 Error invalid(const PluginDescription& plugin, std::string detail) {
@@ -40,21 +60,48 @@ Result<std::shared_ptr<const PostProcessor>> create(const PluginDescription& plu
 } // namespace
 
 Result<std::vector<DialectDescription>> dialects(const fs::path& folder) {
-    const auto plugins = findPlugins(dialectPlugin, folder);
-    if (!plugins) return plugins.error();
     std::vector<DialectDescription> found;
-    for (const PluginDescription& plugin : *plugins) found.push_back(dialectOf(plugin));
+    if (folder.empty()) {
+        for (const std::string& id : resourceIds(dialectResource)) {
+            const Result<DialectData> data = readData(id);
+            if (!data) return data.error();
+            found.push_back({id, data->name, "", PostProcessor::interfaceVersion, data->fileSuffix, data->control, {}});
+        }
+    }
+    const auto plugins = pluginsBelow(folder);
+    if (!plugins) return plugins.error();
+    for (const PluginDescription& plugin : *plugins)
+        if (std::ranges::find(found, plugin.id, &DialectDescription::id) == found.end())
+            found.push_back(dialectOf(plugin));
+    std::ranges::sort(found, {}, &DialectDescription::id);
     return found;
 }
 
+const Control& controlOfDialect(const std::string& id) {
+    const Result<DialectData> data = readData(id);
+    const Control* control = findControl(data ? data->control : id);
+    return control != nullptr ? *control : defaultControl();
+}
+
 Result<std::shared_ptr<const PostProcessor>> loadDialect(const std::string& id, const fs::path& folder) {
-    const auto plugins = findPlugins(dialectPlugin, folder);
+    std::vector<std::string> known;
+    if (folder.empty()) {
+        known = resourceIds(dialectResource);
+        if (std::ranges::find(known, id) != known.end()) {
+            Result<DialectData> data = readData(id);
+            if (!data) return std::move(data).error();
+            return std::shared_ptr<const PostProcessor>(std::make_shared<DataPost>(std::move(*data)));
+        }
+    }
+    const auto plugins = pluginsBelow(folder);
     if (!plugins) return plugins.error();
-    std::string ids;
     for (const PluginDescription& plugin : *plugins) {
         if (plugin.id == id) return create(plugin);
-        ids += (ids.empty() ? "" : " ") + plugin.id;
+        known.push_back(plugin.id);
     }
+    std::ranges::sort(known);
+    std::string ids;
+    for (const std::string& one : known) ids += (ids.empty() ? "" : " ") + one;
     return Error{ErrorCode::dialectNotFound, id, "", ids};
 }
 

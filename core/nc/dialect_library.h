@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/nc/control.h"
 #include "core/nc/dialect.h"
 
 #include <filesystem>
@@ -11,20 +12,28 @@
 namespace burin {
 
 struct DialectDescription {
-    std::string id;          ///< "linuxcnc"
-    std::string name;        ///< "LinuxCNC"
-    std::string version;
+    std::string id;      ///< "linuxcnc"
+    std::string name;    ///< "LinuxCNC"
+    std::string version; ///< of a plugin; empty for data
     int interfaceVersion = 0;
-    std::string fileSuffix;  ///< "ngc"
-    std::filesystem::path library;
+    std::string fileSuffix;        ///< "ngc"
+    std::string control;           ///< of data: the id of the Control that reads it; of a plugin: its own id
+    std::filesystem::path library; ///< of a plugin; empty for data
 };
 
-/// Descriptions of all dialect plugins below `folder` (default: dialects in pluginDirectory()), read without running
-/// their code, sorted by id. Invalid metadata is an error that names the file.
+/// All dialects, sorted by id: those that are data (resources/dialects and the user's own, which replace ours of the
+/// same id), and plugins below `folder` (default: dialects in pluginDirectory(), which may be missing), described
+/// without running their code. With a folder given only its plugins are listed. Invalid data or metadata is an error
+/// that names the file (resourceInvalid, pluginInvalid); one id for both kinds: the data counts.
 Result<std::vector<DialectDescription>> dialects(const std::filesystem::path& folder = {});
 
-/// A post-processor out of a plugin; the plugin stays loaded as long as it lives.
-/// Errors: dialectNotFound, pluginIncompatible (interface version), pluginInvalid (does not load, no entry point).
+/// The control that reads a dialect's programs: of data the one that it names, of a plugin one of the plugin's own id;
+/// LinuxCNC's where there is none.
+const Control& controlOfDialect(const std::string& id);
+
+/// A post-processor: data, or out of a plugin, which stays loaded as long as the program runs. With a folder given only
+/// its plugins count. Errors: dialectNotFound, resourceInvalid (data), pluginIncompatible (interface version),
+/// pluginInvalid (does not load, no entry point).
 Result<std::shared_ptr<const PostProcessor>> loadDialect(const std::string& id,
                                                          const std::filesystem::path& folder = {});
 

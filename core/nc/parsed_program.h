@@ -43,8 +43,11 @@ struct NcMotion {
     int tool = 0;                 ///< loaded
     int lengthOffset = 0;         ///< H number in force; 0: none, -1: one that the program itself states (G43.1)
     int workOffset = 54;          ///< 54 … 59; 591 … 593: G59.1 … G59.3; 1000 + n: G54.1 Pn, G154 Pn
-    std::uint32_t line = 0;       ///< of the text, from 1
-    std::uint32_t column = 0;     ///< of the block's word that makes the move, from 1
+    /// The program sets a work offset, or (G92) a zero at a place that it does not know: its places are then not in the
+    /// frame of the offset that the machine had.
+    bool ownZero = false;
+    std::uint32_t line = 0;   ///< of the text, from 1
+    std::uint32_t column = 0; ///< of the block's word that makes the move, from 1
 
     bool rapid() const noexcept { return kind == NcMotionKind::rapid; }
     bool spindleOn() const noexcept { return spindle != SpindleState::off && spindleSpeed > 0.0; }

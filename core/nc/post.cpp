@@ -3,6 +3,7 @@
 #include "core/nc/post.h"
 
 #include "core/base/numbers.h"
+#include "core/geometry/arc.h"
 #include "core/geometry/box.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ Result<void> checkTravel(const Box& reach, const MachineProfile& machine) {
     return {};
 }
 
-/// One tool and one speed through all paths; a program that begins with a feed move would plough through the unknown.
+/// A section that began with a feed move would plough through the unknown.
 Result<void> checkPaths(const std::vector<Path>& paths, const PostRequest& request) {
     if (paths.empty()) return Error{ErrorCode::pathEmpty, request.programName, "", ""};
     for (const Path& path : paths) {
@@ -52,10 +53,34 @@ Result<void> checkPaths(const std::vector<Path>& paths, const PostRequest& reque
         if (path.points.front().kind != MoveKind::rapid)
             return Error{ErrorCode::argumentInvalid, "path", path.name,
                          "has to begin with a rapid move; link it first"};
-        if (path.toolId != paths.front().toolId || path.spindleSpeed != paths.front().spindleSpeed)
-            return Error{ErrorCode::argumentInvalid, "paths", path.name, "one tool and one spindle speed a program"};
+        const bool named =
+            request.tools.empty() ? path.toolId == paths.front().toolId : request.tools.contains(path.toolId);
+        if (!named) return Error{ErrorCode::argumentInvalid, "paths", path.name, "its tool has no number"};
     }
     return {};
+}
+
+PostTool toolOf(const Path& path, const PostRequest& request) {
+    if (const auto found = request.tools.find(path.toolId); found != request.tools.end()) return found->second;
+    return {request.toolNumber, request.toolName, SpindleDirection::clockwise, request.coolant};
+}
+
+/// The section of a path: the last one where it uses the same tool in the same way.
+NcSection& sectionOf(NcProgram& program, const Path& path, const PostRequest& request) {
+    const PostTool tool = toolOf(path, request);
+    if (!program.sections.empty()) {
+        NcSection& last = program.sections.back();
+        if (last.toolNumber == tool.number && last.spindleSpeed == path.spindleSpeed &&
+            last.direction == tool.direction && last.coolant == tool.coolant)
+            return last;
+    }
+    NcSection& section = program.sections.emplace_back();
+    section.toolNumber = tool.number;
+    section.toolName = tool.name;
+    section.spindleSpeed = path.spindleSpeed;
+    section.direction = tool.direction;
+    section.coolant = tool.coolant;
+    return section;
 }
 
 /// Says which moment of the hand a stretch comes from.
@@ -63,8 +88,17 @@ std::string originOf(const PathPoint& point) {
     return "take " + std::to_string(point.take) + ", sample " + std::to_string(point.sample);
 }
 
+/// The box of an arc's way, by the quarters that it passes.
+void includeArc(const NcMove& move, const glm::dvec3& from, Box& reach) {
+    const Arc arc{from, move.target, move.arc.centre, move.arc.axis, move.arc.clockwise};
+    constexpr int steps = 64; // outside by at most 0.12 % of the radius, far below what travel is known to
+    const ArcTurn turn = turnOf(arc);
+    for (int i = 1; i < steps; ++i) reach.include(placeOn(arc, turn, static_cast<double>(i) / steps));
+}
+
 Result<void> appendPath(NcProgram& program, const Path& path, const PostRequest& request, const MachineProfile& machine,
                         Box& reach) {
+    NcSection& section = sectionOf(program, path, request);
     bool awaitsCut = true;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const PathPoint& point = path.points[i];
@@ -74,6 +108,13 @@ Result<void> appendPath(NcProgram& program, const Path& path, const PostRequest&
         if (Result<void> feed = checkFeed(point, i, machine); !feed) return feed;
         NcMove move;
         move.kind = point.kind == MoveKind::rapid ? NcMoveKind::rapid : NcMoveKind::line;
+        if (point.arc) {
+            if (i == 0 || move.kind == NcMoveKind::rapid || !isFinite(point.arc->centre))
+                return Error{ErrorCode::argumentInvalid, "path", path.name,
+                             "point " + std::to_string(i) + " can't be the end of an arc"};
+            move.kind = NcMoveKind::arc;
+            move.arc = {point.arc->centre - request.workOffset, point.arc->axis, point.arc->clockwise};
+        }
         move.target = point.tip - request.workOffset;
         move.feed = point.kind == MoveKind::rapid ? 0.0 : point.feed;
         move.take = point.take;
@@ -83,8 +124,9 @@ Result<void> appendPath(NcProgram& program, const Path& path, const PostRequest&
             move.comment = originOf(point);
             awaitsCut = false;
         }
+        if (move.kind == NcMoveKind::arc) includeArc(move, section.moves.back().target, reach);
         reach.include(move.target);
-        program.moves.push_back(std::move(move));
+        section.moves.push_back(std::move(move));
     }
     return {};
 }
@@ -117,13 +159,13 @@ private:
 
 Result<NcProgram> toProgram(const std::vector<Path>& paths, const PostRequest& request, const MachineProfile& machine) {
     if (Result<void> valid = checkPaths(paths, request); !valid) return valid.error();
-    if (Result<void> speed = checkSpindle(paths.front().spindleSpeed, machine); !speed) return speed.error();
+    for (const Path& path : paths)
+        if (Result<void> speed = checkSpindle(path.spindleSpeed, machine); !speed) return speed.error();
     NcProgram program;
     program.name = request.programName;
     program.header = request.header;
-    program.toolNumber = request.toolNumber;
-    program.toolName = request.toolName;
-    program.spindleSpeed = paths.front().spindleSpeed;
+    program.units = request.units;
+    program.workOffset = request.workOffsetNumber;
     program.safeHeight = request.safeHeight;
     program.blendTolerance = request.blendTolerance;
     Box reach;

@@ -7,20 +7,35 @@
 #include "core/nc/dialect.h"
 #include "core/path/path.h"
 
+#include <map>
+
 namespace burin {
+
+/// A tool as a program names it.
+struct PostTool {
+    int number = 1;
+    std::string name;
+    SpindleDirection direction = SpindleDirection::clockwise;
+    Coolant coolant = Coolant::off;
+};
 
 struct PostRequest {
     std::string programName;
-    std::vector<std::string> header;  ///< comment lines
-    glm::dvec3 workOffset{0.0};       ///< program zero in the setup frame, mm
+    std::vector<std::string> header; ///< comment lines
+    glm::dvec3 workOffset{0.0};      ///< program zero in the setup frame, mm
+    int workOffsetNumber = 54;       ///< as NcProgram::workOffset
+    NcUnits units = NcUnits::millimetre;
     int toolNumber = 1;
     std::string toolName;
-    double safeHeight = 0.0;          ///< mm above program zero
-    double blendTolerance = 0.005;    ///< mm
+    Coolant coolant = Coolant::off;
+    std::map<std::string, PostTool> tools; ///< by Path::toolId; empty: all paths use the one tool above
+    double safeHeight = 0.0;               ///< mm above program zero
+    double blendTolerance = 0.005;         ///< mm
 };
 
-/// A path as a program: frames changed, moves in order. Errors: pathEmpty, programLimit (feed, speed, travel beyond the
-/// machine's, a feed that is missing).
+/// Paths as a program: frames changed, moves and arcs in order, a section for each change of tool or spindle speed.
+/// Errors: pathEmpty, programLimit (feed, speed, travel beyond the machine's, a feed that is missing), argumentInvalid
+/// (a path that does not begin with a rapid, a tool that the request does not name, a rapid arc).
 Result<NcProgram> toProgram(const std::vector<Path>& paths, const PostRequest& request, const MachineProfile& machine);
 
 /// The text of a program in a dialect. Errors: the dialect's; programLimit (a line longer than the control reads).

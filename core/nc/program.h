@@ -11,30 +11,52 @@
 
 namespace burin {
 
-enum class NcMoveKind : std::uint8_t { rapid, line };
+enum class NcMoveKind : std::uint8_t { rapid, line, arc, dwell };
 
-/// One straight move of a program, before a dialect words it.
-struct NcMove {
-    NcMoveKind kind = NcMoveKind::line;
-    glm::dvec3 target{0.0};    ///< mm, in the frame of the work offset in force
-    double feed = 0.0;         ///< mm/min; 0 for rapids
-    std::int64_t take = 0;     ///< the hand's moment behind it, as in PathPoint
-    std::int64_t sample = -1;
-    std::string comment;       ///< stands before the move; empty: none
+/// How an arc turns, as PathArc and Arc have it: about an axis of the frame, at most one turn; with equal ends a full
+/// one.
+struct NcArc {
+    glm::dvec3 centre{0.0}; ///< mm, in the frame of the work offset; its component along the axis has no meaning
+    int axis = 2;           ///< 0 X, 1 Y, 2 Z
+    bool clockwise = false; ///< seen against the axis
 };
 
-/// A program for one tool, before a dialect words it.
+/// One move of a program, before a dialect words it.
+struct NcMove {
+    NcMoveKind kind = NcMoveKind::line;
+    glm::dvec3 target{0.0}; ///< mm, in the frame of the work offset in force; of a dwell without meaning
+    double feed = 0.0;      ///< mm/min; 0 for rapids and dwells
+    std::int64_t take = 0;  ///< the hand's moment behind it, as in PathPoint
+    std::int64_t sample = -1;
+    std::string comment;  ///< stands before the move; empty: none
+    NcArc arc{};          ///< of an arc alone
+    double seconds = 0.0; ///< of a dwell alone
+};
+
+enum class SpindleDirection : std::uint8_t { clockwise, anticlockwise };
+enum class Coolant : std::uint8_t { off, mist, flood };
+enum class NcUnits : std::uint8_t { millimetre, inch };
+
+/// What a program does with one tool. Begins with a rapid move.
+struct NcSection {
+    int toolNumber = 1;
+    std::string toolName;
+    double spindleSpeed = 0.0; ///< 1/min
+    SpindleDirection direction = SpindleDirection::clockwise;
+    Coolant coolant = Coolant::off;
+    std::vector<NcMove> moves;
+};
+
+/// A program, before a dialect words it. Lengths are mm whatever `units` asks for.
 struct NcProgram {
     std::string name;
     std::vector<std::string> header; ///< comment lines
-    int workOffset = 54;             ///< G word
-    int toolNumber = 1;
-    std::string toolName;
-    double spindleSpeed = 0.0;       ///< 1/min, clockwise
-    bool coolant = false;
-    double safeHeight = 0.0;         ///< mm above the work offset's zero, where travel is free
-    double blendTolerance = 0.0;     ///< mm that the control may leave the path by
-    std::vector<NcMove> moves;
+    NcUnits units = NcUnits::millimetre;
+    int workOffset = 54;           ///< as NcMotion::workOffset: 54 … 59, 591 … 593, 1000 + n
+    double safeHeight = 0.0;       ///< mm above the work offset's zero, where travel is free
+    double blendTolerance = 0.0;   ///< mm that the control may leave the path by; 0: it stops exactly
+    double spindleStartTime = 3.0; ///< s that a spindle is given to get to its speed
+    std::vector<NcSection> sections;
 };
 
 } // namespace burin

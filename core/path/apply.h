@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/path/evaluate.h"
 #include "core/path/stroke.h"
 
 namespace burin {
@@ -23,11 +24,38 @@ struct Deviation {
 Result<Deviation> apply(const DropAirCuts& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const DropDwells& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const Smooth& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const SmoothSpline& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const CutOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Trim& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Split& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Join& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Reorder& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Reverse& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Mirror& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Rotate& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Array& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const MovePoints& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+/// Errors: argumentInvalid, where the path has no such stretch.
+Result<Deviation> apply(const ReplaceStretch& edit, PathUnderEdit& state, const PathContext& context,
+                        Progress& progress);
+Result<Deviation> apply(const RemoveArea& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const LiftArea& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 /// Errors: pathGouges, where no place nearby is clear of the part.
 Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const LayOnPart& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const Offset& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+/// Errors: argumentInvalid, where the path has no such guide.
+Result<Deviation> apply(const StepOverRows& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const Simplify& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const RoundCorners& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const LeadIn& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const LeadOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 /// Errors: pathGouges, where the tool can't get to a stroke from above without entering the part.
 Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+/// Errors: argumentInvalid (no stock, no feeds yet), those of PathContext::makeStock.
+Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const AreaFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 } // namespace burin

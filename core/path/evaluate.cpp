@@ -1,44 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/path/evaluate.h"
+
 #include "core/path/apply.h"
+#include "core/path/edit_step.h"
 
 namespace burin {
 namespace {
-
-/// Edits that rely on one another come in these steps; within a step any order goes. Time is lost with thinning, the
-/// hold-out's promise with any later filter, and strokes with linking.
-enum class Step { recorded, thinned, linked, fed };
-
-struct StepOf {
-    Step operator()(const DropAirCuts&) const { return Step::recorded; }
-    Step operator()(const DropDwells&) const { return Step::recorded; }
-    Step operator()(const Smooth&) const { return Step::recorded; }
-    Step operator()(const HoldOut&) const { return Step::thinned; }
-    Step operator()(const Simplify&) const { return Step::thinned; }
-    Step operator()(const Link&) const { return Step::linked; }
-    Step operator()(const SetFeed&) const { return Step::fed; }
-};
-
-/// Whether an edit may move the path, so that its deviation counts in the budget.
-bool movesPath(const EditParameters& parameters) {
-    return std::holds_alternative<Smooth>(parameters) || std::holds_alternative<HoldOut>(parameters) ||
-           std::holds_alternative<Simplify>(parameters);
-}
-
-Result<void> checkOrder(const std::vector<Edit>& edits) {
-    Step reached = Step::recorded;
-    for (const Edit& edit : edits) {
-        if (!edit.enabled) continue;
-        if (Result<void> valid = validate(edit); !valid) return valid;
-        const Step step = std::visit(StepOf{}, edit.parameters);
-        if (step < reached || (step == reached && step >= Step::linked))
-            return Error{ErrorCode::argumentInvalid, "edits", std::string(idOf(edit.parameters)),
-                         "drop-air-cuts, drop-dwells and smooth come before hold-out and simplify, then one link, then "
-                         "one set-feed"};
-        reached = step;
-    }
-    return {};
-}
 
 Result<EditReport> applyOne(const Edit& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     EditReport report;
@@ -71,7 +39,7 @@ Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>&
         Result<EditReport> report = applyOne(edit, *state, context, progress);
         if (progress.cancelled()) return Error{ErrorCode::cancelled, name, "", ""};
         if (!report) return report.error();
-        if (movesPath(edit.parameters)) evaluated.errorBudget += report->largestDeviation;
+        if (traitsOf(edit.parameters).approximates) evaluated.errorBudget += report->largestDeviation;
         evaluated.reports.push_back(std::move(*report));
     }
     evaluated.path.name = name;

@@ -39,40 +39,44 @@ Access accessOf(const PathStroke& stroke, const PartGuard& guard, double height)
     return access;
 }
 
+/// The same arc, gone the other way.
+std::optional<PathArc> reversed(std::optional<PathArc> arc) {
+    if (arc) arc->clockwise = !arc->clockwise;
+    return arc;
+}
+
 /// Strings strokes together.
 class Linker {
 public:
     Linker(const Link& edit, const PartGuard& guard, const PathContext& context, double safeHeight)
         : approach_(edit.approach)
+        , travel_(edit.travel)
         , safeHeight_(safeHeight)
         , reach_(context.tool.cutter.diameter)
         , guard_(guard)
         , cleared_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {
         for (const ObstacleSolid& obstacle : context.obstacles)
-            if (obstacle.on) obstacles_.emplace_back(*obstacle.surface, context.tool);
+            if (obstacle.on) obstacles_.emplace_back(PartGuard(*obstacle.surface, context.tool), obstacle.margin);
     }
 
     void add(const PathStroke& stroke, const Access& access) {
         const glm::dvec3& start = stroke.points.front().tip;
         const bool joined = !points.empty() && canJoin(start, std::min(lastRequired_, stroke.required));
         if (!joined) {
-            leave();
-            enter(stroke, access);
+            const double height =
+                goBack() ? travelHeight(points.back().tip, stroke.points[access.entry].tip) : safeHeight_;
+            rise(height);
+            enter(stroke, access, height);
         }
-        for (std::size_t i = joined ? 0 : 1; i < stroke.points.size(); ++i) cut(stroke, i);
+        if (joined) cut(stroke, 0, {});
+        for (std::size_t i = 1; i < stroke.points.size(); ++i) cut(stroke, i, stroke.points[i].arc);
         for (std::size_t i = stroke.points.size() - 1; i > access.exit; --i) back_.push_back({&stroke, i - 1});
         lastRequired_ = stroke.required;
     }
 
-    /// Up to where the tool may travel.
+    /// Up to where nothing stands.
     void leave() {
-        if (points.empty()) return;
-        for (const auto& [stroke, index] : back_) cut(*stroke, index);
-        back_.clear();
-        const glm::dvec3 tip = points.back().tip;
-        const double near = std::min(tip.z + approach_, safeHeight_);
-        go({tip.x, tip.y, near}, MoveKind::retract);
-        if (near < safeHeight_) go({tip.x, tip.y, safeHeight_}, MoveKind::rapid);
+        if (goBack()) rise(safeHeight_);
     }
 
     std::vector<PathPoint> points;
@@ -80,23 +84,66 @@ public:
 private:
     void go(const glm::dvec3& tip, MoveKind kind) { points.push_back({tip, kind, 0.0, 0, -1}); }
 
-    void cut(const PathStroke& stroke, std::size_t index) {
-        const StrokePoint& point = stroke.points[index];
-        cleared_.cut(points.empty() ? point.tip : points.back().tip, point.tip);
-        points.push_back({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample});
+    /// To where the last stroke can be left. @return false where there was none
+    bool goBack() {
+        if (points.empty()) return false;
+        for (const auto& [stroke, index] : back_) cut(*stroke, index, reversed(stroke->points[index + 1].arc));
+        back_.clear();
+        return true;
     }
 
-    /// To the stroke's first point: across at the safe height, rapidly down to the approach above what is left there,
+    /// Up to a height, a little of it at the feed.
+    void rise(double height) {
+        if (points.empty()) return;
+        const glm::dvec3 tip = points.back().tip;
+        const double near = std::min(tip.z + approach_, height);
+        go({tip.x, tip.y, near}, MoveKind::retract);
+        if (near < height) go({tip.x, tip.y, height}, MoveKind::rapid);
+    }
+
+    /// At which the tool goes from the end of a stroke to the start of the next one.
+    double travelHeight(const glm::dvec3& from, const glm::dvec3& to) const {
+        if (travel_ == Link::Travel::safe) return safeHeight_;
+        const double height = std::max({cleared_.freeHeight(from, to), from.z, to.z}) + approach_;
+        if (height >= safeHeight_) return safeHeight_;
+        const glm::dvec3 start(from.x, from.y, height), end(to.x, to.y, height);
+        const auto passes = [&](const PartGuard& guard, double distance) {
+            return guard.isClear(from, start,
+                                 std::min(distance, guard.clearance(from, distance + 1.0).clearance) - touchTolerance,
+                                 defaultSampling) &&
+                   guard.isClear(start, end, distance, defaultSampling) &&
+                   guard.isClear(end, to,
+                                 std::min(distance, guard.clearance(to, distance + 1.0).clearance) - touchTolerance,
+                                 defaultSampling);
+        };
+        const bool clear = passes(guard_, 0.0) && std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
+                               return passes(obstacle.first, obstacle.second);
+                           });
+        return clear ? height : safeHeight_;
+    }
+
+    /// To a point of a stroke, along the arc or straight.
+    void cut(const PathStroke& stroke, std::size_t index, const std::optional<PathArc>& arc) {
+        const StrokePoint& point = stroke.points[index];
+        const glm::dvec3 from = points.empty() ? point.tip : points.back().tip;
+        if (arc)
+            cleared_.cut(Arc{from, point.tip, arc->centre, arc->axis, arc->clockwise});
+        else
+            cleared_.cut(from, point.tip);
+        points.push_back({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample, arc});
+    }
+
+    /// To the stroke's first point: across at a height, rapidly down to the approach above what is left there,
     /// and on at the plunge feed.
-    void enter(const PathStroke& stroke, const Access& access) {
+    void enter(const PathStroke& stroke, const Access& access, double height) {
         const StrokePoint& entry = stroke.points[access.entry];
         const glm::dvec3& tip = entry.tip;
-        go({tip.x, tip.y, safeHeight_}, MoveKind::rapid);
+        go({tip.x, tip.y, height}, MoveKind::rapid);
         const double free = std::max(cleared_.freeHeight(tip.x, tip.y) + approach_, tip.z);
-        if (free < safeHeight_) go({tip.x, tip.y, free}, MoveKind::rapid);
+        if (free < height) go({tip.x, tip.y, free}, MoveKind::rapid);
         cleared_.cut(points.back().tip, tip);
         points.push_back({tip, MoveKind::plunge, 0.0, stroke.take, entry.sample});
-        for (std::size_t i = access.entry; i > 0; --i) cut(stroke, i - 1);
+        for (std::size_t i = access.entry; i > 0; --i) cut(stroke, i - 1, reversed(stroke.points[i].arc));
     }
 
     /// Whether the tool may go straight on at its cutting feed: not far, clear of part and obstacles, and shank and
@@ -106,7 +153,7 @@ private:
         const glm::dvec3& end = points.back().tip;
         const double length = glm::distance(end, start);
         if (length > reach_ || !guard_.isClear(end, start, required, defaultSampling)) return false;
-        for (const PartGuard& obstacle : obstacles_)
+        for (const auto& [obstacle, margin] : obstacles_)
             if (!obstacle.isClear(end, start, 0.0, defaultSampling)) return false;
         constexpr double sampling = 0.25; // mm
         const int steps = std::max(1, static_cast<int>(length / sampling) + 1);
@@ -117,10 +164,12 @@ private:
         return true;
     }
 
-    double approach_, safeHeight_, reach_; // mm
-    double lastRequired_ = 0.0;            // mm from the part, of the stroke before
+    double approach_; // mm
+    Link::Travel travel_;
+    double safeHeight_, reach_; // mm
+    double lastRequired_ = 0.0; // mm from the part, of the stroke before
     const PartGuard& guard_;
-    std::vector<PartGuard> obstacles_;
+    std::vector<std::pair<PartGuard, double>> obstacles_; // with the margin to keep, mm
     ClearedHeights cleared_;
     std::vector<std::pair<const PathStroke*, std::size_t>> back_; // the way to where the last stroke can be left
 };

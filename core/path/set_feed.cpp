@@ -3,6 +3,8 @@
 #include "core/path/apply.h"
 
 #include "core/base/numbers.h"
+#include "core/base/units.h"
+#include "core/geometry/arc.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,20 @@ namespace {
 /// Steeper than 45° downwards a tool cuts with its end, which is what the plunge feed is for.
 bool goesDownSteeply(const glm::dvec3& from, const glm::dvec3& to) noexcept {
     return from.z - to.z > std::hypot(to.x - from.x, to.y - from.y);
+}
+
+/// Whether a move does so anywhere; of an arc, chords of 5° at most are asked.
+bool goesDownSteeply(const glm::dvec3& from, const PathPoint& to) {
+    if (!to.arc) return goesDownSteeply(from, to.tip);
+    constexpr double finestTurn = 5.0 * pi / 180.0;
+    const Arc arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+    const ArcTurn turn = turnOf(arc);
+    const int steps = static_cast<int>(std::ceil(std::abs(turn.sweep) / finestTurn));
+    for (int i = 0; i < steps; ++i)
+        if (goesDownSteeply(placeOn(arc, turn, static_cast<double>(i) / steps),
+                            placeOn(arc, turn, static_cast<double>(i + 1) / steps)))
+            return true;
+    return false;
 }
 
 } // namespace
@@ -32,7 +48,7 @@ Result<Deviation> apply(const SetFeed&, PathUnderEdit& state, const PathContext&
     state.strokes.clear();
     for (std::size_t i = 0; i < state.points.size(); ++i) {
         PathPoint& point = state.points[i];
-        const bool steep = i > 0 && goesDownSteeply(state.points[i - 1].tip, point.tip);
+        const bool steep = i > 0 && goesDownSteeply(state.points[i - 1].tip, point);
         if (point.kind == MoveKind::rapid)
             point.feed = 0.0;
         else

@@ -57,6 +57,29 @@ Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const Pa
 
 } // namespace
 
+bool touches(const TakeStretch& stretch, const PathStroke& stroke) noexcept {
+    return std::ranges::any_of(stroke.points, [&](const StrokePoint& p) { return contains(stretch, stroke, p); });
+}
+
+bool holds(const PathStroke& stroke, const Moment& moment) noexcept {
+    if (moment.take == 0 || moment.take != stroke.take || stroke.points.empty()) return false;
+    const auto [first, last] = std::ranges::minmax(stroke.points, {}, &StrokePoint::sample);
+    return first.sample <= moment.tick && moment.tick <= last.sample;
+}
+
+PathStroke reversed(const PathStroke& stroke) {
+    PathStroke back = stroke;
+    std::ranges::reverse(back.points);
+    for (std::size_t i = back.points.size(); i-- > 1;) { // what a motion is stays with it
+        back.points[i].arc = back.points[i - 1].arc;
+        back.points[i].removes = back.points[i - 1].removes;
+        back.points[i].onBoundary = back.points[i - 1].onBoundary;
+        if (back.points[i].arc) back.points[i].arc->clockwise = !back.points[i].arc->clockwise;
+    }
+    if (!back.points.empty()) back.points.front().arc.reset();
+    return back;
+}
+
 std::size_t PathUnderEdit::count() const noexcept {
     if (linked) return points.size();
     std::size_t sum = 0;
@@ -79,7 +102,7 @@ std::vector<PathPoint> pointsOf(const PathUnderEdit& state) {
     for (const PathStroke& stroke : state.strokes) {
         MoveKind kind = MoveKind::rapid;
         for (const StrokePoint& point : stroke.points) {
-            points.push_back({point.tip, kind, 0.0, stroke.take, point.sample});
+            points.push_back({point.tip, kind, 0.0, stroke.take, point.sample, point.arc});
             kind = MoveKind::cut;
         }
     }

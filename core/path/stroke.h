@@ -3,12 +3,12 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "core/path/path.h"
 #include "core/recording/sample.h"
 
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -19,9 +19,10 @@ struct StrokePoint {
     std::int64_t sample = 0; ///< tick within the take; of the moment before, for points that an edit put between two
     bool removes = false;    ///< the motion that ends here took material away
     bool onBoundary = false; ///< the part held the tool here
+    std::optional<PathArc> arc{}; ///< of the motion that ends here; nothing: straight
 };
 
-/// A stretch of one take without a gap: the tool goes from point to point in straight lines.
+/// A stretch of one take without a gap: the tool goes from point to point in straight lines, until edits fit arcs.
 struct PathStroke {
     std::int64_t take = 0;
     double allowance = 0.0; ///< mm, of the take
@@ -30,6 +31,18 @@ struct PathStroke {
     double tickPeriod = 0.001; ///< s between the points, as long as no edit thinned them
     std::vector<StrokePoint> points;
 };
+
+/// Whether a point of a stroke was made in a stretch of the hand.
+inline bool contains(const TakeStretch& stretch, const PathStroke& stroke, const StrokePoint& point) noexcept {
+    return stretch.contains({stroke.take, point.sample});
+}
+/// Whether any of its points was.
+bool touches(const TakeStretch& stretch, const PathStroke& stroke) noexcept;
+/// Whether a stroke goes through a moment.
+bool holds(const PathStroke& stroke, const Moment& moment) noexcept;
+
+/// The stroke gone the other way: what a motion did, and its arc, stay with it, though it ends at its other end then.
+PathStroke reversed(const PathStroke& stroke);
 
 /// A path between two edits: strokes until they are linked, points from then on.
 struct PathUnderEdit {

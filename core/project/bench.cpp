@@ -100,7 +100,13 @@ Result<Bench> makeBench(const Project& project, const Tool& tool, const std::str
     if (!obstacles) return std::move(obstacles).error();
     const Result<TravelPlacement> travel = project.travelPlacement();
     if (!travel) return travel.error();
-    BenchRequest request{std::make_shared<const Model>(std::move(*model)), std::move(*setup), tool, machineId, {}};
+    const Result<ProgramTarget> target = project.programTarget();
+    if (!target) return target.error();
+    BenchRequest request{std::make_shared<const Model>(std::move(*model)),
+                         std::move(*setup),
+                         tool,
+                         machineId.empty() ? target->machine : machineId,
+                         {}};
     request.obstacles = std::move(*obstacles);
     request.travel = *travel;
     if (materials) request.materials = std::move(*materials);

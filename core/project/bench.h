@@ -50,7 +50,7 @@ struct BenchRequest {
 
 /// Errors: those of loadMaterial, loadMachine, embed, cuttingConditions, checkObstacle, cancelled.
 Result<Bench> makeBench(const BenchRequest& request, Progress& progress);
-/// The same from a project. Errors: also projectIncomplete.
+/// The same from a project; its own machine where `machineId` is empty. Errors: also projectIncomplete.
 Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress);
 
 /// The tool of a project by id, or of the library where the project has none of that name.

@@ -5,7 +5,9 @@
 #include "core/base/numbers.h"
 #include "core/nc/dialect_library.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace burin {
 
@@ -26,6 +28,58 @@ std::vector<std::string> headerLines(const Bench& bench) {
                     place(stock.high - bench.setup.workOffset));
     lines.push_back("Tool: " + bench.tool.name + ", stick-out at least " + length(bench.tool.cutter.stickOut) + " mm");
     return lines;
+}
+
+/// What was found and why the program is wanted all the same: one line a kind, with its worst amount.
+std::vector<std::string> overrideLines(const VerifyReport& report, const std::string& reason) {
+    struct Kind {
+        std::size_t count = 0;
+        double worst = 0.0;
+    };
+    std::map<FindingKind, Kind> kinds;
+    for (const Finding& finding : report.findings) {
+        Kind& kind = kinds[finding.kind];
+        ++kind.count;
+        kind.worst = std::max(kind.worst, finding.amount);
+    }
+    std::vector<std::string> lines{"REFUSED BY THE CHECK AND EXPORTED ALL THE SAME", "Reason: " + reason};
+    for (const auto& [id, kind] : kinds) {
+        const std::string unit = unitOf(id);
+        lines.push_back("Found: " + std::to_string(kind.count) + " x " + idOf(id) +
+                        (unit.empty() ? "" : ", worst " + formatFixed(kind.worst, 4) + " " + unit));
+    }
+    return lines;
+}
+
+Result<std::string> post(const Bench& bench, const Path& path, const ProgramRequest& request,
+                         const std::vector<std::string>& warnings, Progress& progress) {
+    PostRequest post;
+    post.programName = request.name;
+    post.header = headerLines(bench);
+    post.header.insert(post.header.begin(), warnings.begin(), warnings.end());
+    post.workOffset = bench.setup.workOffset;
+    post.toolNumber = bench.tool.number;
+    post.toolName = bench.tool.name;
+    post.safeHeight = bench.safeHeight() - bench.setup.workOffset.z;
+    const Result<NcProgram> program = toProgram({path}, post, bench.machine);
+    if (!program) return program.error();
+    const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request.dialect);
+    if (!dialect) return dialect.error();
+    return writeProgram(*program, bench.machine, **dialect, progress);
+}
+
+/// The verdict of a program for its text with more lines in the header, which move all others down.
+Result<CheckedProgram> overridden(CheckedProgram checked, std::string text, const std::string& origin,
+                                  const Control& control) {
+    Result<ParsedProgram> parsed = parseProgram(text, origin, control);
+    if (!parsed) return std::move(parsed).error();
+    const auto lines = [](const std::string& all) { return std::count(all.begin(), all.end(), '\n'); };
+    const auto added = static_cast<std::uint32_t>(lines(text) - lines(checked.text));
+    for (Finding& finding : checked.report.findings) finding.line += added;
+    checked.text = std::move(text);
+    checked.parsed = std::move(*parsed);
+    checked.overridden = true;
+    return checked;
 }
 
 } // namespace
@@ -60,6 +114,12 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
     context.machine = bench.machine;
     context.stock = bench.setup.stock;
     context.obstacles = solidsOf(bench.obstacles);
+    context.workOffset = bench.setup.workOffset;
+    context.makeStock = [&bench](Progress& stockProgress) -> Result<RunVolume> {
+        Result<EmbeddedSetup> embedded = embed(*bench.model, bench.setup, stockProgress);
+        if (!embedded) return std::move(embedded).error();
+        return std::move(embedded->workpiece);
+    };
     if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
     return evaluate(path.name, takes, path.edits, context, progress);
 }
@@ -73,27 +133,20 @@ Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench,
 
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
                                    Progress& progress) {
-    PostRequest post;
-    post.programName = request.name;
-    post.header = headerLines(bench);
-    post.workOffset = bench.setup.workOffset;
-    post.toolNumber = bench.tool.number;
-    post.toolName = bench.tool.name;
-    post.safeHeight = bench.safeHeight() - bench.setup.workOffset.z;
-    const Result<NcProgram> program = toProgram({path}, post, bench.machine);
-    if (!program) return program.error();
-    const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request.dialect);
-    if (!dialect) return dialect.error();
     progress.stage(0.0, 0.1);
-    Result<std::string> text = writeProgram(*program, bench.machine, **dialect, progress);
+    Result<std::string> text = post(bench, path, request, {}, progress);
     if (!text) return std::move(text).error();
-    return checkProgram(bench, std::move(*text), request.name, request, progress);
+    Result<CheckedProgram> checked = checkProgram(bench, std::move(*text), request.name, request, progress);
+    if (!checked || checked->report.passed() || request.overrideReason.empty()) return checked;
+    text = post(bench, path, request, overrideLines(checked->report, request.overrideReason), progress);
+    if (!text) return std::move(text).error();
+    return overridden(std::move(*checked), std::move(*text), request.name, controlOfDialect(request.dialect));
 }
 
 Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,
                                     const ProgramRequest& request, Progress& progress) {
-    const Result<ParsedProgram> parsed = parseProgram(text, origin);
-    if (!parsed) return parsed.error();
+    Result<ParsedProgram> parsed = parseProgram(text, origin, controlOfDialect(request.dialect));
+    if (!parsed) return std::move(parsed).error();
     VerifyRequest verification;
     verification.program = &*parsed;
     verification.model = bench.model.get();
@@ -111,7 +164,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     Result<VerifyReport> report = verify(verification, progress, &checked.machined);
     if (!report) return std::move(report).error();
     checked.text = std::move(text);
-    checked.blocks = parsed->blocks;
+    checked.parsed = std::move(*parsed);
     checked.report = std::move(*report);
     return checked;
 }

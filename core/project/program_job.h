@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/nc/post.h"
+#include "core/path/evaluate.h"
 #include "core/project/bench.h"
 #include "core/verify/verify.h"
 
@@ -29,17 +30,24 @@ struct ProgramRequest {
     double gougeTolerance = 0.02; ///< mm
     std::size_t exactSamples = 500;
     ImportOptions import; ///< worker for the exact distances
+    /// Why a program that its check refuses is wanted all the same, in the user's words; they and what was found stand
+    /// in the program's header then. Empty: it is not wanted.
+    std::string overrideReason;
 };
 
 /// A program that was posted, read back from its text and judged.
 struct CheckedProgram {
     std::string text;
-    std::size_t blocks = 0;
+    ParsedProgram parsed; ///< what the text says
     VerifyReport report;
     VolumeSnapshot machined; ///< the workpiece as the program leaves it
+    bool overridden = false; ///< refused, and its header says why it is wanted all the same
+
+    /// It may leave the house.
+    bool released() const noexcept { return report.passed() || overridden; }
 };
 
-/// Posts a path, reads the text back with Burin's own parser and re-simulates it. What `report` refuses must not reach
+/// Posts a path, reads the text back with Burin's own parser and re-simulates it. What is not `released` must not reach
 /// a machine. Errors: those of toProgram, the dialect, parseProgram and verify.
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
                                    Progress& progress);

@@ -7,9 +7,11 @@
 #include "core/machine/envelope.h"
 #include "core/path/edit.h"
 #include "core/project/kept_guides.h"
+#include "core/project/program_target.h"
 #include "core/recording/sample.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
+#include "core/tool/tool.h"
 
 #include <filesystem>
 #include <memory>
@@ -101,6 +103,9 @@ public:
     /// Where the machine's travel lies; by the rule of travelEnvelope where nothing was stored.
     Result<void> setTravelPlacement(const TravelPlacement& placement);
     Result<TravelPlacement> travelPlacement() const;
+    /// Machine and dialect of the programs; the first machine's where nothing was stored.
+    Result<void> setProgramTarget(const ProgramTarget& target);
+    Result<ProgramTarget> programTarget() const;
     /// The guides of the hand; they replace the ones before. Errors: also those of checkGuide.
     Result<void> setGuides(const KeptGuides& guides);
     Result<KeptGuides> guides() const;

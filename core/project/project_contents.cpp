@@ -47,6 +47,13 @@ Result<TravelPlacement> Project::travelPlacement() const {
     return impl_->read(loadTravelPlacement);
 }
 
+Result<void> Project::setProgramTarget(const ProgramTarget& target) {
+    return impl_->change([&](Database& database) { return storeProgramTarget(database, target); });
+}
+Result<ProgramTarget> Project::programTarget() const {
+    return impl_->read(loadProgramTarget);
+}
+
 Result<void> Project::setGuides(const KeptGuides& guides) {
     return impl_->change([&](Database& database) { return storeGuides(database, guides); });
 }

@@ -31,6 +31,8 @@ Result<void> storeAxisMode(Database& database, const AxisMode& axis); ///< argum
 Result<AxisMode> loadAxisMode(Database& database);
 Result<void> storeTravelPlacement(Database& database, const TravelPlacement& placement); ///< argumentInvalid
 Result<TravelPlacement> loadTravelPlacement(Database& database);
+Result<void> storeProgramTarget(Database& database, const ProgramTarget& target);
+Result<ProgramTarget> loadProgramTarget(Database& database);
 Result<void> storeGuides(Database& database, const KeptGuides& kept); ///< those of checkGuide, argumentInvalid
 Result<KeptGuides> loadGuides(Database& database);
 

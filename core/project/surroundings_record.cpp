@@ -201,4 +201,15 @@ std::optional<TravelPlacement> travelPlacementFromJson(std::string_view text) tr
     return std::nullopt;
 }
 
+std::string toJson(const ProgramTarget& target) {
+    return textOf({{"machine", target.machine}, {"dialect", target.dialect}});
+}
+
+std::optional<ProgramTarget> programTargetFromJson(std::string_view text) try {
+    const json record = json::parse(text);
+    return ProgramTarget{record.at("machine").get<std::string>(), record.at("dialect").get<std::string>()};
+} catch (const json::exception&) {
+    return std::nullopt;
+}
+
 } // namespace burin

@@ -5,6 +5,7 @@
 #include "core/haptics/axis_mode.h"
 #include "core/haptics/guide.h"
 #include "core/machine/envelope.h"
+#include "core/project/program_target.h"
 #include "core/setup/obstacle.h"
 
 #include <optional>
@@ -36,5 +37,8 @@ std::optional<AxisMode> axisModeFromJson(std::string_view text);
 
 std::string toJson(const TravelPlacement& placement);
 std::optional<TravelPlacement> travelPlacementFromJson(std::string_view text);
+
+std::string toJson(const ProgramTarget& target);
+std::optional<ProgramTarget> programTargetFromJson(std::string_view text);
 
 } // namespace burin

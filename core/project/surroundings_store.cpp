@@ -12,7 +12,8 @@ namespace burin {
 namespace {
 
 /// Rows of `milling_setting`.
-constexpr std::string_view axisMode = "axis_mode", travelPlacement = "travel", guideButton = "guide_step_button";
+constexpr std::string_view axisMode = "axis_mode", travelPlacement = "travel", programTarget = "target",
+                           guideButton = "guide_step_button";
 
 std::optional<BlobView> unlessEmpty(const std::string& blob) {
     return blob.empty() ? std::nullopt : std::optional(BlobView{blob});
@@ -109,6 +110,14 @@ Result<void> storeTravelPlacement(Database& database, const TravelPlacement& pla
 
 Result<TravelPlacement> loadTravelPlacement(Database& database) {
     return loadSettingAs<TravelPlacement>(database, travelPlacement, travelPlacementFromJson);
+}
+
+Result<void> storeProgramTarget(Database& database, const ProgramTarget& target) {
+    return storeSetting(database, programTarget, toJson(target));
+}
+
+Result<ProgramTarget> loadProgramTarget(Database& database) {
+    return loadSettingAs<ProgramTarget>(database, programTarget, programTargetFromJson);
 }
 
 Result<void> storeGuides(Database& database, const KeptGuides& kept) {

@@ -42,4 +42,25 @@ const char* idOf(FindingKind kind) {
     return "unknown";
 }
 
+const char* unitOf(FindingKind kind) {
+    switch (kind) {
+    case FindingKind::gouge:
+    case FindingKind::travelLimit:
+    case FindingKind::obstacleCollision:
+        return "mm";
+    case FindingKind::rapidInStock:
+    case FindingKind::shankCollision:
+    case FindingKind::holderCollision:
+    case FindingKind::spindleOff:
+        return "mm^3";
+    case FindingKind::feedLimit:
+        return "mm/min";
+    case FindingKind::spindleLimit:
+        return "1/min";
+    case FindingKind::unknownStart:
+        break;
+    }
+    return "";
+}
+
 } // namespace burin

@@ -50,6 +50,8 @@ enum class FindingKind : std::uint8_t {
 };
 /// Stable id of a kind, for JSON: "gouge", "rapid_in_stock", …
 const char* idOf(FindingKind kind);
+/// What a kind's amount is counted in, in ASCII: "mm", "mm^3"; empty where the amount says nothing.
+const char* unitOf(FindingKind kind);
 
 struct Finding {
     FindingKind kind = FindingKind::gouge;

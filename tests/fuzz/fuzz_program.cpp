@@ -1,13 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/nc/lint.h"
 #include "core/nc/parser.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
 
+/// Every control reads the text. What it accepts has finite places, and lint then finds no error but a missing end;
+/// marks lie within the text.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+    using namespace burin;
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
-    static_cast<void>(burin::parseProgram(text, "fuzz"));
+    Tool tool;
+    tool.centreCutting = false;
+    MachineProfile machine;
+    for (const Control& control : controls()) {
+        const auto program = parseProgram(text, "fuzz", control);
+        if (program)
+            for (const NcMotion& motion : program->motions)
+                if (!(glm::length(motion.to) < 1e15)) std::abort();
+        for (const LintMark& mark : lint(text, {&control, &machine, &tool}))
+            if (mark.line == 0 || mark.column == 0 || mark.length == 0 || mark.text.empty()) std::abort();
+    }
     return 0;
 }

@@ -186,11 +186,13 @@ inline ProgramState program() {
     report.removed = 112404.0;
     report.machiningSeconds = 1504.0;
     state.report = report;
+    state.released = true;
     return state;
 }
 
 inline ProgramState failedProgram() {
     ProgramState state = program();
+    state.released = false;
     state.report->gougeMax = 0.134;
     state.report->findings = {{FindingKind::gouge, 12, {}, 0.134},
                               {FindingKind::rapidInStock, 21, {}, 40.2},

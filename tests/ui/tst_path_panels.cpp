@@ -6,16 +6,19 @@
 #include "ui/panels/notice.h"
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
-#include "ui/panels/program_view.h"
+#include "ui/panels/program_text.h"
 #include "ui/panels/program_words.h"
 #include "ui/theme/theme.h"
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTextBlock>
+#include <QToolButton>
 
 using namespace burin;
 
@@ -77,27 +80,51 @@ private slots:
         QCOMPARE(update.size(), 1); // it is up to date
     }
 
-    void everyNumberOfAnEditHasItsField() {
-        for (const Edit& edit : standardEdits()) {
+    void everyParameterOfAnEditHasItsField() {
+        for (const Edit& edit : everyEdit()) {
             const std::string json = toJson(edit);
-            const std::vector<EditParameter> parameters = parametersOf(edit.parameters);
-            for (const EditParameter& parameter : parameters) {
-                const EditNumber& number = parameter.number;
-                const QByteArray key = QByteArray::fromStdString(std::string(number.key));
+            for (const EditParameter& parameter : parametersOf(edit.parameters)) {
+                const EditField& field = parameter.field;
+                const QByteArray key =
+                    QByteArray::fromStdString(std::string(idOf(edit.parameters)) + ", " + std::string(field.key));
                 QVERIFY2(!parameter.label.isEmpty() && !parameter.toolTip.isEmpty(), key);
+                QVERIFY2(json.find('"' + std::string(field.key) + '"') != std::string::npos, json.c_str());
+                for (const std::string_view choice : field.choices) QVERIFY2(!choiceText(choice).isEmpty(), key);
+                if (!std::holds_alternative<double>(field.value)) continue;
                 Edit changed = edit;
                 const auto accepts = [&](double value) {
-                    setNumber(changed.parameters, number.key, value);
+                    setField(changed.parameters, field.key, value);
                     return validate(changed).hasValue();
                 };
-                QVERIFY2(accepts(number.low) && accepts(number.high), key);
-                QVERIFY2(!accepts(number.high * 1.001) && !accepts(number.low - 1e-4), key);
-                QVERIFY2(json.find('"' + std::string(number.key) + '"') != std::string::npos, json.c_str());
-                setNumber(changed.parameters, number.key, number.high);
-                QVERIFY(toJson(changed) != json);
+                QVERIFY2(!accepts(field.high * 1.001) && !accepts(field.low - 1e-4), key);
+                setField(changed.parameters, field.key,
+                         std::get<double>(field.value) == field.high ? field.low : field.high);
+                QVERIFY2(toJson(changed) != json, key);
             }
-            QCOMPARE(std::ranges::count(json, ':'), static_cast<std::ptrdiff_t>(parameters.size() + 2)); // all of them
         }
+    }
+
+    void editsAreAddedMovedAndRemoved() {
+        PathPanel panel;
+        panel.setState(examples::path());
+        show(panel);
+        std::vector<std::string> added;
+        connect(&panel, &PathPanel::editAdded, this,
+                [&added](const Edit& edit) { added.emplace_back(idOf(edit.parameters)); });
+        QSignalSpy moved(&panel, &PathPanel::editMoved), removed(&panel, &PathPanel::editRemoved);
+        auto& menu = child<QMenu>(panel, "addEditMenu");
+        QCOMPARE(menu.actions().size(), static_cast<qsizetype>(everyEdit().size()));
+        menu.actions().at(5)->trigger();
+        QCOMPARE(added, (std::vector<std::string>{std::string(idOf(everyEdit()[5].parameters))}));
+        click(panel, "edit2Earlier");
+        click(panel, "edit2Later");
+        click(panel, "edit0Earlier"); // it is the first already
+        QCOMPARE(moved.size(), 2);
+        QCOMPARE(moved[0], (QVariantList{QVariant::fromValue(std::size_t{2}), QVariant::fromValue(std::size_t{1})}));
+        QCOMPARE(moved[1], (QVariantList{QVariant::fromValue(std::size_t{2}), QVariant::fromValue(std::size_t{3})}));
+        click(panel, "edit3Remove");
+        QCOMPARE(removed.size(), 1);
+        QCOMPARE(removed[0][0].value<std::size_t>(), std::size_t{3});
     }
 
     void theVerdictDecidesOnExport() {
@@ -150,6 +177,47 @@ private slots:
         QCOMPARE(line[2][0].toInt(), 34);
         QTest::keyClick(&text, Qt::Key_A); // read only
         QCOMPARE(text.toPlainText(), examples::programText());
+    }
+
+    void aRefusedProgramIsWantedOnlyWithAReason() {
+        ProgramPanel panel;
+        panel.setState(examples::failedProgram());
+        show(panel);
+        QSignalSpy wanted(&panel, &ProgramPanel::overrideRequested), exported(&panel, &ProgramPanel::exportRequested);
+        click(panel, "overrideButton");
+        QCOMPARE(wanted.size(), 1);
+        ProgramState state = examples::failedProgram();
+        state.released = true; // its header gives the reason now
+        panel.setState(state);
+        QVERIFY(!child<QPushButton>(panel, "overrideButton").isVisible());
+        QCOMPARE(child<Notice>(panel, "verdict").kind(), Notice::Kind::warning);
+        click(panel, "exportButton");
+        QCOMPARE(exported.size(), 1);
+        panel.setState(examples::program());
+        QVERIFY(!child<QPushButton>(panel, "overrideButton").isVisible());
+    }
+
+    void aSearchGoesRoundAndRound() {
+        ProgramText view;
+        view.resize(320, 400);
+        view.showProgram(QStringLiteral("G1 X1\nM3\nG1 X2\nm30\nG0 Z5"));
+        view.show();
+        auto& text = child<QPlainTextEdit>(view, "programText");
+        auto& search = child<QLineEdit>(view, "programSearch");
+        QSignalSpy line(&view, &ProgramText::lineChosen);
+        view.startSearch();
+        QTest::keyClicks(&search, "m3");
+        QCOMPARE(child<QLabel>(view, "searchFound").text(), QStringLiteral("2"));
+        std::vector<int> lines;
+        for (const Qt::KeyboardModifiers keys : {Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ShiftModifier}) {
+            QTest::keyClick(&search, Qt::Key_Return, keys);
+            lines.push_back(text.textCursor().blockNumber() + 1);
+        }
+        QCOMPARE(lines, (std::vector{2, 4, 2, 4}));
+        QCOMPARE(line.size(), 4);
+        view.showProgram(QStringLiteral("G0"));
+        QCOMPARE(child<QLabel>(view, "searchFound").text(), QStringLiteral("none"));
+        QVERIFY(!child<QToolButton>(view, "searchNextButton").isEnabled());
     }
 
     void aLongProgramComesInPiecemeal() {

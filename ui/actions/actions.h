@@ -57,7 +57,10 @@ enum class ActionId : std::size_t {
     rateControl,
     newPath,
     evaluatePath,
+    drawStretch,
     post,
+    findInProgram,
+    overrideCheck,
     welcome,
     about,
     count

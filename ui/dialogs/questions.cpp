@@ -3,8 +3,13 @@
 #include "ui/dialogs/questions.h"
 
 #include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 namespace burin {
 
@@ -57,6 +62,43 @@ bool confirm(QWidget* parent, const QString& question, const QString& consequenc
     box.setEscapeButton(cancel);
     box.exec();
     return box.clickedButton() == yes;
+}
+
+QString askReason(QWidget* parent, const QString& question, const QString& consequence, const QString& label) {
+    constexpr int width = 420, longest = 200; // pixels; characters: a few lines of a header
+    QDialog dialog(parent);
+    dialog.setObjectName(QStringLiteral("reasonDialog"));
+    dialog.setWindowTitle(Questions::tr("Burin"));
+    auto* column = new QVBoxLayout(&dialog);
+    auto* heading = new QLabel(question, &dialog);
+    heading->setProperty("look", "title");
+    column->addWidget(heading);
+    for (const QString& text : {consequence, label}) {
+        auto* line = new QLabel(text, &dialog);
+        line->setWordWrap(true);
+        column->addWidget(line);
+    }
+    auto* reason = new QLineEdit(&dialog);
+    reason->setObjectName(QStringLiteral("reasonField"));
+    reason->setAccessibleName(label);
+    reason->setToolTip(label);
+    reason->setMaxLength(longest);
+    reason->setMinimumWidth(width);
+    column->addWidget(reason);
+    auto* buttons = new QDialogButtonBox(&dialog);
+    QPushButton* yes = buttons->addButton(Questions::tr("Override the check"), QDialogButtonBox::AcceptRole);
+    yes->setObjectName(QStringLiteral("confirmButton"));
+    yes->setToolTip(consequence);
+    yes->setEnabled(false);
+    QPushButton* cancel = buttons->addButton(Questions::tr("Cancel"), QDialogButtonBox::RejectRole);
+    cancel->setObjectName(QStringLiteral("cancelButton"));
+    cancel->setToolTip(Questions::tr("Change nothing."));
+    column->addWidget(buttons);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    QObject::connect(reason, &QLineEdit::textChanged, yes,
+                     [yes](const QString& text) { yes->setEnabled(!text.trimmed().isEmpty()); });
+    return dialog.exec() == QDialog::Accepted ? reason->text().trimmed() : QString();
 }
 
 void showAbout(QWidget* parent, const QString& version) {

@@ -17,6 +17,10 @@ UnsavedAnswer askUnsaved(QWidget* parent, const QString& project);
 /// Asks before something goes that no undo brings back. Dialog "confirmDialog" with "confirmButton", "cancelButton".
 bool confirm(QWidget* parent, const QString& question, const QString& consequence, const QString& confirmText);
 
+/// Asks for a reason in words. Dialog "reasonDialog" with "reasonField", "confirmButton" (only with a reason),
+/// "cancelButton". @return trimmed; empty: cancelled
+QString askReason(QWidget* parent, const QString& question, const QString& consequence, const QString& label);
+
 /// Dialog "aboutDialog". @param version of the program
 void showAbout(QWidget* parent, const QString& version);
 

@@ -3,14 +3,14 @@
 #include "ui/panels/edit_card.h"
 
 #include "ui/messages/messages.h"
-#include "ui/panels/edit_parameters.h"
+#include "ui/panels/buttons.h"
+#include "ui/panels/edit_field_editor.h"
 #include "ui/panels/elided_label.h"
-#include "ui/panels/field_row.h"
-#include "ui/panels/quantity_field.h"
+#include "ui/panels/named_switch.h"
 #include "ui/panels/texts.h"
 #include "ui/theme/number_font.h"
 
-#include <QCheckBox>
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 namespace burin {
@@ -21,29 +21,8 @@ EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent) : QFram
     column->setContentsMargins(10, 6, 8, 8);
     column->setSpacing(4);
     const QString name = QStringLiteral("edit%1").arg(place);
-    const QString title = Messages::text(titleOf(edit.parameters));
-    enabled_ = new QCheckBox(title, this);
-    enabled_->setObjectName(name + QStringLiteral("Switch"));
-    enabled_->setToolTip(tr("Switch this edit on or off"));
-    column->addWidget(enabled_);
-    connect(enabled_, &QCheckBox::clicked, this, [this](bool on) {
-        edit_.enabled = on;
-        showEdit(edit_);
-        emit edited(edit_);
-    });
-    for (const EditParameter& parameter : parametersOf(edit.parameters)) {
-        auto* field = new QuantityField(parameter.quantity, this);
-        field->setObjectName(name + QLatin1Char('_') +
-                             QLatin1String(parameter.number.key.data(), qsizetype(parameter.number.key.size())));
-        field->limit(parameter.number.low, parameter.number.high);
-        column->addWidget(new FieldRow(parameter.label, field, parameter.toolTip, this));
-        field->setAccessibleName(title + QStringLiteral(", ") + parameter.label);
-        connect(field, &QuantityField::valueEdited, this, [this, key = parameter.number.key](double value) {
-            setNumber(edit_.parameters, key, value);
-            emit edited(edit_);
-        });
-        fields_.push_back(field);
-    }
+    addHead(name);
+    addFields(name);
     report_ = new ElidedLabel({}, this);
     report_->setObjectName(name + QStringLiteral("Report"));
     report_->setProperty("look", "small");
@@ -53,14 +32,58 @@ EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent) : QFram
     showReport(nullptr, LengthUnit::millimetre);
 }
 
+void EditCard::addHead(const QString& name) {
+    switch_ = new NamedSwitch(name, tr("Switch this edit on or off"), this);
+    connect(switch_, &NamedSwitch::switched, this, [this](bool on) {
+        edit_.enabled = on;
+        showEdit(edit_);
+        emit edited(edit_);
+    });
+    const auto button = [&](const char* icon, const QString& toolTip, const char* part) {
+        return makeIconButton(QLatin1String(icon), toolTip, name + QLatin1String(part), this);
+    };
+    earlier_ = button("previous", tr("Apply this edit earlier"), "Earlier");
+    later_ = button("next", tr("Apply this edit later"), "Later");
+    auto* remove = button("remove", tr("Remove this edit"), "Remove");
+    connect(earlier_, &QToolButton::clicked, this, [this] { emit moveRequested(-1); });
+    connect(later_, &QToolButton::clicked, this, [this] { emit moveRequested(1); });
+    connect(remove, &QToolButton::clicked, this, &EditCard::removalRequested);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(0);
+    head->addWidget(switch_, 1);
+    for (QToolButton* each : {earlier_, later_, remove}) head->addWidget(each);
+    static_cast<QVBoxLayout*>(layout())->addLayout(head);
+}
+
+void EditCard::addFields(const QString& name) {
+    const QString title = Messages::text(titleOf(edit_.parameters));
+    for (const EditParameter& parameter : parametersOf(edit_.parameters)) {
+        const std::string_view key = parameter.field.key;
+        auto* field = new EditFieldEditor(
+            parameter, name + QLatin1Char('_') + QLatin1String(key.data(), static_cast<qsizetype>(key.size())),
+            title + QStringLiteral(", ") + parameter.label, this);
+        layout()->addWidget(field);
+        connect(field, &EditFieldEditor::edited, this, [this, key](const EditValue& value) {
+            setField(edit_.parameters, key, value);
+            emit edited(edit_);
+        });
+        fields_.push_back(field);
+    }
+}
+
 void EditCard::showEdit(const Edit& edit) {
     edit_ = edit;
-    enabled_->setChecked(edit.enabled); // `clicked` is the user's alone
-    const std::vector<EditNumber> numbers = numbersOf(edit.parameters);
+    switch_->show(Messages::text(titleOf(edit.parameters)), edit.enabled, {});
+    const std::vector<EditField> fields = fieldsOf(edit.parameters);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
-        fields_[i]->showValue(numbers[i].value);
-        fields_[i]->parentWidget()->setEnabled(edit.enabled);
+        fields_[i]->showValue(fields[i].value);
+        fields_[i]->setEnabled(edit.enabled);
     }
+}
+
+void EditCard::setMovable(bool earlier, bool later) {
+    earlier_->setEnabled(earlier);
+    later_->setEnabled(later);
 }
 
 void EditCard::showReport(const EditReport* report, LengthUnit unit) {
@@ -73,7 +96,7 @@ void EditCard::showReport(const EditReport* report, LengthUnit unit) {
 }
 
 void EditCard::setUnit(LengthUnit unit) {
-    for (QuantityField* field : fields_) field->setLengthUnit(unit);
+    for (EditFieldEditor* field : fields_) field->setUnit(unit);
 }
 
 } // namespace burin

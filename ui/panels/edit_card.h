@@ -2,40 +2,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "ui/theme/length_unit.h"
 
 #include <QFrame>
 
 #include <vector>
 
-class QCheckBox;
+class QToolButton;
 
 namespace burin {
 
+class EditFieldEditor;
 class ElidedLabel;
-class QuantityField;
+class NamedSwitch;
 
-/// One edit of a path: its switch, its parameters and what it did.
+/// One edit of a path: its switch, its place in the order, its parameters and what it did.
 class EditCard : public QFrame {
     Q_OBJECT
 public:
-    /// @param place in the path, from 0: part of the object names ("edit2Switch", "edit2_tolerance_mm")
+    /// @param place in the path, from 0: part of the object names ("edit2Switch", "edit2_tolerance_mm", "edit2Earlier")
     EditCard(std::size_t place, const Edit& edit, QWidget* parent = nullptr);
 
     /// Shows values without a signal. The kind of edit must be the one it was made for.
     void showEdit(const Edit& edit);
     void showReport(const EditReport* report, LengthUnit unit); ///< null: none (switched off, or not evaluated)
     void setUnit(LengthUnit unit);
+    /// Whether the edit may go one place up, one down.
+    void setMovable(bool earlier, bool later);
     std::string_view kind() const { return idOf(edit_.parameters); }
 
 signals:
     void edited(const burin::Edit& edit);
+    void moveRequested(int by); ///< -1: one place earlier, 1: one later
+    void removalRequested();
 
 private:
+    void addHead(const QString& name);
+    void addFields(const QString& name);
+
     Edit edit_;
-    QCheckBox* enabled_ = nullptr;
-    std::vector<QuantityField*> fields_;
+    NamedSwitch* switch_ = nullptr;
+    QToolButton *earlier_ = nullptr, *later_ = nullptr;
+    std::vector<EditFieldEditor*> fields_;
     ElidedLabel* report_ = nullptr;
 };
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/edit_parameters.h"
 
+#include "ui/panels/edit_words.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
-#include <cassert>
+#include <utility>
 
 namespace burin {
 
@@ -16,49 +18,73 @@ class EditParameterTexts {
     Q_DECLARE_TR_FUNCTIONS(EditParameterTexts)
 };
 
-/// What a panel says of one number of a kind of edit; what it may be, core knows.
-struct NumberWords {
-    std::string_view edit, key;
+/// The unit at the end of a key: "tolerance_mm" measures a length.
+struct KeyUnit {
+    std::string_view ending;
     Quantity quantity;
-    const char* label;
-    const char* toolTip;
 };
+constexpr std::array units{KeyUnit{"_mm_s", Quantity::speed}, KeyUnit{"_mm", Quantity::length},
+                           KeyUnit{"_hz", Quantity::frequency}, KeyUnit{"_rad", Quantity::angle},
+                           KeyUnit{"_s", Quantity::time}};
 
-constexpr std::array words{
-    NumberWords{"drop-air-cuts", "shortest_mm", Quantity::length, QT_TRANSLATE_NOOP("EditParameterTexts", "Shortest"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "A shorter stretch through air stays")},
-    NumberWords{"drop-dwells", "speed_mm_s", Quantity::speed, QT_TRANSLATE_NOOP("EditParameterTexts", "Slower than"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "A tip slower than this dwells")},
-    NumberWords{"drop-dwells", "time_s", Quantity::time, QT_TRANSLATE_NOOP("EditParameterTexts", "Longer than"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "A shorter rest stays")},
-    NumberWords{"smooth", "cut_off_hz", Quantity::frequency, QT_TRANSLATE_NOOP("EditParameterTexts", "Cut-off"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "What trembles faster than this is smoothed away")},
-    NumberWords{"smooth", "tolerance_mm", Quantity::length, QT_TRANSLATE_NOOP("EditParameterTexts", "Tolerance"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "No farther from what the hand did than this")},
-    NumberWords{"hold-out", "clearance_mm", Quantity::length, QT_TRANSLATE_NOOP("EditParameterTexts", "Clearance"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "Kept from the part beyond the allowance")},
-    NumberWords{"hold-out", "sampling_mm", Quantity::length, QT_TRANSLATE_NOOP("EditParameterTexts", "Sampling"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "How densely the path is held against the part")},
-    NumberWords{"simplify", "tolerance_mm", Quantity::length, QT_TRANSLATE_NOOP("EditParameterTexts", "Tolerance"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "No point that is left out lies farther off than this")},
-    NumberWords{"link", "clearance_above_mm", Quantity::length,
-                QT_TRANSLATE_NOOP("EditParameterTexts", "Clearance above"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "How far above the stock's top rapid moves run")},
-    NumberWords{"link", "approach_mm", Quantity::length, QT_TRANSLATE_NOOP("EditParameterTexts", "Approach"),
-                QT_TRANSLATE_NOOP("EditParameterTexts", "How far above what is left the plunge begins")}};
+const KeyUnit* unitOf(std::string_view key) {
+    const auto found = std::ranges::find_if(units, [&](const KeyUnit& unit) { return key.ends_with(unit.ending); });
+    return found == units.end() ? nullptr : &*found;
+}
+
+/// "largest_sweep_rad" as a label: "Largest sweep".
+QString labelOf(std::string_view key) {
+    if (const KeyUnit* unit = unitOf(key)) key.remove_suffix(unit->ending.size());
+    QString label = QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size()));
+    label.replace(QLatin1Char('_'), QLatin1Char(' '));
+    label[0] = label[0].toUpper();
+    return label;
+}
+
+EditParameter parameterOf(std::string_view edit, const EditField& field) {
+    const EditWords* known = editWordsOf(edit, field.key);
+    const KeyUnit* unit = unitOf(field.key);
+    return {field, known != nullptr ? EditParameterTexts::tr(known->label) : labelOf(field.key),
+            known != nullptr ? EditParameterTexts::tr(known->toolTip) : QString(),
+            unit != nullptr ? unit->quantity : Quantity::ratio};
+}
+
+/// What a value that is told and not typed says.
+struct ValueTexts {
+    QString operator()(const Moment& moment) const {
+        return EditParameterTexts::tr("take %1, tick %2").arg(moment.take).arg(moment.tick);
+    }
+    QString operator()(const TakeStretch& stretch) const { return stretchText(stretch); }
+    QString operator()(const std::vector<glm::dvec3>& places) const {
+        return EditParameterTexts::tr("%n places", nullptr, static_cast<int>(places.size()));
+    }
+    QString operator()(const auto&) const { return {}; }
+};
 
 } // namespace
 
 std::vector<EditParameter> parametersOf(const EditParameters& edit) {
     std::vector<EditParameter> parameters;
-    for (const EditNumber& number : numbersOf(edit)) {
-        const auto found = std::ranges::find_if(
-            words, [&](const NumberWords& w) { return w.edit == idOf(edit) && w.key == number.key; });
-        assert(found != words.end());
-        parameters.push_back(
-            {number, EditParameterTexts::tr(found->label), EditParameterTexts::tr(found->toolTip), found->quantity});
-    }
+    for (const EditField& field : fieldsOf(edit)) parameters.push_back(parameterOf(idOf(edit), field));
     return parameters;
+}
+
+QString choiceText(std::string_view choice) {
+    if (const char* known = editChoiceWords(choice)) return EditParameterTexts::tr(known);
+    QString text = QString::fromLatin1(choice.data(), static_cast<qsizetype>(choice.size()));
+    text.replace(QLatin1Char('-'), QLatin1Char(' '));
+    return text;
+}
+
+QString stretchText(const TakeStretch& stretch) {
+    if (stretch.take == 0) return EditParameterTexts::tr("everything");
+    if (stretch.last == TakeStretch{}.last)
+        return EditParameterTexts::tr("take %1 from tick %2").arg(stretch.take).arg(stretch.first);
+    return EditParameterTexts::tr("take %1, ticks %2 to %3").arg(stretch.take).arg(stretch.first).arg(stretch.last);
+}
+
+QString valueText(const EditValue& value) {
+    return std::visit(ValueTexts{}, value);
 }
 
 } // namespace burin

@@ -9,14 +9,18 @@
 
 namespace burin {
 
-/// One number of an edit, as a panel shows it.
+/// One parameter of an edit, as a panel shows it.
 struct EditParameter {
-    EditNumber number; ///< core's: key, value and range, in the inner unit
+    EditField field; ///< core's: key, value and range, in the inner unit
     QString label, toolTip;
-    Quantity quantity = Quantity::length;
+    Quantity quantity = Quantity::length; ///< of a number
 };
 
-/// Every number of an edit, in order; none for one that has none.
+/// Every parameter of an edit, in order; none for one that has none.
 std::vector<EditParameter> parametersOf(const EditParameters& edit);
+
+QString choiceText(std::string_view choice); ///< one of a field's names in words
+QString stretchText(const TakeStretch& stretch);
+QString valueText(const EditValue& value); ///< a moment, a stretch or places in words; empty for what has a field
 
 } // namespace burin

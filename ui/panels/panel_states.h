@@ -5,7 +5,7 @@
 #include "core/cad/model.h"
 #include "core/haptics/guide.h"
 #include "core/haptics/tick_sink.h"
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "core/project/project.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
@@ -135,6 +135,9 @@ struct HandState {
     bool charging = false;
 };
 
+/// What a drag of a place of the path changes.
+enum class DragChoice { level, x, y, z, surface };
+
 struct PathState {
     bool hasTakes = false;
     bool exists = false;
@@ -146,14 +149,26 @@ struct PathState {
     bool outdated = false;      ///< takes or edits changed since
     bool busy = false;
     bool waiting = false; ///< for the workpiece; then it is evaluated by itself
+    std::optional<TakeStretch> selection;
+    DragChoice drag = DragChoice::level;
+    bool drawing = false; ///< a stroke is being drawn in the selection's stead
     QString problem;
+};
+
+/// Something that can be chosen by its name.
+struct NamedChoice {
+    std::string id;
+    QString name;
 };
 
 struct ProgramState {
     bool hasPath = false;
-    QString text; ///< empty: not posted
+    std::vector<NamedChoice> machines, dialects;
+    std::string machine, dialect; ///< ids of those in force
+    QString text;                 ///< empty: not posted
     std::size_t blocks = 0;
     std::optional<VerifyReport> report;
+    bool released = false;        ///< it passed, or its header says why it is wanted all the same
     double gougeTolerance = 0.02; ///< mm
     bool outdated = false;
     bool busy = false;

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/path_panel.h"
 
+#include "ui/messages/messages.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/edit_card.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
+#include "ui/panels/selection_card.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
+
+#include <QMenu>
 
 #include <algorithm>
 
@@ -27,15 +31,18 @@ private:
     void refreshFigures();
     void refreshEdits();
     void makeCards();
+    void makeCard(std::size_t place);
+    QMenu* editMenu();
     bool cardsFit() const;
     void tell();
 
     PathPanel* panel_;
     QVBoxLayout* column_;
-    QPushButton *new_, *update_;
+    QPushButton *new_, *update_, *add_;
     QToolButton* eye_;
     Notice* notice_;
     QWidget* content_;
+    SelectionCard* selection_;
     ValueRow *takes_, *points_, *length_, *budget_;
     QVBoxLayout* list_;
     std::vector<EditCard*> cards_;
@@ -56,10 +63,18 @@ PathPanel::Fields::Fields(PathPanel* panel) : QObject(panel), panel_(panel), col
         inner->addWidget(*row);
     }
     budget_->setToolTip(PathPanel::tr("The path is at most this far from what the hand did"));
+    selection_ = new SelectionCard(content_);
+    connect(selection_, &SelectionCard::dragChosen, panel, &PathPanel::dragChosen);
+    connect(selection_, &SelectionCard::drawingWanted, panel, &PathPanel::drawingWanted);
+    connect(selection_, &SelectionCard::cleared, panel, &PathPanel::selectionCleared);
+    inner->addWidget(selection_);
     inner->addWidget(makeSectionTitle(PathPanel::tr("Edits, in order"), content_));
     list_ = new QVBoxLayout;
     list_->setSpacing(4);
     inner->addLayout(list_);
+    add_ = makeButton(PathPanel::tr("Add an edit"), QStringLiteral("add"), QStringLiteral("addEditButton"), content_);
+    add_->setMenu(editMenu());
+    inner->addWidget(add_);
     column_->addWidget(content_);
     column_->addStretch(1);
 }
@@ -100,6 +115,7 @@ void PathPanel::Fields::refreshButtons() {
                  : wanted        ? QString()
                                  : PathPanel::tr("The path is up to date."),
                  PathPanel::tr("Apply the edits again"));
+    enableUnless(add_, busy, PathPanel::tr("Apply one more edit; it comes where the order allows it"));
     eye_->setEnabled(state.exists);
 }
 
@@ -140,15 +156,33 @@ void PathPanel::Fields::makeCards() {
         card->deleteLater();
     }
     cards_.clear();
-    for (std::size_t i = 0; i < state.path.edits.size(); ++i) {
-        auto* card = new EditCard(i, state.path.edits[i], content_);
-        connect(card, &EditCard::edited, this, [this, i](const Edit& edit) {
-            if (i < state.path.edits.size()) state.path.edits[i] = edit;
-            emit panel_->editChanged(i, edit);
-        });
-        list_->addWidget(card);
-        cards_.push_back(card);
+    for (std::size_t i = 0; i < state.path.edits.size(); ++i) makeCard(i);
+}
+
+void PathPanel::Fields::makeCard(std::size_t place) {
+    auto* card = new EditCard(place, state.path.edits[place], content_);
+    connect(card, &EditCard::edited, this, [this, place](const Edit& edit) {
+        if (place < state.path.edits.size()) state.path.edits[place] = edit;
+        emit panel_->editChanged(place, edit);
+    });
+    connect(card, &EditCard::moveRequested, this,
+            [this, place](int by) { emit panel_->editMoved(place, by < 0 ? place - 1 : place + 1); });
+    connect(card, &EditCard::removalRequested, this, [this, place] { emit panel_->editRemoved(place); });
+    card->setMovable(place > 0, place + 1 < state.path.edits.size());
+    list_->addWidget(card);
+    cards_.push_back(card);
+}
+
+QMenu* PathPanel::Fields::editMenu() {
+    auto* menu = new QMenu(add_);
+    menu->setObjectName(QStringLiteral("addEditMenu"));
+    for (const Edit& edit : everyEdit()) {
+        const std::string_view id = idOf(edit.parameters);
+        QAction* action = menu->addAction(Messages::text(titleOf(edit.parameters)));
+        action->setObjectName(QLatin1String("add-") + QLatin1String(id.data(), static_cast<qsizetype>(id.size())));
+        connect(action, &QAction::triggered, this, [this, edit] { emit panel_->editAdded(edit); });
     }
+    return menu;
 }
 
 void PathPanel::Fields::refreshEdits() {
@@ -171,6 +205,7 @@ void PathPanel::Fields::refresh() {
     tell();
     content_->setVisible(state.exists);
     refreshFigures();
+    selection_->setState(state);
     refreshEdits();
 }
 

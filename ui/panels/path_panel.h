@@ -9,7 +9,8 @@
 
 namespace burin {
 
-/// The edits in order, each with switch, parameters and the error that it caused; the error budget.
+/// The edits in order, each with switch, place, parameters and the error that it caused; the error budget with its
+/// worst place. New ones come from a menu.
 class PathPanel : public QWidget {
     Q_OBJECT
 public:
@@ -20,6 +21,12 @@ public:
 signals:
     void newPathRequested();
     void editChanged(std::size_t index, const burin::Edit& edit); ///< switched or a parameter changed
+    void editAdded(const burin::Edit& edit);
+    void editRemoved(std::size_t index);
+    void editMoved(std::size_t from, std::size_t to);
+    void dragChosen(burin::DragChoice drag);
+    void drawingWanted(bool wanted);
+    void selectionCleared();
     void evaluateRequested();
     void visibilityToggled(bool shown);
 

@@ -3,20 +3,36 @@
 #include "ui/panels/program_panel.h"
 
 #include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
-#include "ui/panels/program_view.h"
+#include "ui/panels/program_text.h"
 #include "ui/panels/row_list.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
+
+#include <algorithm>
 
 namespace burin {
 
 namespace {
 
 constexpr double smallestTolerance = 0.001, largestTolerance = 1.0; // mm
+
+/// Fills a choice anew only where its names changed: one that is open stays open.
+void showChoices(ChoiceBox& box, const std::vector<NamedChoice>& choices, const std::string& chosen) {
+    bool same = box.count() == static_cast<int>(choices.size());
+    for (int i = 0; same && i < box.count(); ++i) same = box.itemText(i) == choices[static_cast<std::size_t>(i)].name;
+    if (!same) {
+        box.clear();
+        for (const NamedChoice& choice : choices) box.addItem(choice.name);
+    }
+    const auto found = std::ranges::find(choices, chosen, &NamedChoice::id);
+    box.setCurrentIndex(found == choices.end() ? -1 : static_cast<int>(found - choices.begin()));
+    box.setEnabled(!choices.empty());
+}
 
 } // namespace
 
@@ -27,25 +43,28 @@ public:
     void setUnit(LengthUnit next);
 
     ProgramState state;
+    ProgramText* program;
 
 private:
+    void addTarget();
     void addFigures();
     void refreshVerdict();
     void refreshFigures();
     QString reasonAgainstExport() const;
     QString failure() const;
     std::vector<ListRow> findingRows() const;
+    std::vector<LineMark> marks() const;
 
     ProgramPanel* panel_;
     QVBoxLayout* column_;
     LengthUnit unit_ = LengthUnit::millimetre;
-    QPushButton *post_, *export_;
+    QPushButton *post_, *export_, *override_;
+    ChoiceBox *machine_, *dialect_;
     LengthField* tolerance_;
     Notice *verdict_, *notice_;
     RowList* findings_;
     QWidget* figures_;
     ValueRow *gouge_, *excess_, *onPart_, *removed_, *time_, *blocks_;
-    ProgramView* text_;
 };
 
 ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
@@ -57,6 +76,7 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     buttons->addWidget(post_, 1);
     buttons->addWidget(export_, 1);
     column_->addLayout(buttons);
+    addTarget();
     tolerance_ = new LengthField(panel);
     tolerance_->setObjectName(QStringLiteral("gougeToleranceField"));
     tolerance_->limit(smallestTolerance, largestTolerance);
@@ -73,24 +93,44 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     findings_->setAccessibleName(ProgramPanel::tr("Findings of the check"));
     findings_->setMaximumRows(5);
     column_->addWidget(findings_);
+    override_ = makeButton(ProgramPanel::tr("Override the check…"), QStringLiteral("warning"),
+                           QStringLiteral("overrideButton"), panel);
+    override_->setToolTip(
+        ProgramPanel::tr("Give a reason that goes into the program's header; then it can be exported"));
+    column_->addWidget(override_);
     addFigures();
-    text_ = new ProgramView(panel);
-    text_->setObjectName(QStringLiteral("programText"));
-    text_->setAccessibleName(ProgramPanel::tr("Text of the program"));
-    text_->setMinimumHeight(160);
-    column_->addWidget(text_, 1);
+    program = new ProgramText(panel);
+    column_->addWidget(program, 1);
     column_->addStretch(); // while there is no text
 
     connect(post_, &QPushButton::clicked, panel, &ProgramPanel::postRequested);
     connect(export_, &QPushButton::clicked, panel, &ProgramPanel::exportRequested);
     connect(tolerance_, &LengthField::valueEdited, panel, &ProgramPanel::gougeToleranceEdited);
-    connect(text_, &ProgramView::lineChosen, panel, &ProgramPanel::lineChosen);
+    connect(override_, &QPushButton::clicked, panel, &ProgramPanel::overrideRequested);
+    connect(program, &ProgramText::lineChosen, panel, &ProgramPanel::lineChosen);
     connect(findings_, &RowList::rowChosen, this, [this](int row) {
         if (!state.report || static_cast<std::size_t>(row) >= state.report->findings.size()) return;
         const int line = static_cast<int>(state.report->findings[static_cast<std::size_t>(row)].line);
-        text_->showLine(line);
+        program->showLine(line);
         emit panel_->lineChosen(line);
     });
+}
+
+void ProgramPanel::Fields::addTarget() {
+    machine_ = new ChoiceBox(panel_);
+    machine_->setObjectName(QStringLiteral("machineChoice"));
+    column_->addWidget(new FieldRow(ProgramPanel::tr("Machine"), machine_,
+                                    ProgramPanel::tr("Its feeds, speeds and travel bound the program"), panel_,
+                                    FieldRow::choiceWidth));
+    dialect_ = new ChoiceBox(panel_);
+    dialect_->setObjectName(QStringLiteral("dialectChoice"));
+    column_->addWidget(new FieldRow(ProgramPanel::tr("Dialect"), dialect_,
+                                    ProgramPanel::tr("What the machine's control reads"), panel_,
+                                    FieldRow::choiceWidth));
+    connect(machine_, &QComboBox::activated, this,
+            [this](int index) { emit panel_->machineChosen(state.machines[static_cast<std::size_t>(index)].id); });
+    connect(dialect_, &QComboBox::activated, this,
+            [this](int index) { emit panel_->dialectChosen(state.dialects[static_cast<std::size_t>(index)].id); });
 }
 
 void ProgramPanel::Fields::addFigures() {
@@ -116,7 +156,7 @@ QString ProgramPanel::Fields::reasonAgainstExport() const {
     if (state.busy) return ProgramPanel::tr("Work is under way.");
     if (state.outdated) return ProgramPanel::tr("The path changed since: post and check it again.");
     if (!state.report) return ProgramPanel::tr("The program is not checked yet.");
-    if (!state.report->passed()) return ProgramPanel::tr("The program did not pass its check.");
+    if (!state.released) return ProgramPanel::tr("The program did not pass its check.");
     return {};
 }
 
@@ -140,6 +180,14 @@ std::vector<ListRow> ProgramPanel::Fields::findingRows() const {
     return rows;
 }
 
+std::vector<LineMark> ProgramPanel::Fields::marks() const {
+    std::vector<LineMark> marks;
+    if (!state.report) return marks;
+    for (const Finding& finding : state.report->findings)
+        marks.push_back({static_cast<int>(finding.line), LineMark::Kind::error, findingText(finding, unit_)});
+    return marks;
+}
+
 void ProgramPanel::Fields::refreshVerdict() {
     if (state.busy)
         notice_->tell(Notice::Kind::information, ProgramPanel::tr("The program is being posted and checked…"));
@@ -157,8 +205,12 @@ void ProgramPanel::Fields::refreshVerdict() {
         verdict_->tell(Notice::Kind::passed,
                        ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")
                            .arg(lengthText(state.report->gougeMax, unit_), lengthText(state.gougeTolerance, unit_)));
+    else if (state.released)
+        verdict_->tell(Notice::Kind::warning, failure() + QLatin1Char(' ') +
+                                                  ProgramPanel::tr("Its header says why it is wanted all the same."));
     else
         verdict_->tell(Notice::Kind::error, failure());
+    override_->setVisible(state.report && !state.released && !state.outdated && !state.busy);
     const std::vector<ListRow> rows = findingRows();
     findings_->setRows(rows);
     findings_->setVisible(!rows.empty());
@@ -186,11 +238,14 @@ void ProgramPanel::Fields::refresh() {
                                 : QString(),
                  ProgramPanel::tr("Write the program, read it back and mill it again on a fresh workpiece"));
     enableUnless(export_, reasonAgainstExport(), ProgramPanel::tr("Write the program to a file for the machine"));
+    showChoices(*machine_, state.machines, state.machine);
+    showChoices(*dialect_, state.dialects, state.dialect);
     tolerance_->showValue(state.gougeTolerance);
     refreshVerdict();
     refreshFigures();
-    text_->showProgram(state.text);
-    text_->setVisible(!state.text.isEmpty());
+    program->showProgram(state.text);
+    program->setMarks(marks());
+    program->setVisible(!state.text.isEmpty());
 }
 
 void ProgramPanel::Fields::setUnit(LengthUnit next) {
@@ -211,6 +266,18 @@ void ProgramPanel::setUnit(LengthUnit unit) {
 void ProgramPanel::setState(const ProgramState& state) {
     fields_->state = state;
     fields_->refresh();
+}
+
+void ProgramPanel::showLine(int line) {
+    fields_->program->showLine(line);
+}
+
+void ProgramPanel::showMachineState(const QString& state) {
+    fields_->program->showState(state);
+}
+
+void ProgramPanel::startSearch() {
+    fields_->program->startSearch();
 }
 
 } // namespace burin

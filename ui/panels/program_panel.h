@@ -15,12 +15,18 @@ class ProgramPanel : public QWidget {
 public:
     explicit ProgramPanel(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
-    void setState(const ProgramState& state); ///< never emits
+    void setState(const ProgramState& state);    ///< never emits
+    void showLine(int line);                     ///< from 1, without a signal
+    void showMachineState(const QString& state); ///< when the chosen line is done
+    void startSearch();
 
 signals:
     void postRequested();
     void exportRequested();
+    void overrideRequested(); ///< the program is wanted although its check refuses it
     void gougeToleranceEdited(double millimetres);
+    void machineChosen(const std::string& id);
+    void dialectChosen(const std::string& id);
     void lineChosen(int line); ///< from 1
 
 private:

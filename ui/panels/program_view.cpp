@@ -6,17 +6,22 @@
 #include "ui/theme/colour.h"
 
 #include <QFontDatabase>
+#include <QHelpEvent>
 #include <QPaintEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
 #include <QTextBlock>
 #include <QTextLayout>
+#include <QToolTip>
+
+#include <algorithm>
+#include <limits>
 
 namespace burin {
 
 namespace {
 
-constexpr int numberPadding = 8;
+constexpr int numberPadding = 8, markWidth = 10;
 constexpr double lineTint = 0.08;
 constexpr int linesASlice = 3000; // about 20 ms
 constexpr int coloured = 1;       // state of a block whose words have their colours
@@ -43,6 +48,13 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override { view_->paintNumbers(event); }
+    bool event(QEvent* event) override {
+        if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const QTextCursor at = view_->cursorForPosition(QPoint(0, help->pos().y()));
+        QToolTip::showText(help->globalPos(), view_->marksText(at.blockNumber() + 1), this);
+        return true;
+    }
 
 private:
     ProgramView* view_;
@@ -114,9 +126,49 @@ void ProgramView::showLine(int line) {
     centerCursor();
 }
 
+void ProgramView::setMarks(std::vector<LineMark> marks) {
+    marks_ = std::move(marks);
+    std::ranges::stable_sort(marks_, [](const LineMark& a, const LineMark& b) {
+        return a.line != b.line ? a.line < b.line : a.kind > b.kind;
+    });
+    margin_->update();
+}
+
+const LineMark* ProgramView::markOf(int line) const {
+    const auto found = std::ranges::lower_bound(marks_, line, {}, &LineMark::line);
+    return found == marks_.end() || found->line != line ? nullptr : &*found;
+}
+
+QString ProgramView::marksText(int line) const {
+    QStringList texts;
+    for (const LineMark& mark : marks_)
+        if (mark.line == line) texts.append(mark.text);
+    return texts.join(QLatin1Char('\n'));
+}
+
+qsizetype ProgramView::occurrences(const QString& wanted) const {
+    return wanted.isEmpty() ? 0 : text_.count(wanted, Qt::CaseInsensitive);
+}
+
+bool ProgramView::find(const QString& wanted, bool backward) {
+    if (occurrences(wanted) == 0) return false;
+    if (!complete()) fill(std::numeric_limits<int>::max());
+    const QTextDocument::FindFlags flags = backward ? QTextDocument::FindBackward : QTextDocument::FindFlags();
+    QTextCursor found = document()->find(wanted, textCursor(), flags);
+    if (found.isNull()) {
+        QTextCursor end(document());
+        if (backward) end.movePosition(QTextCursor::End);
+        found = document()->find(wanted, end, flags);
+    }
+    if (found.isNull()) return false; // it stands across a line's end
+    setTextCursor(found);
+    centerCursor();
+    return true;
+}
+
 int ProgramView::marginWidth() const {
     const int digits = std::max(3, static_cast<int>(QString::number(blockCount()).size()));
-    return 2 * numberPadding + digits * fontMetrics().horizontalAdvance(QLatin1Char('0'));
+    return markWidth + 2 * numberPadding + digits * fontMetrics().horizontalAdvance(QLatin1Char('0'));
 }
 
 void ProgramView::placeMargin() {
@@ -163,6 +215,23 @@ void ProgramView::markCurrentLine() {
     margin_->update();
 }
 
+/// An error is a square, a warning a triangle: never told by colour alone.
+void ProgramView::paintMark(QPainter& painter, const LineMark& mark, double top, double height) const {
+    const Palette& palette = activePalette();
+    const double side = 8.0, left = 4.0, up = top + 0.5 * (height - side);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    if (mark.kind == LineMark::Kind::error) {
+        painter.setBrush(palette.force);
+        painter.drawRect(QRectF(left, up, side, side));
+    } else {
+        painter.setBrush(palette.accent);
+        painter.drawPolygon(QPolygonF{{left, up + side}, {left + 0.5 * side, up}, {left + side, up + side}});
+    }
+    painter.restore();
+}
+
 void ProgramView::paintNumbers(QPaintEvent* event) {
     QPainter painter(margin_);
     const Palette& palette = activePalette();
@@ -176,6 +245,7 @@ void ProgramView::paintNumbers(QPaintEvent* event) {
         painter.setPen(block.blockNumber() == current ? palette.accent : palette.quietText);
         painter.drawText(QRectF(0.0, top, margin_->width() - numberPadding, height), Qt::AlignRight | Qt::AlignVCenter,
                          QString::number(block.blockNumber() + 1));
+        if (const LineMark* mark = markOf(block.blockNumber() + 1)) paintMark(painter, *mark, top, height);
         top += height;
     }
 }

@@ -5,7 +5,16 @@
 #include <QPlainTextEdit>
 #include <QTimer>
 
+#include <vector>
+
 namespace burin {
+
+/// What a line of a program is to be looked at for.
+struct LineMark {
+    int line = 1; ///< from 1
+    enum class Kind { warning, error } kind = Kind::error;
+    QString text; ///< for the tooltip
+};
 
 /// A program to read: line numbers, coloured words, the current line marked. Only lines that are seen are coloured, and
 /// a long program comes in by slices of some ms, so that the window never waits for it.
@@ -15,6 +24,12 @@ public:
     explicit ProgramView(QWidget* parent = nullptr);
     void showProgram(const QString& text); ///< nothing is done when it shows it
     void showLine(int line);               ///< from 1; brings it into view, without a signal
+    /// In any order; a line with several is shown in the colour of the worst.
+    void setMarks(std::vector<LineMark> marks);
+    /// Goes to the next place behind the cursor (or the one before it) where a text stands, whatever its case, and on
+    /// from the other end where there is none; tells the line. @return false: it stands nowhere
+    bool find(const QString& wanted, bool backward);
+    qsizetype occurrences(const QString& wanted) const;
     bool complete() const noexcept { return filled_ == text_.size(); } ///< all of the program has come in
 
 signals:
@@ -32,11 +47,15 @@ private:
     void placeMargin();
     void colourSeen();
     void markCurrentLine();
+    void paintMark(QPainter& painter, const LineMark& mark, double top, double height) const;
+    const LineMark* markOf(int line) const;
+    QString marksText(int line) const;
     void fill(int lines);
 
     Margin* margin_ = nullptr;
     QString text_;
-    qsizetype filled_ = 0; ///< characters of it that have come in
+    std::vector<LineMark> marks_; ///< by line, the worst of each first
+    qsizetype filled_ = 0;        ///< characters of it that have come in
     QTimer filling_;
     int chosen_ = 1;
     bool quiet_ = false;

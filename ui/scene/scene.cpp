@@ -45,6 +45,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , obstacles_(*bench_, *films_, std::move(obstacles))
     , guides_(*films_, *marks_, std::move(surfaces))
     , ghost_(*marks_)
+    , moveMark_(*marks_)
     , force_(*marks_)
     , cube_(window, 3) {
     window.SetNumberOfLayers(4);
@@ -76,6 +77,7 @@ void Scene::setPalette(const Palette& palette) {
     obstacles_.setPalette(palette);
     guides_.setPalette(palette);
     ghost_.setPalette(palette);
+    moveMark_.setPalette(palette);
     force_.setPalette(palette);
     cube_.setPalette(palette);
 }
@@ -164,6 +166,7 @@ void Scene::setLineWidths(double ratio) {
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
     ghost_.setLineWidth(boldLine * ratio);
+    moveMark_.setLineWidth(boldLine * ratio);
     obstacles_.setLineWidth(ratio);
     guides_.setLineWidth(thinLine * ratio);
     tool_.setLineWidth(pathLine * ratio);
@@ -182,7 +185,7 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     guides_.place(view, size, ratio);
     cube_.place(view, size, ratio);
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible());
-    marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible());
+    marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible());
 
     const CameraAxes axes = axesOf(view);
     vtkCamera* camera = bench_->GetActiveCamera();

@@ -8,6 +8,7 @@
 #include "ui/scene/ground_grid.h"
 #include "ui/scene/guide_actors.h"
 #include "ui/scene/live_path.h"
+#include "ui/scene/move_mark.h"
 #include "ui/scene/obstacle_actors.h"
 #include "ui/scene/part_actors.h"
 #include "ui/scene/scale_bar.h"
@@ -51,6 +52,7 @@ public:
     void setGuides(const GuideMarks& marks) { guides_.set(marks); }
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
+    MoveMark& moveMark() noexcept { return moveMark_; }
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
@@ -83,6 +85,7 @@ private:
     ObstacleActors obstacles_;
     GuideActors guides_;
     StylusGhost ghost_;
+    MoveMark moveMark_;
     ForceArrow force_;
     ViewCube cube_;
 

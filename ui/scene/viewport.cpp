@@ -154,6 +154,11 @@ void Viewport::setPathVisible(bool visible) {
     impl_->refresh();
 }
 
+void Viewport::setMoveMark(std::span<const glm::dvec3> places) {
+    impl_->scene.moveMark().set(places);
+    impl_->refresh();
+}
+
 void Viewport::setStandardView(StandardView view) {
     impl_->motion.turnTo(view, CameraMotion::Clock::now(), impl_->flight());
     impl_->moved();

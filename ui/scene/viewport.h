@@ -88,6 +88,8 @@ public:
     /// The edited path, colour by kind of move.
     void setPath(const Path& path);
     void setPathVisible(bool visible);
+    /// A move that is looked at: places along it, mm, setup frame. Fewer than two: none.
+    void setMoveMark(std::span<const glm::dvec3> places);
 
     void setStandardView(StandardView view);
     void fit();

@@ -89,8 +89,8 @@ JobStepState JobPresenter::program() const {
     if (program.problem()) return {StepProgress::ready, tr("not possible")};
     if (!program.program()) return {StepProgress::ready, tr("not yet")};
     if (program.outdated()) return {StepProgress::ready, tr("out of date")};
-    return program.exportable() ? JobStepState{StepProgress::done, tr("passed")}
-                                : JobStepState{StepProgress::ready, tr("refused")};
+    if (!program.exportable()) return {StepProgress::ready, tr("refused")};
+    return {StepProgress::done, program.program()->overridden ? tr("overridden") : tr("passed")};
 }
 
 } // namespace burin

@@ -162,8 +162,15 @@ void MainWindow::connectActions() {
             &QAction::trigger);
     connect(panels_->hand, &HandPanel::alignmentRequested, actions_[ActionId::alignHand], &QAction::trigger);
     on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
+    on(ActionId::drawStretch, [this] { presenters_->pathScene.setDrawing(!presenters_->pathScene.drawing()); });
     on(ActionId::evaluatePath, [this] { workbench_.path.evaluate(); });
     on(ActionId::post, [this] { workbench_.program.post(programName(workbench_)); });
+    on(ActionId::findInProgram, [this] {
+        showStep(JobStep::program);
+        panels_->program->startSearch();
+    });
+    on(ActionId::overrideCheck, [this] { overrideCheck(); });
+    connect(panels_->program, &ProgramPanel::overrideRequested, actions_[ActionId::overrideCheck], &QAction::trigger);
     on(ActionId::welcome, [this] { pages_->currentWidget() == welcome_ ? showBench(true) : showWelcome(); });
     on(ActionId::about, [this] { showAbout(this, QCoreApplication::applicationVersion()); });
     connect(panels_->part, &PartPanel::importRequested, &flow_, &DocumentFlow::import);
@@ -248,6 +255,10 @@ void MainWindow::showBench(bool shown) {
 void MainWindow::showStep(JobStep step) {
     presenters_->job.setShown(step);
     presenters_->guideScene.setShown(step);
+    // Who lets go of the pointer comes before who takes it.
+    if (step == JobStep::program) presenters_->pathScene.setShown(step);
+    presenters_->programScene.setShown(step);
+    if (step != JobStep::program) presenters_->pathScene.setShown(step);
     panels_->showStep(step);
 }
 
@@ -312,6 +323,17 @@ void MainWindow::removeTake(qint64 take) {
     if (confirm(this, tr("Remove “%1”?").arg(takeName(found->name)),
                 tr("The workpiece is made anew without it; no undo brings it back."), tr("Remove")))
         workbench_.mill.removeTake(take);
+}
+
+void MainWindow::overrideCheck() {
+    if (!workbench_.program.refused()) return;
+    const auto count = static_cast<int>(workbench_.program.program()->report.findings.size());
+    const QString reason = askReason(
+        this, tr("Export a program that was refused?"),
+        count == 1 ? tr("Its check found 1 thing that can break a tool, the part or the machine.")
+                   : tr("Its check found %n things that can break a tool, the part or the machine.", nullptr, count),
+        tr("Your reason. It goes into the program's header with what was found."));
+    if (!reason.isEmpty()) workbench_.program.post(programName(workbench_), reason);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -49,6 +49,7 @@ private:
     void apply(const Preferences& preferences);
     void showPreferences();
     void removeTake(qint64 take);
+    void overrideCheck();
     void tellAboutOpened();
     void end(bool abandon);
 

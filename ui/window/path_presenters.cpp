@@ -4,6 +4,7 @@
 
 #include "ui/messages/messages.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace burin {
@@ -27,10 +28,17 @@ QString programName(const Workbench& workbench) {
     return (name.isEmpty() ? QStringLiteral("program") : name) + QStringLiteral(".ngc");
 }
 
-PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel) {
+PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)
+    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel), scene_(scene) {
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
+    connect(&panel, &PathPanel::editAdded, &workbench.path, &PathController::addEdit);
+    connect(&panel, &PathPanel::editRemoved, &workbench.path, &PathController::removeEdit);
+    connect(&panel, &PathPanel::editMoved, &workbench.path, &PathController::moveEdit);
+    connect(&panel, &PathPanel::dragChosen, &scene, &PathScenePresenter::setDrag);
+    connect(&panel, &PathPanel::drawingWanted, &scene, &PathScenePresenter::setDrawing);
+    connect(&panel, &PathPanel::selectionCleared, &workbench.path, &PathController::clearSelection);
+    connect(&scene, &PathScenePresenter::changed, this, &Presenter::presentSoon);
     connect(&panel, &PathPanel::evaluateRequested, &workbench.path, &PathController::evaluate);
 }
 
@@ -55,11 +63,16 @@ void PathPresenter::present() {
     state.busy = path.busy();
     state.waiting = path.waiting();
     if (path.problem()) state.problem = Messages::sentence(*path.problem());
+    state.selection = path.selection();
+    state.drag = scene_.drag();
+    state.drawing = scene_.drawing();
     panel_.setState(state);
 }
 
 ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.program, &workbench.path}, parent), panel_(panel) {
+    : Presenter(workbench, {&workbench.program, &workbench.path, &workbench.target}, parent), panel_(panel) {
+    connect(&panel, &ProgramPanel::machineChosen, &workbench.target, &TargetController::chooseMachine);
+    connect(&panel, &ProgramPanel::dialectChosen, &workbench.target, &TargetController::chooseDialect);
     connect(&panel, &ProgramPanel::postRequested, this, [this] { workbench_.program.post(programName(workbench_)); });
     connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);
 }
@@ -73,10 +86,18 @@ void ProgramPresenter::present() {
     const ProgramController& program = workbench_.program;
     ProgramState state;
     state.hasPath = workbench_.path.evaluated() != nullptr;
+    const TargetController& target = workbench_.target;
+    for (const MachineProfile& machine : target.machines())
+        state.machines.push_back({machine.id, QCoreApplication::translate("Resource", machine.name.c_str())});
+    for (const DialectDescription& dialect : target.dialects())
+        state.dialects.push_back({dialect.id, QString::fromStdString(dialect.name)});
+    state.machine = target.machine().id;
+    state.dialect = target.dialect();
     state.text = program.storedText();
     if (program.program()) {
-        state.blocks = program.program()->blocks;
+        state.blocks = program.program()->parsed.blocks;
         state.report = program.program()->report;
+        state.released = program.program()->released();
     }
     state.gougeTolerance = program.gougeTolerance();
     state.outdated = program.outdated();

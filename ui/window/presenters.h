@@ -9,6 +9,8 @@
 #include "ui/window/mill_presenter.h"
 #include "ui/window/panel_stack.h"
 #include "ui/window/path_presenters.h"
+#include "ui/window/path_scene_presenter.h"
+#include "ui/window/program_scene_presenter.h"
 #include "ui/window/scene_presenter.h"
 #include "ui/window/setup_presenters.h"
 #include "ui/window/status_presenter.h"
@@ -41,6 +43,7 @@ public:
     SurroundingsPresenter surroundings;
     GuidePresenter guides;
     HandPresenter hand;
+    PathScenePresenter pathScene;
     PathPresenter path;
     ProgramPresenter program;
     MeterPresenter meters;
@@ -48,6 +51,7 @@ public:
     JobPresenter job;
     ScenePresenter scene;
     GuideScenePresenter guideScene;
+    ProgramScenePresenter programScene;
 };
 
 } // namespace burin

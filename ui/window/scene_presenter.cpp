@@ -46,15 +46,23 @@ void ScenePresenter::present() {
         viewport_.setTool(tool);
     }
     viewport_.setToolVisible(embedded && actions_[ActionId::showTool]->isChecked());
-    if (embedded && !workbench_.session.running()) {
-        const Bench& bench = *workbench_.bench.bench();
-        const glm::dvec3 centre = bench.setup.stock.centre();
-        ToolMarks parked;
-        const AxisMode& axis = workbench_.bench.bound().axis;
-        if (!axis.free) parked.proxy.axis = axis.direction;
-        parked.proxy.tip = glm::dvec3(centre.x, centre.y, bench.safeHeight());
-        viewport_.setToolMarks(parked);
-    }
+    placeTool();
+}
+
+void ScenePresenter::placeTool() {
+    if (!workbench_.bench.embedded() || workbench_.session.running()) return;
+    const Bench& bench = *workbench_.bench.bench();
+    const glm::dvec3 centre = bench.setup.stock.centre();
+    ToolMarks marks;
+    const AxisMode& axis = workbench_.bench.bound().axis;
+    if (!axis.free && !toolTip_) marks.proxy.axis = axis.direction;
+    marks.proxy.tip = toolTip_.value_or(glm::dvec3(centre.x, centre.y, bench.safeHeight()));
+    viewport_.setToolMarks(marks);
+}
+
+void ScenePresenter::showToolAt(const std::optional<glm::dvec3>& tip) {
+    toolTip_ = tip;
+    placeTool();
 }
 
 void ScenePresenter::showWorkpiece() {

@@ -15,19 +15,23 @@ class ScenePresenter final : public Presenter {
     Q_OBJECT
 public:
     ScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions, QObject* parent);
+    /// Where the tool stands while no session moves it, mm, setup frame. Nothing: parked over the stock.
+    void showToolAt(const std::optional<glm::dvec3>& tip);
 
 private:
     void present() override;
     void showTicks();
     void showTrace(const std::vector<MillingSession::TracePoint>& points);
     void showWorkpiece();
+    void placeTool();
 
     Viewport& viewport_;
     LiveStrokes live_;
     const Actions& actions_;
     std::shared_ptr<const Model> part_; ///< that is drawn
-    std::string tool_;                  ///< id of the one that is drawn
-    std::vector<glm::vec3> stroke_;     ///< storage
+    std::optional<glm::dvec3> toolTip_;
+    std::string tool_;              ///< id of the one that is drawn
+    std::vector<glm::vec3> stroke_; ///< storage
 };
 
 } // namespace burin

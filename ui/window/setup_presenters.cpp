@@ -69,7 +69,8 @@ void MaterialPresenter::present() {
 }
 
 ToolPresenter::ToolPresenter(Workbench& workbench, ToolPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.tool, &workbench.setup, &workbench.bench}, parent), panel_(panel) {
+    : Presenter(workbench, {&workbench.tool, &workbench.setup, &workbench.bench, &workbench.target}, parent)
+    , panel_(panel) {
     connect(&panel, &ToolPanel::toolChosen, &workbench.tool, &ToolController::choose);
 }
 
@@ -86,7 +87,7 @@ void ToolPresenter::present() {
     state.fieldBusy = workbench_.bench.fieldBusy();
     state.locked = tool.locked();
     if (const Property* material = workbench_.setup.stockMaterial()) {
-        if (const auto conditions = tool.conditionsIn(*material)) {
+        if (const auto conditions = tool.conditionsIn(*material, workbench_.target.machine())) {
             state.feed = conditions->feed;
             state.plungeFeed = conditions->plungeFeed;
             state.spindleSpeed = conditions->spindleSpeed;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/bench_controller.h"
 
-#include "core/machine/machine_library.h"
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/stroke_count.h"
 #include "ui/workbench/tool_controller.h"
@@ -57,6 +56,18 @@ void BenchController::switchObstacles() {
     });
 }
 
+void BenchController::setWanted(const MachineProfile& machine) {
+    if (machine.id == machine_.id) return;
+    machine_ = machine;
+    if (!bench_) return;
+    desk_.tasks.abandon(TaskKind::field);
+    letGo([this] {
+        if (!bench_) return;
+        bench_->machine = machine_;
+        buildBounds();
+    });
+}
+
 std::shared_ptr<const ClearanceField> BenchController::field() const {
     if (!bounds_ || bounds_->field() == nullptr) return nullptr;
     return {bounds_, bounds_->field()}; // it goes with the bounds
@@ -96,7 +107,7 @@ void BenchController::embed() {
 }
 
 void BenchController::embedWith(std::vector<TakeWithTool> takes) {
-    BenchRequest request{model_, setup_, tool_, defaultMachine, {}, obstaclesOf(wanted_.obstacles)};
+    BenchRequest request{model_, setup_, tool_, machine_.id, {}, obstaclesOf(wanted_.obstacles)};
     desk_.tasks.start(
         TaskKind::embedding, tr("Embedding the part"),
         [request = std::move(request), takes = std::move(takes)](Progress& progress) -> Result<ReplayedBench> {

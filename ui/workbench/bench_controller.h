@@ -25,6 +25,8 @@ public:
 
     /// What embedding will take. A bench that no longer fits stays until the next `embed`.
     void setWanted(std::shared_ptr<const Model> model, const Setup& setup, const Tool& tool);
+    /// The machine that it is milled for: its feeds and speeds, and where its travel lies.
+    void setWanted(const MachineProfile& machine);
     /// What bounds the tool besides the part.
     void setWanted(const WantedBounds& bounds);
     bool hasModel() const noexcept { return model_ != nullptr; }
@@ -69,6 +71,7 @@ private:
     std::shared_ptr<const Model> model_;
     Setup setup_;
     Tool tool_;
+    MachineProfile machine_;
     std::shared_ptr<Bench> bench_;
     std::shared_ptr<const ToolBounds> bounds_;
     WantedBounds wanted_, bound_;

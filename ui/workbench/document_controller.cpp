@@ -40,6 +40,9 @@ Result<void> readBench(const Project& project, ProjectContents& contents) {
     const Result<TravelPlacement> travel = project.travelPlacement();
     if (!travel) return travel.error();
     contents.travel = *travel;
+    const Result<ProgramTarget> target = project.programTarget();
+    if (!target) return target.error();
+    contents.target = *target;
     Result<KeptGuides> guides = project.guides();
     if (!guides) return std::move(guides).error();
     contents.guides = std::move(*guides);

@@ -20,6 +20,7 @@ struct ProjectContents {
     std::vector<Obstacle> obstacles;
     AxisMode axis;
     TravelPlacement travel;
+    ProgramTarget target;
     KeptGuides guides;
     std::vector<Tool> tools;
     std::vector<TakeInfo> takes;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/path_controller.h"
 
+#include "core/path/edit_step.h"
 #include "core/project/program_job.h"
 #include "ui/workbench/value_command.h"
 
@@ -17,6 +18,29 @@ struct PathMatter {
     StoredPath path;
     std::shared_ptr<const std::vector<Take>> takes;
 };
+
+/// The edits with one more, as late as their order allows it; at the end where no place is right, so that evaluation
+/// says what is wrong.
+std::vector<Edit> withEdit(const std::vector<Edit>& edits, const Edit& edit) {
+    for (std::size_t place = edits.size() + 1; place-- > 0;) {
+        std::vector<Edit> tried = edits;
+        tried.insert(tried.begin() + static_cast<std::ptrdiff_t>(place), edit);
+        if (checkOrder(tried)) return tried;
+    }
+    std::vector<Edit> appended = edits;
+    appended.push_back(edit);
+    return appended;
+}
+
+/// An edit whose stretch and moments are those that were chosen.
+Edit meantFor(Edit edit, const TakeStretch& chosen) {
+    for (const EditField& field : fieldsOf(edit.parameters)) {
+        if (std::holds_alternative<TakeStretch>(field.value)) setField(edit.parameters, field.key, chosen);
+        if (std::holds_alternative<Moment>(field.value))
+            setField(edit.parameters, field.key, Moment{chosen.take, chosen.first});
+    }
+    return edit;
+}
 
 bool alike(const StoredPath& one, const StoredPath& other) {
     return one.name == other.name && one.takes == other.takes &&
@@ -72,6 +96,7 @@ PathController::PathController(const Desk& desk, BenchController& bench, QObject
 }
 
 void PathController::load(const std::vector<StoredPath>& paths) {
+    selection_.reset();
     desk_.tasks.abandon(TaskKind::path);
     stored_ = paths.empty() ? std::nullopt : std::optional(paths.front());
     evaluated_.reset();
@@ -101,7 +126,81 @@ void PathController::changeEdit(std::size_t index, const Edit& edit) {
     std::vector<Edit> edits = stored_->edits;
     if (toJson(edits[index]) == toJson(edit)) return;
     edits[index] = edit;
-    desk_.undo.push(new ValueCommand<std::vector<Edit>>(tr("edit of the path"), -1, stored_->edits, edits,
+    push(tr("change of an edit"), std::move(edits));
+}
+
+void PathController::addEdit(const Edit& edit) {
+    if (!stored_) return;
+    push(tr("new edit"), withEdit(stored_->edits, selection_ ? meantFor(edit, *selection_) : edit));
+}
+
+void PathController::select(const Moment& moment) {
+    selection_ = TakeStretch{moment.take, moment.tick, moment.tick};
+    emit changed();
+}
+
+void PathController::selectTo(const Moment& moment) {
+    if (!selection_ || selection_->take != moment.take) {
+        select(moment);
+        return;
+    }
+    selection_->first = std::min(selection_->first, moment.tick);
+    selection_->last = std::max(selection_->last, moment.tick);
+    emit changed();
+}
+
+void PathController::clearSelection() {
+    if (!selection_) return;
+    selection_.reset();
+    emit changed();
+}
+
+void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MovePoints::Along along) {
+    if (!stored_ || by == glm::dvec3(0.0)) return;
+    const TakeStretch stretch{moment.take, moment.tick, moment.tick};
+    std::vector<Edit> edits = stored_->edits;
+    const auto same = std::ranges::find_if(edits, [&](const Edit& edit) {
+        const auto* moves = std::get_if<MovePoints>(&edit.parameters);
+        return moves != nullptr && edit.enabled && moves->stretch == stretch && moves->along == along;
+    });
+    if (same != edits.end()) {
+        std::get<MovePoints>(same->parameters).by += by;
+    } else {
+        MovePoints moves;
+        moves.stretch = stretch;
+        moves.by = by;
+        moves.along = along;
+        edits = withEdit(edits, {moves});
+    }
+    push(tr("place of the path"), std::move(edits));
+}
+
+void PathController::replaceSelection(const std::vector<glm::dvec3>& places) {
+    if (!stored_ || !selection_ || places.size() < 2) return;
+    ReplaceStretch replaces;
+    replaces.stretch = *selection_;
+    replaces.places = places;
+    push(tr("drawn stroke"), withEdit(stored_->edits, {replaces}));
+}
+
+void PathController::removeEdit(std::size_t index) {
+    if (!stored_ || index >= stored_->edits.size()) return;
+    std::vector<Edit> edits = stored_->edits;
+    edits.erase(edits.begin() + static_cast<std::ptrdiff_t>(index));
+    push(tr("removal of an edit"), std::move(edits));
+}
+
+void PathController::moveEdit(std::size_t from, std::size_t to) {
+    if (!stored_ || from >= stored_->edits.size() || to >= stored_->edits.size() || from == to) return;
+    std::vector<Edit> edits = stored_->edits;
+    const Edit moved = edits[from];
+    edits.erase(edits.begin() + static_cast<std::ptrdiff_t>(from));
+    edits.insert(edits.begin() + static_cast<std::ptrdiff_t>(to), moved);
+    push(tr("order of edits"), std::move(edits));
+}
+
+void PathController::push(const QString& text, std::vector<Edit> edits) {
+    desk_.undo.push(new ValueCommand<std::vector<Edit>>(text, -1, stored_->edits, std::move(edits),
                                                         [this](const std::vector<Edit>& value) { apply(value); }));
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 #include "ui/workbench/bench_controller.h"
 
 #include <memory>
@@ -28,6 +28,20 @@ public:
 
     void makeNew();                                       ///< with the edits of the main job; evaluates it
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
+    /// Entries of the undo stack; each evaluates the path. A new edit comes as late as the order of edits allows.
+    void addEdit(const Edit& edit);
+    void removeEdit(std::size_t index);
+    void moveEdit(std::size_t from, std::size_t to);
+    /// What the user chose of the path: edits that are added are meant for it. Nothing: for all of it.
+    const std::optional<TakeStretch>& selection() const noexcept { return selection_; }
+    void select(const Moment& moment);   ///< this one moment
+    void selectTo(const Moment& moment); ///< everything from what was chosen to there; of one take
+    void clearSelection();
+    /// Moves a place of the path. Once more at the same place: the edit that is there moves it by so much more.
+    /// @param by mm; @param along the part's surface, or freely
+    void movePlace(const Moment& moment, const glm::dvec3& by, MovePoints::Along along);
+    /// Puts a stroke that was drawn in the selection's stead. @param places mm, setup frame, at least two
+    void replaceSelection(const std::vector<glm::dvec3>& places);
     void evaluate();
     void takesChanged(); ///< what was evaluated may be no longer what was recorded
 
@@ -38,6 +52,7 @@ signals:
 
 private:
     using Takes = std::shared_ptr<const std::vector<Take>>;
+    void push(const QString& text, std::vector<Edit> edits);
     void apply(const std::vector<Edit>& edits);
     void readTakes();
     void evaluateTakes(const Takes& takes);
@@ -45,6 +60,7 @@ private:
 
     BenchController& bench_;
     std::optional<StoredPath> stored_;
+    std::optional<TakeStretch> selection_;
     std::shared_ptr<const EvaluatedPath> evaluated_;
     std::optional<Error> problem_;
     Takes takes_;            ///< as they were read; null: to be read again

@@ -7,14 +7,9 @@
 
 namespace burin {
 
-namespace {
-
-constexpr const char* defaultDialect = "linuxcnc";
-
-} // namespace
-
-ProgramController::ProgramController(const Desk& desk, BenchController& bench, PathController& path, QObject* parent)
-    : Controller(desk, parent), bench_(bench), path_(path) {}
+ProgramController::ProgramController(const Desk& desk, BenchController& bench, PathController& path,
+                                     const TargetController& target, QObject* parent)
+    : Controller(desk, parent), bench_(bench), path_(path), target_(target) {}
 
 void ProgramController::load(const std::vector<StoredProgram>& programs) {
     desk_.tasks.abandon(TaskKind::program);
@@ -26,6 +21,14 @@ void ProgramController::load(const std::vector<StoredProgram>& programs) {
 }
 
 void ProgramController::pathChanged() {
+    becomeOutdated();
+}
+
+void ProgramController::targetChanged() {
+    becomeOutdated();
+}
+
+void ProgramController::becomeOutdated() {
     if (outdated_) return;
     outdated_ = true;
     emit changed();
@@ -38,22 +41,24 @@ void ProgramController::setGougeTolerance(double millimetres) {
     emit changed();
 }
 
-void ProgramController::post(const QString& name) {
+void ProgramController::post(const QString& name, const QString& overrideReason) {
     if (!bench_.bench() || !path_.evaluated()) return;
     ProgramRequest request;
     request.name = name.toStdString();
-    request.dialect = defaultDialect;
+    request.dialect = target_.dialect();
     request.gougeTolerance = gougeTolerance_;
+    request.overrideReason = overrideReason.trimmed().toStdString();
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
         [bench = bench_.bench(), path = path_.evaluated(), request](Progress& progress) {
             return makeProgram(*bench, path->path, request, progress);
         },
-        [this, name = request.name](Result<CheckedProgram> outcome) { take(name, std::move(outcome)); });
+        [this, posted = StoredProgram{request.name, request.dialect, bench_.bench()->machine.id, {}, {}}](
+            Result<CheckedProgram> outcome) { take(posted, std::move(outcome)); });
     emit changed();
 }
 
-void ProgramController::take(const std::string& name, Result<CheckedProgram> outcome) {
+void ProgramController::take(const StoredProgram& posted, Result<CheckedProgram> outcome) {
     if (!outcome) {
         problem_ = outcome.error();
         emit changed();
@@ -63,9 +68,10 @@ void ProgramController::take(const std::string& name, Result<CheckedProgram> out
     program_ = std::make_shared<const CheckedProgram>(std::move(*outcome));
     storedText_ = QString::fromStdString(program_->text);
     outdated_ = path_.outdated();
-    if (program_->report.passed())
-        store([name, program = program_, machine = bench_.bench()->machine.id](Project& project) {
-            return project.addProgram({name, defaultDialect, machine, program->text, toJson(program->report)});
+    if (program_->released())
+        store([posted, program = program_](Project& project) {
+            return project.addProgram(
+                {posted.name, posted.dialect, posted.machine, program->text, toJson(program->report)});
         });
     emit changed();
 }

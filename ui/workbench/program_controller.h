@@ -5,17 +5,20 @@
 #include "core/project/program_job.h"
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/path_controller.h"
+#include "ui/workbench/target_controller.h"
 
 #include <filesystem>
 #include <memory>
 
 namespace burin {
 
-/// The program: posted, read back and checked in the background. Only what passed its check leaves the house.
+/// The program: posted, read back and checked in the background. Only what passed its check leaves the house, or what
+/// the user gave a reason for.
 class ProgramController final : public Controller {
     Q_OBJECT
 public:
-    ProgramController(const Desk& desk, BenchController& bench, PathController& path, QObject* parent);
+    ProgramController(const Desk& desk, BenchController& bench, PathController& path, const TargetController& target,
+                      QObject* parent);
 
     /// The newest one; null: none yet.
     const std::shared_ptr<const CheckedProgram>& program() const noexcept { return program_; }
@@ -25,12 +28,15 @@ public:
     const std::optional<Error>& problem() const noexcept { return problem_; }
     bool outdated() const noexcept { return outdated_; }
     bool busy() const { return desk_.tasks.running(TaskKind::program); }
-    bool exportable() const noexcept { return program_ && program_->report.passed() && !outdated_; }
+    bool refused() const noexcept { return program_ && !program_->released() && !outdated_; }
+    bool exportable() const noexcept { return program_ && program_->released() && !outdated_; }
 
-    void post(const QString& name); ///< @param name of the program
+    /// @param name of the program @param overrideReason why it is wanted even if its check refuses it; empty: it is not
+    void post(const QString& name, const QString& overrideReason = {});
     void setGougeTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
-    void pathChanged(); ///< what was posted is no longer the path
+    void pathChanged();   ///< what was posted is no longer the path
+    void targetChanged(); ///< what was posted is for another machine or control
 
     void load(const std::vector<StoredProgram>& programs);
 
@@ -38,10 +44,12 @@ signals:
     void exported(const QString& file);
 
 private:
-    void take(const std::string& name, Result<CheckedProgram> outcome);
+    void take(const StoredProgram& posted, Result<CheckedProgram> outcome);
+    void becomeOutdated();
 
     BenchController& bench_;
     PathController& path_;
+    const TargetController& target_;
     std::shared_ptr<const CheckedProgram> program_;
     QString storedText_;
     double gougeTolerance_ = 0.02;

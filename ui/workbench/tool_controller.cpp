@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/tool_controller.h"
 
-#include "core/machine/machine_library.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -40,11 +39,11 @@ void ToolController::setLocked(bool locked) {
     emit changed();
 }
 
-std::optional<CuttingConditions> ToolController::conditionsIn(const Property& material) const {
-    const Result<MachineProfile> machine = loadMachine(defaultMachine);
-    if (!machine || tools_.empty()) return std::nullopt;
+std::optional<CuttingConditions> ToolController::conditionsIn(const Property& material,
+                                                              const MachineProfile& machine) const {
+    if (tools_.empty()) return std::nullopt;
     const Result<CuttingConditions> conditions =
-        cuttingConditions(current(), material, machine->maximumSpindleSpeed, machine->maximumFeed);
+        cuttingConditions(current(), material, machine.maximumSpindleSpeed, machine.maximumFeed);
     return conditions ? std::optional(*conditions) : std::nullopt;
 }
 

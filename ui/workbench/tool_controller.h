@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cutting/cutting_force.h"
+#include "core/machine/machine_profile.h"
 #include "core/tool/tool.h"
 #include "core/volume/property_list.h"
 #include "ui/workbench/controller.h"
@@ -21,8 +22,8 @@ public:
     const Tool& current() const;
     bool locked() const noexcept { return locked_; }
     void setLocked(bool locked); ///< a recording runs
-    /// What the tables say for this tool in a material; nothing where the material lacks what it takes.
-    std::optional<CuttingConditions> conditionsIn(const Property& material) const;
+    /// What the tables say for this tool in a material on a machine; nothing where the material lacks what it takes.
+    std::optional<CuttingConditions> conditionsIn(const Property& material, const MachineProfile& machine) const;
 
     void choose(const std::string& id); ///< an entry of the undo stack
     /// What a project holds. @param last the tool of its newest recording; empty: none
@@ -38,8 +39,5 @@ private:
     std::size_t current_ = 0;
     bool locked_ = false;
 };
-
-/// The machine that programs are made for.
-inline constexpr const char* defaultMachine = "linuxcnc-mill";
 
 } // namespace burin

@@ -10,6 +10,7 @@ Workbench::Workbench(QObject* parent)
     , model(desk_, this)
     , setup(desk_, this)
     , tool(desk_, this)
+    , target(desk_, this)
     , bench(desk_, this)
     , styluses(desk_, this)
     , session(desk_, this)
@@ -19,7 +20,7 @@ Workbench::Workbench(QObject* parent)
     , hand(desk_, bench, mill, session, styluses, guides, this)
     , showMe(desk_, bench, session, this)
     , path(desk_, bench, this)
-    , program(desk_, bench, path, this) {
+    , program(desk_, bench, path, target, this) {
     wire();
 }
 
@@ -31,8 +32,8 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,  &setup, &tool,   &bench, &styluses, &session,
-            &mill,     &guides, &hand,  &showMe, &path,  &program};
+    return {&document, &model,        &setup,  &tool, &target, &bench, &styluses, &session,
+            &mill,     &surroundings, &guides, &hand, &showMe, &path,  &program};
 }
 
 void Workbench::wire() {
@@ -49,6 +50,10 @@ void Workbench::wire() {
     connect(&setup, &SetupController::changed, this, &Workbench::updateWanted);
     connect(&surroundings, &Controller::changed, this, [this] { bench.setWanted(surroundings.wanted()); });
     connect(&tool, &ToolController::chosen, this, &Workbench::updateWanted);
+    connect(&target, &Controller::changed, this, [this] {
+        bench.setWanted(target.machine());
+        program.targetChanged();
+    });
     connect(&mill, &MillController::takesChanged, this, [this] {
         setup.setLocked(mill.recording() || !mill.takes().empty());
         path.takesChanged();
@@ -66,6 +71,7 @@ void Workbench::wire() {
         if (path.stored() && !path.evaluated()) path.evaluate();
     });
     connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
+    bench.setWanted(target.machine());
     bench.setGuard([this](std::function<void()> change) { mill.interrupt(std::move(change)); });
 }
 
@@ -76,6 +82,7 @@ void Workbench::load(const ProjectContents& contents) {
     tool.load(contents.tools, contents.takes.empty() ? std::string() : contents.takes.back().toolId);
     setup.load(contents.model, contents.setup);
     setup.setLocked(!contents.takes.empty());
+    target.load(contents.target);
     surroundings.load(contents.obstacles, contents.axis, contents.travel);
     guides.load(contents.guides);
     mill.load(contents.takes);

@@ -12,6 +12,7 @@
 #include "ui/workbench/show_me.h"
 #include "ui/workbench/stylus_controller.h"
 #include "ui/workbench/surroundings_controller.h"
+#include "ui/workbench/target_controller.h"
 #include "ui/workbench/tool_controller.h"
 
 #include <QObject>
@@ -36,6 +37,7 @@ public:
     ModelController model;
     SetupController setup;
     ToolController tool;
+    TargetController target;
     BenchController bench;
     StylusController styluses; ///< outlives the session, whose stylus may be of one of its drivers
     SessionRunner session;

@@ -59,14 +59,16 @@ private slots:
     void movesArriveInTheFrameOfTheWorkOffset() {
         const auto program = toProgram({path()}, request(), machine());
         QVERIFY(program);
-        QCOMPARE(program->moves.size(), std::size_t{5});
-        QVERIFY(program->moves[0].kind == NcMoveKind::rapid && program->moves[0].target == glm::dvec3(0, 0, 10));
-        QVERIFY(program->moves[2].kind == NcMoveKind::line && program->moves[2].target == glm::dvec3(5, 0, 0));
-        QCOMPARE(program->moves[2].feed, 900.0);
-        QCOMPARE(program->moves[2].take, 7);
-        QCOMPARE(program->moves[2].sample, 123);
-        QCOMPARE(QString::fromStdString(program->moves[2].comment), "take 7, sample 123");
-        QCOMPARE(program->spindleSpeed, 10000.0);
+        QCOMPARE(program->sections.front().moves.size(), std::size_t{5});
+        QVERIFY(program->sections.front().moves[0].kind == NcMoveKind::rapid &&
+                program->sections.front().moves[0].target == glm::dvec3(0, 0, 10));
+        QVERIFY(program->sections.front().moves[2].kind == NcMoveKind::line &&
+                program->sections.front().moves[2].target == glm::dvec3(5, 0, 0));
+        QCOMPARE(program->sections.front().moves[2].feed, 900.0);
+        QCOMPARE(program->sections.front().moves[2].take, 7);
+        QCOMPARE(program->sections.front().moves[2].sample, 123);
+        QCOMPARE(QString::fromStdString(program->sections.front().moves[2].comment), "take 7, sample 123");
+        QCOMPARE(program->sections.front().spindleSpeed, 10000.0);
     }
 
     void whatTheMachineCannotDoIsRefused_data() {
@@ -124,12 +126,50 @@ private slots:
         QCOMPARE(QString::fromStdString(program.error().subject), subject);
     }
 
-    void twoToolsAreTwoPrograms() {
+    void eachToolIsASection() {
         Path other = path();
         other.toolId = "flat-6";
-        const auto program = toProgram({path(), other}, request(), machine());
+        const auto refused = toProgram({path(), other}, request(), machine());
+        QVERIFY(!refused); // the request names one tool
+        QCOMPARE(refused.error().code, ErrorCode::argumentInvalid);
+        PostRequest both = request();
+        both.tools["ball-6"] = {1, "Ball", SpindleDirection::clockwise, Coolant::off};
+        both.tools["flat-6"] = {2, "Flat", SpindleDirection::clockwise, Coolant::flood};
+        const auto program = toProgram({path(), path(), other}, both, machine());
+        QVERIFY(program);
+        QCOMPARE(program->sections.size(), std::size_t{2});
+        QCOMPARE(program->sections[0].moves.size(), std::size_t{10});
+        QCOMPARE(program->sections[1].toolNumber, 2);
+        QVERIFY(program->sections[1].coolant == Coolant::flood);
+    }
+
+    void anotherSpeedOfTheSameToolIsASection() {
+        Path faster = path();
+        faster.spindleSpeed = 12000;
+        const auto program = toProgram({path(), faster}, request(), machine());
+        QVERIFY(program);
+        QCOMPARE(program->sections.size(), std::size_t{2});
+        QCOMPARE(program->sections[1].spindleSpeed, 12000.0);
+    }
+
+    void arcsArriveWhole() {
+        Path turning = path();
+        turning.points[2].arc = PathArc{{12.5, 20, 0}, 2, true};
+        const auto program = toProgram({turning}, request(), machine());
+        QVERIFY(program);
+        const NcMove& move = program->sections.front().moves[2];
+        QVERIFY(move.kind == NcMoveKind::arc && move.target == glm::dvec3(5, 0, 0));
+        QVERIFY(move.arc.centre.x == 2.5 && move.arc.centre.y == 0.0 && move.arc.axis == 2 && move.arc.clockwise);
+    }
+
+    void anArcsWayCountsForTheTravel() {
+        Path turning = path();
+        turning.points[2].arc = PathArc{{12.5, 20, 0}, 2, true}; // half a circle, 2.5 mm to the side
+        MachineProfile small = machine();
+        small.travel.y = 2.4;
+        const auto program = toProgram({turning}, request(), small);
         QVERIFY(!program);
-        QCOMPARE(program.error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(QString::fromStdString(program.error().subject), "Y travel");
     }
 
     void aLineTheControlCannotReadIsRefused() {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/path/edit.h"
+#include "core/path/evaluate.h"
 
+#include <cmath>
 #include <functional>
 
 /// Hand-made takes and parts for the tests of paths.
@@ -127,15 +128,44 @@ inline Result<EvaluatedPath> run(const std::vector<Take>& takes, const std::vect
     return evaluate("path", takes, edits, context, progress);
 }
 
-/// Calls `visit(from kind place)` at places no farther apart than `step` along all moves.
+/// Places of a move no farther apart than `step`, both ends among them. An arc is turned about its axis by its own
+/// angles, with a radius that goes evenly from one end's to the other's.
+inline std::vector<glm::dvec3> placesOf(const glm::dvec3& from, const PathPoint& to, double step) {
+    std::vector<glm::dvec3> places;
+    if (!to.arc) {
+        const auto count = static_cast<int>(std::max(1.0, std::ceil(glm::distance(from, to.tip) / step)));
+        for (int k = 0; k <= count; ++k) places.push_back(glm::mix(from, to.tip, static_cast<double>(k) / count));
+        return places;
+    }
+    const int w = to.arc->axis, u = (w + 1) % 3, v = (w + 2) % 3;
+    const glm::dvec3 a = from - to.arc->centre, b = to.tip - to.arc->centre;
+    const double radiusA = std::hypot(a[u], a[v]), radiusB = std::hypot(b[u], b[v]);
+    const double full = 2.0 * std::acos(-1.0), start = std::atan2(a[v], a[u]);
+    double turn = std::fmod(std::atan2(b[v], b[u]) - start + 2.0 * full, full); // anticlockwise
+    if (to.arc->clockwise) turn -= full;
+    const auto count = static_cast<int>(std::max(1.0, std::ceil(radiusA * std::abs(turn) / step)));
+    for (int k = 0; k <= count; ++k) {
+        const double share = static_cast<double>(k) / count, radius = radiusA + share * (radiusB - radiusA);
+        glm::dvec3 place = glm::mix(from, to.tip, share);
+        place[u] = to.arc->centre[u] + radius * std::cos(start + share * turn);
+        place[v] = to.arc->centre[v] + radius * std::sin(start + share * turn);
+        places.push_back(place);
+    }
+    return places;
+}
+
+/// Calls `visit(end of the move, place)` at places no farther apart than `step` along all moves.
 inline void walk(const std::vector<PathPoint>& points, double step,
                  const std::function<void(const PathPoint& end, const glm::dvec3& place)>& visit) {
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const glm::dvec3 &from = points[i - 1].tip, &to = points[i].tip;
-        const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(glm::distance(from, to) / step)));
-        for (std::size_t k = 0; k <= count; ++k)
-            visit(points[i], glm::mix(from, to, static_cast<double>(k) / static_cast<double>(count)));
-    }
+    for (std::size_t i = 1; i < points.size(); ++i)
+        for (const glm::dvec3& place : placesOf(points[i - 1].tip, points[i], step)) visit(points[i], place);
+}
+
+/// The places of all moves behind one another.
+inline std::vector<glm::dvec3> placesAlong(const std::vector<PathPoint>& points, double step) {
+    std::vector<glm::dvec3> places;
+    walk(points, step, [&](const PathPoint&, const glm::dvec3& place) { places.push_back(place); });
+    return places;
 }
 
 /// Distance from a point to a polyline; slow and obvious.
@@ -148,6 +178,32 @@ inline double distanceToPolyline(const glm::dvec3& point, const std::vector<glm:
         nearest = std::min(nearest, glm::distance(point, line[i - 1] + part * way));
     }
     return nearest;
+}
+
+inline std::vector<glm::dvec3> tipsOf(const std::vector<Tick>& ticks) {
+    std::vector<glm::dvec3> tips;
+    for (const Tick& tick : ticks) tips.push_back(tick.tip);
+    return tips;
+}
+
+/// The farthest that a place of `line` lies from a polyline. Both are gone along together: a place is looked for among
+/// the segments near the one that was nearest before it.
+inline double farthestFrom(const std::vector<glm::dvec3>& line, const std::vector<glm::dvec3>& other) {
+    double farthest = 0.0;
+    std::size_t at = 0;
+    for (const glm::dvec3& place : line) {
+        double nearest = 1e300;
+        std::size_t found = at;
+        for (std::size_t i = at > 30 ? at - 30 : 0; i + 1 < std::min(other.size(), at + 400); ++i) {
+            const double distance = distanceToPolyline(place, {other[i], other[i + 1]});
+            if (distance >= nearest) continue;
+            nearest = distance;
+            found = i;
+        }
+        at = found;
+        farthest = std::max(farthest, nearest);
+    }
+    return farthest;
 }
 
 inline std::vector<glm::dvec3> tipsOf(const std::vector<PathPoint>& points) {

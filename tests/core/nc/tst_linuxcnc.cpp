@@ -4,13 +4,11 @@
 #include "core/nc/dialect_library.h"
 #include "core/nc/parser.h"
 #include "core/nc/post.h"
+#include "tests/oracles/canonical_program.h"
 
 #include <rapidcheck.h>
 
 #include <QFile>
-#include <QProcess>
-#include <QRegularExpression>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -39,12 +37,13 @@ NcProgram referenceJob() {
     NcProgram program;
     program.name = "Mouse (finish)";
     program.header = {"Part: Maus für links", "MSG, not an order"};
-    program.toolNumber = 3;
-    program.toolName = "Ball-end mill 6 mm";
-    program.spindleSpeed = 12000;
     program.safeHeight = 10;
     program.blendTolerance = 0.005;
-    program.moves = {rapid(-5.0004, 12.3456, 10),
+    NcSection& section = program.sections.emplace_back();
+    section.toolNumber = 3;
+    section.toolName = "Ball-end mill 6 mm";
+    section.spindleSpeed = 12000;
+    section.moves = {rapid(-5.0004, 12.3456, 10),
                      rapid(-5.0004, 12.3456, 1),
                      line(-5.0004, 12.3456, -0.0004, 300, "take 1, sample 17"), // rounds to 0.000, not -0.000
                      line(-4, 12.3456, -0.0004, 1234.56),
@@ -80,78 +79,41 @@ M9
 M2
 )";
 
-/// A canonical move of LinuxCNC's interpreter.
-struct CanonicalMove {
-    bool rapid;
-    glm::dvec3 to;
-};
-
-/// Runs LinuxCNC's stand-alone interpreter, with a home folder of its own: it rewrites a file there.
-struct Interpreter {
-    int exitCode = -1;
-    QString complaint;
-    std::vector<CanonicalMove> moves;
-
-    explicit Interpreter(const QString& program) {
-        QTemporaryDir folder;
-        QFile table(folder.filePath("tool.tbl"));
-        if (!table.open(QIODevice::WriteOnly)) return;
-        for (int tool = 1; tool <= 20; ++tool) table.write(QString("T%1 P%1 D0.25 Z0\n").arg(tool).toLatin1());
-        table.close();
-        QProcess process;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert("HOME", folder.path());
-        process.setProcessEnvironment(environment);
-        process.setWorkingDirectory(folder.path());
-        process.setStandardInputFile(QProcess::nullDevice());
-        process.start("rs274", {"-g", "-t", table.fileName(), program});
-        if (!process.waitForFinished(60000)) return;
-        exitCode = process.exitCode();
-        complaint = QString::fromLocal8Bit(process.readAllStandardError());
-        static const QRegularExpression move(R"(STRAIGHT_(TRAVERSE|FEED)\(([-0-9.]+), ([-0-9.]+), ([-0-9.]+),)");
-        auto found = move.globalMatch(QString::fromLocal8Bit(process.readAllStandardOutput()));
-        while (found.hasNext()) {
-            const auto match = found.next();
-            moves.push_back(
-                {match.captured(1) == "TRAVERSE",
-                 {match.captured(2).toDouble(), match.captured(3).toDouble(), match.captured(4).toDouble()}});
-        }
-    }
-};
-
 Result<std::string> posted(const NcProgram& program, const MachineProfile& profile = machine()) {
-    auto post = loadDialect("linuxcnc", std::filesystem::path(BURIN_BUILD_DIRECTORY) / "plugins/dialects");
+    auto post = loadDialect("linuxcnc");
     if (!post) return post.error();
     Progress progress;
     return writeProgram(program, profile, **post, progress);
 }
 
-bool haveInterpreter() {
-    return !QStandardPaths::findExecutable("rs274").isEmpty();
-}
-
-/// rs274 prints four decimals and starts from the origin, where the parser keeps 0 for what it does not know.
-void compare(const Interpreter& truth, const ParsedProgram& parsed) {
-    QCOMPARE(truth.moves.size(), parsed.motions.size());
-    for (std::size_t i = 0; i < truth.moves.size(); ++i) {
-        const glm::dvec3 difference = glm::abs(truth.moves[i].to - parsed.motions[i].to);
-        QVERIFY2(truth.moves[i].rapid == parsed.motions[i].rapid(), qPrintable(QString("move %1").arg(i)));
-        QVERIFY2(difference.x <= 1e-4 && difference.y <= 1e-4 && difference.z <= 1e-4,
+/// rs274 starts from the origin, where the parser keeps 0 for what it does not know.
+void compare(const CanonicalProgram& truth, const ParsedProgram& parsed) {
+    std::vector<CanonicalMove> moves = truth.moves;
+    std::vector<NcMotion> motions = parsed.motions;
+    std::erase_if(moves, [](const CanonicalMove& move) { return move.kind == CanonicalKind::dwell; });
+    std::erase_if(motions, [](const NcMotion& motion) { return motion.kind == NcMotionKind::dwell; });
+    QCOMPARE(moves.size(), motions.size());
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const glm::dvec3 difference = glm::abs(moves[i].to * moves[i].unit - motions[i].to);
+        const double doubt = moves[i].doubt * moves[i].unit;
+        QVERIFY2((moves[i].kind == CanonicalKind::rapid) == motions[i].rapid(), qPrintable(QString("move %1").arg(i)));
+        QVERIFY2(difference.x <= doubt && difference.y <= doubt && difference.z <= doubt,
                  qPrintable(QString("move %1").arg(i)));
     }
 }
 
 NcProgram randomProgram() {
     NcProgram program = referenceJob();
-    program.moves.clear();
+    program.sections.front().moves.clear();
     const auto coordinate = [] { return *rc::gen::inRange(-200000, 200000) / 1700.0; };
-    program.moves.push_back(rapid(coordinate(), coordinate(), 10));
+    program.sections.front().moves.push_back(rapid(coordinate(), coordinate(), 10));
     const int count = *rc::gen::inRange(0, 60);
     for (int i = 0; i < count; ++i) {
         if (*rc::gen::inRange(0, 5) == 0)
-            program.moves.push_back(rapid(coordinate(), coordinate(), coordinate()));
+            program.sections.front().moves.push_back(rapid(coordinate(), coordinate(), coordinate()));
         else
-            program.moves.push_back(line(coordinate(), coordinate(), coordinate(), *rc::gen::inRange(1, 90000) / 10.0));
+            program.sections.front().moves.push_back(
+                line(coordinate(), coordinate(), coordinate(), *rc::gen::inRange(1, 90000) / 10.0));
     }
     return program;
 }
@@ -176,8 +138,8 @@ private slots:
             const auto parsed = parseProgram(*text, "job");
             RC_ASSERT(static_cast<bool>(parsed));
             RC_ASSERT(parsed->ended && parsed->maximumSpindleSpeed == 12000.0);
-            std::size_t at = 2; // behind the way up and across
-            for (const NcMove& move : program.moves) {
+            std::size_t at = 3; // behind the spindle's start, the way up and across
+            for (const NcMove& move : program.sections.front().moves) {
                 const glm::dvec3 rounded = glm::round(move.target * 1000.0) / 1000.0;
                 if (glm::distance(parsed->motions[at - 1].to, rounded) < 1e-9) continue; // no way left: no block
                 RC_ASSERT(glm::distance(parsed->motions[at].to, rounded) < 1e-9);
@@ -214,33 +176,36 @@ private slots:
 
     void programsThatCannotBeWordedAreRefused() {
         NcProgram withoutFeed = referenceJob();
-        withoutFeed.moves[3].feed = 0;
+        withoutFeed.sections.front().moves[3].feed = 0;
         QVERIFY(!posted(withoutFeed));
         NcProgram feedFirst = referenceJob();
-        feedFirst.moves.erase(feedFirst.moves.begin(), feedFirst.moves.begin() + 2);
+        feedFirst.sections.front().moves.erase(feedFirst.sections.front().moves.begin(),
+                                               feedFirst.sections.front().moves.begin() + 2);
         QVERIFY(!posted(feedFirst));
         NcProgram nowhere = referenceJob();
-        nowhere.moves[3].target.x = std::nan("");
+        nowhere.sections.front().moves[3].target.x = std::nan("");
         QVERIFY(!posted(nowhere));
     }
 
     void linuxCncUnderstandsTheJobAsWeDo() {
-        if (!haveInterpreter()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
+        if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
         QTemporaryDir folder;
         NcProgram program = referenceJob();
         std::mt19937 random(7);
         std::uniform_real_distribution<double> coordinate(-150, 150);
         for (int i = 0; i < 500; ++i) {
             if (i % 7 == 0)
-                program.moves.push_back(rapid(coordinate(random), coordinate(random), coordinate(random)));
+                program.sections.front().moves.push_back(
+                    rapid(coordinate(random), coordinate(random), coordinate(random)));
             else
-                program.moves.push_back(line(coordinate(random), coordinate(random), coordinate(random), 100 + i));
+                program.sections.front().moves.push_back(
+                    line(coordinate(random), coordinate(random), coordinate(random), 100 + i));
         }
         const auto text = posted(program);
         QVERIFY(text);
         const QString file = folder.filePath("job.ngc");
         QVERIFY(writeFileAtomically(file.toStdString(), *text));
-        const Interpreter truth(file);
+        const CanonicalProgram truth(file);
         QVERIFY2(truth.exitCode == 0, qPrintable(truth.complaint));
         const auto parsed = parseProgram(*text, "job");
         QVERIFY(parsed);
@@ -252,14 +217,14 @@ private slots:
         for (const char* name : {"tball.gcode", "tball-engrave.gcode", "jsdc.gcode"}) QTest::newRow(name) << name;
     }
     void linuxCncReadsStrangersProgramsAsWeDo() {
-        if (!haveInterpreter()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
+        if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
         QFETCH(QString, name);
         const QString file = QString(BURIN_FIXTURES "/gcode/") + name;
         const auto text = readFile(file.toStdString());
         QVERIFY(text);
         const auto parsed = parseProgram(*text, name.toStdString());
         QVERIFY(parsed);
-        compare(Interpreter(file), *parsed);
+        compare(CanonicalProgram(file), *parsed);
     }
 };
 

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/arc_steps.h"
+
+#include "core/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace burin {
+namespace {
+
+constexpr double smallestSweep = 1e-3; // rad
+constexpr double sweepTolerance = 0.1; // rad: a piece that turns by more or less has become another arc
+constexpr int mostHalvings = 3;
+
+glm::dvec3 placeOf(const StepPlace& steps, const NumberWords& numbers) {
+    return {numbers.millimetresOf(steps[0]), numbers.millimetresOf(steps[1]), numbers.millimetresOf(steps[2])};
+}
+
+StepPlace stepsOf(const glm::dvec3& place, const NumberWords& numbers) {
+    return {numbers.stepsOf(place.x), numbers.stepsOf(place.y), numbers.stepsOf(place.z)};
+}
+
+class ArcWriter {
+public:
+    ArcWriter(const NumberWords& numbers, const DialectArcs& limits) : numbers_(numbers), limits_(limits) {}
+
+    std::vector<StepMove> write(const Arc& arc, const StepPlace& from) {
+        at_ = from;
+        const ArcTurn turn = turnOf(arc);
+        const double radius = std::max(turn.startRadius, turn.endRadius);
+        const bool rises = arc.to[arc.axis] != arc.from[arc.axis];
+        if (radius > limits_.largestRadius || radius < limits_.smallestRadius || std::abs(turn.sweep) < smallestSweep ||
+            (rises && !limits_.helices)) {
+            lines(arc);
+            return std::move(moves_);
+        }
+        const double largest = limits_.largestSweep * pi / 180.0 * (1.0 + 1e-9);
+        const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(turn.sweep) / largest)));
+        Arc piece = arc;
+        for (int i = 1; i <= pieces; ++i) {
+            piece.to = placeOn(arc, turn, static_cast<double>(i) / pieces);
+            add(piece, mostHalvings);
+            piece.from = piece.to;
+        }
+        return std::move(moves_);
+    }
+
+private:
+    void lines(const Arc& arc) {
+        std::vector<glm::dvec3> places;
+        flatten(arc, lineChord, places);
+        for (const glm::dvec3& place : places) {
+            const StepPlace to = stepsOf(place, numbers_);
+            if (to != at_) moves_.push_back({to, false, {}});
+            at_ = to;
+        }
+    }
+
+    /// One piece, or its halves where it can't be written as it is.
+    void add(const Arc& arc, int halvings) {
+        if (const std::optional<StepMove> move = written(arc)) {
+            moves_.push_back(*move);
+            at_ = move->to;
+            return;
+        }
+        if (halvings == 0) return lines(arc);
+        const ArcTurn turn = turnOf(arc);
+        Arc half = arc;
+        half.to = placeOn(arc, turn, 0.5);
+        add(half, halvings - 1);
+        half.from = half.to;
+        half.to = arc.to;
+        add(half, halvings - 1);
+    }
+
+    /// The arc in written numbers; nothing where they would make another one of it.
+    std::optional<StepMove> written(const Arc& arc) const {
+        const int u = (arc.axis + 1) % 3, v = (arc.axis + 2) % 3;
+        StepMove move{stepsOf(arc.to, numbers_), true, {}};
+        Arc rounded = arc;
+        rounded.from = placeOf(at_, numbers_);
+        rounded.to = placeOf(move.to, numbers_);
+        const double du = rounded.to[u] - rounded.from[u], dv = rounded.to[v] - rounded.from[v];
+        const double chord = std::hypot(du, dv);
+        double astray = 0.0; // of the centre, along the chord
+        if (chord > 0.0) {
+            const double cu = arc.centre[u] - 0.5 * (rounded.from[u] + rounded.to[u]);
+            const double cv = arc.centre[v] - 0.5 * (rounded.from[v] + rounded.to[v]);
+            astray = (cu * du + cv * dv) / chord;
+            rounded.centre[u] -= astray * du / chord;
+            rounded.centre[v] -= astray * dv / chord;
+        }
+        move.offset[static_cast<std::size_t>(u)] = numbers_.stepsOf(rounded.centre[u] - rounded.from[u]);
+        move.offset[static_cast<std::size_t>(v)] = numbers_.stepsOf(rounded.centre[v] - rounded.from[v]);
+        rounded.centre = rounded.from + placeOf(move.offset, numbers_);
+        const ArcTurn turn = turnOf(rounded), wanted = turnOf(arc);
+        if (std::abs(astray) > limits_.largestMismatch ||
+            std::abs(turn.startRadius - turn.endRadius) > limits_.largestMismatch ||
+            std::min(turn.startRadius, turn.endRadius) < limits_.smallestRadius ||
+            std::abs(turn.sweep - wanted.sweep) > sweepTolerance)
+            return std::nullopt;
+        return move;
+    }
+
+    const NumberWords& numbers_;
+    const DialectArcs& limits_;
+    StepPlace at_{};
+    std::vector<StepMove> moves_;
+};
+
+} // namespace
+
+std::vector<StepMove> arcSteps(const Arc& arc, const StepPlace& from, const NumberWords& numbers,
+                               const DialectArcs& limits) {
+    return ArcWriter(numbers, limits).write(arc, from);
+}
+
+} // namespace burin

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/block_writer.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+bool isLetter(char c) noexcept {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool isPlain(char c) noexcept {
+    return isLetter(c) || (c >= '0' && c <= '9') || c == ' ';
+}
+
+/// A first word with a comma, as in (MSG, …) or (DEBUG, …), would be an order to a control: the comma makes way.
+void disarm(std::string& text, char instead) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) return;
+    const std::size_t first = text.find_first_not_of(' ');
+    for (std::size_t i = first; i < comma; ++i)
+        if (!isLetter(text[i])) return;
+    text[comma] = instead;
+}
+
+} // namespace
+
+/// Printable ASCII without brackets, or what the dialect allows; one ? for every other character.
+std::string BlockWriter::commentText(std::string_view text) const {
+    std::string clean;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x80 && byte < 0xC0) continue; // the rest of a UTF-8 character
+        if (dialect_.commentCharacters) {
+            clean += isPlain(c) || dialect_.commentCharacters->find(c) != std::string::npos ? c : ' ';
+        } else {
+            clean += c == '(' ? '[' : c == ')' ? ']' : byte < 0x20 || byte > 0x7E ? '?' : c;
+        }
+        if (dialect_.commentUpperCase && clean.back() >= 'a' && clean.back() <= 'z')
+            clean.back() = static_cast<char>(clean.back() - 'a' + 'A');
+    }
+    const bool colon = !dialect_.commentCharacters || dialect_.commentCharacters->find(':') != std::string::npos;
+    disarm(clean, colon ? ':' : '.');
+    return clean;
+}
+
+Result<void> BlockWriter::comment(std::string_view text) {
+    std::string clean = commentText(text);
+    const std::size_t frame = dialect_.commentOpen.size() + dialect_.commentClose.size();
+    const auto width = std::max<std::size_t>(static_cast<std::size_t>(lineLength_), frame + 1) - frame;
+    do {
+        if (Result<void> done = sink_.line(dialect_.commentOpen + clean.substr(0, width) + dialect_.commentClose);
+            !done)
+            return done;
+        clean.erase(0, width);
+    } while (!clean.empty());
+    return {};
+}
+
+Result<void> BlockWriter::block(std::string_view words) {
+    if (words.empty()) return {};
+    const bool frame = words.front() == '%' || words.front() == 'O' || words.front() == ':';
+    if (dialect_.lineNumberStep == 0 || frame) return sink_.line(words);
+    number_ += dialect_.lineNumberStep;
+    if (number_ > 99999) number_ = dialect_.lineNumberStep; // what the shortest counters hold
+    return sink_.line("N" + std::to_string(number_) + " " + std::string(words));
+}
+
+Result<std::string> BlockWriter::filled(std::string_view text,
+                                        const std::function<Result<std::string>(std::string_view)>& valueOf) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t open = text.find('{');
+        result += text.substr(0, open);
+        if (open == std::string_view::npos) break;
+        const std::size_t close = text.find('}', open);
+        Result<std::string> value = valueOf(text.substr(open + 1, close - open - 1));
+        if (!value) return value;
+        result += *value;
+        text.remove_prefix(close == std::string_view::npos ? text.size() : close + 1);
+    }
+    // What stood around a value that is empty leaves no blanks at the ends.
+    const std::size_t first = result.find_first_not_of(' ');
+    if (first == std::string::npos) return std::string();
+    return result.substr(first, result.find_last_not_of(' ') - first + 1);
+}
+
+} // namespace burin

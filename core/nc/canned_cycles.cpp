@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/canned_cycles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double peckClearance = 0.254; // mm: 0.010 in
+constexpr int mostRepeats = 10000;
+constexpr double mostPecks = 1e5; // of one block; more is a slip, not a program
+
+char letterOf(int axis) noexcept {
+    return static_cast<char>('X' + axis);
+}
+std::size_t at(int axis) noexcept {
+    return static_cast<std::size_t>(axis);
+}
+
+bool needsDwell(int cycle) noexcept {
+    return cycle == 820 || cycle == 860 || cycle == 880 || cycle == 890;
+}
+
+} // namespace
+
+/// One cycle of a block, worked out: places in mm, in the frame of the work offset.
+struct CannedCycles::Hole {
+    int cycle = 0;
+    std::uint32_t column = 1;
+    int axis = 2;              ///< of the hole
+    glm::dvec3 place{0.0};     ///< of the next one, but for its height
+    glm::dvec3 increment{0.0}; ///< from one repeat to the next
+    glm::dvec3 offset{0.0};    ///< of a back bore, across the axis
+    double height = 0.0;       ///< R
+    double depth = 0.0;
+    double clear = 0.0;  ///< where it ends
+    double travel = 0.0; ///< height of the way to the hole
+    double middle = 0.0; ///< top of a back bore
+    int repeats = 1;
+
+    glm::dvec3 with(double along) const noexcept {
+        glm::dvec3 result = place;
+        result[axis] = along;
+        return result;
+    }
+};
+
+namespace {
+
+constexpr std::array<bool, 3> everywhere{true, true, true};
+
+} // namespace
+
+bool CannedCycles::isCycle(int motion) noexcept {
+    return motion == gcode::peckBreaking || (motion > gcode::noMotion && motion <= 890);
+}
+
+void CannedCycles::end() noexcept {
+    last_ = gcode::noMotion;
+    startHeight_.reset();
+}
+
+bool CannedCycles::fail(ProgramProblem problem, std::uint32_t column) {
+    *fault_ = {problem, std::max(column, 1u), 1};
+    return false;
+}
+
+/// A word of this block, or what an earlier one of the same cycle said.
+bool CannedCycles::keep(const Block& block, char letter, std::optional<double>& kept, double factor, bool needed) {
+    if (const Word& word = block.word(letter); word.given()) kept = word.value * factor;
+    return kept.has_value() || !needed;
+}
+
+bool CannedCycles::readHeights(const Block& block, const ModalState& state, Hole& hole) {
+    if (!keep(block, 'R', height_, state.length, true)) return fail(ProgramProblem::cycleHeightMissing, hole.column);
+    if (!keep(block, letterOf(hole.axis), depth_, state.length, true))
+        return fail(ProgramProblem::cycleDepthMissing, hole.column);
+    if (!startHeight_) startHeight_ = state.frames.place()[hole.axis];
+    const double zero = state.incremental ? *startHeight_ : state.frames.shift()[hole.axis];
+    hole.height = *height_ + zero;
+    hole.depth = *depth_ + (state.incremental ? hole.height : zero);
+    return hole.height >= hole.depth || fail(ProgramProblem::cycleHeightBelowDepth, hole.column);
+}
+
+bool CannedCycles::checkWords(const Block& block, const ModalState& state, const Hole& hole) {
+    if (!keep(block, 'P', dwell_, 1.0, needsDwell(hole.cycle)))
+        return fail(ProgramProblem::cycleWordMissing, hole.column);
+    const bool pecks = hole.cycle == gcode::peckBreaking || hole.cycle == 830;
+    if (!keep(block, 'Q', step_, state.length, pecks)) return fail(ProgramProblem::cycleWordMissing, hole.column);
+    if (pecks && (!(*step_ > 0.0) || (hole.height - hole.depth) / *step_ * hole.repeats > mostPecks))
+        return fail(ProgramProblem::cycleStep, hole.column);
+    const bool turns = state.spindleTurns();
+    const bool needsSpindle = hole.cycle == 840 || hole.cycle == 860 || hole.cycle == 870 || hole.cycle == 880;
+    if ((needsSpindle && !turns) || (hole.cycle == 840 && state.spindle != SpindleState::clockwise))
+        return fail(ProgramProblem::cycleSpindle, hole.column);
+    return true;
+}
+
+bool CannedCycles::readWords(const Block& block, const Control& control, const ModalState& state, Hole& hole) {
+    const Word& repeats =
+        control.repeatsByK && block.word('K').given() && hole.cycle != 870 ? block.word('K') : block.word('L');
+    if (repeats.given()) {
+        if (!(repeats.value >= 1.0 && repeats.value <= mostRepeats) || repeats.value != std::floor(repeats.value))
+            return fail(ProgramProblem::cycleRepeats, repeats.column);
+        hole.repeats = static_cast<int>(repeats.value);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const Word& word = block.word(letterOf(axis));
+        if (axis == hole.axis || !word.given()) continue;
+        if (state.incremental)
+            hole.increment[axis] = word.value * state.length;
+        else
+            hole.place[axis] = word.value * state.length + state.frames.shift()[axis];
+    }
+    if (hole.cycle != 870) return true;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!keep(block, static_cast<char>('I' + axis), offset_[at(axis)], state.length, true))
+            return fail(ProgramProblem::cycleWordMissing, hole.column);
+        if (axis != hole.axis) hole.offset[axis] = *offset_[at(axis)];
+    }
+    hole.middle = *offset_[at(hole.axis)] + (state.incremental ? hole.depth : state.frames.shift()[hole.axis]);
+    return true;
+}
+
+bool CannedCycles::run(const Block& block, const Control& control, ModalState& state, MotionWriter& writer,
+                       BlockFault& fault) {
+    fault_ = &fault;
+    if (state.motion != last_) {
+        height_.reset();
+        depth_.reset();
+        dwell_.reset();
+        step_.reset();
+        offset_ = {};
+        last_ = state.motion;
+    }
+    Hole hole;
+    hole.cycle = state.motion;
+    hole.column = block.hasAxis() ? block.firstAxis() : block.firstColumn;
+    hole.axis = state.planeAxis;
+    hole.place = state.frames.place();
+    for (int axis = 0; axis < 3; ++axis) {
+        // Where the hole lies has to be known, and from which height the tool comes.
+        const bool stated = !state.incremental && axis != hole.axis && block.word(letterOf(axis)).given();
+        if (!state.frames.known()[at(axis)] && !stated) return fail(ProgramProblem::placeUnknown, hole.column);
+    }
+    if (state.feedMode == FeedMode::inverseTime) return fail(ProgramProblem::cycleFeedMode, hole.column);
+    if (!(state.feed > 0.0)) return fail(ProgramProblem::feedMissing, hole.column);
+    if (!readHeights(block, state, hole) || !readWords(block, control, state, hole) || !checkWords(block, state, hole))
+        return false;
+    hole.travel = state.retractToHeight ? state.frames.place()[hole.axis] : *startHeight_;
+    if (*startHeight_ < hole.height) {
+        glm::dvec3 up = state.frames.place();
+        up[hole.axis] = hole.height;
+        writer.move(NcMotionKind::rapid, up, state.frames.known(), hole.column);
+        hole.travel = hole.height;
+    }
+    hole.travel = std::max(hole.travel, hole.height);
+    hole.clear = state.retractToHeight ? hole.height : std::max(*startHeight_, hole.height);
+    for (int repeat = 0; repeat < hole.repeats; ++repeat) {
+        hole.place += hole.increment;
+        writer.move(NcMotionKind::rapid, hole.with(hole.travel), everywhere, hole.column);
+        if (hole.travel != hole.height)
+            writer.move(NcMotionKind::rapid, hole.with(hole.height), everywhere, hole.column);
+        drill(hole, state, writer);
+        hole.travel = hole.clear;
+    }
+    return true;
+}
+
+void CannedCycles::drill(const Hole& hole, ModalState& state, MotionWriter& writer) const {
+    const auto feed = [&](double along) { writer.move(NcMotionKind::line, hole.with(along), everywhere, hole.column); };
+    const auto rapid = [&](double along) {
+        writer.move(NcMotionKind::rapid, hole.with(along), everywhere, hole.column);
+    };
+    const SpindleState turning = state.spindle;
+    switch (hole.cycle) {
+    case gcode::peckBreaking:
+    case 830:
+        peck(hole, writer);
+        break;
+    case 840:
+        tap(hole, state, writer);
+        break;
+    case 850:
+        feed(hole.depth);
+        feed(hole.height); // out at feed as far as R
+        rapid(hole.clear);
+        break;
+    case 860:
+        feed(hole.depth);
+        writer.dwell(*dwell_, hole.column);
+        state.spindle = SpindleState::off;
+        rapid(hole.clear);
+        state.spindle = turning;
+        break;
+    case 870:
+        boreBack(hole, state, writer);
+        break;
+    case 880: // the operator takes the tool out by hand, to where it is clear
+        feed(hole.depth);
+        writer.dwell(*dwell_, hole.column);
+        state.frames.moveTo(hole.with(hole.clear), everywhere);
+        break;
+    case 890:
+        feed(hole.depth);
+        writer.dwell(*dwell_, hole.column);
+        feed(hole.clear);
+        break;
+    default: // G81, G82
+        feed(hole.depth);
+        if (hole.cycle == 820) writer.dwell(*dwell_, hole.column);
+        rapid(hole.clear);
+        break;
+    }
+}
+
+void CannedCycles::peck(const Hole& hole, MotionWriter& writer) const {
+    const auto rapid = [&](double along) {
+        writer.move(NcMotionKind::rapid, hole.with(along), everywhere, hole.column);
+    };
+    for (double depth = hole.height - *step_; depth > hole.depth; depth -= *step_) {
+        writer.move(NcMotionKind::line, hole.with(depth), everywhere, hole.column);
+        if (hole.cycle == 830) rapid(hole.clear);
+        rapid(depth + peckClearance);
+    }
+    writer.move(NcMotionKind::line, hole.with(hole.depth), everywhere, hole.column);
+    rapid(hole.clear);
+}
+
+/// In with the spindle clockwise, out anticlockwise.
+void CannedCycles::tap(const Hole& hole, ModalState& state, MotionWriter& writer) const {
+    writer.move(NcMotionKind::line, hole.with(hole.depth), everywhere, hole.column);
+    state.spindle = SpindleState::anticlockwise;
+    if (dwell_) writer.dwell(*dwell_, hole.column);
+    writer.move(NcMotionKind::line, hole.with(hole.clear), everywhere, hole.column);
+    state.spindle = SpindleState::clockwise;
+}
+
+/// Through the hole beside its axis with the spindle oriented, then from below.
+void CannedCycles::boreBack(const Hole& hole, ModalState& state, MotionWriter& writer) const {
+    const auto go = [&](NcMotionKind kind, const glm::dvec3& target) {
+        writer.move(kind, target, everywhere, hole.column);
+    };
+    const SpindleState turning = state.spindle;
+    go(NcMotionKind::rapid, hole.with(hole.height) + hole.offset);
+    state.spindle = SpindleState::off;
+    go(NcMotionKind::rapid, hole.with(hole.depth) + hole.offset);
+    go(NcMotionKind::rapid, hole.with(hole.depth));
+    state.spindle = turning;
+    go(NcMotionKind::line, hole.with(hole.middle));
+    go(NcMotionKind::line, hole.with(hole.depth));
+    state.spindle = SpindleState::off;
+    go(NcMotionKind::rapid, hole.with(hole.depth) + hole.offset);
+    go(NcMotionKind::rapid, hole.with(hole.clear) + hole.offset);
+    go(NcMotionKind::rapid, hole.with(hole.clear));
+    state.spindle = turning;
+}
+
+} // namespace burin

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/nc/block.h"
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace burin {
+
+/// What P of a dwell counts.
+enum class DwellUnit : std::uint8_t {
+    seconds,
+    milliseconds,
+    pointDecides ///< seconds with a decimal point, else milliseconds
+};
+
+/// When a control takes the two radii of an arc by its centre for one, mm: their difference is at most `absolute`, or
+/// at most `relative` of the radius and at most `ceiling`.
+struct ArcRadiusRule {
+    double absolute = 0.0, relative = 0.0, ceiling = 0.0;
+    /// @param inch units of the block: LinuxCNC's lengths are then ten times those of millimetres, in inches
+    bool accepts(double difference, double radius, bool inch) const noexcept;
+    double inchFactor = 1.0; ///< on absolute and ceiling while G20 is in force
+};
+
+/// How a control reads a program: a flavour of RS274. Facts and their sources: README.md.
+struct Control {
+    std::string_view id;                     ///< of the dialects that it reads: "linuxcnc"
+    std::string_view letters;                ///< of words, without G, M, N
+    std::array<std::int8_t, 2000> gGroups{}; ///< by ten times the number: GGroup, or -1
+    std::array<std::int8_t, 1000> mGroups{}; ///< by ten times the number: MGroup, or -1
+    bool semicolonComments = true;
+    bool percent = true;           ///< % is a tape mark
+    bool programNumbers = false;   ///< O and a number names the program
+    bool expressions = false;      ///< #n and [ … ]
+    bool namedParameters = false;  ///< #<name>
+    bool slashIsDropped = false;   ///< / before a block has no meaning at all
+    bool pointNeeded = false;      ///< lengths without a decimal point count smallest steps
+    bool arcNeedsAxis = false;     ///< an arc names an axis of its plane
+    bool arcTurns = false;         ///< P of an arc counts turns
+    bool repeatsByK = false;       ///< K repeats a canned cycle, besides L
+    bool dwellByX = false;         ///< G4 X, seconds
+    bool retractsToHeight = false; ///< G99 rather than G98 is in force at the start
+    bool unitsByG70 = false;       ///< G70 and G71 are G20 and G21
+    bool arcModeIsSetting = false; ///< how I J K are read until G90.1 or G91.1 depends on the machine
+    DwellUnit dwellUnit = DwellUnit::seconds;
+    ArcRadiusRule arcRadius;
+    int lineLength = 255;                ///< characters
+    bool lengthCountsWordsAlone = false; ///< blanks and comments don't count
+
+    bool reads(GGroup group) const noexcept; ///< any code of it
+    bool readsG(int tenfold) const noexcept;
+    bool readsM(int tenfold) const noexcept;
+};
+
+/// All controls that Burin reads, LinuxCNC's first.
+std::span<const Control> controls() noexcept;
+/// One of them; nullptr when there is none of that id.
+const Control* findControl(std::string_view id) noexcept;
+/// LinuxCNC's, for text that names none.
+const Control& defaultControl() noexcept;
+
+} // namespace burin

@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/data_post.h"
+
+#include "core/base/units.h"
+#include "core/nc/arc_steps.h"
+#include "core/nc/block_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace burin {
+namespace {
+
+constexpr double largestCoordinate = 1e6; // mm; keeps the rounded integers far from overflow
+constexpr std::array<char, 3> axisLetters{'X', 'Y', 'Z'};
+constexpr std::array<char, 3> offsetLetters{'I', 'J', 'K'};
+constexpr int firstFurtherOffset = 1000; // NcProgram::workOffset
+
+template <class Text>
+std::size_t indexOf(Text kind) noexcept {
+    return static_cast<std::size_t>(kind);
+}
+
+/// What both the dialect and the machine's own control take.
+DialectArcs limitsOf(const DialectArcs& dialect, const ArcRules& machine) {
+    DialectArcs limits = dialect;
+    limits.largestSweep = std::min(dialect.largestSweep, machine.largestSweep * 180.0 / pi);
+    limits.smallestRadius = std::max(dialect.smallestRadius, machine.smallestRadius);
+    limits.largestRadius = std::min(dialect.largestRadius, machine.largestRadius);
+    limits.largestMismatch = std::min(dialect.largestMismatch, machine.radiusMismatch);
+    return limits;
+}
+
+/// Words a program and keeps what is in force while it does.
+class ProgramWriter {
+public:
+    ProgramWriter(const DialectData& dialect, const NcProgram& program, const MachineProfile& machine, LineSink& sink)
+        : dialect_(dialect)
+        , program_(program)
+        , numbers_(dialect, program.units, machine.coordinateDecimals)
+        , writer_(dialect, std::max(3, std::min(dialect.lineLength, machine.maximumLineLength)), sink)
+        , arcs_(limitsOf(dialect.arcs, machine.arcs))
+        , clearHeight_(std::max(program.safeHeight, machine.toolChangeHeight)) {}
+
+    Result<void> write(Progress& progress) {
+        if (Result<void> fits = check(); !fits) return fits;
+        section_ = &program_.sections.front();
+        if (Result<void> done = blocks(dialect_.begin); !done) return done;
+        for (const NcSection& section : program_.sections) {
+            section_ = &section;
+            if (Result<void> done = writeSection(progress); !done) return done;
+        }
+        return blocks(dialect_.end);
+    }
+
+private:
+    /// Where a block goes, mm; nothing: the axis stays.
+    using Target = std::array<std::optional<double>, 3>;
+    static Target height(double z) { return Target{std::nullopt, std::nullopt, z}; }
+
+    Result<void> check() const {
+        if (program_.sections.empty()) return Error{ErrorCode::pathEmpty, program_.name, "", ""};
+        if (program_.sections.size() > 1 && !dialect_.changesTools) {
+            const int first = program_.sections.front().toolNumber;
+            if (std::ranges::any_of(program_.sections, [&](const NcSection& one) { return one.toolNumber != first; }))
+                return Error{ErrorCode::notSupported, "a tool change for " + dialect_.name, "one program a tool", ""};
+        }
+        for (const NcSection& section : program_.sections) {
+            if (section.moves.empty() || section.moves.front().kind != NcMoveKind::rapid)
+                return Error{ErrorCode::argumentInvalid, "program", program_.name, "has to begin with a rapid move"};
+            if (!dialect_.coolant[indexOf(section.coolant)])
+                return Error{ErrorCode::notSupported, "this coolant for " + dialect_.name, "", ""};
+        }
+        return {};
+    }
+
+    Result<void> writeSection(Progress& progress) {
+        if (Result<void> done = blocks(dialect_.toolChange); !done) return done;
+        const std::vector<NcMove>& moves = section_->moves;
+        place_ = {};
+        if (Result<void> done = firstMove(moves.front()); !done) return done;
+        for (std::size_t i = 1; i < moves.size(); ++i) {
+            if (i % 1024 == 0) {
+                if (progress.cancelled()) return Error{ErrorCode::cancelled, program_.name, "", ""};
+                progress.report(static_cast<double>(i) / static_cast<double>(moves.size()));
+            }
+            if (Result<void> done = move(moves[i]); !done) return done;
+        }
+        if (Result<void> done = straight(NcMoveKind::rapid, height(clearHeight_), 0.0); !done) return done;
+        if (Result<void> done = plane(2); !done) return done;
+        return blocks(dialect_.toolEnd);
+    }
+
+    /// Where the tool stands after its change is not known here: along Z first, unless the change leaves it at the top.
+    Result<void> firstMove(const NcMove& move) {
+        waiting_ = move.comment;
+        const Target across{move.target.x, move.target.y, std::nullopt};
+        motion_.reset();
+        if (dialect_.planeBeforeHeight) {
+            if (Result<void> done = straight(NcMoveKind::rapid, across, 0.0); !done) return done;
+        }
+        if (Result<void> done = firstHeight(); !done) return done;
+        for (const Target& step : {across, height(move.target.z)})
+            if (Result<void> done = straight(NcMoveKind::rapid, step, 0.0); !done) return done;
+        return {};
+    }
+
+    Result<void> firstHeight() {
+        if (Result<void> done = writeWaiting(); !done) return done;
+        const long long steps = numbers_.stepsOf(clearHeight_);
+        const Result<std::string> text =
+            BlockWriter::filled(dialect_.firstHeight, [&](std::string_view word) -> Result<std::string> {
+                if (word == "rapid") return motion_ == dialect_.rapid ? std::string() : dialect_.rapid;
+                if (word == "clear") return "Z" + numbers_.coordinate(steps);
+                return valueOf(word);
+            });
+        if (!text) return text.error();
+        motion_ = dialect_.rapid;
+        place_[2] = steps;
+        return writer_.block(*text);
+    }
+
+    Result<void> move(const NcMove& move) {
+        if (!move.comment.empty()) waiting_ = move.comment;
+        if (move.kind == NcMoveKind::dwell) return dwell(move.seconds);
+        if (move.kind == NcMoveKind::arc) return arc(move);
+        return straight(move.kind, Target{move.target.x, move.target.y, move.target.z}, move.feed);
+    }
+
+    Result<void> dwell(double seconds) {
+        if (!(seconds >= 0.0 && seconds <= 1e5)) return Error{ErrorCode::programLimit, "dwell", "not a time", ""};
+        if (Result<void> done = writeWaiting(); !done) return done;
+        return writer_.block(dwellWords(seconds));
+    }
+
+    std::string dwellWords(double seconds) const {
+        const auto valueOf = [&](std::string_view word) -> Result<std::string> {
+            return word == "seconds" ? NumberWords::plain(seconds, 3) : NumberWords::plain(seconds * 1000.0, 0);
+        };
+        return *BlockWriter::filled(dialect_.dwell, valueOf);
+    }
+
+    Result<StepPlace> stepsOf(const Target& target) const {
+        StepPlace steps{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (target[axis] && !(std::abs(*target[axis]) <= largestCoordinate))
+                return Error{ErrorCode::programLimit, std::string(1, axisLetters[axis]), "coordinate is not a place",
+                             ""};
+            steps[axis] = target[axis] ? numbers_.stepsOf(*target[axis]) : place_[axis].value_or(0);
+        }
+        return steps;
+    }
+
+    Result<void> straight(NcMoveKind kind, const Target& target, double feed) {
+        const Result<StepPlace> steps = stepsOf(target);
+        if (!steps) return steps.error();
+        std::array<bool, 3> named{};
+        for (std::size_t axis = 0; axis < 3; ++axis) named[axis] = target[axis].has_value();
+        return line(kind, *steps, named, feed);
+    }
+
+    /// Writes the words that change something. A block that rounding makes equal to the place before is left out; its
+    /// comment waits for the next one.
+    Result<void> line(NcMoveKind kind, const StepPlace& to, const std::array<bool, 3>& named, double feed) {
+        std::string words;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (!named[axis] || place_[axis] == to[axis]) continue;
+            place_[axis] = to[axis];
+            words += (words.empty() ? "" : " ") + std::string(1, axisLetters[axis]) + numbers_.coordinate(to[axis]);
+        }
+        if (words.empty()) return {};
+        return finish(kind == NcMoveKind::rapid ? dialect_.rapid : dialect_.line, std::move(words),
+                      kind == NcMoveKind::rapid ? std::nullopt : std::optional<double>(feed));
+    }
+
+    Result<void> arc(const NcMove& move) {
+        StepPlace from{};
+        Arc arc{{}, move.target, move.arc.centre, move.arc.axis, move.arc.clockwise};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            from[axis] = place_[axis].value_or(0);
+            arc.from[static_cast<int>(axis)] = numbers_.millimetresOf(from[axis]);
+        }
+        if (const Result<StepPlace> sound = stepsOf({move.target.x, move.target.y, move.target.z}); !sound)
+            return sound.error();
+        const double reach = glm::length(arc.centre - arc.from);
+        if (!(reach <= largestCoordinate)) return Error{ErrorCode::programLimit, "arc", "centre is not a place", ""};
+        for (const StepMove& step : arcSteps(arc, from, numbers_, arcs_)) {
+            Result<void> done = step.arc ? arcBlock(step, arc, move.feed)
+                                         : line(NcMoveKind::line, step.to, {true, true, true}, move.feed);
+            if (!done) return done;
+        }
+        return {};
+    }
+
+    /// Both ends of the plane and both offsets, whether they change or not: every control takes that.
+    Result<void> arcBlock(const StepMove& step, const Arc& arc, double feed) {
+        if (Result<void> done = writeWaiting(); !done) return done;
+        if (Result<void> done = plane(arc.axis); !done) return done;
+        std::string words;
+        const auto across = static_cast<std::size_t>(arc.axis);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (axis == across && place_[axis] == step.to[axis]) continue;
+            words +=
+                (words.empty() ? "" : " ") + std::string(1, axisLetters[axis]) + numbers_.coordinate(step.to[axis]);
+            place_[axis] = step.to[axis];
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (axis == across) continue;
+            words += " " + std::string(1, offsetLetters[axis]) + numbers_.coordinate(step.offset[axis]);
+        }
+        return finish(arc.clockwise ? dialect_.clockwise : dialect_.anticlockwise, std::move(words), feed);
+    }
+
+    Result<void> finish(const std::string& motion, std::string words, std::optional<double> feed) {
+        if (motion_ != motion) words.insert(0, motion + " ");
+        motion_ = motion;
+        if (feed) {
+            const long long steps = numbers_.feedStepsOf(*feed);
+            if (feed_ != steps) {
+                if (steps <= 0 || !std::isfinite(*feed)) return Error{ErrorCode::programLimit, "feed", "missing", ""};
+                words += " F" + numbers_.feed(steps);
+                feed_ = steps;
+            }
+        }
+        if (Result<void> done = writeWaiting(); !done) return done;
+        return writer_.block(words);
+    }
+
+    Result<void> plane(int axis) {
+        if (plane_ == axis) return {};
+        plane_ = axis;
+        return writer_.block(dialect_.planes[static_cast<std::size_t>(axis)]);
+    }
+
+    Result<void> writeWaiting() {
+        if (waiting_.empty()) return {};
+        const std::string text = std::move(waiting_);
+        waiting_.clear();
+        return writer_.comment(text);
+    }
+
+    Result<void> blocks(const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) {
+            if (text == "{comments}") {
+                if (Result<void> done = writer_.comment(program_.name); !done) return done;
+                for (const std::string& line : program_.header)
+                    if (Result<void> done = writer_.comment(line); !done) return done;
+                continue;
+            }
+            if (text == "{tool_comment}") {
+                if (Result<void> done = writer_.comment(section_->toolName); !done) return done;
+                continue;
+            }
+            const auto words = BlockWriter::filled(text, [this](std::string_view word) { return valueOf(word); });
+            if (!words) return words.error();
+            if (Result<void> done = writer_.block(*words); !done) return done;
+        }
+        return {};
+    }
+
+    Result<std::string> valueOf(std::string_view word) const {
+        if (word == "units") return dialect_.units[indexOf(program_.units)];
+        if (word == "work_offset") return workOffset();
+        if (word == "blend") return blend();
+        if (word == "blend_end") return blends() ? dialect_.blendEnd.value_or("") : std::string();
+        if (word == "tool") return std::to_string(section_->toolNumber);
+        if (word == "tool_2") return (section_->toolNumber < 10 ? "0" : "") + std::to_string(section_->toolNumber);
+        if (word == "speed") return NumberWords::plain(section_->spindleSpeed, 0);
+        if (word == "spindle") return dialect_.spindle[indexOf(section_->direction)];
+        if (word == "coolant") return *dialect_.coolant[indexOf(section_->coolant)];
+        if (word == "start_dwell")
+            return program_.spindleStartTime > 0.0 ? dwellWords(program_.spindleStartTime) : std::string();
+        if (word == "program_number") return programNumber();
+        if (word == "rapid") return dialect_.rapid;
+        return Error{ErrorCode::internalFault, "dialect " + dialect_.id, std::string(word), "no such word"};
+    }
+
+    Result<std::string> workOffset() const {
+        const int number = program_.workOffset;
+        int offset = number;
+        std::optional<std::string> words;
+        if (number >= 54 && number <= 59) {
+            words = dialect_.workOffset;
+        } else if (number >= 591 && number <= 593) {
+            words = dialect_.workOffset59;
+            offset = number - 590;
+        } else if (number > firstFurtherOffset && number <= firstFurtherOffset + dialect_.furtherWorkOffsets) {
+            words = dialect_.furtherWorkOffset;
+            offset = number - firstFurtherOffset;
+        }
+        if (!words)
+            return Error{ErrorCode::notSupported, "work offset " + std::to_string(number) + " for " + dialect_.name,
+                         "G54 to G59", ""};
+        return BlockWriter::filled(*words,
+                                   [&](std::string_view) -> Result<std::string> { return std::to_string(offset); });
+    }
+
+    bool blends() const { return numbers_.tolerance(program_.blendTolerance) != numbers_.tolerance(0.0); }
+
+    Result<std::string> blend() const {
+        if (!blends()) return dialect_.exactStop.value_or("");
+        const std::string tolerance = numbers_.tolerance(program_.blendTolerance);
+        return BlockWriter::filled(dialect_.blend.value_or(""),
+                                   [&](std::string_view) -> Result<std::string> { return tolerance; });
+    }
+
+    /// The program's name where it is a number that fits, else 1.
+    std::string programNumber() const {
+        const auto digits = static_cast<std::size_t>(dialect_.programNumberDigits);
+        std::string number = program_.name;
+        const bool fits = !number.empty() && number.size() <= digits &&
+                          std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; }) &&
+                          number.find_first_not_of('0') != std::string::npos;
+        if (!fits) number = "1";
+        number.insert(0, digits - number.size(), '0');
+        return number;
+    }
+
+    const DialectData& dialect_;
+    const NcProgram& program_;
+    const NcSection* section_ = nullptr;
+    NumberWords numbers_;
+    BlockWriter writer_;
+    DialectArcs arcs_;
+    double clearHeight_;                            // mm
+    std::array<std::optional<long long>, 3> place_; // in steps of the last digit; nothing: not known
+    std::optional<std::string> motion_;
+    int plane_ = 2;
+    long long feed_ = 0;  // in steps of the feed's last digit
+    std::string waiting_; // comment of a block that was left out
+};
+
+} // namespace
+
+Result<void> DataPost::write(const NcProgram& program, const MachineProfile& machine, LineSink& sink,
+                             Progress& progress) const {
+    return ProgramWriter(dialect_, program, machine, sink).write(progress);
+}
+
+} // namespace burin

@@ -1,0 +1,403 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/expression.h"
+
+#include "core/base/units.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr int deepestNesting = 64;
+constexpr double largestResult = 1e15;  // of a part of an expression
+constexpr double wholeTolerance = 1e-4; // as LinuxCNC's for parameter numbers
+constexpr double equalTolerance = 1e-6; // as LinuxCNC's for EQ and NE
+constexpr double degree = pi / 180.0;
+
+bool isBlank(char c) noexcept {
+    return c == ' ' || c == '\t';
+}
+bool isDigit(char c) noexcept {
+    return c >= '0' && c <= '9';
+}
+char upper(char c) noexcept {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+using Function = double (*)(double);
+struct NamedFunction {
+    std::string_view name;
+    Function call;
+};
+// A value outside a function's domain gives no number, which the caller reports.
+constexpr std::array<NamedFunction, 11> functions{{
+    {"ABS", [](double x) { return std::abs(x); }},
+    {"ACOS", [](double x) { return std::acos(x) / degree; }},
+    {"ASIN", [](double x) { return std::asin(x) / degree; }},
+    {"COS", [](double x) { return std::cos(x * degree); }},
+    {"EXP", [](double x) { return std::exp(x); }},
+    {"FIX", [](double x) { return std::floor(x); }},
+    {"FUP", [](double x) { return std::ceil(x); }},
+    {"LN", [](double x) { return std::log(x); }},
+    {"ROUND", [](double x) { return std::round(x); }},
+    {"SIN", [](double x) { return std::sin(x * degree); }},
+    {"TAN", [](double x) { return std::tan(x * degree); }},
+}};
+
+} // namespace
+
+enum class ExpressionReader::Operator : std::uint8_t {
+    close,
+    logicalAnd,
+    logicalOr,
+    logicalXor,
+    equal,
+    notEqual,
+    greater,
+    greaterOrEqual,
+    less,
+    lessOrEqual,
+    plus,
+    minus,
+    times,
+    divide,
+    modulo,
+    power
+};
+
+namespace {
+
+/// How tightly an operator binds, by its place in the list above.
+constexpr std::array<int, 16> precedences{0, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 4, 4, 4, 5};
+
+} // namespace
+
+bool ExpressionReader::fail(ProgramProblem problem, std::size_t from, std::size_t to) noexcept {
+    fault_ = {problem, static_cast<std::uint32_t>(from + 1), static_cast<std::uint32_t>(to > from ? to - from : 1)};
+    return false;
+}
+
+void ExpressionReader::skipBlanks(std::size_t& at) const noexcept {
+    while (at < line_.size() && isBlank(line_[at])) ++at;
+}
+
+bool ExpressionReader::keyword(std::size_t& at, std::string_view word) const noexcept {
+    if (line_.size() - at < word.size()) return false;
+    for (std::size_t i = 0; i < word.size(); ++i)
+        if (upper(line_[at + i]) != word[i]) return false;
+    at += word.size();
+    return true;
+}
+
+bool ExpressionReader::finite(double value, std::size_t at) {
+    return std::abs(value) <= largestResult || fail(ProgramProblem::expressionUndefined, at);
+}
+
+bool ExpressionReader::value(std::size_t word, std::size_t& at, double& value, bool& point) {
+    skipBlanks(at);
+    if (at < line_.size()) {
+        const char c = line_[at];
+        const char next = at + 1 < line_.size() ? line_[at + 1] : ' ';
+        const bool sign = c == '-' || c == '+';
+        if (isDigit(c) || c == '.' || (sign && (isDigit(next) || next == '.'))) return number(word, at, value, point);
+    }
+    point = true;
+    if (!general(word, at, value)) return false;
+    return std::abs(value) <= largestNumber || fail(ProgramProblem::numberOutOfRange, word, at);
+}
+
+/// Decimal number without exponent. Up to 15 digits are exact in the integer and so is the power of ten, hence their
+/// quotient is the nearest double (the common, fast case).
+bool ExpressionReader::number(std::size_t word, std::size_t& at, double& value, bool& point) noexcept {
+    bool negative = false;
+    if (at < line_.size() && (line_[at] == '-' || line_[at] == '+')) negative = line_[at++] == '-';
+    const std::size_t first = at;
+    std::uint64_t digits = 0;
+    std::size_t count = 0, decimals = 0;
+    point = false;
+    for (; at < line_.size() && (isDigit(line_[at]) || (line_[at] == '.' && !point)); ++at) {
+        if (line_[at] == '.') {
+            point = true;
+            continue;
+        }
+        if (count < 15) digits = digits * 10 + static_cast<std::uint64_t>(line_[at] - '0');
+        ++count;
+        if (point) ++decimals;
+    }
+    if (count == 0) return fail(ProgramProblem::numberMissing, word, at);
+    if (count <= 15) {
+        static constexpr std::array<double, 16> powers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+        value = static_cast<double>(digits) / powers[decimals];
+    } else {
+        const auto [end, error] =
+            std::from_chars(line_.data() + first, line_.data() + at, value, std::chars_format::fixed);
+        if (error != std::errc{}) return fail(ProgramProblem::numberOutOfRange, word, at);
+    }
+    if (value > largestNumber) return fail(ProgramProblem::numberOutOfRange, word, at);
+    if (negative) value = -value;
+    return true;
+}
+
+bool ExpressionReader::general(std::size_t word, std::size_t& at, double& value) {
+    skipBlanks(at);
+    if (at >= line_.size()) return fail(ProgramProblem::numberMissing, word);
+    const char c = line_[at];
+    const char next = at + 1 < line_.size() ? line_[at + 1] : ' ';
+    bool point = false;
+    if (isDigit(c) || c == '.' || ((c == '-' || c == '+') && (isDigit(next) || next == '.')))
+        return number(word, at, value, point);
+    const bool letter = upper(c) >= 'A' && upper(c) <= 'Z';
+    if (c != '-' && c != '+' && c != '[' && c != '#' && !letter) return fail(ProgramProblem::numberMissing, word, at);
+    if (!control_.expressions) {
+        // A letter is the next word: this one lacks its number.
+        const bool lacksNumber = letter || c == '-' || c == '+';
+        return fail(lacksNumber ? ProgramProblem::numberMissing : ProgramProblem::expressionNotRead,
+                    lacksNumber ? word : at);
+    }
+    if (++depth_ > deepestNesting) return fail(ProgramProblem::expressionInvalid, at);
+    bool done = false;
+    if (c == '-' || c == '+') {
+        ++at;
+        // A sign before a number was the number's: here stands something else.
+        done = at < line_.size() && line_[at] != '-' && line_[at] != '+' ? general(word, at, value)
+                                                                         : fail(ProgramProblem::numberMissing, word);
+        if (c == '-') value = -value;
+    } else if (c == '[') {
+        done = bracket(at, value);
+    } else if (c == '#') {
+        done = parameter(at, value);
+    } else {
+        const std::size_t start = at;
+        done = function(at, value);
+        if (!done && fault_.problem == ProgramProblem::expressionInvalid && fault_.column == start + 1)
+            done = fail(ProgramProblem::numberMissing, word);
+    }
+    --depth_;
+    return done;
+}
+
+bool ExpressionReader::readOperator(std::size_t& at, Operator& found) noexcept {
+    struct Spelling {
+        std::string_view text;
+        Operator means;
+    };
+    static constexpr std::array<Spelling, 16> spellings{{{"]", Operator::close},
+                                                         {"**", Operator::power},
+                                                         {"*", Operator::times},
+                                                         {"/", Operator::divide},
+                                                         {"+", Operator::plus},
+                                                         {"-", Operator::minus},
+                                                         {"MOD", Operator::modulo},
+                                                         {"AND", Operator::logicalAnd},
+                                                         {"OR", Operator::logicalOr},
+                                                         {"XOR", Operator::logicalXor},
+                                                         {"EQ", Operator::equal},
+                                                         {"NE", Operator::notEqual},
+                                                         {"GT", Operator::greater},
+                                                         {"GE", Operator::greaterOrEqual},
+                                                         {"LT", Operator::less},
+                                                         {"LE", Operator::lessOrEqual}}};
+    skipBlanks(at);
+    for (const Spelling& spelling : spellings) {
+        if (keyword(at, spelling.text)) {
+            found = spelling.means;
+            return true;
+        }
+    }
+    return fail(ProgramProblem::expressionInvalid, at);
+}
+
+bool ExpressionReader::combine(Operator by, double& left, double right, std::size_t at) {
+    const auto truth = [](bool value) { return value ? 1.0 : 0.0; };
+    const bool equal = std::abs(left - right) < equalTolerance;
+    switch (by) {
+    case Operator::logicalAnd:
+        left = truth(left != 0.0 && right != 0.0);
+        break;
+    case Operator::logicalOr:
+        left = truth(left != 0.0 || right != 0.0);
+        break;
+    case Operator::logicalXor:
+        left = truth((left != 0.0) != (right != 0.0));
+        break;
+    case Operator::equal:
+        left = truth(equal);
+        break;
+    case Operator::notEqual:
+        left = truth(!equal);
+        break;
+    case Operator::greater:
+        left = truth(left > right);
+        break;
+    case Operator::greaterOrEqual:
+        left = truth(left >= right);
+        break;
+    case Operator::less:
+        left = truth(left < right);
+        break;
+    case Operator::lessOrEqual:
+        left = truth(left <= right);
+        break;
+    case Operator::plus:
+        left += right;
+        break;
+    case Operator::minus:
+        left -= right;
+        break;
+    case Operator::times:
+        left *= right;
+        break;
+    case Operator::divide:
+        if (right == 0.0) return fail(ProgramProblem::expressionUndefined, at);
+        left /= right;
+        break;
+    case Operator::modulo:
+        if (right == 0.0) return fail(ProgramProblem::expressionUndefined, at);
+        left = std::fmod(left, right);
+        if (left < 0.0) left += std::abs(right); // never negative, as the report has it
+        break;
+    case Operator::power:
+        left = std::pow(left, right);
+        break;
+    case Operator::close:
+        break;
+    }
+    return finite(left, at);
+}
+
+/// Values wait on a stack until an operator that binds no tighter stands behind them.
+bool ExpressionReader::bracket(std::size_t& at, double& value) {
+    static constexpr std::size_t tightest = 6;
+    std::array<double, tightest> values{};
+    std::array<Operator, tightest> waiting{};
+    std::size_t count = 0;
+    const std::size_t start = at++;
+    for (;;) {
+        if (!general(start, at, values[count])) return false;
+        Operator next = Operator::close;
+        const std::size_t place = at;
+        if (!readOperator(at, next)) return false;
+        const auto precedence = [](Operator one) { return precedences[static_cast<std::size_t>(one)]; };
+        while (count > 0 && precedence(waiting[count - 1]) >= precedence(next)) {
+            if (!combine(waiting[count - 1], values[count - 1], values[count], place)) return false;
+            --count;
+        }
+        if (next == Operator::close) break;
+        waiting[count++] = next; // strictly rising precedences: never more than there are of them
+    }
+    value = values[0];
+    return true;
+}
+
+bool ExpressionReader::function(std::size_t& at, double& value) {
+    const std::size_t start = at;
+    if (keyword(at, "ATAN")) return arcTangent(at, value);
+    if (keyword(at, "EXISTS")) return exists(at, value);
+    Function call = nullptr;
+    if (keyword(at, "SQRT")) call = [](double x) { return std::sqrt(x); };
+    for (const NamedFunction& one : functions)
+        if (call == nullptr && keyword(at, one.name)) call = one.call;
+    if (call == nullptr) return fail(ProgramProblem::expressionInvalid, start);
+    skipBlanks(at);
+    if (at >= line_.size() || line_[at] != '[') return fail(ProgramProblem::expressionInvalid, start);
+    if (!bracket(at, value)) return false;
+    value = call(value);
+    return finite(value, start);
+}
+
+bool ExpressionReader::arcTangent(std::size_t& at, double& value) {
+    const auto opens = [&](char c) {
+        skipBlanks(at);
+        return (at < line_.size() && line_[at] == c) || fail(ProgramProblem::expressionInvalid, at);
+    };
+    double rise = 0.0, run = 0.0;
+    if (!opens('[') || !bracket(at, rise) || !opens('/')) return false;
+    ++at;
+    if (!opens('[') || !bracket(at, run)) return false;
+    value = std::atan2(rise, run) / degree;
+    return true;
+}
+
+bool ExpressionReader::exists(std::size_t& at, double& value) {
+    const std::size_t start = at;
+    skipBlanks(at);
+    if (at >= line_.size() || line_[at] != '[') return fail(ProgramProblem::expressionInvalid, start);
+    ++at;
+    skipBlanks(at);
+    std::string name;
+    if (at + 1 >= line_.size() || line_[at] != '#' || line_[at + 1] != '<')
+        return fail(ProgramProblem::expressionInvalid, at);
+    ++at;
+    if (!parameterName(at, name)) return false;
+    skipBlanks(at);
+    if (at >= line_.size() || line_[at] != ']') return fail(ProgramProblem::expressionInvalid, at);
+    ++at;
+    value = parameters_.value(name) ? 1.0 : 0.0;
+    return true;
+}
+
+bool ExpressionReader::parameterNumber(std::size_t& at, int& number) {
+    const std::size_t start = at;
+    double value = 0.0;
+    if (!general(start, at, value)) return false;
+    const double whole = std::round(value);
+    if (std::abs(value - whole) > wholeTolerance || !(whole >= 1.0 && whole < Parameters::count))
+        return fail(ProgramProblem::parameterNotAllowed, start, at);
+    number = static_cast<int>(whole);
+    return true;
+}
+
+/// Names are of one case and know no blanks.
+bool ExpressionReader::parameterName(std::size_t& at, std::string& name) {
+    const std::size_t start = at;
+    if (!control_.namedParameters) return fail(ProgramProblem::expressionNotRead, start);
+    for (++at; at < line_.size() && line_[at] != '>'; ++at)
+        if (!isBlank(line_[at])) name += upper(line_[at]);
+    if (at >= line_.size() || name.empty()) return fail(ProgramProblem::expressionInvalid, start);
+    ++at;
+    return true;
+}
+
+bool ExpressionReader::parameter(std::size_t& at, double& value) {
+    const std::size_t start = at++;
+    skipBlanks(at);
+    std::optional<double> held;
+    if (at < line_.size() && line_[at] == '<') {
+        std::string name;
+        if (!parameterName(at, name)) return false;
+        held = parameters_.value(name);
+    } else {
+        int number = 0;
+        if (!parameterNumber(at, number)) return false;
+        held = parameters_.value(number);
+    }
+    if (!held) return fail(ProgramProblem::parameterUnknown, start, at);
+    value = *held;
+    return true;
+}
+
+bool ExpressionReader::assignment(std::size_t& at) {
+    const std::size_t start = at++;
+    if (!control_.expressions) return fail(ProgramProblem::expressionNotRead, start);
+    skipBlanks(at);
+    std::string name;
+    int number = 0;
+    const bool named = at < line_.size() && line_[at] == '<';
+    if (named ? !parameterName(at, name) : !parameterNumber(at, number)) return false;
+    if (!named && number >= Parameters::firstOfControl) return fail(ProgramProblem::parameterNotAllowed, start, at);
+    skipBlanks(at);
+    if (at >= line_.size() || line_[at] != '=') return fail(ProgramProblem::expressionInvalid, at);
+    ++at;
+    double value = 0.0;
+    if (!general(start, at, value)) return false;
+    if (named)
+        parameters_.setLater(std::move(name), value);
+    else
+        parameters_.setLater(number, value);
+    return true;
+}
+
+} // namespace burin

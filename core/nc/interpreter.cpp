@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/interpreter.h"
+
+#include "core/nc/arc_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr std::size_t mostMoves = 20'000'000;
+
+} // namespace
+
+Interpreter::Interpreter(const Control& control, const MachineState& start)
+    : control_(control), state_(control, start), writer_(state_, program) {}
+
+bool Interpreter::fail(ProgramProblem problem, std::uint32_t column) {
+    *fault_ = {problem, std::max(column, 1u), 1};
+    return false;
+}
+
+bool Interpreter::run(const Block& block, std::uint32_t line, BlockFault& fault) {
+    fault_ = &fault;
+    writer_.beginBlock(line);
+    if (program.ended) return fail(ProgramProblem::behindEnd, block.firstColumn);
+    if (program.motions.size() > mostMoves) return fail(ProgramProblem::tooManyMoves, block.firstColumn);
+    ++program.blocks;
+    return checkCodes(block) && checkWords(block) && checkUse(block) && feedAndSpeed(block) && toolChange(block) &&
+           spindleAndCoolant(block) && dwell(block) && planeAndUnits(block) && lengthOffset(block) &&
+           workOffset(block) && modes(block) && once(block) && motion(block) && stop(block);
+}
+
+/// A feed beside a change of units is refused: controls differ in which units it has.
+bool Interpreter::feedAndSpeed(const Block& block) {
+    const Word& feed = block.word('F');
+    const Code& mode = block.code(GGroup::feedMode);
+    const Code& units = block.code(GGroup::units);
+    double length = state_.length;
+    if (units.given()) {
+        length = units.number == gcode::inch || units.number == gcode::inchByG70 ? millimetresPerInch : 1.0;
+        if (feed.given() && state_.unitsStated && length != state_.length)
+            return fail(ProgramProblem::unitsChangeBesideFeed, feed);
+    }
+    if (mode.given()) {
+        const FeedMode next = mode.number == gcode::inverseTime     ? FeedMode::inverseTime
+                              : mode.number == gcode::perRevolution ? FeedMode::perRevolution
+                                                                    : FeedMode::perMinute;
+        if (next != state_.feedMode) state_.feed = 0.0; // a number that counts something else
+        state_.feedMode = next;
+    }
+    if (feed.given()) state_.feed = feed.value * (state_.feedMode == FeedMode::inverseTime ? 1.0 : length);
+    if (const Word& speed = block.word('S'); speed.given()) {
+        state_.spindleSpeed = speed.value;
+        program.maximumSpindleSpeed = std::max(program.maximumSpindleSpeed, speed.value);
+    }
+    if (block.word('T').given()) state_.selectedTool = static_cast<int>(block.word('T').value);
+    return true;
+}
+
+bool Interpreter::toolChange(const Block& block) {
+    const Code& code = block.code(MGroup::toolChange);
+    if (!code.given()) return true;
+    if (code.number == 610) { // the tool that is in the spindle gets its number: nothing moves
+        if (!block.word('Q').given()) return fail(ProgramProblem::toolNotSelected, code);
+        state_.tool = static_cast<int>(block.word('Q').value);
+        return true;
+    }
+    state_.tool = state_.selectedTool;
+    state_.spindle = SpindleState::off;
+    state_.mist = state_.flood = false;
+    state_.frames.forgetPlace();
+    return true;
+}
+
+bool Interpreter::spindleAndCoolant(const Block& block) {
+    if (const Code& code = block.code(MGroup::spindle); code.given())
+        state_.spindle = code.number == 30   ? SpindleState::clockwise
+                         : code.number == 40 ? SpindleState::anticlockwise
+                                             : SpindleState::off;
+    if (const Code& code = block.code(MGroup::coolant); code.given()) {
+        state_.mist = code.number == 70 || (state_.mist && code.number == 80);
+        state_.flood = code.number == 80 || (state_.flood && code.number == 70);
+    }
+    return true;
+}
+
+bool Interpreter::dwell(const Block& block) {
+    const Code& code = block.code(GGroup::once);
+    if (code.number != gcode::dwell) return true;
+    const bool byX = control_.dwellByX && block.word('X').given();
+    const Word& time = byX ? block.word('X') : block.word('P');
+    if (!time.given()) return fail(ProgramProblem::dwellMissing, code);
+    if (time.value < 0.0) return fail(ProgramProblem::numberNegative, time);
+    const bool milliseconds = !byX && (control_.dwellUnit == DwellUnit::milliseconds ||
+                                       (control_.dwellUnit == DwellUnit::pointDecides && !time.point));
+    writer_.dwell(milliseconds ? time.value / 1000.0 : time.value, code.column);
+    return true;
+}
+
+bool Interpreter::planeAndUnits(const Block& block) {
+    if (const Code& plane = block.code(GGroup::plane); plane.given())
+        state_.planeAxis = plane.number == gcode::planeXY ? 2 : plane.number == gcode::planeZX ? 1 : 0;
+    if (const Code& units = block.code(GGroup::units); units.given()) {
+        state_.length = units.number == gcode::inch || units.number == gcode::inchByG70 ? millimetresPerInch : 1.0;
+        state_.unitsStated = true;
+    }
+    return true;
+}
+
+bool Interpreter::modes(const Block& block) {
+    if (const Code& code = block.code(GGroup::distance); code.given())
+        state_.incremental = code.number == gcode::incremental;
+    if (const Code& code = block.code(GGroup::arcDistance); code.given())
+        state_.centresAbsolute = code.number == gcode::absoluteCentres;
+    if (const Code& code = block.code(GGroup::retract); code.given())
+        state_.retractToHeight = code.number == gcode::retractToHeight;
+    return true;
+}
+
+PartialPlace Interpreter::axisWords(const Block& block) const {
+    PartialPlace words;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Word& word = block.word(static_cast<char>('X' + axis));
+        if (word.given()) words[static_cast<std::size_t>(axis)] = word.value * state_.length;
+    }
+    return words;
+}
+
+int Interpreter::motionOf(const Block& block) const noexcept {
+    const Code& code = block.code(GGroup::motion);
+    return code.given() ? code.number : state_.motion;
+}
+
+bool Interpreter::target(const Block& block, glm::dvec3& place, std::array<bool, 3>& known) {
+    place = state_.frames.place();
+    known = state_.frames.known();
+    for (int axis = 0; axis < 3; ++axis) {
+        const Word& word = block.word(static_cast<char>('X' + axis));
+        if (!word.given()) continue;
+        const auto at = static_cast<std::size_t>(axis);
+        if (state_.incremental && !known[at]) return fail(ProgramProblem::placeUnknown, word);
+        const double zero = state_.incremental ? place[axis] : state_.frames.shift()[axis];
+        place[axis] = zero + word.value * state_.length;
+        known[at] = true;
+    }
+    return true;
+}
+
+bool Interpreter::motion(const Block& block) {
+    const Code& code = block.code(GGroup::motion);
+    state_.motion = motionOf(block);
+    if (!CannedCycles::isCycle(state_.motion)) cycles_.end();
+    const Code& once = block.code(GGroup::once);
+    if (once.given() && once.number != gcode::machineFrame) return true; // that code has used the axis words
+    if (block.code(GGroup::lengthOffset).number == gcode::statedLength) return true; // and so has G43.1
+    const bool words = block.hasAxis() || block.hasOffset() || block.word('R').given();
+    const bool restated =
+        code.given() && code.number != gcode::noMotion && code.number != gcode::rapid && code.number != gcode::line;
+    if (!words && !restated) return true;
+    if (state_.motion == gcode::noMotion)
+        return fail(ProgramProblem::axisWithoutMotion, block.hasAxis() ? block.firstAxis() : block.firstColumn);
+    if (once.number == gcode::machineFrame) return machineFrame(block);
+    if (CannedCycles::isCycle(state_.motion)) return cycles_.run(block, control_, state_, writer_, *fault_);
+    return straight(block);
+}
+
+bool Interpreter::straight(const Block& block) {
+    glm::dvec3 place;
+    std::array<bool, 3> known{};
+    if (!target(block, place, known)) return false;
+    const std::uint32_t column = block.hasAxis() ? block.firstAxis() : block.firstColumn;
+    if (state_.motion != gcode::rapid) {
+        if (!(state_.feed > 0.0)) return fail(ProgramProblem::feedMissing, column);
+        if (state_.feedMode == FeedMode::inverseTime && !block.word('F').given())
+            return fail(ProgramProblem::feedMissingInverseTime, column);
+        if (state_.feedMode == FeedMode::perRevolution && !state_.spindleTurns())
+            return fail(ProgramProblem::spindleStandsStill, column);
+    }
+    if (state_.motion == gcode::rapid || state_.motion == gcode::line) {
+        writer_.move(state_.motion == gcode::rapid ? NcMotionKind::rapid : NcMotionKind::line, place, known, column);
+        return true;
+    }
+    ArcWords words;
+    if (!readArc(block, state_, control_, place, known, words, *fault_)) return false;
+    writer_.arc(words.arc, words.wholeTurns, known, column);
+    return true;
+}
+
+bool Interpreter::stop(const Block& block) {
+    const Code& code = block.code(MGroup::stop);
+    if (code.number == 20 || code.number == 300) program.ended = true;
+    program.workOffset = state_.frames.workOffset();
+    return true;
+}
+
+} // namespace burin

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/motion_writer.h"
+
+namespace burin {
+
+/// Inverse time needs the whole way, which a move from an unknown place does not have: its feed stays 0.
+void MotionWriter::resolveFeed(NcMotion& motion) const noexcept {
+    switch (state_.feedMode) {
+    case FeedMode::perMinute:
+        motion.feed = state_.feed;
+        break;
+    case FeedMode::perRevolution:
+        motion.feed = state_.feed * state_.spindleSpeed;
+        break;
+    case FeedMode::inverseTime:
+        motion.feed = motion.startKnown() ? lengthOf(motion) * state_.feed : 0.0;
+        break;
+    }
+}
+
+NcMotion& MotionWriter::move(NcMotionKind kind, const glm::dvec3& target, const std::array<bool, 3>& known,
+                             std::uint32_t column) {
+    NcMotion& motion = program_.motions.emplace_back();
+    motion.kind = kind;
+    motion.spindle = state_.spindle;
+    motion.feedMode = state_.feedMode;
+    motion.mist = state_.mist;
+    motion.flood = state_.flood;
+    motion.fromKnown = state_.frames.known();
+    motion.toKnown = known;
+    motion.from = state_.frames.place();
+    motion.to = target;
+    motion.spindleSpeed = state_.spindleSpeed;
+    motion.tool = state_.tool;
+    motion.lengthOffset = state_.frames.lengthOffsetNumber();
+    motion.workOffset = state_.frames.workOffset();
+    motion.ownZero = state_.frames.ownZero();
+    motion.line = line_;
+    motion.column = column;
+    if (kind == NcMotionKind::line) resolveFeed(motion);
+    state_.frames.moveTo(target, known);
+    return motion;
+}
+
+void MotionWriter::arc(const Arc& arc, std::uint32_t wholeTurns, const std::array<bool, 3>& known,
+                       std::uint32_t column) {
+    NcMotion& motion = move(NcMotionKind::arc, arc.to, known, column);
+    motion.centre = arc.centre;
+    motion.arcAxis = static_cast<std::uint8_t>(arc.axis);
+    motion.clockwise = arc.clockwise;
+    motion.wholeTurns = wholeTurns;
+    resolveFeed(motion);
+}
+
+void MotionWriter::dwell(double seconds, std::uint32_t column) {
+    NcMotion& motion = move(NcMotionKind::dwell, state_.frames.place(), state_.frames.known(), column);
+    motion.seconds = seconds;
+}
+
+} // namespace burin

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace burin {
+
+/// What can be wrong with a program's text, for the parser and for lint.
+enum class ProgramProblem : std::uint8_t {
+    // the line as such
+    lineTooLong,
+    characterNotAllowed,
+    commentNotClosed,
+    commentNested,
+    percentNotAlone,
+    percentNotRead,
+    lineNumberNotFirst,
+    // words
+    wordNotRead,
+    wordTwice,
+    wordWithoutUse,
+    numberMissing,
+    numberOutOfRange,
+    numberNotWhole,
+    numberNegative,
+    pointMissing,
+    codeNotRead,
+    codesOfOneGroup,
+    codeReadsAxes,
+    // parameters and expressions
+    expressionNotRead,
+    expressionInvalid,
+    expressionUndefined,
+    parameterNotAllowed,
+    parameterUnknown,
+    // state
+    behindEnd,
+    tooManyMoves,
+    cutterCompensation,
+    subprogram,
+    toolNotSelected,
+    workOffsetMissing,
+    lengthOffsetMissing,
+    unitsChangeBesideFeed,
+    feedMissing,
+    feedMissingInverseTime,
+    spindleStandsStill,
+    dwellMissing,
+    dwellMoves,
+    placeUnknown,
+    axisMissing,
+    axisWithoutMotion,
+    machineFrameMotion,
+    // arcs
+    arcCentreMissing,
+    arcOffsetAcross,
+    arcOffsetWithoutArc,
+    arcRadiusZero,
+    arcRadiusDiffers,
+    arcRadiusTooSmall,
+    arcRadiusFullTurn,
+    arcRadiusAndCentre,
+    arcTurns,
+    // canned cycles
+    cycleFeedMode,
+    cycleHeightMissing,
+    cycleDepthMissing,
+    cycleHeightBelowDepth,
+    cycleWordMissing,
+    cycleStep,
+    cycleSpindle,
+    cycleRepeats,
+    // lint alone
+    endMissing,
+    plungeWithoutCentre,
+    feedAboveMachine,
+    spindleBeyondMachine,
+    arcModeMissing,
+    unitsMissing,
+    feedPointMissing,
+    count
+};
+
+/// Stable id: "line_too_long".
+std::string_view idOf(ProgramProblem problem) noexcept;
+/// What is wrong, in English: "the control does not read so long a line".
+std::string_view wordingOf(ProgramProblem problem) noexcept;
+
+} // namespace burin

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/edit.h"
+
+#include <array>
+#include <cstddef>
+
+/// How a row of the table describes a parameter, by what it is. Each describes it (`of`) and takes a value (`set`).
+namespace burin {
+
+/// Coordinates of places and vectors stay within this, mm.
+inline constexpr double farthestPlace = 1e5;
+
+template <class T>
+struct NumberField {
+    std::string_view key;
+    double T::*member;
+    double low, high;
+    bool whole;
+
+    EditField of(const T& edit) const { return {key, edit.*member, low, high, whole}; }
+    void set(T& edit, const EditValue& value) const { edit.*member = std::get<double>(value); }
+};
+template <class T>
+constexpr NumberField<T> number(std::string_view key, double T::*member, double low, double high) {
+    return {key, member, low, high, false};
+}
+/// A number that counts; kept as the others are.
+template <class T>
+constexpr NumberField<T> count(std::string_view key, double T::*member, double low, double high) {
+    return {key, member, low, high, true};
+}
+
+/// A switch, a moment, a stretch, a place or places: what needs no more than its key.
+template <class T, class Member>
+struct PlainField {
+    std::string_view key;
+    Member T::*member;
+    double low, high;
+
+    EditField of(const T& edit) const { return {key, edit.*member, low, high}; }
+    void set(T& edit, const EditValue& value) const { edit.*member = std::get<Member>(value); }
+};
+template <class T>
+constexpr PlainField<T, bool> onOff(std::string_view key, bool T::*member) {
+    return {key, member, 0.0, 0.0};
+}
+template <class T>
+constexpr PlainField<T, Moment> moment(std::string_view key, Moment T::*member) {
+    return {key, member, 0.0, 0.0};
+}
+template <class T>
+constexpr PlainField<T, TakeStretch> stretch(std::string_view key, TakeStretch T::*member) {
+    return {key, member, 0.0, 0.0};
+}
+template <class T>
+constexpr PlainField<T, glm::dvec3> place(std::string_view key, glm::dvec3 T::*member) {
+    return {key, member, -farthestPlace, farthestPlace};
+}
+/// @param fewest so many places, or none
+template <class T>
+constexpr PlainField<T, std::vector<glm::dvec3>> places(std::string_view key, std::vector<glm::dvec3> T::*member,
+                                                        double fewest) {
+    return {key, member, fewest, 10000.0};
+}
+
+/// One of an enumeration's names, in its order.
+template <class T, class Enumeration, std::size_t size>
+struct ChoiceField {
+    std::string_view key;
+    Enumeration T::*member;
+    const std::array<std::string_view, size>* names;
+
+    EditField of(const T& edit) const {
+        return {key, (*names)[static_cast<std::size_t>(edit.*member)], 0.0, 0.0, false, *names};
+    }
+    void set(T& edit, const EditValue& value) const {
+        for (std::size_t i = 0; i < size; ++i)
+            if ((*names)[i] == std::get<std::string_view>(value)) edit.*member = static_cast<Enumeration>(i);
+    }
+};
+template <class T, class Enumeration, std::size_t size>
+constexpr ChoiceField<T, Enumeration, size> choice(std::string_view key, Enumeration T::*member,
+                                                   const std::array<std::string_view, size>& names) {
+    return {key, member, &names};
+}
+
+} // namespace burin

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace burin {
+
+/// A moment of the hand. Edits name places of a path by it, as an index would mean something else as soon as an edit
+/// before them changed. Copies that an edit made keep the moments of what they were copied from, and are meant as well.
+struct Moment {
+    std::int64_t take = 0; ///< TakeInfo::id; 0: none
+    std::int64_t tick = 0; ///< within the take
+
+    friend bool operator==(const Moment&, const Moment&) = default;
+};
+
+/// What the hand did from one moment of a take to another, both included.
+struct TakeStretch {
+    std::int64_t take = 0;                                                   ///< TakeInfo::id; 0: everything
+    std::int64_t first = 0, last = std::numeric_limits<std::int64_t>::max(); ///< ticks
+
+    bool contains(const Moment& moment) const noexcept {
+        return take == 0 || (take == moment.take && moment.tick >= first && moment.tick <= last);
+    }
+    friend bool operator==(const TakeStretch&, const TakeStretch&) = default;
+};
+
+/// A region: a polygon in plan, between two heights.
+struct Area {
+    std::vector<glm::dvec3> outline; ///< mm, setup frame, closed by itself; heights have no meaning. Fewer than three
+                                     ///< corners: nowhere
+    double low = -1e4, high = 1e4;   ///< mm, setup frame
+
+    friend bool operator==(const Area&, const Area&) = default;
+};
+
+} // namespace burin

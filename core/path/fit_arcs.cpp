@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/parallel.h"
+#include "core/path/arc_fit.h"
+#include "core/path/part_guard.h"
+#include "core/path/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+/// An arc has to stand for so many moves at least.
+constexpr std::size_t fewestMoves = 3;
+
+/// A line or an arc to one of a stroke's points.
+struct Primitive {
+    std::size_t end = 0;
+    std::optional<PathArc> arc{};
+    Deviation deviation;
+};
+
+class Fitter {
+public:
+    Fitter(const ArcFitRules& rules, const PartGuard& guard, const PathStroke& stroke)
+        : rules_(rules), guard_(guard), required_(stroke.required), points_(stroke.points) {}
+
+    /// What stands for the points from `first` to `last`, both included.
+    std::vector<Primitive> fit(std::size_t first, std::size_t last, const Progress& progress) const {
+        std::vector<Primitive> primitives;
+        while (first < last && !progress.cancelled()) {
+            Primitive best = longest(first, first + 1, last, [&](std::size_t end) { return line(first, end); });
+            const std::size_t nearest = std::max(first + fewestMoves, best.end + 1); // an arc has to get farther
+            for (const int axis : {2, 1, 0}) {
+                const Primitive arc =
+                    longest(first, nearest, last, [&](std::size_t end) { return arcTo(first, end, axis); });
+                if (arc.end > best.end) best = arc;
+            }
+            first = best.end;
+            primitives.push_back(std::move(best));
+        }
+        return primitives;
+    }
+
+private:
+    using Found = std::optional<Primitive>;
+
+    std::span<const StrokePoint> stretch(std::size_t first, std::size_t end) const {
+        return std::span(points_).subspan(first, end - first + 1);
+    }
+
+    /// The farthest primitive that is possible: twice as far as long as that goes, then halving what is between. None
+    /// where the nearest is not possible. What no rule forbids is held against the part.
+    template <class Make>
+    Primitive longest(std::size_t first, std::size_t nearest, std::size_t last, const Make& make) const {
+        Primitive best;
+        best.end = first;
+        std::size_t beyond = last + 1;
+        for (std::size_t end = nearest; end <= last && end != best.end;) {
+            Found found = make(end);
+            if (found && isClear(first, *found))
+                best = std::move(*found);
+            else
+                beyond = end;
+            if (best.end == first) break;
+            end = beyond > last ? std::min(2 * best.end - first, last) : best.end + (beyond - best.end) / 2;
+        }
+        return best;
+    }
+
+    Found line(std::size_t first, std::size_t end) const {
+        Primitive primitive;
+        primitive.end = end;
+        const glm::dvec3 &from = points_[first].tip, &to = points_[end].tip;
+        for (std::size_t i = first + 1; i < end; ++i) {
+            primitive.deviation.include(distanceToSegment(points_[i].tip, from, to), points_[i].tip);
+            if (primitive.deviation.distance > rules_.tolerance) return {};
+        }
+        return primitive;
+    }
+
+    Found arcTo(std::size_t first, std::size_t end, int axis) const {
+        const auto fitted = fitArc(stretch(first, end), axis, rules_);
+        if (!fitted) return {};
+        return Primitive{end, PathArc{fitted->arc.centre, axis, fitted->arc.clockwise}, fitted->deviation};
+    }
+
+    bool isClear(std::size_t first, const Primitive& primitive) const {
+        if (primitive.end == first + 1) return true; // the move that was there
+        const glm::dvec3 &from = points_[first].tip, &to = points_[primitive.end].tip;
+        if (!primitive.arc) return guard_.isClear(from, to, required_, defaultSampling);
+        const PathArc& arc = *primitive.arc;
+        return guard_.isClear({from, to, arc.centre, arc.axis, arc.clockwise}, required_, defaultSampling);
+    }
+
+    const ArcFitRules& rules_;
+    const PartGuard& guard_;
+    double required_; // mm from the part
+    const std::vector<StrokePoint>& points_;
+};
+
+/// Stretches that threads share: groups of points, and no arc that is there already within one.
+std::vector<std::pair<std::size_t, std::size_t>> groupsOf(const std::vector<StrokePoint>& points) {
+    std::vector<std::pair<std::size_t, std::size_t>> groups;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const bool ends = i + 1 == points.size() || points[i].arc || points[i + 1].arc || i - first == simplifyGroup;
+        if (!ends) continue;
+        groups.emplace_back(first, i);
+        first = i;
+    }
+    return groups;
+}
+
+Deviation fitStroke(PathStroke& stroke, const ArcFitRules& rules, const PartGuard& guard, const Progress& progress) {
+    Deviation deviation;
+    if (stroke.points.size() < 2) return deviation;
+    const auto groups = groupsOf(stroke.points);
+    const Fitter fitter(rules, guard, stroke);
+    std::vector<std::vector<Primitive>> fitted(groups.size());
+    parallelFor(std::size_t{0}, groups.size(), [&](std::size_t i) {
+        const auto [first, last] = groups[i];
+        if (stroke.points[last].arc)
+            fitted[i] = {Primitive{last, stroke.points[last].arc, {}}};
+        else
+            fitted[i] = fitter.fit(first, last, progress);
+    });
+    if (progress.cancelled()) return deviation;
+    std::vector<std::size_t> kept{0};
+    std::vector<std::optional<PathArc>> arcs{{}};
+    for (const std::vector<Primitive>& group : fitted) {
+        for (const Primitive& primitive : group) {
+            kept.push_back(primitive.end);
+            arcs.push_back(primitive.arc);
+            deviation.include(primitive.deviation);
+        }
+    }
+    keepOnly(stroke.points, kept);
+    for (std::size_t i = 0; i < arcs.size(); ++i) stroke.points[i].arc = arcs[i];
+    return deviation;
+}
+
+} // namespace
+
+Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
+    const Result<PartGuard> guard = PartGuard::of(context);
+    if (!guard) return guard.error();
+    ArcFitRules rules;
+    rules.tolerance = edit.tolerance;
+    const ArcRules& control = context.machine.arcs;
+    rules.largestSweep = std::min(edit.largestSweep, control.largestSweep);
+    rules.smallestRadius = std::max(edit.smallestRadius, control.smallestRadius);
+    rules.largestRadius = std::min(edit.largestRadius, control.largestRadius);
+    rules.radiusMismatch = std::min(edit.radiusMismatch, control.radiusMismatch);
+    rules.figure = std::pow(10.0, -context.machine.coordinateDecimals);
+    rules.programZero = context.workOffset;
+    std::vector<Deviation> deviations(state.strokes.size());
+    parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
+        if (!progress.cancelled()) deviations[i] = fitStroke(state.strokes[i], rules, *guard, progress);
+    });
+    Deviation deviation;
+    for (const Deviation& one : deviations) deviation.include(one);
+    return deviation;
+}
+
+} // namespace burin

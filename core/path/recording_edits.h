@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/edit_values.h"
+
+namespace burin {
+
+// Edits of what the hand did, in any order. Points stay a tick apart, so that filters in time may follow any of them.
+
+/// Leaves out stretches that removed nothing, unless the boundary held the tool (a finishing pass over finished stock
+/// is work, not air) or the stretch is shorter than `shortest`. A stroke in which nothing was done at all goes as well.
+struct DropAirCuts {
+    double shortest = 3.0; ///< mm
+};
+
+/// Leaves out samples while the tip stays slower than `speed` for longer than `time` and removes nothing. A tip that
+/// creeps keeps a point every 0.05 mm, so that the shape stays.
+struct DropDwells {
+    double speed = 1.0; ///< mm/s
+    double time = 0.15; ///< s
+};
+
+/// Zero-phase low pass in time (forward-backward Butterworth, second order), cut-off in Hz, held within `tolerance` of
+/// the recorded tips. Steps of an encoder are taken out first, so that holding the tolerance does not bring them back.
+/// Never across a gap.
+struct Smooth {
+    double cutOff = 5.0;     ///< Hz
+    double tolerance = 0.03; ///< mm
+};
+
+/// Zero-phase smoothing by a cubic spline in time with evenly spaced knots and a penalty on its third derivative
+/// (P-spline): leaves 1 / (1 + (f / cut-off)⁶) of a frequency f. Where it would leave the recording by more than
+/// `tolerance`, it is drawn to it there, so that corners stay where the tube demands it; every place of one lies within
+/// `tolerance` of the other.
+struct SmoothSpline {
+    double cutOff = 5.0;     ///< Hz
+    double tolerance = 0.03; ///< mm
+};
+
+// The following mean the strokes that have a moment in their stretch, whole, unless they say otherwise. No stretch:
+// all strokes.
+
+/// Leaves a stretch out. The stroke ends before it and a new one begins behind it.
+struct CutOut {
+    TakeStretch stretch;
+};
+
+/// Makes strokes shorter, along their way. One that has no length left goes.
+struct Trim {
+    TakeStretch stretch;
+    double fromStart = 0.0, fromEnd = 0.0; ///< mm
+};
+
+/// Makes two strokes of one; both have the point.
+struct Split {
+    Moment at;
+};
+
+/// Joins strokes of one take that follow each other by a straight way, where their ends are no farther apart than
+/// `longest`. The way gets points as far apart as those around it.
+struct Join {
+    TakeStretch stretch;
+    double longest = 5.0; ///< mm
+};
+
+/// Moves the stroke that has a moment to before the stroke that has another one; no such: to the end.
+struct Reorder {
+    Moment stroke, before;
+};
+
+/// Turns strokes round: climb becomes conventional, and the other way round.
+struct Reverse {
+    TakeStretch stretch;
+};
+
+/// Mirrors strokes at an upright plane: climb becomes conventional.
+struct Mirror {
+    enum class Across { x, y };
+    TakeStretch stretch;
+    Across across = Across::x;
+    double at = 0.0;   ///< mm, of the plane
+    bool keep = false; ///< the originals stay, before their images
+};
+
+/// Turns strokes about an upright axis.
+struct Rotate {
+    TakeStretch stretch;
+    glm::dvec3 centre{0.0}; ///< mm
+    double angle = 0.0;     ///< rad, anticlockwise seen from above
+};
+
+/// Copies strokes: the k-th copy is turned by k times `turn` about an upright axis, then moved by k times `step`. All
+/// copies come behind the strokes that are there.
+struct Array {
+    TakeStretch stretch;
+    glm::dvec3 step{10.0, 0.0, 0.0}; ///< mm
+    glm::dvec3 centre{0.0};          ///< mm
+    double turn = 0.0;               ///< rad
+    double copies = 1.0;             ///< besides the original
+};
+
+/// Moves the points of a stretch, and those along the stroke up to `falloff` beyond, ever less (cosine). On the surface
+/// only what goes along the part counts, and the tool ends as far from it as it was.
+struct MovePoints {
+    enum class Along { free, surface };
+    TakeStretch stretch;
+    glm::dvec3 by{0.0};   ///< mm
+    double falloff = 5.0; ///< mm
+    Along along = Along::free;
+};
+
+/// Puts places in a stretch's stead, in its time and straight from one to the next.
+struct ReplaceStretch {
+    TakeStretch stretch;
+    std::vector<glm::dvec3> places; ///< mm; none: nothing is replaced
+};
+
+/// Leaves out what lies in an area, cut off exactly at its border.
+struct RemoveArea : Area {};
+
+/// Lifts what lies in an area, up and down at its border.
+struct LiftArea : Area {
+    double lift = 1.0; ///< mm
+};
+
+} // namespace burin

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/apply.h"
+#include "core/path/upright_turn.h"
+
+namespace burin {
+
+Result<Deviation> apply(const Rotate& edit, PathUnderEdit& state, const PathContext&, Progress&) {
+    const UprightTurn turn(edit.centre, edit.angle);
+    for (PathStroke& stroke : state.strokes) {
+        if (!touches(edit.stretch, stroke)) continue;
+        for (StrokePoint& point : stroke.points) point.tip = turn(point.tip);
+    }
+    return Deviation{};
+}
+
+} // namespace burin

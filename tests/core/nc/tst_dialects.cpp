@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// Every dialect that is data: exact text, the controls' facts, and that its own control reads what was meant.
+#include "core/base/file.h"
+#include "core/nc/lint.h"
+#include "core/nc/parser.h"
+#include "tests/core/nc/dialect_jobs.h"
+#include "tests/oracles/canonical_program.h"
+#include "tests/oracles/grbl_rules.h"
+
+#include <rapidcheck.h>
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace burin;
+
+namespace {
+
+const std::vector<std::string> ids{"fanuc", "grbl", "grblhal", "haas", "linuxcnc", "mach"};
+
+NcProgram jobFor(const std::string& dialect, NcUnits units = NcUnits::millimetre) {
+    return referenceJob(units, dialect == "grbl" ? 1 : 2);
+}
+
+void addDialects() {
+    QTest::addColumn<QString>("dialect");
+    QTest::addColumn<bool>("inch");
+    for (const std::string& id : ids)
+        for (const bool inch : {false, true})
+            QTest::newRow((id + (inch ? ", inch" : ", mm")).c_str()) << QString::fromStdString(id) << inch;
+}
+
+NcUnits unitsOf(bool inch) {
+    return inch ? NcUnits::inch : NcUnits::millimetre;
+}
+
+/// Lines, arcs and rapids about a place, as a path fitter makes them.
+NcProgram randomJob(NcUnits units) {
+    NcProgram program = referenceJob(units, 1);
+    std::vector<NcMove>& moves = program.sections.front().moves;
+    const auto coordinate = [] { return *rc::gen::inRange(-200000, 200000) / 1700.0; };
+    moves = {rapidTo(coordinate(), coordinate(), 10)};
+    const int count = *rc::gen::inRange(1, 40);
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 from = moves.back().target;
+        const double feed = *rc::gen::inRange(10, 90000) / 10.0;
+        switch (*rc::gen::inRange(0, 6)) {
+        case 0:
+            moves.push_back(rapidTo(coordinate(), coordinate(), coordinate()));
+            break;
+        case 1:
+            moves.push_back(lineTo(coordinate(), coordinate(), coordinate(), feed));
+            break;
+        default: {
+            const int axis = *rc::gen::inRange(0, 3);
+            const double radius = std::pow(10.0, *rc::gen::inRange(-1500, 2900) / 1000.0);
+            const double angle = *rc::gen::inRange(0, 6283) / 1000.0;
+            const double sweep = *rc::gen::inRange(1, 6284) / 1000.0 * (*rc::gen::inRange(0, 2) == 0 ? 1.0 : -1.0);
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            glm::dvec3 centre = from, to = from;
+            centre[u] -= radius * std::cos(angle);
+            centre[v] -= radius * std::sin(angle);
+            to[u] = centre[u] + radius * std::cos(angle + sweep);
+            to[v] = centre[v] + radius * std::sin(angle + sweep);
+            if (*rc::gen::inRange(0, 2) == 0) to[axis] += *rc::gen::inRange(-5000, 5000) / 1000.0;
+            moves.push_back(arcTo(to, centre, axis, sweep < 0.0, feed));
+            break;
+        }
+        }
+    }
+    return program;
+}
+
+/// How far `place` lies from the way of a move that begins at `from`.
+double distanceToArc(const glm::dvec3& place, const Arc& arc) {
+    const ArcTurn turn = turnOf(arc);
+    const int u = (arc.axis + 1) % 3, v = (arc.axis + 2) % 3;
+    const double radial = std::hypot(place[u] - arc.centre[u], place[v] - arc.centre[v]) - turn.startRadius;
+    return std::abs(radial);
+}
+
+} // namespace
+
+class TestDialects : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theReferenceJobReadsAsAMachinistExpects_data() { addDialects(); }
+    void theReferenceJobReadsAsAMachinistExpects() {
+        QFETCH(QString, dialect);
+        QFETCH(bool, inch);
+        const auto text = posted(dialect.toStdString(), jobFor(dialect.toStdString(), unitsOf(inch)));
+        QVERIFY2(text, text ? "" : (text.error().subject + text.error().place + text.error().detail).c_str());
+        const QString file = QString(BURIN_FIXTURES "/programs/%1-%2.txt").arg(dialect, inch ? "inch" : "mm");
+        const auto expected = readFile(file.toStdString());
+        QVERIFY2(expected, qPrintable(file));
+        const QStringList ours = QString::fromStdString(*text).split('\n');
+        const QStringList theirs = QString::fromStdString(*expected).split('\n');
+        for (qsizetype i = 0; i < std::min(ours.size(), theirs.size()); ++i) QCOMPARE(ours[i], theirs[i]);
+        QCOMPARE(ours.size(), theirs.size());
+    }
+
+    void itsOwnControlReadsIt_data() { addDialects(); }
+    void itsOwnControlReadsIt() {
+        QFETCH(QString, dialect);
+        QFETCH(bool, inch);
+        const auto text = posted(dialect.toStdString(), jobFor(dialect.toStdString(), unitsOf(inch)));
+        QVERIFY(text);
+        const Control* control = findControl(dialect.toStdString());
+        QVERIFY(control != nullptr);
+        const auto program = parseProgram(*text, "job", *control);
+        QVERIFY2(program, program ? "" : (program.error().place + ": " + program.error().detail).c_str());
+        QVERIFY(program->ended);
+        const MachineProfile machine = roomyMachine();
+        for (const LintMark& mark : lint(*text, {control, &machine, nullptr}))
+            QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
+    }
+
+    void whatIsReadBackIsWhatWasMeant_data() { addDialects(); }
+    void whatIsReadBackIsWhatWasMeant() {
+        QFETCH(QString, dialect);
+        QFETCH(bool, inch);
+        const Control& control = *findControl(dialect.toStdString());
+        QVERIFY(rc::check("every move within half the last digit, every arc on its circle", [&] {
+            const NcProgram program = randomJob(unitsOf(inch));
+            const auto text = posted(dialect.toStdString(), program);
+            RC_ASSERT(static_cast<bool>(text));
+            const auto parsed = parseProgram(*text, "job", control);
+            if (!parsed) RC_LOG() << *text << parsed.error().place << parsed.error().detail;
+            RC_ASSERT(static_cast<bool>(parsed));
+            const double half = (inch ? 25.4e-4 : 1e-3) * 0.5 + 1e-9;
+            const auto& moves = program.sections.front().moves;
+            const auto& motions = parsed->motions;
+            std::size_t at = 0;
+            while (at < motions.size() && (motions[at].kind == NcMotionKind::dwell || !motions[at].toKnown[0] ||
+                                           !motions[at].toKnown[2] || std::abs(motions[at].to.z - 60.0) > half))
+                ++at; // up and across
+            RC_ASSERT(at < motions.size());
+            glm::dvec3 from = moves.front().target;
+            for (const NcMove& move : moves) {
+                const auto reached = [&](const glm::dvec3& place) {
+                    return glm::all(glm::lessThanEqual(glm::abs(place - move.target), glm::dvec3(half)));
+                };
+                const Arc arc{from, move.target, move.arc.centre, move.arc.axis, move.arc.clockwise};
+                const bool full = move.kind == NcMoveKind::arc && std::abs(turnOf(arc).sweep) > 0.001;
+                // A move that rounds to nothing has no block; an arc has at least one.
+                bool arrived = reached(motions[at].to) && !full;
+                while (!arrived) {
+                    RC_ASSERT(++at < motions.size());
+                    const NcMotion& motion = motions[at];
+                    RC_ASSERT(motion.rapid() == (move.kind == NcMoveKind::rapid));
+                    if (!motion.rapid()) {
+                        const double step = inch ? 25.4 * 0.01 : 0.1;
+                        RC_ASSERT(std::abs(motion.feed - move.feed) <= 0.5 * step + 1e-9);
+                    }
+                    if (move.kind == NcMoveKind::arc) {
+                        RC_ASSERT(distanceToArc(motion.to, arc) <= 2.0 * half + lineDoubt);
+                        if (motion.kind == NcMotionKind::arc) {
+                            const ArcTurn turn = motion.turn();
+                            RC_ASSERT(std::abs(turn.startRadius - turn.endRadius) <= 0.002);
+                            RC_ASSERT(motion.clockwise == move.arc.clockwise && motion.arcAxis == move.arc.axis);
+                            const glm::dvec3 middle = placeOn(motion.arc(), turn, 0.5);
+                            RC_ASSERT(distanceToArc(middle, arc) <= 2.0 * half + 0.004);
+                        }
+                    }
+                    arrived = reached(motion.to);
+                }
+                from = move.target;
+            }
+        }));
+    }
+
+    void grblTakesWhatIsPostedForIt() {
+        QVERIFY(rc::check("no line of a random job is refused", [] {
+            const auto text =
+                posted("grbl", randomJob(*rc::gen::inRange(0, 2) == 0 ? NcUnits::inch : NcUnits::millimetre));
+            RC_ASSERT(static_cast<bool>(text));
+            const GrblVerdict verdict = grblVerdict(*text);
+            RC_LOG() << *text << "error " << verdict.error << " in line " << verdict.line;
+            RC_ASSERT(verdict.error == 0);
+        }));
+    }
+
+    void linuxCncTakesWhatIsPostedForIt() {
+        if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
+        for (const NcUnits units : {NcUnits::millimetre, NcUnits::inch}) {
+            NcProgram program = referenceJob(units);
+            program.sections[1].toolNumber = 5; // in rs274's table
+            const auto text = posted("linuxcnc", program);
+            QVERIFY(text);
+            const CanonicalProgram truth = CanonicalProgram::ofText(*text);
+            QVERIFY2(truth.exitCode == 0, qPrintable(truth.complaint));
+        }
+    }
+
+    void strangersProgramsGetGrblsVerdict_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<int>("error");
+        // Verdicts of GRBL 1.1h's own parser.
+        QTest::newRow("tball") << "tball.gcode" << 0;
+        QTest::newRow("tball-engrave") << "tball-engrave.gcode" << 0;
+        QTest::newRow("jsdc") << "jsdc.gcode" << 0;
+        QTest::newRow("circle-inch") << "circle-inch.gcode" << 0;
+        QTest::newRow("arc-zx-plane") << "arc-zx-plane.nc" << 0;
+        QTest::newRow("full circles") << "full-circle-without-xyz.gcode" << 26;
+        QTest::newRow("thread") << "helical-thread-milling.gcode" << 20;
+        QTest::newRow("circle-diamond-square") << "circle-diamond-square.gcode" << 33;
+        QTest::newRow("g92offset") << "g92offset.nc" << 26;
+        QTest::newRow("special fields") << "special-fields.gcode" << 1;
+        QTest::newRow("expressions") << "nist-expressions.ngc" << 2;
+        QTest::newRow("cycles") << "nist-cycles.ngc" << 20;
+    }
+    void strangersProgramsGetGrblsVerdict() {
+        QFETCH(QString, file);
+        QFETCH(int, error);
+        const auto text = readFile((QString(BURIN_FIXTURES "/gcode/") + file).toStdString());
+        QVERIFY(text);
+        const GrblVerdict verdict = grblVerdict(*text);
+        QCOMPARE(verdict.error, error);
+        MachineState atZero;
+        atZero.place = {0.0, 0.0, 0.0};
+        atZero.workOffsets[54] = {0.0, 0.0, 0.0};
+        atZero.lengthOffset = 0.0;
+        const auto program = parseProgram(*text, "job", *findControl("grbl"), atZero);
+        QCOMPARE(static_cast<bool>(program), error == 0);
+        if (!program)
+            QVERIFY2(program.error().place.starts_with("line " + std::to_string(verdict.line) + ","),
+                     program.error().place.c_str());
+    }
+
+    void grblHasNoToolChange() {
+        const auto text = posted("grbl", referenceJob(NcUnits::millimetre, 2));
+        QVERIFY(!text);
+        QCOMPARE(text.error().code, ErrorCode::notSupported);
+        NcProgram sameTool = referenceJob(NcUnits::millimetre, 2);
+        sameTool.sections[1].toolNumber = sameTool.sections[0].toolNumber;
+        QVERIFY(posted("grbl", sameTool));
+    }
+
+    void workOffsetsAreWordedOrRefused_data() {
+        QTest::addColumn<QString>("dialect");
+        QTest::addColumn<int>("offset");
+        QTest::addColumn<QString>("words"); // empty: refused
+        for (const std::string& id : ids)
+            QTest::newRow((id + " G59").c_str()) << QString::fromStdString(id) << 59 << "G59";
+        QTest::newRow("linuxcnc G59.3") << "linuxcnc" << 593 << "G59.3";
+        QTest::newRow("grblhal G59.1") << "grblhal" << 591 << "G59.1";
+        QTest::newRow("grbl G59.1") << "grbl" << 591 << "";
+        QTest::newRow("fanuc G54.1 P7") << "fanuc" << 1007 << "G54.1 P7";
+        QTest::newRow("fanuc beyond") << "fanuc" << 1049 << "";
+        QTest::newRow("haas G154 P20") << "haas" << 1020 << "G154 P20";
+        QTest::newRow("mach G54.1") << "mach" << 1001 << "";
+    }
+    void workOffsetsAreWordedOrRefused() {
+        QFETCH(QString, dialect);
+        QFETCH(int, offset);
+        QFETCH(QString, words);
+        NcProgram program = referenceJob(NcUnits::millimetre, 1);
+        program.workOffset = offset;
+        const auto text = posted(dialect.toStdString(), program);
+        QCOMPARE(static_cast<bool>(text), !words.isEmpty());
+        if (!text) {
+            QCOMPARE(text.error().code, ErrorCode::notSupported);
+            return;
+        }
+        QVERIFY(QString::fromStdString(*text).contains(words));
+        const auto parsed = parseProgram(*text, "job", *findControl(dialect.toStdString()));
+        QVERIFY(parsed);
+        QCOMPARE(parsed->workOffset, offset);
+    }
+
+    void longSweepsAreSplit() {
+        for (const std::string& id : ids) {
+            const auto text = posted(id, jobFor(id));
+            QVERIFY(text);
+            const auto parsed = parseProgram(*text, "job", *findControl(id));
+            QVERIFY(parsed);
+            const double largest = id == "fanuc" || id == "mach" ? 180.0 : id == "haas" ? 355.0 : 360.0;
+            for (const NcMotion& motion : parsed->motions)
+                if (motion.kind == NcMotionKind::arc)
+                    QVERIFY(std::abs(motion.turn().sweep) <= largest * 3.14159265358979 / 180.0 + 1e-3);
+        }
+    }
+
+private:
+    static constexpr double lineDoubt = 0.001; // mm, of lines in the place of an arc
+};
+
+QTEST_GUILESS_MAIN(TestDialects)
+#include "tst_dialects.moc"

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "path_fixture.h"
+
+#include <QTest>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+const MeshDistance nothing{TriangleMesh{}};
+
+PathContext freeContext() {
+    return contextOf(nothing, ballTool(), {{-100, -100, -50}, {100, 100, 0}});
+}
+
+/// Three strokes of one take, 0.02 mm a tick: ticks 0 … 500, 600 … 1100, 1200 … 1700, each 10 mm along X.
+Take threeStrokes() {
+    std::vector<Tick> ticks;
+    for (int row = 0; row < 3; ++row) {
+        for (int i = 0; i <= 500; ++i) ticks.push_back({{0.02 * i, 4.0 * row, -1.0}});
+        for (int i = 1; i < 100 && row < 2; ++i) ticks.push_back({{10.0, 4.0 * row, 0.0}, false, sampleSpindleOff});
+    }
+    return takeOf(ticks);
+}
+
+/// The strokes of what edits made, as points; each begins with a rapid move.
+std::vector<std::vector<PathPoint>> strokesAfter(const std::vector<Edit>& edits,
+                                                 const std::vector<Take>& takes = {threeStrokes()}) {
+    const auto path = run(takes, edits, freeContext());
+    std::vector<std::vector<PathPoint>> strokes;
+    if (!path) return strokes;
+    for (const PathPoint& point : path->path.points) {
+        if (point.kind == MoveKind::rapid) strokes.emplace_back();
+        strokes.back().push_back(point);
+    }
+    return strokes;
+}
+
+bool isAt(const PathPoint& point, const glm::dvec3& place) {
+    return glm::distance(point.tip, place) < 1e-9;
+}
+
+constexpr TakeStretch second{1, 600, 1100};
+
+} // namespace
+
+class TestArrange : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aStretchIsCutOut() {
+        const auto strokes = strokesAfter({{CutOut{{1, 700, 799}}}});
+        QCOMPARE(strokes.size(), std::size_t{4});
+        QVERIFY(isAt(strokes[1].back(), {0.02 * 99, 4, -1}) && isAt(strokes[2].front(), {4.0, 4, -1}));
+        QCOMPARE(strokesAfter({{CutOut{second}}}).size(), std::size_t{2});
+        QCOMPARE(strokesAfter({{CutOut{{7, 0, 5}}}}).size(), std::size_t{3}); // another take's
+    }
+
+    void whatIsMeantStaysItWhateverComesBefore() {
+        // By an index the second stroke would be another one behind each of these.
+        for (const Edit& before :
+             std::vector<Edit>{{Reorder{{1, 0}, {}}}, {CutOut{{1, 0, 500}}}, {Split{{1, 250}}}, {Reverse{}}}) {
+            const auto strokes = strokesAfter({before, {CutOut{second}}});
+            QVERIFY(!strokes.empty());
+            for (const auto& stroke : strokes)
+                for (const PathPoint& point : stroke) QVERIFY(point.tip.y != 4.0);
+        }
+    }
+
+    void trimmingTakesExactLengths() {
+        const auto strokes = strokesAfter({{Trim{second, 1.234, 2.345}}});
+        QCOMPARE(strokes.size(), std::size_t{3});
+        QVERIFY(isAt(strokes[1].front(), {1.234, 4, -1}) && isAt(strokes[1].back(), {10.0 - 2.345, 4, -1}));
+        QVERIFY(isAt(strokes[0].front(), {0, 0, -1}) && isAt(strokes[0].back(), {10, 0, -1}));
+        QCOMPARE(strokesAfter({{Trim{second, 6.0, 5.0}}}).size(), std::size_t{2}); // nothing is left of it
+    }
+
+    void splitAndJoinUndoEachOther() {
+        const auto split = strokesAfter({{Split{{1, 850}}}});
+        QCOMPARE(split.size(), std::size_t{4});
+        QVERIFY(isAt(split[1].back(), {5, 4, -1}) && isAt(split[2].front(), {5, 4, -1}));
+        const auto joined = strokesAfter({{Split{{1, 850}}}, {Join{second, 0.5}}});
+        QCOMPARE(joined.size(), std::size_t{3});
+    }
+
+    void joiningGoesStraightAcross() {
+        const auto strokes = strokesAfter({{Reverse{second}}, {Join{{}, 5.0}}});
+        QCOMPARE(strokes.size(), std::size_t{1});
+        for (std::size_t i = 1; i < strokes[0].size(); ++i) {
+            const glm::dvec3 step = strokes[0][i].tip - strokes[0][i - 1].tip;
+            QVERIFY(glm::length(step) < 0.0201); // filters in time find no jump
+        }
+        QCOMPARE(strokesAfter({{Reverse{second}}, {Join{{}, 3.9}}}).size(), std::size_t{3}); // too far
+    }
+
+    void strokesAreReordered() {
+        const auto last = strokesAfter({{Reorder{{1, 300}, {}}}});
+        QCOMPARE(last.size(), std::size_t{3});
+        QCOMPARE(last[2].front().tip.y, 0.0);
+        const auto first = strokesAfter({{Reorder{{1, 1300}, {1, 100}}}});
+        QVERIFY(first[0].front().tip.y == 8.0 && first[1].front().tip.y == 0.0 && first[2].front().tip.y == 4.0);
+    }
+
+    void reversingTurnsTheMotionsRound() {
+        std::vector<Tick> ticks = along({{0, 0, -1}, {10, 0, -1}}, 20.0, false);
+        append(ticks, along({{10, 0, -1}, {20, 0, -1}}, 20.0, true));
+        const auto strokes = strokesAfter({{Reverse{}}, {DropAirCuts{}}}, {takeOf(ticks)});
+        QCOMPARE(strokes.size(), std::size_t{1});
+        QVERIFY(isAt(strokes[0].front(), {20, 0, -1}));
+        QVERIFY(std::abs(strokes[0].back().tip.x - 10.0) < 0.021); // where it cut, not where it did not
+        QVERIFY(strokes[0].front().sample > strokes[0].back().sample);
+    }
+
+    void imagesLieMirrored() {
+        const auto moved = strokesAfter({{Mirror{second, Mirror::Across::x, 12.0, false}}});
+        QVERIFY(moved.size() == 3 && isAt(moved[1].front(), {24, 4, -1}) && isAt(moved[1].back(), {14, 4, -1}));
+        const auto kept = strokesAfter({{Mirror{second, Mirror::Across::y, -1.0, true}}});
+        QVERIFY(kept.size() == 4 && isAt(kept[1].front(), {0, 4, -1}) && isAt(kept[3].front(), {0, -6, -1}));
+    }
+
+    void strokesAreTurnedAndArrayed() {
+        const double quarter = std::acos(0.0);
+        const auto turned = strokesAfter({{Rotate{second, {10, 4, 0}, quarter}}});
+        QVERIFY(turned.size() == 3 && isAt(turned[1].front(), {10, -6, -1}) && isAt(turned[1].back(), {10, 4, -1}));
+        const auto row = strokesAfter({{burin::Array{second, {0, 20, -0.5}, {}, 0.0, 3.0}}});
+        QCOMPARE(row.size(), std::size_t{6});
+        for (int k = 1; k <= 3; ++k)
+            QVERIFY(isAt(row[static_cast<std::size_t>(2 + k)].front(), {0, 4 + 20 * k, -1 - 0.5 * k}));
+        const auto ring = strokesAfter({{burin::Array{second, {0, 0, 0}, {10, 4, 0}, quarter, 3.0}}});
+        QVERIFY(isAt(ring[3].front(), {10, -6, -1}) && isAt(ring[4].front(), {20, 4, -1}) &&
+                isAt(ring[5].front(), {10, 14, -1}));
+        QVERIFY(!run({threeStrokes()}, {{burin::Array{{}, {}, {}, 0.0, 1.5}}}, freeContext())); // half a copy
+        QVERIFY(!run({threeStrokes()},
+                     {{burin::Array{}},
+                      {burin::Array{{}, {1, 0, 0}, {}, 0.0, 1000.0}},
+                      {burin::Array{{}, {1, 0, 0}, {}, 0.0, 1000.0}}},
+                     freeContext()));
+    }
+
+    void aPointIsMovedWithItsNeighbours() {
+        const auto strokes = strokesAfter({{MovePoints{{1, 850, 850}, {0, 1, 0.5}, 2.0, MovePoints::Along::free}}});
+        QCOMPARE(strokes.size(), std::size_t{3});
+        for (const PathPoint& point : strokes[1]) {
+            const double off = std::abs(point.tip.x - 5.0);
+            const double weight = off < 2.0 ? 0.5 * (1.0 + std::cos(std::acos(-1.0) * off / 2.0)) : 0.0;
+            QVERIFY(glm::distance(point.tip, {point.tip.x, 4.0 + weight, -1.0 + 0.5 * weight}) < 1e-9);
+        }
+        for (const PathPoint& point : strokes[0]) QVERIFY(point.tip.y == 0.0 && point.tip.z == -1.0);
+    }
+
+    void pointsSlideOnThePart() {
+        const TriangleMesh mesh = sphereMesh({0, 0, 0}, 20.0, 200);
+        const MeshDistance part(mesh);
+        std::vector<Tick> ticks; // a ball of 3 mm lies on a sphere of 20 mm
+        for (int i = 0; i <= 1000; ++i) {
+            const double angle = 0.0005 * i;
+            ticks.push_back({{23.0 * std::sin(angle), 0.0, 23.0 * std::cos(angle) - 3.0}});
+        }
+        const MovePoints slide{{1, 500, 500}, {0, 4, 0}, 6.0, MovePoints::Along::surface};
+        const auto path = run({takeOf(ticks)}, {{slide}}, contextOf(part, ballTool(), {{-30, -30, -30}, {30, 30, 30}}));
+        QVERIFY(path);
+        const double chord = 20.0 * (1.0 - std::cos(std::acos(-1.0) / 400.0)); // facets lie inside by twice that
+        for (const PathPoint& point : path->path.points)
+            QVERIFY(std::abs(glm::length(point.tip + glm::dvec3(0, 0, 3)) - 23.0) < 2.0 * chord + 1e-3);
+        QVERIFY(std::abs(path->path.points[500].tip.y - 4.0) < 0.2);
+    }
+
+    void aStretchIsReplacedByWhatWasDrawn() {
+        const std::vector<glm::dvec3> drawn{{2, 5, -1}, {5, 7, -2}, {8, 5, -1}};
+        const auto strokes = strokesAfter({{ReplaceStretch{{1, 700, 1000}, drawn}}});
+        QCOMPARE(strokes.size(), std::size_t{3});
+        std::size_t found = 0;
+        for (const PathPoint& point : strokes[1]) {
+            if (point.sample < 700 || point.sample > 1000) {
+                QCOMPARE(point.tip.y, 4.0);
+                continue;
+            }
+            QVERIFY(distanceToPolyline(point.tip, drawn) < 1e-9);
+            if (found < drawn.size() && isAt(point, drawn[found])) ++found;
+        }
+        QCOMPARE(found, drawn.size());                                            // its corners stand
+        QVERIFY(std::abs(static_cast<double>(strokes[1].size()) - 501.0) <= 2.0); // in the hand's time
+        QVERIFY(strokesAfter({{CutOut{second}}, {ReplaceStretch{{1, 700, 1000}, drawn}}}).empty()); // refused
+    }
+
+    void anAreaIsRemovedAtItsBorder() {
+        RemoveArea edit;
+        edit.outline = {{3.003, 3, 0}, {6.005, 3, 0}, {6.005, 9, 0}, {3.003, 9, 0}};
+        const auto strokes = strokesAfter({{edit}});
+        QCOMPARE(strokes.size(), std::size_t{5});
+        QVERIFY(isAt(strokes[1].back(), {3.003, 4, -1}) && isAt(strokes[2].front(), {6.005, 4, -1}));
+        edit.low = 0.0; // above the strokes
+        QCOMPARE(strokesAfter({{edit}}).size(), std::size_t{3});
+        edit = {};
+        QCOMPARE(strokesAfter({{edit}}).size(), std::size_t{3}); // no outline: nowhere
+        edit.outline = {{-1, -1, 0}, {11, -1, 0}, {11, 11, 0}, {-1, 11, 0}};
+        QCOMPARE(strokesAfter({{edit}}).size(), std::size_t{0}); // all of it: an empty path
+    }
+
+    void anAreaIsLiftedAtItsBorder() {
+        LiftArea edit;
+        edit.outline = {{3.003, 3, 0}, {6.005, 3, 0}, {6.005, 5, 0}, {3.003, 5, 0}};
+        edit.lift = 2.0;
+        const auto strokes = strokesAfter({{edit}});
+        QCOMPARE(strokes.size(), std::size_t{3});
+        double highest = -9.0;
+        for (std::size_t i = 1; i < strokes[1].size(); ++i) {
+            const glm::dvec3 &from = strokes[1][i - 1].tip, &to = strokes[1][i].tip;
+            highest = std::max(highest, to.z);
+            if (from.z != to.z) QVERIFY(std::abs(from.x - 3.003) < 1e-9 || std::abs(from.x - 6.005) < 1e-9);
+            const bool inside = from.x > 3.0031 && to.x < 6.0049;
+            if (inside) QVERIFY(from.z == 1.0 && to.z == 1.0);
+        }
+        QCOMPARE(highest, 1.0);
+        for (const PathPoint& point : strokes[0]) QCOMPARE(point.tip.z, -1.0);
+    }
+
+    void feedsChangeInAnArea() {
+        AreaFeed edit;
+        edit.outline = {{3, 3, 0}, {6, 3, 0}, {6, 5, 0}, {3, 5, 0}};
+        edit.factor = 0.5;
+        const auto path = run({threeStrokes()}, {{Simplify{}}, {Link{}}, {SetFeed{}}, {edit}}, freeContext());
+        QVERIFY(path);
+        bool slow = false;
+        for (std::size_t i = 1; i < path->path.points.size(); ++i) {
+            const PathPoint& point = path->path.points[i];
+            if (point.kind != MoveKind::cut) continue;
+            const glm::dvec3 middle = 0.5 * (path->path.points[i - 1].tip + point.tip);
+            const bool inside = middle.x > 3 && middle.x < 6 && middle.y > 3 && middle.y < 5;
+            QCOMPARE(point.feed, inside ? 450.0 : 900.0);
+            slow = slow || inside;
+        }
+        QVERIFY(slow);
+        edit.factor = 5.0;
+        const auto fast = run({threeStrokes()}, {{Simplify{}}, {Link{}}, {SetFeed{}}, {edit}}, freeContext());
+        QVERIFY(fast);
+        for (const PathPoint& point : fast->path.points) QVERIFY(point.feed <= 2000.0); // the machine's
+    }
+};
+
+QTEST_APPLESS_MAIN(TestArrange)
+#include "tst_arrange.moc"

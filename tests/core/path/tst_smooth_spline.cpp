@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "path_fixture.h"
+
+#include <rapidcheck.h>
+
+#include <QTest>
+
+#include <random>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+constexpr double pi = 3.14159265358979324;
+
+/// Tremor of the band that hands have: twenty waves a coordinate of 8 to 12 Hz, so much in all (root of the mean
+/// square of the distance).
+void tremble(std::vector<Tick>& ticks, double rms, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> frequency(8.0, 12.0), phase(0.0, 2.0 * pi);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int wave = 0; wave < 20; ++wave) {
+            const double f = frequency(random), start = phase(random), height = rms * std::sqrt(2.0 / 60.0);
+            for (std::size_t i = 0; i < ticks.size(); ++i)
+                ticks[i].tip[axis] += height * std::sin(2.0 * pi * f * 0.001 * static_cast<double>(i) + start);
+        }
+    }
+}
+
+std::vector<Tick> circle(double radius, double speed, double turns) {
+    std::vector<Tick> ticks;
+    const double angle = 0.001 * speed / radius;
+    for (int i = 0; i * angle < turns * 2.0 * pi; ++i)
+        ticks.push_back({{radius * std::cos(i * angle), radius * std::sin(i * angle), -2.0}});
+    return ticks;
+}
+
+double offCircle(const glm::dvec3& tip, double radius) {
+    return std::hypot(std::hypot(tip.x, tip.y) - radius, tip.z + 2.0);
+}
+
+double rmsOffCircle(const std::vector<glm::dvec3>& tips, double radius) {
+    double sum = 0.0;
+    for (const glm::dvec3& tip : tips) sum += offCircle(tip, radius) * offCircle(tip, radius);
+    return std::sqrt(sum / static_cast<double>(tips.size()));
+}
+
+} // namespace
+
+class TestSmoothSpline : public QObject {
+    Q_OBJECT
+
+private slots:
+    void tremorComesDownTwentyTimes() {
+        constexpr double tube = 0.2;
+        for (unsigned seed = 1; seed <= 5; ++seed) {
+            const std::vector<Tick> still = circle(20.0, 15.0, 3.0);
+            std::vector<Tick> ticks = still;
+            tremble(ticks, 0.05, seed);
+            const auto path = run({takeOf(ticks)}, {{SmoothSpline{5.0, tube}}}, context());
+            QVERIFY(path);
+            const std::vector<glm::dvec3> recorded = tipsOf(ticks), smoothed = tipsOf(path->path.points);
+            QCOMPARE(smoothed.size(), recorded.size());
+            double before = 0.0;
+            for (std::size_t i = 0; i < ticks.size(); ++i) {
+                const double shake = glm::distance(recorded[i], still[i].tip);
+                before += shake * shake;
+                QVERIFY(glm::distance(recorded[i], smoothed[i]) <= tube);
+            }
+            before = std::sqrt(before / static_cast<double>(ticks.size()));
+            const double across = rmsOffCircle(recorded, 20.0), left = rmsOffCircle(smoothed, 20.0);
+            qInfo() << 1000.0 * before << "um, across the curve" << 1000.0 * across << "um down to" << 1000.0 * left;
+            QVERIFY(std::abs(before - 0.05) < 0.005);
+            QVERIFY(20.0 * left <= across);
+        }
+    }
+
+    void circlesShrinkLessThanByALowPass_data() {
+        QTest::addColumn<double>("radius");
+        QTest::addColumn<double>("speed");
+        QTest::addColumn<double>("lowPass"); // mm, what forward and backward Butterworth of 5 Hz takes
+        QTest::newRow("radius 5, 50 mm/s") << 5.0 << 50.0 << 0.051;
+        QTest::newRow("radius 5, 20 mm/s") << 5.0 << 20.0 << 0.0013;
+        QTest::newRow("radius 2, 20 mm/s") << 2.0 << 20.0 << 0.020;
+    }
+    void circlesShrinkLessThanByALowPass() {
+        QFETCH(double, radius);
+        QFETCH(double, speed);
+        QFETCH(double, lowPass);
+        const auto path = run({takeOf(circle(radius, speed, 4.0))}, {{SmoothSpline{5.0, 0.2}}}, context());
+        QVERIFY(path);
+        const std::vector<glm::dvec3> tips = tipsOf(path->path.points);
+        double most = 0.0, atEnds = 0.0; // two periods of the cut-off from the ends, where nothing is known of beyond
+        for (const glm::dvec3& tip : tips) atEnds = std::max(atEnds, offCircle(tip, radius));
+        for (std::size_t i = 400; i + 400 < tips.size(); ++i) most = std::max(most, offCircle(tips[i], radius));
+        qInfo() << 1000.0 * most << "um, at the ends" << 1000.0 * atEnds << "um, of" << 1000.0 * lowPass;
+        QVERIFY(most <= 0.5 * lowPass);
+    }
+
+    void cornersStayWhereTheTubeDemands() {
+        const std::vector<Tick> ticks = along({{0, 0, -1}, {30, 0, -1}, {30, 30, -1}, {5, 2, -3}}, 50.0);
+        for (const double tube : {0.005, 0.03, 0.3}) {
+            const auto path = run({takeOf(ticks)}, {{SmoothSpline{5.0, tube}}}, context());
+            QVERIFY(path);
+            const std::vector<glm::dvec3> tips = tipsOf(path->path.points), source = tipsOf(ticks);
+            QVERIFY(farthestFrom(tips, source) <= tube + 1e-9);
+            QVERIFY(farthestFrom(source, tips) <= tube + 1e-9);
+            QVERIFY(path->reports.front().largestDeviation >= farthestFrom(source, tips) - 1e-9);
+            QVERIFY(path->reports.front().largestDeviation <= tube + 1e-12);
+        }
+    }
+
+    void straightLinesStayTheyAre() {
+        const std::vector<Tick> ticks = along({{0, 0, -1}, {40, 10, -3}}, 30.0);
+        const auto path = run({takeOf(ticks)}, {{SmoothSpline{}}}, context());
+        QVERIFY(path);
+        for (std::size_t i = 0; i < ticks.size(); ++i)
+            QVERIFY(glm::distance(path->path.points[i].tip, ticks[i].tip) < 1e-6);
+    }
+
+    void randomStrokesStayInTheTube() {
+        QVERIFY(rc::check("both ways, at every place, whatever the cut-off", [&] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            std::uniform_real_distribution<double> one(-1.0, 1.0);
+            const int count = *rc::gen::inRange(1, 600);
+            const double tube = *rc::gen::element(0.0, 0.01, 0.1), cutOff = *rc::gen::element(0.5, 5.0, 60.0);
+            std::vector<Tick> ticks;
+            glm::dvec3 at(0.0), speed(0.0);
+            for (int i = 0; i < count; ++i) {
+                if (i % 60 == 0) speed = 0.1 * glm::dvec3(one(random), one(random), one(random));
+                at += speed + 0.01 * glm::dvec3(one(random), one(random), one(random));
+                ticks.push_back({at});
+            }
+            const auto path = run({takeOf(ticks)}, {{SmoothSpline{cutOff, tube}}}, context());
+            RC_ASSERT(static_cast<bool>(path));
+            RC_ASSERT(path->path.points.size() == ticks.size());
+            for (std::size_t i = 0; i < ticks.size(); ++i) // hence every place between, at the same share of the way
+                RC_ASSERT(glm::distance(path->path.points[i].tip, ticks[i].tip) <= tube + 1e-12);
+        }));
+    }
+
+private:
+    PathContext context() const { return contextOf(nothing_, ballTool(), {{-50, -50, -20}, {50, 50, 0}}); }
+    const MeshDistance nothing_{TriangleMesh{}};
+};
+
+QTEST_APPLESS_MAIN(TestSmoothSpline)
+#include "tst_smooth_spline.moc"

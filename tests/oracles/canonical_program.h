@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <QString>
+
+#include <vector>
+
+namespace burin {
+
+enum class CanonicalKind { rapid, line, arc, dwell };
+
+/// A canonical call of LinuxCNC's interpreter that moves or waits. Lengths are in the unit of the block.
+struct CanonicalMove {
+    CanonicalKind kind = CanonicalKind::rapid;
+    glm::dvec3 to{0.0};     ///< with shifts of G92 and G52, as NcMotion has it
+    glm::dvec3 centre{0.0}; ///< arc; its component along the axis is 0
+    int axis = 2;           ///< arc
+    int turns = 0;          ///< arc: begun turns, below 0 clockwise
+    double feed = 0.0;      ///< mm/min, or mm a turn, as last set
+    double seconds = 0.0;   ///< dwell
+    double unit = 1.0;      ///< mm
+    double doubt = 1e-4;    ///< of lengths, from printing four decimals: of a shift too, in the unit that it was set in
+};
+
+/// What LinuxCNC's stand-alone interpreter, rs274, makes of a program. It runs with a home folder of its own (it
+/// rewrites a file there) and tools 1 to 7 of length 0; the machine stands at 0 and so do all of its offsets.
+struct CanonicalProgram {
+    int exitCode = -1;
+    QString complaint;
+    std::vector<CanonicalMove> moves;
+
+    static bool available();
+    explicit CanonicalProgram(const QString& file);
+    static CanonicalProgram ofText(const std::string& text);
+
+private:
+    CanonicalProgram() = default;
+    void readCalls(const QString& output);
+};
+
+} // namespace burin

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/program_lines.h"
+#include "tests/ui/window_steps.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTextBlock>
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+bool mill(WindowDriver& driver) {
+    Workbench& bench = driver.window().workbench();
+    if (!makeReady(driver) || !driver.step(JobStep::mill) || !driver.clickOn("recordButton")) return false;
+    if (!driver.waitFor([&] { return bench.mill.recording(); }, 5000)) return false;
+    millLine(driver, {-15, 0}, {15, 0});
+    driver.key(Qt::Key_Escape);
+    return driver.waitFor([&] { return !bench.session.running(); }, 5000);
+}
+
+bool post(WindowDriver& driver) {
+    Workbench& bench = driver.window().workbench();
+    if (!driver.step(JobStep::path)) return false;
+    if (!bench.path.stored() && !driver.clickOn("newPathButton")) return false;
+    if (bench.path.stored() && bench.path.outdated() && !driver.clickOn("updatePathButton")) return false;
+    if (!driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated() && !bench.path.busy(); }))
+        return false;
+    return driver.step(JobStep::program) && driver.clickOn("postButton") && driver.settle() && bench.program.program();
+}
+
+/// The longest cutting move.
+const NcMotion* longestCut(const ParsedProgram& program) {
+    const NcMotion* longest = nullptr;
+    for (const NcMotion& motion : program.motions)
+        if (motion.kind == NcMotionKind::line && motion.from.z == motion.to.z &&
+            (longest == nullptr || glm::distance(motion.from, motion.to) > glm::distance(longest->from, longest->to)))
+            longest = &motion;
+    return longest;
+}
+
+} // namespace
+
+class TestWindowProgram : public QObject {
+    Q_OBJECT
+private slots:
+    void aMoveAndItsLineLeadToEachOther();
+};
+
+void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
+    WindowDriver driver;
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(mill(driver));
+    QVERIFY(post(driver));
+    QVERIFY(bench.program.exportable());
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    auto* viewport = driver.visible<Viewport>("viewport");
+    QVERIFY(text && viewport);
+    const ParsedProgram& program = bench.program.program()->parsed;
+    const glm::dvec3 zero = bench.bench.bench()->setup.workOffset;
+
+    // A click on a move in the viewport leads to its line.
+    const NcMotion* cut = longestCut(program);
+    QVERIFY(cut != nullptr);
+    QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(zero + 0.5 * (cut->from + cut->to)).toPoint());
+    QCOMPARE(text->textCursor().blockNumber() + 1, static_cast<int>(cut->line));
+    const auto* state = driver.visible<QLabel>("programState");
+    QVERIFY(state != nullptr);
+    const auto told = [&](double value) { return state->text().contains(QLocale().toString(value, 'f', 3)); };
+    QVERIFY2(told(cut->to.x) && told(cut->to.z) && state->text().contains("spindle "), qPrintable(state->text()));
+    driver.shoot("20-move-and-line");
+    // And back: the cursor keys lead through the moves, the tool stands at their ends.
+    text->setFocus();
+    QTest::keyClick(text, Qt::Key_Down);
+    const NcMotion* next = lastMotion(program.motions, cut->line + 1);
+    QVERIFY(next != nullptr && next->to != cut->to);
+    QVERIFY2(told(next->to.x), qPrintable(state->text()));
+    // A click beside every move is the camera's.
+    const int line = text->textCursor().blockNumber();
+    QTest::mouseClick(viewport, Qt::LeftButton, {}, QPoint(40, viewport->height() - 80));
+    QCOMPARE(text->textCursor().blockNumber(), line);
+
+    // Searching.
+    driver.key(Qt::Key_F, Qt::ControlModifier);
+    auto* search = driver.visible<QLineEdit>("programSearch");
+    QVERIFY(search != nullptr && search->hasFocus());
+    QTest::keyClicks(search, "m3");
+    QTest::keyClick(search, Qt::Key_Return);
+    QVERIFY(text->textCursor().block().text().contains("M3"));
+    QCOMPARE(text->textCursor().selectedText(), QString("M3"));
+    QTest::keyClicks(search, "nowhere");
+    QCOMPARE(driver.visible<QLabel>("searchFound")->text(), QString("none"));
+    search->clear();
+
+    // A clamp across the groove: refused, until there is a reason.
+    QVERIFY(driver.step(JobStep::stock));
+    auto* page = driver.visible<QScrollArea>("stockPage");
+    page->ensureWidgetVisible(driver.window().findChild<QWidget*>("addObstacleButton"));
+    QVERIFY(driver.clickOn("addObstacleButton"));
+    QVERIFY(driver.waitFor([&] { return bench.surroundings.obstacles().size() == 1; }, 3000));
+    for (const auto& [field, value] :
+         {std::pair{"obstacle0PlaceX", "5"}, {"obstacle0PlaceZ", "-1"}, {"obstacle0SizeZ", "8"}})
+        QVERIFY2(driver.enter(field, value), field);
+    QVERIFY(driver.waitFor([&] { return boundAlike(bench.bench.bound(), bench.surroundings.wanted()); }));
+    QVERIFY(driver.settle());
+    QVERIFY(post(driver));
+    QVERIFY(bench.program.refused() && !bench.program.exportable());
+    driver.shoot("21-refused");
+    driver.whenDialogStands([](QWidget& dialog) {
+        auto* reason = dialog.findChild<QLineEdit*>("reasonField");
+        auto* yes = dialog.findChild<QPushButton*>("confirmButton");
+        QVERIFY(reason && yes && !yes->isEnabled());
+        QTest::keyClicks(reason, "the clamp is moved by hand");
+        dialog.grab();
+        QVERIFY(answer(dialog, "confirmButton"));
+    });
+    QVERIFY(driver.clickOn("overrideButton"));
+    QVERIFY(driver.settle());
+    QVERIFY(bench.program.exportable());
+    QVERIFY(driver.waitFor([&] { return text->toPlainText().contains("(Reason: the clamp is moved by hand)"); }, 3000));
+    driver.shoot("22-wanted-all-the-same");
+}
+
+QTEST_MAIN(TestWindowProgram)
+#include "tst_window_program.moc"

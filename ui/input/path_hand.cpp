@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/input/path_hand.h"
+
+#include "ui/input/mill_geometry.h"
+
+#include <QtGlobal>
+
+#include <cmath>
+#include <utility>
+
+namespace burin {
+namespace {
+
+constexpr double clickReach = 4.0;    // pixels that a click may tremble
+constexpr double drawnSpacing = 0.2;  // mm between places that are drawn
+constexpr double smallestSine = 1e-3; // of a sight to a plane or an axis
+
+Sight sightOf(const ViewportEvent& event) {
+    return {event.rayOrigin, event.rayDirection};
+}
+
+/// Where a sight meets the plane through a place, mm.
+std::optional<glm::dvec3> onPlane(const Sight& sight, const glm::dvec3& place, const glm::dvec3& normal) {
+    const double slope = glm::dot(sight.direction, normal);
+    if (std::abs(slope) < smallestSine) return std::nullopt;
+    const double way = glm::dot(place - sight.origin, normal) / slope;
+    if (way <= 0.0) return std::nullopt;
+    return sight.origin + way * sight.direction;
+}
+
+/// How far along an axis through a place a sight passes it nearest, mm.
+std::optional<double> alongAxis(const Sight& sight, const glm::dvec3& place, const glm::dvec3& axis) {
+    const double cosine = glm::dot(sight.direction, axis), square = 1.0 - cosine * cosine;
+    if (square < smallestSine * smallestSine) return std::nullopt;
+    const glm::dvec3 between = sight.origin - place;
+    return (glm::dot(between, axis) - cosine * glm::dot(between, sight.direction)) / square;
+}
+
+} // namespace
+
+std::optional<glm::dvec3> dragged(const glm::dvec3& place, const Sight& from, const Sight& to, DragAlong along) {
+    if (along == DragAlong::level || along == DragAlong::surface) {
+        const glm::dvec3 normal = along == DragAlong::level ? glm::dvec3(0.0, 0.0, 1.0) : from.direction;
+        const auto began = onPlane(from, place, normal), now = onPlane(to, place, normal);
+        if (!began || !now) return std::nullopt;
+        return *now - *began;
+    }
+    glm::dvec3 axis(0.0);
+    axis[static_cast<int>(along) - static_cast<int>(DragAlong::x)] = 1.0;
+    const auto began = alongAxis(from, place, axis), now = alongAxis(to, place, axis);
+    if (!began || !now) return std::nullopt;
+    return (*now - *began) * axis;
+}
+
+PathHand::PathHand(Appearance appearance, QObject* parent) : QObject(parent), appearance_(std::move(appearance)) {}
+
+void PathHand::setPlaces(std::vector<glm::dvec3> places, std::vector<bool> usable) {
+    giveUp(); // it was about a path that is no more
+    places_ = std::move(places);
+    usable_ = std::move(usable);
+}
+
+void PathHand::setDrawing(std::optional<double> height) {
+    if (height == height_) return;
+    giveUp();
+    height_ = height;
+}
+
+/// Of the piece that appears nearest, the end that does, as long as it comes from the hand.
+std::optional<std::size_t> PathHand::placeAt(const QPointF& pointer) const {
+    if (places_.size() < 2) return std::nullopt;
+    const auto piece = nearestSegment(
+        pointer, places_.size() - 1,
+        [this](std::size_t i) {
+            const bool wanted = usable_[i] || usable_[i + 1];
+            const glm::dvec3 nowhere(std::nan(""));
+            return wanted ? std::pair(places_[i], places_[i + 1]) : std::pair(nowhere, nowhere);
+        },
+        appearance_);
+    if (!piece) return std::nullopt;
+    if (!usable_[*piece]) return *piece + 1;
+    if (!usable_[*piece + 1]) return *piece;
+    const QPointF before = appearance_(places_[*piece]) - pointer, after = appearance_(places_[*piece + 1]) - pointer;
+    return QPointF::dotProduct(before, before) <= QPointF::dotProduct(after, after) ? *piece : *piece + 1;
+}
+
+bool PathHand::press(const ViewportEvent& event) {
+    if (event.button != Qt::LeftButton) return false;
+    pressedAt_ = event.position;
+    pressedSight_ = sightOf(event);
+    if (height_) {
+        doing_ = Doing::drawing;
+        drawn_.clear();
+        draw(event);
+        return true;
+    }
+    const auto place = placeAt(event.position);
+    if (!place) return false;
+    place_ = *place;
+    by_ = glm::dvec3(0.0);
+    doing_ = Doing::pressed;
+    return true;
+}
+
+bool PathHand::move(const ViewportEvent& event) {
+    if (doing_ == Doing::nothing) return false;
+    if (doing_ == Doing::drawing) {
+        draw(event);
+        return true;
+    }
+    const QPointF way = event.position - pressedAt_;
+    if (doing_ == Doing::pressed && std::hypot(way.x(), way.y()) < clickReach) return true;
+    doing_ = Doing::dragging;
+    if (const auto by = dragged(places_[place_], pressedSight_, sightOf(event), along_)) by_ = *by;
+    emit dragging(place_, by_);
+    return true;
+}
+
+bool PathHand::release(const ViewportEvent& event) {
+    if (event.button != Qt::LeftButton) return false;
+    const Doing done = std::exchange(doing_, Doing::nothing);
+    if (done == Doing::pressed)
+        emit chosen(place_, (event.modifiers & Qt::ShiftModifier) != 0);
+    else if (done == Doing::dragging)
+        emit dropped(place_, by_);
+    else if (done == Doing::drawing && drawn_.size() > 1)
+        emit drawn(std::exchange(drawn_, {}));
+    else if (done == Doing::drawing)
+        emit givenUp();
+    return done != Doing::nothing;
+}
+
+void PathHand::draw(const ViewportEvent& event) {
+    const auto place = onLevel(sightOf(event), *height_);
+    if (!place || (!drawn_.empty() && glm::distance(drawn_.back(), *place) < drawnSpacing)) return;
+    drawn_.push_back(*place);
+    emit drawing(drawn_);
+}
+
+bool PathHand::key(int key, Qt::KeyboardModifiers) {
+    if (key != Qt::Key_Escape) return false;
+    if (doing_ == Doing::nothing)
+        emit cleared();
+    else
+        giveUp();
+    return true;
+}
+
+void PathHand::leave() {
+    if (doing_ == Doing::pressed) doing_ = Doing::nothing;
+}
+
+void PathHand::giveUp() {
+    if (std::exchange(doing_, Doing::nothing) != Doing::nothing) emit givenUp();
+}
+
+} // namespace burin

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/input/nearest_segment.h"
+#include "ui/scene/interactive_tool.h"
+#include "ui/scene/sight.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// What a drag does to a place of a path.
+enum class DragAlong : std::uint8_t {
+    level,   ///< it stays on its height
+    x, y, z, ///< along an axis of the setup; Z is the tool's
+    surface  ///< across the view; the part's surface leads it
+};
+
+/// How far a sight drags a place, mm. Nothing where it does not say: it runs along the plane or the axis.
+/// @param from the sight when the drag began, @param to the one now
+std::optional<glm::dvec3> dragged(const glm::dvec3& place, const Sight& from, const Sight& to, DragAlong along);
+
+/// The pointer on a path. A click on it chooses a place, with Shift all from the place chosen before to that one; a drag
+/// from it moves the place; while it draws, a drag draws a stroke on the height of `setDrawing`. Esc ends what is under
+/// way. Everything else is the camera's. Thread: user interface.
+class PathHand final : public QObject, public InteractiveTool {
+    Q_OBJECT
+public:
+    explicit PathHand(Appearance appearance, QObject* parent = nullptr);
+
+    /// Places of the path in order, mm, setup frame. @param usable whether a place comes from the hand
+    void setPlaces(std::vector<glm::dvec3> places, std::vector<bool> usable);
+    void setAlong(DragAlong along) { along_ = along; }
+    /// Draws on a height, mm; nothing: it chooses and drags.
+    void setDrawing(std::optional<double> height);
+
+    bool press(const ViewportEvent& event) override;
+    bool move(const ViewportEvent& event) override;
+    bool release(const ViewportEvent& event) override;
+    bool key(int key, Qt::KeyboardModifiers modifiers) override;
+    void leave() override;
+
+signals:
+    void chosen(std::size_t place, bool extend);
+    void dragging(std::size_t place, const glm::dvec3& by); ///< mm; while it is dragged
+    void dropped(std::size_t place, const glm::dvec3& by);  ///< mm; where it was let go
+    void drawing(const std::vector<glm::dvec3>& places);    ///< mm; so far
+    void drawn(const std::vector<glm::dvec3>& places);      ///< mm; at least two
+    void givenUp();                                         ///< what was under way is not wanted
+    void cleared();                                         ///< Esc with nothing under way
+
+private:
+    enum class Doing : std::uint8_t { nothing, pressed, dragging, drawing };
+
+    std::optional<std::size_t> placeAt(const QPointF& pointer) const;
+    void draw(const ViewportEvent& event);
+    void giveUp();
+
+    Appearance appearance_;
+    std::vector<glm::dvec3> places_;
+    std::vector<bool> usable_;
+    DragAlong along_ = DragAlong::level;
+    std::optional<double> height_;
+    Doing doing_ = Doing::nothing;
+    std::size_t place_ = 0;
+    QPointF pressedAt_;
+    Sight pressedSight_;
+    glm::dvec3 by_{0.0};
+    std::vector<glm::dvec3> drawn_;
+};
+
+} // namespace burin

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/input/nearest_segment.h"
+#include "ui/scene/interactive_tool.h"
+
+#include <QObject>
+
+#include <vector>
+
+namespace burin {
+
+/// Chooses a move with a click near it; every other click and drag is the camera's. Thread: user interface.
+class PathPicker final : public QObject, public InteractiveTool {
+    Q_OBJECT
+public:
+    using Move = std::pair<glm::dvec3, glm::dvec3>; ///< its ends, mm, setup frame
+    explicit PathPicker(Appearance appearance, QObject* parent = nullptr);
+
+    void setMoves(std::vector<Move> moves) { moves_ = std::move(moves); }
+
+    bool press(const ViewportEvent& event) override;
+    bool release(const ViewportEvent& event) override;
+
+signals:
+    void chosen(std::size_t move); ///< its place in the list
+
+private:
+    Appearance appearance_;
+    std::vector<Move> moves_;
+    bool taken_ = false; ///< the press that is under way was on a move
+};
+
+} // namespace burin

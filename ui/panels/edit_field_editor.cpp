@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/edit_field_editor.h"
+
+#include "ui/panels/choice_box.h"
+#include "ui/panels/elided_label.h"
+#include "ui/panels/field_row.h"
+#include "ui/panels/guide_words.h"
+#include "ui/panels/length_field.h"
+
+#include <QCheckBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace burin {
+
+EditFieldEditor::EditFieldEditor(const EditParameter& parameter, const QString& name, const QString& accessible,
+                                 QWidget* parent)
+    : QWidget(parent), choices_(parameter.field.choices), value_(parameter.field.value) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    if (std::holds_alternative<double>(value_))
+        addNumber(parameter, name, accessible);
+    else if (std::holds_alternative<bool>(value_))
+        addSwitch(parameter, name);
+    else if (std::holds_alternative<std::string_view>(value_))
+        addChoice(parameter, name);
+    else if (std::holds_alternative<glm::dvec3>(value_))
+        addPlace(parameter, name, accessible);
+    else
+        addText(parameter, name);
+    showValue(value_);
+}
+
+void EditFieldEditor::addNumber(const EditParameter& parameter, const QString& name, const QString& accessible) {
+    number_ = new QuantityField(parameter.quantity, this);
+    number_->setObjectName(name);
+    number_->limit(parameter.field.low, parameter.field.high);
+    layout()->addWidget(new FieldRow(parameter.label, number_, parameter.toolTip, this));
+    number_->setAccessibleName(accessible);
+    connect(number_, &QuantityField::valueEdited, this, [this](double value) { emit edited(value_ = value); });
+}
+
+void EditFieldEditor::addSwitch(const EditParameter& parameter, const QString& name) {
+    switch_ = new QCheckBox(parameter.label, this);
+    switch_->setObjectName(name);
+    switch_->setToolTip(parameter.toolTip);
+    layout()->addWidget(switch_);
+    connect(switch_, &QCheckBox::clicked, this, [this](bool on) { emit edited(value_ = on); });
+}
+
+void EditFieldEditor::addChoice(const EditParameter& parameter, const QString& name) {
+    choice_ = new ChoiceBox(this);
+    choice_->setObjectName(name);
+    for (const std::string_view choice : choices_) choice_->addItem(choiceText(choice));
+    layout()->addWidget(new FieldRow(parameter.label, choice_, parameter.toolTip, this));
+    connect(choice_, &QComboBox::activated, this,
+            [this](int index) { emit edited(value_ = choices_[static_cast<std::size_t>(index)]); });
+}
+
+void EditFieldEditor::addPlace(const EditParameter& parameter, const QString& name, const QString& accessible) {
+    for (int axis = 0; axis < 3; ++axis) {
+        QuantityField*& field = place_[static_cast<std::size_t>(axis)];
+        field = new LengthField(this);
+        field->setObjectName(name + axisLetter(axis));
+        field->limit(parameter.field.low, parameter.field.high);
+        layout()->addWidget(
+            new FieldRow(parameter.label + QLatin1Char(' ') + axisLetter(axis), field, parameter.toolTip, this));
+        field->setAccessibleName(accessible + QLatin1Char(' ') + axisLetter(axis));
+        connect(field, &QuantityField::valueEdited, this, [this, axis](double value) {
+            glm::dvec3 place = std::get<glm::dvec3>(value_);
+            place[axis] = value;
+            emit edited(value_ = place);
+        });
+    }
+}
+
+void EditFieldEditor::addText(const EditParameter& parameter, const QString& name) {
+    text_ = new ElidedLabel({}, this);
+    text_->setObjectName(name);
+    text_->setProperty("look", "small");
+    layout()->addWidget(new FieldRow(parameter.label, text_, parameter.toolTip, this));
+}
+
+void EditFieldEditor::showValue(const EditValue& value) {
+    value_ = value;
+    if (number_ != nullptr) number_->showValue(std::get<double>(value));
+    if (switch_ != nullptr) switch_->setChecked(std::get<bool>(value)); // `clicked` is the user's alone
+    if (choice_ != nullptr) {
+        const auto found = std::ranges::find(choices_, std::get<std::string_view>(value));
+        choice_->setCurrentIndex(static_cast<int>(found - choices_.begin()));
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (QuantityField* field = place_[static_cast<std::size_t>(axis)])
+            field->showValue(std::get<glm::dvec3>(value)[axis]);
+    if (text_ != nullptr) text_->setText(valueText(value));
+}
+
+void EditFieldEditor::setUnit(LengthUnit unit) {
+    if (number_ != nullptr) number_->setLengthUnit(unit);
+    for (QuantityField* field : place_)
+        if (field != nullptr) field->setLengthUnit(unit);
+}
+
+} // namespace burin

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/edit_parameters.h"
+#include "ui/theme/length_unit.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QCheckBox;
+
+namespace burin {
+
+class ChoiceBox;
+class ElidedLabel;
+class QuantityField;
+
+/// One parameter of an edit: a field for a number, three for a place, a switch or a choice. What names a moment or a
+/// stretch of the hand, or places, is told and not typed.
+class EditFieldEditor : public QWidget {
+    Q_OBJECT
+public:
+    /// @param name of the field itself; the three of a place end in "X", "Y", "Z"
+    /// @param accessible what a screen reader calls it
+    EditFieldEditor(const EditParameter& parameter, const QString& name, const QString& accessible,
+                    QWidget* parent = nullptr);
+
+    void showValue(const EditValue& value); ///< of the kind that it was made for; without a signal
+    void setUnit(LengthUnit unit);
+
+signals:
+    void edited(const burin::EditValue& value);
+
+private:
+    void addNumber(const EditParameter& parameter, const QString& name, const QString& accessible);
+    void addSwitch(const EditParameter& parameter, const QString& name);
+    void addChoice(const EditParameter& parameter, const QString& name);
+    void addPlace(const EditParameter& parameter, const QString& name, const QString& accessible);
+    void addText(const EditParameter& parameter, const QString& name);
+
+    QuantityField* number_ = nullptr;
+    QCheckBox* switch_ = nullptr;
+    ChoiceBox* choice_ = nullptr;
+    ElidedLabel* text_ = nullptr;
+    std::array<QuantityField*, 3> place_{};
+    std::span<const std::string_view> choices_;
+    EditValue value_;
+};
+
+} // namespace burin

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/program_text.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/panel_layout.h"
+#include "ui/theme/number_font.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QToolButton>
+
+namespace burin {
+
+ProgramText::ProgramText(QWidget* parent)
+    : QWidget(parent)
+    , wanted_(new QLineEdit(this))
+    , previous_(makeIconButton(QStringLiteral("previous"), tr("Previous place (Shift+Enter)"),
+                               QStringLiteral("searchPreviousButton"), this))
+    , next_(makeIconButton(QStringLiteral("next"), tr("Next place (Enter)"), QStringLiteral("searchNextButton"), this))
+    , found_(new QLabel(this))
+    , state_(makeWrappedLabel(this))
+    , view_(new ProgramView(this)) {
+    wanted_->setObjectName(QStringLiteral("programSearch"));
+    wanted_->setPlaceholderText(tr("Find in the program"));
+    wanted_->setAccessibleName(wanted_->placeholderText());
+    wanted_->setToolTip(tr("Text to find, upper or lower case; Enter goes to the next place, Shift+Enter to the one "
+                           "before"));
+    wanted_->setClearButtonEnabled(true);
+    found_->setObjectName(QStringLiteral("searchFound"));
+    found_->setProperty("look", "small");
+    state_->setObjectName(QStringLiteral("programState"));
+    state_->setProperty("look", "small");
+    state_->setFont(numberFont(state_->font()));
+    view_->setObjectName(QStringLiteral("programText"));
+    view_->setAccessibleName(tr("Text of the program"));
+    view_->setMinimumHeight(160);
+
+    auto* bar = new QHBoxLayout;
+    bar->setSpacing(4);
+    bar->addWidget(wanted_, 1);
+    bar->addWidget(found_);
+    bar->addWidget(previous_);
+    bar->addWidget(next_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addLayout(bar);
+    column->addWidget(view_, 1);
+    column->addWidget(state_);
+
+    wanted_->installEventFilter(this);
+    connect(wanted_, &QLineEdit::textChanged, this, &ProgramText::told);
+    connect(next_, &QToolButton::clicked, this, [this] { search(false); });
+    connect(previous_, &QToolButton::clicked, this, [this] { search(true); });
+    connect(view_, &ProgramView::lineChosen, this, &ProgramText::lineChosen);
+    showState({});
+    told();
+}
+
+bool ProgramText::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != wanted_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) {
+        search((key->modifiers() & Qt::ShiftModifier) != 0);
+        return true;
+    }
+    if (key->key() == Qt::Key_Escape) {
+        view_->setFocus();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ProgramText::showProgram(const QString& text) {
+    view_->showProgram(text);
+    told();
+}
+
+void ProgramText::showLine(int line) {
+    view_->showLine(line);
+}
+
+void ProgramText::setMarks(std::vector<LineMark> marks) {
+    view_->setMarks(std::move(marks));
+}
+
+void ProgramText::showState(const QString& state) {
+    setWrappedText(state_, state);
+    state_->setVisible(!state.isEmpty());
+}
+
+void ProgramText::startSearch() {
+    wanted_->setFocus(Qt::ShortcutFocusReason);
+    wanted_->selectAll();
+}
+
+void ProgramText::search(bool backward) {
+    view_->find(wanted_->text(), backward);
+}
+
+void ProgramText::told() {
+    const bool wanted = !wanted_->text().isEmpty();
+    const auto count = view_->occurrences(wanted_->text());
+    found_->setText(!wanted ? QString() : count == 0 ? tr("none") : QLocale().toString(count));
+    found_->setToolTip(tr("Places where the text stands"));
+    previous_->setEnabled(count > 0);
+    next_->setEnabled(count > 0);
+}
+
+} // namespace burin

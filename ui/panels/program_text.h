@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/panels/program_view.h"
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace burin {
+
+/// A program's text with a search above it, and below it what the machine is like when the chosen line is done.
+class ProgramText : public QWidget {
+    Q_OBJECT
+public:
+    explicit ProgramText(QWidget* parent = nullptr);
+
+    void showProgram(const QString& text); ///< nothing is done when it shows it
+    void showLine(int line);               ///< from 1; brings it into view, without a signal
+    void setMarks(std::vector<LineMark> marks);
+    /// @param state of the machine when the chosen line is done; empty: there is nothing to tell
+    void showState(const QString& state);
+    /// The keyboard goes to the search, what stood there is chosen.
+    void startSearch();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override; ///< Enter and Esc in the search
+
+signals:
+    void lineChosen(int line); ///< from 1; the user put the cursor there, or a search led there
+
+private:
+    void search(bool backward);
+    void told();
+
+    QLineEdit* wanted_;
+    QToolButton *previous_, *next_;
+    QLabel *found_, *state_;
+    ProgramView* view_;
+};
+
+} // namespace burin

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/program_scene_presenter.h"
+
+#include "core/base/units.h"
+#include "core/nc/program_lines.h"
+
+namespace burin {
+
+namespace {
+
+constexpr double drawnChord = 0.02; // mm that an arc's picture may leave it by
+
+} // namespace
+
+ProgramScenePresenter::ProgramScenePresenter(Workbench& workbench, Viewport& viewport, ProgramPanel& panel,
+                                             ScenePresenter& scene, QObject* parent)
+    : Presenter(workbench, {&workbench.program, &workbench.mill, &workbench.bench}, parent)
+    , viewport_(viewport)
+    , panel_(panel)
+    , scene_(scene)
+    , picker_([&viewport](const glm::dvec3& place) { return viewport.project(place); }) {
+    connect(&panel, &ProgramPanel::lineChosen, this, &ProgramScenePresenter::choose);
+    connect(&picker_, &PathPicker::chosen, this, &ProgramScenePresenter::pick);
+}
+
+void ProgramScenePresenter::setShown(JobStep step) {
+    shown_ = step == JobStep::program;
+    present();
+}
+
+void ProgramScenePresenter::present() {
+    const auto& bench = workbench_.bench.bench();
+    const bool active = shown_ && bench && workbench_.program.program() && !workbench_.mill.active();
+    if (active) zero_ = bench->setup.workOffset;
+    take(active ? workbench_.program.program() : nullptr);
+    if (active != active_) {
+        active_ = active;
+        // In mill mode the pointer is the mill's own.
+        if (active || !workbench_.mill.active()) viewport_.setInteractiveTool(active ? &picker_ : nullptr);
+        if (!active) showLine();
+    }
+    if (active) showLine();
+}
+
+void ProgramScenePresenter::take(std::shared_ptr<const CheckedProgram> program) {
+    if (program == program_) return;
+    if (program && program_ && program->text != program_->text) line_ = 0;
+    program_ = std::move(program);
+    moves_ = program_ ? straightMoves(program_->parsed, drawnChord) : std::vector<NcMotion>();
+    std::vector<PathPicker::Move> moves;
+    moves.reserve(moves_.size());
+    for (const NcMotion& move : moves_) // where the first ones come from is not known
+        moves.emplace_back((move.startKnown() ? move.from : move.to) + zero_, move.to + zero_);
+    picker_.setMoves(std::move(moves));
+}
+
+void ProgramScenePresenter::choose(int line) {
+    line_ = line;
+    showLine();
+}
+
+void ProgramScenePresenter::pick(std::size_t move) {
+    if (move >= moves_.size()) return;
+    line_ = static_cast<int>(moves_[move].line);
+    panel_.showLine(line_);
+    showLine();
+}
+
+void ProgramScenePresenter::showLine() {
+    const auto line = static_cast<std::uint32_t>(line_);
+    const NcMotion* motion = program_ && line_ > 0 ? lastMotion(program_->parsed.motions, line) : nullptr;
+    std::vector<glm::dvec3> places;
+    if (motion != nullptr)
+        for (const NcMotion& move : motionsOf(moves_, line)) {
+            if (places.empty() && move.startKnown()) places.push_back(move.from + zero_);
+            places.push_back(move.to + zero_);
+        }
+    viewport_.setMoveMark(places);
+    scene_.showToolAt(motion != nullptr ? std::optional(motion->to + zero_) : std::nullopt);
+    panel_.showMachineState(motion != nullptr ? stateText(*motion) : QString());
+}
+
+QString ProgramScenePresenter::stateText(const NcMotion& motion) const {
+    const bool inches = unit() == LengthUnit::inch;
+    QString text = QStringLiteral("X %1  Y %2  Z %3 ")
+                       .arg(lengthNumber(motion.to.x, unit()), lengthNumber(motion.to.y, unit()),
+                            lengthNumber(motion.to.z, unit())) +
+                   unitText(unit());
+    const QString separator = QStringLiteral(" · ");
+    if (motion.rapid())
+        text += separator + tr("rapid");
+    else if (motion.kind == NcMotionKind::dwell)
+        text += separator + tr("waits %1 s").arg(QLocale().toString(motion.seconds, 'f', 1));
+    else
+        text += separator + tr("feed %1 %2/min")
+                                .arg(QLocale().toString(inches ? motion.feed / millimetresPerInch : motion.feed, 'f',
+                                                        inches ? 1 : 0),
+                                     unitText(unit()));
+    text += separator + (motion.spindleOn() ? tr("spindle %1/min").arg(QLocale().toString(motion.spindleSpeed, 'f', 0))
+                                            : tr("spindle off"));
+    return text + separator + QLatin1Char('T') + QString::number(motion.tool);
+}
+
+} // namespace burin

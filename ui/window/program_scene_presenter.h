@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/input/path_picker.h"
+#include "ui/panels/panel_states.h"
+#include "ui/panels/program_panel.h"
+#include "ui/window/presenter.h"
+#include "ui/window/scene_presenter.h"
+
+namespace burin {
+
+/// The line of the program that is looked at: its move in the viewport with the tool at its end, the machine's state
+/// under the text; and back, from a click on a move to its line. While the program's step is shown and no tool is in
+/// hand.
+class ProgramScenePresenter final : public Presenter {
+    Q_OBJECT
+public:
+    ProgramScenePresenter(Workbench& workbench, Viewport& viewport, ProgramPanel& panel, ScenePresenter& scene,
+                          QObject* parent);
+    void setShown(JobStep step);
+
+private:
+    void present() override;
+    void choose(int line);
+    void pick(std::size_t move);
+    void showLine();
+    void take(std::shared_ptr<const CheckedProgram> program);
+    QString stateText(const NcMotion& motion) const;
+
+    Viewport& viewport_;
+    ProgramPanel& panel_;
+    ScenePresenter& scene_;
+    PathPicker picker_;
+    std::shared_ptr<const CheckedProgram> program_;
+    std::vector<NcMotion> moves_; ///< its moves as they are drawn and picked: straight ones
+    glm::dvec3 zero_{0.0};        ///< mm, program zero in the setup frame
+    bool shown_ = false, active_ = false;
+    int line_ = 0; ///< from 1; 0: none is looked at
+};
+
+} // namespace burin

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/target_controller.h"
+
+#include "core/machine/machine_library.h"
+#include "ui/workbench/value_command.h"
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+std::vector<MachineProfile> library() {
+    std::vector<MachineProfile> machines;
+    for (const std::string& id : machineIds())
+        if (Result<MachineProfile> machine = loadMachine(id)) machines.push_back(std::move(*machine));
+    return machines;
+}
+
+} // namespace
+
+TargetController::TargetController(const Desk& desk, QObject* parent) : Controller(desk, parent), machines_(library()) {
+    if (Result<std::vector<DialectDescription>> known = burin::dialects()) dialects_ = std::move(*known);
+}
+
+const MachineProfile& TargetController::machine() const noexcept {
+    static const MachineProfile none;
+    for (const std::string& wanted : {target_.machine, std::string(firstMachine)})
+        if (const auto found = std::ranges::find(machines_, wanted, &MachineProfile::id); found != machines_.end())
+            return *found;
+    return machines_.empty() ? none : machines_.front();
+}
+
+void TargetController::chooseMachine(const std::string& id) {
+    if (id != target_.machine) push(tr("machine"), {id, {}});
+}
+
+void TargetController::chooseDialect(const std::string& dialect) {
+    if (dialect != this->dialect()) push(tr("dialect"), {target_.machine, dialect});
+}
+
+void TargetController::push(const QString& text, const ProgramTarget& wanted) {
+    desk_.undo.push(new ValueCommand<ProgramTarget>(text, -1, target_, wanted,
+                                                    [this](const ProgramTarget& value) { apply(value); }));
+}
+
+void TargetController::apply(const ProgramTarget& target) {
+    target_ = target;
+    store([target](Project& project) { return project.setProgramTarget(target); });
+    emit changed();
+}
+
+void TargetController::load(const ProgramTarget& target) {
+    machines_ = library();
+    target_ = target;
+    emit changed();
+}
+
+} // namespace burin

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/nc/dialect_library.h"
+#include "core/project/program_target.h"
+#include "ui/workbench/controller.h"
+
+#include <vector>
+
+namespace burin {
+
+/// What the programs are for: the machine, which also bounds feeds, speeds and travel, and the dialect of its control.
+class TargetController final : public Controller {
+    Q_OBJECT
+public:
+    TargetController(const Desk& desk, QObject* parent);
+
+    const ProgramTarget& target() const noexcept { return target_; }
+    /// Machines that can be chosen; those whose files are damaged are not among them.
+    const std::vector<MachineProfile>& machines() const noexcept { return machines_; }
+    /// The one in force; another one stands for it where the project's is not known here.
+    const MachineProfile& machine() const noexcept;
+    /// Dialects that can be chosen.
+    const std::vector<DialectDescription>& dialects() const noexcept { return dialects_; }
+    const std::string& dialect() const noexcept { return target_.dialectFor(machine()); }
+
+    // Entries of the undo stack.
+    void chooseMachine(const std::string& id); ///< with the dialect of its control
+    void chooseDialect(const std::string& dialect);
+
+    void load(const ProgramTarget& target);
+
+private:
+    void push(const QString& text, const ProgramTarget& wanted);
+    void apply(const ProgramTarget& target);
+
+    std::vector<MachineProfile> machines_;
+    std::vector<DialectDescription> dialects_;
+    ProgramTarget target_;
+};
+
+} // namespace burin
