@@ -34,40 +34,45 @@ std::vector<std::pair<glm::dvec3, double>> stretchesOf(const glm::dvec3& from, c
 /// Steps short enough for the smooth figures of MaterialRemoval, in voxels.
 constexpr double longestStep = 0.25;
 
-/// What both took away together; the engagement is the later one's.
-void add(CutResult& sum, const CutResult& more) {
-    for (const MaterialVolume& material : more.removed) {
+void add(MetStretch& met, const CutResult& cut) {
+    for (const MaterialVolume& material : cut.removed) {
         if (material.property == airProperty) break;
-        for (MaterialVolume& mine : sum.removed) {
-            if (mine.property != material.property && mine.property != airProperty) continue;
-            mine.property = material.property;
-            mine.units += material.units;
-            mine.volume += material.volume;
-            mine.reported += material.reported;
-            break;
-        }
+        auto mine = std::ranges::find(met.removed, material.property, &MaterialVolume::property);
+        if (mine == met.removed.end()) mine = met.removed.insert(mine, MaterialVolume{material.property, 0, 0.0, 0.0});
+        mine->units += material.units;
+        mine->volume += material.volume;
+        mine->reported += material.reported;
     }
-    sum.volume += more.volume;
-    sum.reported += more.reported;
-    if (more.reported > 0.0) sum.reportedCentroid = more.reportedCentroid;
-    if (more.engagement.area > 0.0) sum.engagement = more.engagement;
-    sum.outOfMemory = sum.outOfMemory || more.outOfMemory;
+    met.reported += cut.reported;
+    if (cut.reported > 0.0) met.centroid = cut.reportedCentroid;
+    if (cut.engagement.area > 0.0) met.engagement = cut.engagement;
 }
 
-CutResult cutStretch(MaterialRemoval& removal, RunVolume& stock, const glm::dvec3& from, const glm::dvec3& to) {
-    const double length = glm::distance(from, to), step = longestStep * stock.grid().edge();
-    const auto steps = static_cast<int>(std::max(1.0, std::ceil(length / step)));
-    CutResult sum;
-    glm::dvec3 at = from;
+/// @return false where the memory is used up
+bool cutStretch(MaterialRemoval& removal, RunVolume& stock, MetStretch& met) {
+    const double step = longestStep * stock.grid().edge();
+    const auto steps = static_cast<int>(std::max(1.0, std::ceil(met.length / step)));
+    glm::dvec3 at = met.from;
     for (int i = 1; i <= steps; ++i) {
-        const glm::dvec3 next = glm::mix(from, to, static_cast<double>(i) / steps);
-        add(sum, removal.cut(stock, at, next));
+        const glm::dvec3 next = glm::mix(met.from, met.to, static_cast<double>(i) / steps);
+        const CutResult cut = removal.cut(stock, at, next);
+        if (cut.outOfMemory) return false;
+        add(met, cut);
         at = next;
     }
-    return sum;
+    return true;
 }
 
 } // namespace
+
+CutResult MetStretch::cut() const {
+    CutResult result;
+    std::ranges::copy(removed, result.removed.begin());
+    result.reported = reported;
+    result.reportedCentroid = centroid;
+    result.engagement = engagement;
+    return result;
+}
 
 Result<std::vector<MetStretch>> recordEngagement(const std::vector<PathPoint>& points, const Tool& tool,
                                                  RunVolume& stock, double sampling, Progress& progress) {
@@ -78,10 +83,10 @@ Result<std::vector<MetStretch>> recordEngagement(const std::vector<PathPoint>& p
         if (points[i].kind == MoveKind::rapid) continue;
         glm::dvec3 from = points[i - 1].tip;
         for (const auto& [to, share] : stretchesOf(from, points[i], sampling)) {
-            MetStretch met{i, share, glm::distance(from, to), from, to, cutStretch(removal, stock, from, to)};
-            if (met.cut.outOfMemory)
+            MetStretch met{i, share, glm::distance(from, to), from, to, {}, 0.0, {}, {}};
+            if (!cutStretch(removal, stock, met))
                 return Error{ErrorCode::volumeOutOfMemory, std::to_string(stock.reservedBytes()), "", ""};
-            record.push_back(met);
+            record.push_back(std::move(met));
             from = to;
         }
     }

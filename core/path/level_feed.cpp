@@ -19,10 +19,10 @@ public:
 
     /// N or mm³/s. @param feed mm/min, > 0
     double at(const MetStretch& met, double feed) const {
-        if (!(met.length > 0.0) || !(met.cut.reported > 0.0)) return 0.0;
+        if (!(met.length > 0.0) || !(met.reported > 0.0)) return 0.0;
         const double period = met.length / (feed / 60.0);
-        if (!force_) return met.cut.reported / period;
-        return cuttingForce(met.cut, coefficients_, tool_, ToolPose{met.from}, ToolPose{met.to}, period).tangential;
+        if (!force_) return met.reported / period;
+        return cuttingForce(met.cut(), coefficients_, tool_, ToolPose{met.from}, ToolPose{met.to}, period).tangential;
     }
 
     /// The feed between both at which the load is as wanted; it rises with the feed.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
 #include "core/path/milling_side.h"
 #include "path_fixture.h"
 
@@ -10,7 +11,6 @@ using namespace burin::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979324;
 const MeshDistance nothing{TriangleMesh{}};
 
 PathContext freeContext() {

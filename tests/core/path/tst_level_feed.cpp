@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
 #include "path_fixture.h"
 
 #include <QTest>
@@ -11,7 +12,6 @@ using namespace burin::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979324;
 constexpr double band = 5.0, depth = 2.0, radius = 3.0, exponent = 0.25, spindle = 10000.0;
 constexpr double edgeSpeed = pi * 2.0 * radius * spindle / 60.0;                               // mm/s
 constexpr std::array hardness{1000.0, 1300.0, 1800.0, 2400.0, 3000.0, 2200.0, 1500.0, 1100.0}; // kc1.1, N/mm²

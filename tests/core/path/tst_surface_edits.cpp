@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "path_fixture.h"
-
-#include <rapidcheck.h>
+#include "core/base/units.h"
+#include "random_edits.h"
 
 #include <QTest>
 
@@ -13,7 +12,6 @@ using namespace burin::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979324;
 constexpr double toolRadius = 3.0;
 
 /// A dome that rises out of a plate. Its mesh lies within 0.002 mm of it.
@@ -217,47 +215,6 @@ private:
             for (const glm::dvec3& place : placesOf(path.path.points[i - 1].tip, point, 0.05))
                 RC_ASSERT(clearanceOf(place) >= -0.01);
         }
-    }
-
-    static Take randomTake() {
-        std::vector<glm::dvec3> corners;
-        const int count = *rc::gen::inRange(2, 6);
-        for (int i = 0; i < count; ++i)
-            corners.push_back({0.1 * *rc::gen::inRange(-180, 180), 0.1 * *rc::gen::inRange(-180, 180),
-                               0.1 * *rc::gen::inRange(0, 120)});
-        return takeOf(along(corners, 400.0));
-    }
-
-    static std::vector<Edit> randomEdits(bool surface) {
-        std::vector<Edit> edits;
-        const int count = *rc::gen::inRange(0, surface ? 2 : 4);
-        const auto length = [] { return 0.1 * *rc::gen::inRange(-60, 60); };
-        for (int i = 0; i < count; ++i) {
-            const TakeStretch stretch{1, *rc::gen::inRange(0, 60), *rc::gen::inRange(60, 200)};
-            const glm::dvec3 by(length(), length(), length());
-            LiftArea lift;
-            lift.outline = {{-9, -9, 0}, {by.x + 9, -9, 0}, {0, by.y + 9, 0}};
-            RemoveArea remove;
-            remove.outline = {{0, -9, 0}, {9, by.x, 0}, {0, 9, 0}};
-            const std::vector<Edit> recording{{CutOut{stretch}},
-                                              {Trim{stretch, std::abs(by.x), 1.0}},
-                                              {Split{{1, stretch.last}}},
-                                              {Join{{}, 100.0}},
-                                              {Reverse{stretch}},
-                                              {Mirror{stretch, Mirror::Across::y, by.x, true}},
-                                              {Rotate{stretch, by, by.z}},
-                                              {burin::Array{stretch, by, {}, by.x, 2.0}},
-                                              {MovePoints{stretch, by, 3.0, MovePoints::Along::free}},
-                                              {MovePoints{stretch, by, 3.0, MovePoints::Along::surface}},
-                                              {ReplaceStretch{{}, {by, -by, {by.y, by.x, 0}}}},
-                                              {lift},
-                                              {remove},
-                                              {Smooth{5.0, std::abs(by.x)}},
-                                              {SmoothSpline{5.0, std::abs(by.x)}}};
-            const std::vector<Edit> onSurface{{Offset{stretch, by.x}}, {Simplify{0.5}}, {LayOnPart{0.2}}};
-            edits.push_back(*rc::gen::elementOf(surface ? onSurface : recording));
-        }
-        return edits;
     }
 
     const MeshDistance nothing_{TriangleMesh{}};
