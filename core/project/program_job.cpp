@@ -145,7 +145,9 @@ Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const P
     Result<std::string> text = post(bench, path, request, {}, progress);
     if (!text) return std::move(text).error();
     Result<CheckedProgram> checked = checkProgram(bench, std::move(*text), request.name, request, progress);
-    if (!checked || checked->passed() || request.overrideReason.empty()) return checked;
+    if (!checked) return checked;
+    checked->moments = momentsOf(checked->parsed, path, bench.setup.workOffset);
+    if (checked->passed() || request.overrideReason.empty()) return checked;
     text = post(bench, path, request, overrideLines(*checked, request.overrideReason), progress);
     if (!text) return std::move(text).error();
     return overridden(std::move(*checked), std::move(*text), request.name, controlOfDialect(request.dialect));

@@ -6,6 +6,7 @@
 #include "core/nc/post.h"
 #include "core/path/evaluate.h"
 #include "core/project/bench.h"
+#include "core/project/program_moments.h"
 #include "core/verify/verify.h"
 
 #include <string>
@@ -39,8 +40,9 @@ struct ProgramRequest {
 /// A program that was posted, read back from its text and judged.
 struct CheckedProgram {
     std::string text;
-    ParsedProgram parsed;       ///< what the text says
-    std::vector<LintMark> lint; ///< what the control may not take
+    ParsedProgram parsed;        ///< what the text says
+    std::vector<LintMark> lint;  ///< what the control may not take
+    std::vector<Moment> moments; ///< of the hand, behind each motion; empty where the text was not posted from a path
     VerifyReport report;
     VolumeSnapshot machined; ///< the workpiece as the program leaves it
     bool overridden = false; ///< refused, and its header says why it is wanted all the same

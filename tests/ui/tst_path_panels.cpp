@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/panel_bench.h"
 #include "tests/ui/panel_examples.h"
+#include "ui/panels/deviation_card.h"
 #include "ui/panels/edit_parameters.h"
+#include "ui/panels/load_chart.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
 #include "ui/panels/program_text.h"
 #include "ui/panels/program_words.h"
+#include "ui/panels/row_list.h"
 #include "ui/theme/theme.h"
 
 #include <QCheckBox>
@@ -195,6 +198,56 @@ private slots:
         QCOMPARE(exported.size(), 1);
         panel.setState(examples::program());
         QVERIFY(!child<QPushButton>(panel, "overrideButton").isVisible());
+    }
+
+    void theLoadLeadsToItsLine() {
+        LoadChart chart;
+        chart.resize(200, chart.sizeHint().height());
+        std::vector<MotionLoad> loads;
+        for (std::uint32_t i = 0; i < 10; ++i) {
+            MotionLoad load;
+            load.line = 20 + i;
+            load.start = i;
+            load.duration = 1.0;
+            load.force = i == 6 ? 42.5 : 10.0;
+            loads.push_back(load);
+        }
+        chart.setLoads(loads, 10.0);
+        chart.show();
+        QVERIFY(chart.accessibleDescription().contains(QStringLiteral("42.5")));
+        QSignalSpy line(&chart, &LoadChart::lineChosen);
+        QTest::mouseClick(&chart, Qt::LeftButton, {}, QPoint(130, 40)); // 6.5 s of 10
+        QCOMPARE(line.size(), 1);
+        QCOMPARE(line[0][0].toInt(), 26);
+        // The column of the peak reaches higher than the others.
+        const QImage picture = chart.grab().toImage();
+        const double ratio = picture.devicePixelRatio();
+        const auto topOf = [&](int x) {
+            for (int y = 18; y < chart.height(); ++y)
+                if (picture.pixelColor(QPoint(x, y) * ratio) != activePalette().field) return y;
+            return chart.height();
+        };
+        QVERIFY(topOf(130) < topOf(50) - 10);
+    }
+
+    void theDeviationTellsItsFigure() {
+        DeviationCard card;
+        card.show();
+        card.setShares({0.01, 0.7, 0.19, 0.1}, {0.02, 0.1, 0.0});
+        QSignalSpy switched(&card, &DeviationCard::switched);
+        QVERIFY(!child<QLabel>(card, "deviationUnderPointer").isVisible());
+        QTest::mouseClick(&child<QCheckBox>(card, "deviationSwitch"), Qt::LeftButton, {}, {10, 10});
+        QCOMPARE(switched.size(), 1);
+        const auto& rows = child<RowList>(card, "deviationBands").rows();
+        QCOMPARE(rows.size(), std::size_t{4});
+        QVERIFY(rows[1].value.startsWith(QStringLiteral("70.0")));
+        DeviationSample sample;
+        sample.gouge = 0.034;
+        card.showUnderPointer(sample);
+        QVERIFY(child<QLabel>(card, "deviationUnderPointer").text().contains(QStringLiteral("0.034")));
+        QVERIFY(child<QLabel>(card, "deviationUnderPointer").text().contains(QStringLiteral("too deep")));
+        card.setUnit(LengthUnit::inch);
+        QVERIFY(child<QLabel>(card, "deviationUnderPointer").text().contains(QStringLiteral("0.0013")));
     }
 
     void aSearchGoesRoundAndRound() {

@@ -3,6 +3,7 @@
 #include "core/nc/program_lines.h"
 #include "tests/ui/window_steps.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -100,6 +101,47 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QTest::keyClicks(search, "nowhere");
     QCOMPARE(driver.visible<QLabel>("searchFound")->text(), QString("none"));
     search->clear();
+
+    // The deviation map on the bare part, with the figure under the pointer.
+    auto* page8 = driver.visible<QScrollArea>("programPage");
+    QVERIFY(page8 != nullptr);
+    auto* deviation = driver.visible<QCheckBox>("deviationSwitch");
+    QVERIFY(deviation != nullptr);
+    page8->ensureWidgetVisible(deviation);
+    QTest::mouseClick(deviation, Qt::LeftButton, {}, {10, 10});
+    QVERIFY(driver.waitFor([&] { return deviation->isChecked(); }, 3000));
+    QTest::qWait(200);
+    const Box part = bench.model.model()->box();
+    QTest::mouseMove(viewport, viewport->project({part.centre().x, part.centre().y, part.high.z}).toPoint());
+    QVERIFY(driver.waitFor(
+        [&] { return driver.visible<QLabel>("deviationUnderPointer")->text().contains(QStringLiteral("left")); },
+        3000));
+    driver.shoot("20-deviation");
+    QTest::mouseClick(deviation, Qt::LeftButton, {}, {10, 10});
+
+    // The text is edited: what the control would reject is marked at once, and the edit is checked like a posted text.
+    const QString posted = text->toPlainText();
+    QVERIFY(driver.clickOn("editTextButton"));
+    text->setFocus();
+    QTest::keyClick(text, Qt::Key_End, Qt::ControlModifier);
+    QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(text, "G999\n");
+    QVERIFY(driver.waitFor([&] { return bench.program.edited(); }, 3000));
+    QVERIFY(!bench.program.lint().empty() && bench.program.lint().front().line == 1);
+    QVERIFY(!bench.program.exportable());
+    driver.shoot("20-lint");
+    QTest::keyClick(text, Qt::Key_Z, Qt::ControlModifier); // the editor's own undo
+    QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(text, "(a word of mine)\n");
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    page8->ensureWidgetVisible(driver.visible("checkTextButton"));
+    QCoreApplication::processEvents();
+    QVERIFY(driver.waitFor([&] { return bench.program.lint().empty(); }, 3000));
+    QVERIFY(driver.clickOn("checkTextButton"));
+    QVERIFY(driver.settle());
+    QVERIFY(driver.waitFor([&] { return bench.program.exportable(); }, 3000));
+    QVERIFY(bench.program.program()->text.find("(a word of mine)") != std::string::npos);
+    QVERIFY(driver.clickOn("editTextButton"));
 
     // A clamp across the groove: refused, until there is a reason.
     QVERIFY(driver.step(JobStep::stock));

@@ -73,11 +73,11 @@ void DeviationCard::changeEvent(QEvent* event) {
 
 void DeviationCard::refresh() {
     const auto row = [](DeviationBand band, const QString& title, double share) {
-        ListRow row;
-        row.title = row.toolTip = title;
-        row.value = QLocale().toString(100.0 * share, 'f', 1) + QChar(QChar::Nbsp) + QLatin1Char('%');
-        row.swatch = activePalette().*roleOf(band);
-        return row;
+        ListRow shown;
+        shown.title = shown.toolTip = title;
+        shown.value = QLocale().toString(100.0 * share, 'f', 1) + QChar(QChar::Nbsp) + QLatin1Char('%');
+        shown.swatch = activePalette().*roleOf(band);
+        return shown;
     };
     bands_->setRows(
         {row(DeviationBand::gouge, tr("Gouge deeper than %1").arg(shortLength(tolerance_.gouge, unit_)), shares_.gouge),

@@ -7,6 +7,7 @@
 #include "ui/panels/deviation_card.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/length_field.h"
+#include "ui/panels/load_chart.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/program_text.h"
@@ -46,6 +47,7 @@ public:
     ProgramState state;
     ProgramText* program;
     DeviationCard* deviation;
+    LoadChart* load;
 
 private:
     void addTarget();
@@ -103,6 +105,9 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
         ProgramPanel::tr("Give a reason that goes into the program's header; then it can be exported"));
     column_->addWidget(override_);
     addFigures();
+    load = new LoadChart(panel);
+    load->setObjectName(QStringLiteral("loadChart"));
+    column_->addWidget(load);
     deviation = new DeviationCard(panel);
     column_->addWidget(deviation);
     checkText_ = makePrimaryButton(ProgramPanel::tr("Check the edited text"), QStringLiteral("checkTextButton"), panel);
@@ -118,6 +123,10 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     connect(program, &ProgramText::textEdited, panel, &ProgramPanel::textEdited);
     connect(override_, &QPushButton::clicked, panel, &ProgramPanel::overrideRequested);
     connect(program, &ProgramText::lineChosen, panel, &ProgramPanel::lineChosen);
+    connect(load, &LoadChart::lineChosen, panel, [panel, this](int line) {
+        program->showLine(line);
+        emit panel->lineChosen(line);
+    });
     connect(findings_, &RowList::rowChosen, this, [this](int row) {
         if (static_cast<std::size_t>(row) >= marks_.size()) return;
         const int line = marks_[static_cast<std::size_t>(row)].line;
@@ -263,6 +272,8 @@ void ProgramPanel::Fields::refresh() {
     gather();
     refreshVerdict();
     refreshFigures();
+    load->setVisible(state.report && !state.report->loads.empty());
+    if (state.report) load->setLoads(state.report->loads, state.report->machiningSeconds);
     deviation->setVisible(state.report && !state.report->deviations.empty());
     checkText_->setVisible(state.edited);
     enableUnless(checkText_, state.busy ? ProgramPanel::tr("Work is under way.") : QString(),
@@ -297,8 +308,9 @@ void ProgramPanel::showLine(int line) {
     fields_->program->showLine(line);
 }
 
-void ProgramPanel::showMachineState(const QString& state) {
+void ProgramPanel::showMachineState(const QString& state, std::optional<double> seconds) {
     fields_->program->showState(state);
+    fields_->load->showTime(seconds);
 }
 
 DeviationCard& ProgramPanel::deviation() const {

@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 namespace burin {
 
 class DeviationCard;
@@ -17,9 +19,10 @@ class ProgramPanel : public QWidget {
 public:
     explicit ProgramPanel(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
-    void setState(const ProgramState& state);    ///< never emits
-    void showLine(int line);                     ///< from 1, without a signal
-    void showMachineState(const QString& state); ///< when the chosen line is done
+    void setState(const ProgramState& state); ///< never emits
+    void showLine(int line);                  ///< from 1, without a signal
+    /// When the chosen line is done: the machine's state, and the time; nothing: no line is looked at.
+    void showMachineState(const QString& state, std::optional<double> seconds);
     void startSearch();
     DeviationCard& deviation() const; ///< the part of the panel that tells what is left on the part
 

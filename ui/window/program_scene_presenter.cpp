@@ -4,6 +4,9 @@
 
 #include "core/base/units.h"
 #include "core/nc/program_lines.h"
+#include "ui/panels/texts.h"
+
+#include <algorithm>
 
 namespace burin {
 
@@ -26,8 +29,23 @@ ProgramScenePresenter::ProgramScenePresenter(Workbench& workbench, Viewport& vie
 }
 
 void ProgramScenePresenter::setShown(JobStep step) {
-    shown_ = step == JobStep::program;
+    const bool shown = step == JobStep::program, comes = shown && !shown_;
+    shown_ = shown;
     present();
+    if (comes) chooseSelection();
+}
+
+/// What is chosen of the path leads to the line that mills it.
+void ProgramScenePresenter::chooseSelection() {
+    const auto& selection = workbench_.path.selection();
+    if (!program_ || !selection) return;
+    const auto found = std::ranges::find_if(
+        program_->moments, [&](const Moment& moment) { return moment.take != 0 && selection->contains(moment); });
+    if (found == program_->moments.end()) return;
+    line_ =
+        static_cast<int>(program_->parsed.motions[static_cast<std::size_t>(found - program_->moments.begin())].line);
+    panel_.showLine(line_);
+    showLine();
 }
 
 void ProgramScenePresenter::present() {
@@ -80,7 +98,8 @@ void ProgramScenePresenter::showLine() {
         }
     viewport_.setMoveMark(places);
     scene_.showToolAt(motion != nullptr ? std::optional(motion->to + zero_) : std::nullopt);
-    panel_.showMachineState(motion != nullptr ? stateText(*motion) : QString());
+    panel_.showMachineState(motion != nullptr ? stateText(*motion) : QString(),
+                            motion != nullptr ? endOf(*motion) : std::nullopt);
 }
 
 QString ProgramScenePresenter::stateText(const NcMotion& motion) const {
@@ -101,7 +120,39 @@ QString ProgramScenePresenter::stateText(const NcMotion& motion) const {
                                      unitText(unit()));
     text += separator + (motion.spindleOn() ? tr("spindle %1/min").arg(QLocale().toString(motion.spindleSpeed, 'f', 0))
                                             : tr("spindle off"));
-    return text + separator + QLatin1Char('T') + QString::number(motion.tool);
+    text += separator + QLatin1Char('T') + QString::number(motion.tool);
+    const auto place = static_cast<std::size_t>(&motion - program_->parsed.motions.data());
+    if (const auto seconds = endOf(motion)) text += QLatin1Char('\n') + tr("at %1").arg(durationText(*seconds));
+    return text + loadText(place) + handText(place);
+}
+
+std::optional<double> ProgramScenePresenter::endOf(const NcMotion& motion) const {
+    const auto place = static_cast<std::size_t>(&motion - program_->parsed.motions.data());
+    const std::vector<MotionTime>& times = program_->report.times;
+    if (place >= times.size()) return std::nullopt;
+    return times[place].start + times[place].duration;
+}
+
+QString ProgramScenePresenter::loadText(std::size_t motion) const {
+    const std::vector<MotionLoad>& loads = program_->report.loads;
+    const auto load = std::ranges::lower_bound(loads, motion, {}, &MotionLoad::motion);
+    if (load == loads.end() || load->motion != motion) return {};
+    const QString separator = QStringLiteral(" · ");
+    return separator + rateText(load->removalRate, unit()) + separator +
+           tr("%1 N").arg(QLocale().toString(load->force, 'f', 1)) + separator +
+           tr("%1 W").arg(QLocale().toString(load->power, 'f', 0));
+}
+
+QString ProgramScenePresenter::handText(std::size_t motion) const {
+    if (motion >= program_->moments.size() || program_->moments[motion].take == 0) return {};
+    const Moment& moment = program_->moments[motion];
+    const auto& takes = workbench_.mill.takes();
+    const auto take = std::ranges::find(takes, moment.take, &TakeInfo::id);
+    if (take == takes.end()) return {};
+    return QLatin1Char('\n') +
+           tr("the hand: %1, %2 s")
+               .arg(takeName(take->name),
+                    QLocale().toString(static_cast<double>(moment.tick) * take->tickPeriod, 'f', 2));
 }
 
 } // namespace burin

@@ -29,7 +29,11 @@ private:
     void pick(std::size_t move);
     void showLine();
     void take(std::shared_ptr<const CheckedProgram> program);
+    void chooseSelection();
     QString stateText(const NcMotion& motion) const;
+    std::optional<double> endOf(const NcMotion& motion) const; ///< s from the program's beginning
+    QString loadText(std::size_t motion) const;
+    QString handText(std::size_t motion) const;
 
     Viewport& viewport_;
     ProgramPanel& panel_;

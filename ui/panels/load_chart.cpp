@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/load_chart.h"
+
+#include "ui/theme/colour.h"
+#include "ui/theme/theme.h"
+
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr int chartHeight = 64, textHeight = 16; // pixels
+constexpr double fillShare = 0.35;          // of the force's colour below its line
+
+} // namespace
+
+LoadChart::LoadChart(QWidget* parent) : QWidget(parent) {
+    setFixedHeight(chartHeight);
+    setCursor(Qt::PointingHandCursor);
+    setToolTip(tr("Cutting force over the machining time; click for the line that is cut then"));
+    setAccessibleName(tr("Cutting force over the machining time"));
+}
+
+void LoadChart::setLoads(std::vector<MotionLoad> loads, double seconds) {
+    loads_ = std::move(loads);
+    seconds_ = seconds;
+    peak_ = 0.0;
+    for (const MotionLoad& load : loads_) peak_ = std::max(peak_, load.force);
+    setAccessibleDescription(tr("Peak %1 N").arg(QLocale().toString(peak_, 'f', 1)));
+    update();
+}
+
+void LoadChart::showTime(std::optional<double> seconds) {
+    if (seconds == time_) return;
+    time_ = seconds;
+    update();
+}
+
+QSize LoadChart::sizeHint() const {
+    return {200, chartHeight};
+}
+
+std::vector<double> LoadChart::columns(int count) const {
+    std::vector<double> greatest(static_cast<std::size_t>(std::max(0, count)), 0.0);
+    if (seconds_ <= 0.0 || count <= 0) return greatest;
+    const auto columnOf = [&](double time) {
+        return static_cast<std::size_t>(std::clamp(static_cast<int>(time / seconds_ * count), 0, count - 1));
+    };
+    for (const MotionLoad& load : loads_)
+        for (std::size_t i = columnOf(load.start); i <= columnOf(load.start + load.duration); ++i)
+            greatest[i] = std::max(greatest[i], load.force);
+    return greatest;
+}
+
+void LoadChart::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const Palette& palette = activePalette();
+    painter.fillRect(rect(), palette.field);
+    const int bottom = height();
+    const double high = bottom - textHeight;
+    const std::vector<double> forces = columns(width());
+    const QColor fill = mixed(palette.field, palette.force, fillShare);
+    for (int x = 0; x < width(); ++x) {
+        const double share = peak_ > 0.0 ? forces[static_cast<std::size_t>(x)] / peak_ : 0.0;
+        const int top = bottom - static_cast<int>(std::lround(share * high));
+        if (top >= bottom) continue;
+        painter.fillRect(x, top, 1, bottom - top, fill);
+        painter.fillRect(x, top, 1, 1, palette.force);
+    }
+    if (time_ && seconds_ > 0.0) {
+        painter.setPen(palette.text);
+        const int x = static_cast<int>(std::lround(*time_ / seconds_ * (width() - 1)));
+        painter.drawLine(x, 0, x, bottom);
+    }
+    painter.setPen(palette.quietText);
+    painter.drawText(QRect(6, 1, width() - 12, textHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("Force, peak %1 N").arg(QLocale().toString(peak_, 'f', 1)));
+}
+
+const MotionLoad* LoadChart::at(double seconds) const {
+    const auto behind = std::ranges::upper_bound(loads_, seconds, {}, &MotionLoad::start);
+    return behind == loads_.begin() ? nullptr : &*std::prev(behind);
+}
+
+void LoadChart::choose(double x) {
+    const MotionLoad* load = at(std::clamp(x / std::max(1, width()), 0.0, 1.0) * seconds_);
+    if (load != nullptr) emit lineChosen(static_cast<int>(load->line));
+}
+
+void LoadChart::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) choose(event->position().x());
+}
+
+void LoadChart::mouseMoveEvent(QMouseEvent* event) {
+    if ((event->buttons() & Qt::LeftButton) != 0) choose(event->position().x());
+}
+
+} // namespace burin

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/verify/load.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace burin {
+
+/// The cutting force over the time that a program takes: the greatest in each column of pixels, its peak told in N. A
+/// click leads to the line of the motion that is cut then.
+class LoadChart : public QWidget {
+    Q_OBJECT
+public:
+    explicit LoadChart(QWidget* parent = nullptr);
+    /// @param loads in program order @param seconds that the program takes
+    void setLoads(std::vector<MotionLoad> loads, double seconds);
+    void showTime(std::optional<double> seconds); ///< marks a time; nothing: none
+
+    QSize sizeHint() const override;
+
+signals:
+    void lineChosen(int line); ///< from 1
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+
+private:
+    std::vector<double> columns(int count) const; ///< N, greatest force in each
+    const MotionLoad* at(double seconds) const;   ///< what is cut then, or last before
+    void choose(double x);
+
+    std::vector<MotionLoad> loads_;
+    double seconds_ = 0.0, peak_ = 0.0;
+    std::optional<double> time_;
+};
+
+} // namespace burin
