@@ -51,6 +51,7 @@ public:
     Linker(const Link& edit, const PartGuard& guard, const PathContext& context, double safeHeight)
         : approach_(edit.approach)
         , travel_(edit.travel)
+        , rapidsAreStraight_(context.machine.rapids != RapidMode::independent)
         , safeHeight_(safeHeight)
         , reach_(context.tool.cutter.diameter)
         , guard_(guard)
@@ -104,6 +105,7 @@ private:
     /// At which the tool goes from the end of a stroke to the start of the next one.
     double travelHeight(const glm::dvec3& from, const glm::dvec3& to) const {
         if (travel_ == Link::Travel::safe) return safeHeight_;
+        if (!rapidsAreStraight_ && from.x != to.x && from.y != to.y) return safeHeight_;
         const double height = std::max({cleared_.freeHeight(from, to), from.z, to.z}) + approach_;
         if (height >= safeHeight_) return safeHeight_;
         const glm::dvec3 start(from.x, from.y, height), end(to.x, to.y, height);
@@ -166,6 +168,7 @@ private:
 
     double approach_; // mm
     Link::Travel travel_;
+    bool rapidsAreStraight_;
     double safeHeight_, reach_; // mm
     double lastRequired_ = 0.0; // mm from the part, of the stroke before
     const PartGuard& guard_;

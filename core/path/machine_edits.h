@@ -13,7 +13,8 @@ namespace burin {
 /// map of the strokes before. Ends no farther apart than the cutter's diameter are joined straight at the cutting feed,
 /// where that keeps the allowance and shank and holder stay in empty space. Under an overhang the tool leaves along the
 /// way it came. Instead of over everything it may travel at the lowest height at which the whole tool, on its straight
-/// way across, stays `approach` above what the height map says is left, and clear of part and obstacles.
+/// way across, stays `approach` above what the height map says is left, and clear of part and obstacles; a machine
+/// whose axes run independently goes askew over everything all the same.
 struct Link {
     enum class Travel { safe, lowest };
     double clearanceAbove = 5.0; ///< mm

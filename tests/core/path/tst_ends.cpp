@@ -186,6 +186,11 @@ private slots:
         const auto pin = std::make_shared<const MeshDistance>(boxMesh({{-1, -1, -5}, {1, 1, 4}}));
         context.obstacles.push_back({pin, 2.0, true});
         QVERIFY(heights(context).second >= 4.0 + 2.0);
+        context.obstacles.clear();
+        for (Sample& sample : second.samples) sample.proxy.tip.y += 8.0;
+        QCOMPARE(heights(context).second, 1.0);
+        context.machine.rapids = RapidMode::independent; // not straight, so not surely over what was looked at
+        QCOMPARE(heights(context).second, 5.0);
     }
 
     void climbAndConventionalAreTold_data() {
