@@ -10,6 +10,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace burin;
@@ -88,6 +89,7 @@ struct SlowReplay {
     Findings findings;
 
     SlowReplay(const std::vector<ToolMove>& moves, const std::vector<Tool>& tools, RunVolume& volume) {
+        constexpr glm::dvec3 up(0.0, 0.0, 1.0);
         for (const ToolMove& move : moves) {
             const Cutter& cutter = tools[move.tool].cutter;
             const std::vector<RevolvedPiece> stack = pieces(cutter);
@@ -98,10 +100,9 @@ struct SlowReplay {
             double taken = 0.0;
             for (int i = 1; i <= steps; ++i) {
                 const glm::dvec3 next = i == steps ? move.to : glm::mix(from, move.to, static_cast<double>(i) / steps);
-                taken += removal.cut(volume, tip, next).volume;
+                taken += removal.cut(volume, ToolPose{tip, up}, ToolPose{next, up}).volume;
                 tip = next;
-                const ShankContact contact =
-                    shankContact(volume, stack, flutePieces(cutter).size(), {next, {0.0, 0.0, 1.0}});
+                const ShankContact contact = shankContact(volume, stack, flutePieces(cutter).size(), {next, up});
                 if (!contact.touches) continue;
                 const bool shank = sectionOf(cutter, contact.piece) == ToolSection::shank;
                 findings.add(shank ? FindingKind::shankCollision : FindingKind::holderCollision, move.line,
@@ -120,6 +121,7 @@ std::uint64_t differingUnits(const RunVolume& a, const RunVolume& b) {
     const Grid& grid = a.grid();
     for (LineIndex line{0, 0}; line.v < grid.lineCountV(); ++line.v)
         for (line.u = 0; line.u < grid.lineCountU(); ++line.u) {
+            if (std::ranges::equal(a.line(line), b.line(line))) continue;
             const auto at = [&](const RunVolume& volume, RunPosition place) {
                 for (const Segment segment : volume.line(line))
                     if (place < segment.end()) return segment.property();
@@ -162,10 +164,7 @@ void ReplayTest::isThatOfOneStepAfterTheOther() {
         const std::vector<MoveCut> cuts = fastReplay(moves, tools, fast, findings);
         const double unit = fast.grid().unitVolume();
         for (std::size_t i = 0; i < moves.size(); ++i)
-        {
-            if (std::abs(cuts[i].volume - expected.volumes[i]) >= 50.0 * unit) { fprintf(stderr,"axis %d move %zu of %zu tool %d known %d from %g %g %g to %g %g %g: %g %g unit %g\n",static_cast<int>(axis),i,moves.size(),moves[i].tool,moves[i].startKnown,moves[i].from.x,moves[i].from.y,moves[i].from.z,moves[i].to.x,moves[i].to.y,moves[i].to.z,cuts[i].volume,expected.volumes[i],unit); }
             RC_ASSERT(std::abs(cuts[i].volume - expected.volumes[i]) < 50.0 * unit);
-        }
         RC_ASSERT(differingUnits(slow, fast) < 50U);
         const std::vector<Finding> one = findings.inProgramOrder(), other = expected.findings.inProgramOrder();
         RC_ASSERT(one.size() == other.size());

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
+#include "core/verify/deviation_map.h"
+#include "core/verify/load_chart.h"
+#include "core/verify/tool_moves.h"
 #include "core/verify/verify.h"
 
 #include <QTest>
@@ -106,6 +109,12 @@ private slots:
     void feedFromNowhereIsFound();
     void excessOverAFacedTopIsWhatWasLeft();
     void finishingMovesLieOnThePart();
+    void anArcIsJudgedAsAnArc();
+    void independentAxesBendARapid();
+    void aBentRapidIsJudgedOnItsBend();
+    void eachToolMakesItsOwnMoves();
+    void theLoadIsThatOfWhatIsRemoved();
+    void aPlaceOfThePartHasItsNumber();
 };
 
 void VerifyTest::aProgramInAirPasses() {
@@ -266,6 +275,130 @@ void VerifyTest::finishingMovesLieOnThePart() {
                                                   "G1 Z-20 F300\nG1 X-10 F600\nG1 Z5 F300\n");
     QVERIFY(std::abs(report.onPartShare - 0.5) < 0.01);
     QCOMPARE(report.onPartSamples, std::size_t(400));
+}
+
+/// A ring with the profile of a half disc (Pappus).
+void VerifyTest::anArcIsJudgedAsAnArc() {
+    Case job;
+    const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-8 Y0\nG1 Z-3 F300\nG2 I8 J0 F600\nG1 Z5\n");
+    QVERIFY(report.passed());
+    const double ring = 0.5 * pi * 9.0 * 2.0 * pi * 8.0;
+    QVERIFY2(std::abs(report.removed - ring) < 0.005 * ring, qPrintable(QString::number(report.removed)));
+    QCOMPARE(report.loads.size(), std::size_t(2)); // the plunge and the arc, however many chords it has
+    QCOMPARE(report.loads.back().line, 7U);
+}
+
+/// To (60, 50, 10): Z is there first, then X, then Y, which is slow.
+void VerifyTest::independentAxesBendARapid() {
+    MachineProfile bent = machine();
+    bent.rapids = RapidMode::independent;
+    bent.axisRates = {6000.0, 3000.0, 6000.0};
+    const std::vector<glm::dvec3> way = rapidWay(glm::dvec3(0.0), {60.0, 50.0, 10.0}, bent);
+    QCOMPARE(way.size(), std::size_t(3));
+    QVERIFY(glm::length(way[0] - glm::dvec3(10.0, 5.0, 10.0)) < 1e-9);
+    QVERIFY(glm::length(way[1] - glm::dvec3(60.0, 30.0, 10.0)) < 1e-9);
+    QCOMPARE(way[2], glm::dvec3(60.0, 50.0, 10.0));
+    QCOMPARE(rapidWay(glm::dvec3(0.0), {30.0, 15.0, 30.0}, bent).size(), std::size_t(1)); // all at once
+    bent.rapids = RapidMode::synchronised;
+    QCOMPARE(rapidWay(glm::dvec3(0.0), {60.0, 50.0, 10.0}, bent).size(), std::size_t(1));
+}
+
+/// Straight up and away it clears the stock; with a slow Z it is dragged through its side.
+void VerifyTest::aBentRapidIsJudgedOnItsBend() {
+    const std::string moves = start + "G0 Z5\nG0 X40 Y0\nG0 Z-10\nG0 X0 Z20\n";
+    Case straight;
+    straight.request.machine.axisRates = {6000.0, 6000.0, 2000.0};
+    QVERIFY(straight.judge(moves).passed());
+    Case bent;
+    bent.request.machine = straight.request.machine;
+    bent.request.machine.rapids = RapidMode::independent;
+    const VerifyReport report = bent.judge(moves);
+    QVERIFY(report.rapids == RapidMode::independent);
+    QCOMPARE(countOf(report, FindingKind::rapidInStock), 1);
+    QCOMPARE(report.findings.front().line, 7U);
+}
+
+void VerifyTest::eachToolMakesItsOwnMoves() {
+    const std::string moves = start + "G0 Z5\nG0 X-10 Y-8\nG1 Z-2 F300\nG1 X10 F600\nG0 Z5\nT2 M6\nS8000 M3\n"
+                                      "G0 X-10 Y8 Z5\nG1 Z-2 F300\nG1 X10 F600\nG0 Z5\n";
+    Case job;
+    const ParsedProgram program = parseProgram(moves + "M2\n", "test.ngc").value();
+    job.request.program = &program;
+    Progress progress;
+    const Result<VerifyReport> oneForAll = burin::verify(job.request, progress);
+    QVERIFY(!oneForAll && oneForAll.error().code == ErrorCode::notSupported);
+
+    Tool flat = ballTool();
+    flat.number = 2;
+    flat.cutter = {CutterType::flat, 4.0, 0.0, 8.0, 4.0, 30.0, {}};
+    job.request.tools = {job.request.tool};
+    const Result<VerifyReport> unknown = burin::verify(job.request, progress);
+    QVERIFY(!unknown && unknown.error().code == ErrorCode::nameUnknown);
+    QCOMPARE(unknown.error().place, std::string("T2"));
+
+    job.request.tools = {flat, job.request.tool};
+    const VerifyReport report = job.judge(moves);
+    QVERIFY(report.passed());
+    const double ballHeight = 2.0, segment = 9.0 * std::acos(1.0 - ballHeight / 3.0) -
+                                             (3.0 - ballHeight) * std::sqrt(6.0 * ballHeight - ballHeight * ballHeight);
+    const double cap = pi * ballHeight * ballHeight * (3.0 - ballHeight / 3.0);
+    const double expected = segment * 20.0 + cap + 4.0 * 2.0 * 20.0 + pi * 4.0 * 2.0;
+    QVERIFY2(std::abs(report.removed - expected) < 0.01 * expected, qPrintable(QString::number(report.removed)));
+}
+
+void VerifyTest::theLoadIsThatOfWhatIsRemoved() {
+    Case job;
+    job.request.machine.acceleration = 400.0;
+    job.request.tool.fluteCount = 2;
+    const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y0\nG1 Z-3 F300\nG1 X10 F600\nG1 Z5\n");
+    QCOMPARE(report.loads.size(), std::size_t(2));
+    const MotionLoad& groove = report.loads[1];
+    QCOMPARE(groove.line, 7U);
+    QVERIFY(std::abs(report.loads[0].volume + groove.volume - report.removed) < 1e-9 * report.removed);
+    QVERIFY(std::abs(groove.volume - 0.5 * pi * 9.0 * 20.0) < 0.02 * groove.volume);
+    QVERIFY(groove.duration > 2.0 && groove.duration < 2.1); // 20 mm at 10 mm/s, and its ramps
+    QCOMPARE(groove.removalRate, groove.volume / groove.duration);
+    QVERIFY(groove.power > 0.0);
+    const double edgeSpeed = pi * 6.0 * 10000.0 / 60.0; // mm/s
+    QVERIFY(std::abs(groove.force * edgeSpeed / 1000.0 - groove.power) < 1e-9 * groove.power);
+    QCOMPARE(peakLoad(report.loads)->line, 7U);
+    QVERIFY(std::abs(peakLoad(report.loads)->place.y - 10.0) < 0.1); // in the groove
+    QVERIFY(peakLoad({}) == nullptr);
+    QCOMPARE(report.times.size(), std::size_t(5));
+}
+
+void VerifyTest::aPlaceOfThePartHasItsNumber() {
+    const glm::dvec3 middle(15.0, 10.0, 10.0); // of the part's top
+    const DeviationTolerance tolerance{0.02, 0.1, 0.0};
+    Case job;
+    job.request.tool.cutter = {CutterType::flat, 10.0, 0.0, 28.0, 9.0, 40.0, {}};
+    const auto pass = [&](const char* level) {
+        return job.judge(start + "G0 Z5\nG0 X-30 Y0\nG1 Z" + level + " F1000\nG1 X30\nG1 Z5\n");
+    };
+    struct Row {
+        const char* level;
+        double deviation;
+        DeviationBand band;
+    };
+    for (const Row& row : {Row{"-19.5", 0.5, DeviationBand::excess}, Row{"-20", 0.0, DeviationBand::inTolerance},
+                           Row{"-20.3", -0.3, DeviationBand::gouge}}) {
+        const VerifyReport report = pass(row.level);
+        const DeviationMap map(report.deviations, job.request.setup.voxel);
+        // Gouges are marked where the tool was found deepest: somewhere on the pass.
+        std::size_t at = map.nearest(middle, 1.0).value();
+        if (row.deviation < 0.0)
+            for (std::size_t i = 0; i < report.deviations.size(); ++i)
+                if (report.deviations[i].gouge > report.deviations[at].gouge) at = i;
+        const DeviationSample& sample = report.deviations[at];
+        QVERIFY2(std::abs(deviationOf(sample) - row.deviation) < 1e-3,
+                 qPrintable(QString::number(deviationOf(sample))));
+        QVERIFY(bandOf(sample, tolerance) == row.band);
+        QCOMPARE(map.nearest(sample.place, 0.01).value(), at);
+        QVERIFY(!map.nearest({15.0, 10.0, 30.0}, 1.0));
+        const DeviationMap::Shares shares = map.shares(tolerance);
+        QVERIFY(std::abs(shares.gouge + shares.inTolerance + shares.excess + shares.unreachable - 1.0) < 1e-9);
+        QCOMPARE(shares.gouge > 0.0, row.deviation < 0.0);
+    }
 }
 
 QTEST_APPLESS_MAIN(VerifyTest)
