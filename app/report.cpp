@@ -71,6 +71,25 @@ json jsonOf(const std::vector<EditReport>& reports) {
     return list;
 }
 
+json jsonOf(const std::vector<LintMark>& marks) {
+    json list = json::array();
+    for (const LintMark& mark : marks)
+        list.push_back({{"line", mark.line},
+                        {"column", mark.column},
+                        {"severity", mark.severity == LintSeverity::error ? "error" : "warning"},
+                        {"text", mark.text}});
+    return list;
+}
+
+std::string textOf(const std::vector<LintMark>& marks) {
+    std::ostringstream text;
+    for (std::size_t i = 0; i < marks.size() && i < 20; ++i)
+        text << "\n  line " << marks[i].line << ", column " << marks[i].column
+             << (marks[i].severity == LintSeverity::error ? ": rejected by the control: " : ": ") << marks[i].text;
+    if (marks.size() > 20) text << "\n  and " << marks.size() - 20 << " more";
+    return text.str();
+}
+
 std::string textOf(const Model& model) {
     std::ostringstream text;
     const glm::dvec3 size = model.box().size();

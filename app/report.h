@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/nc/lint.h"
 #include "core/path/evaluate.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
@@ -21,9 +22,11 @@ nlohmann::json jsonOf(const Model& model);
 nlohmann::json jsonOf(const Tool& tool); ///< {"type", "diameter_mm", "corner_radius_mm", …}
 nlohmann::json jsonOf(const VerifyReport& report);
 nlohmann::json jsonOf(const std::vector<EditReport>& reports);
+nlohmann::json jsonOf(const std::vector<LintMark>& marks);
 
 /// The same for people, several lines.
 std::string textOf(const Model& model);
 std::string textOf(const VerifyReport& report, double gougeTolerance);
+std::string textOf(const std::vector<LintMark>& marks); ///< lines that follow others; empty: there are none
 
 } // namespace burin

@@ -161,6 +161,11 @@ Result<Around> aroundOf(const Project& project) {
     return Around{std::move(*obstacles), *axis, *travel, *target};
 }
 
+std::string dialectFor(const std::string& asked, const ProgramTarget& target, const MachineProfile& machine) {
+    if (!asked.empty()) return asked;
+    return machine.id == target.machine ? target.dialectFor(machine) : machine.dialect;
+}
+
 std::vector<Obstacle> joined(std::vector<Obstacle> kept, std::vector<Obstacle> added) {
     for (Obstacle& obstacle : added) {
         const std::string name = obstacle.name;

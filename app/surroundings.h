@@ -47,6 +47,9 @@ struct Around {
 };
 Result<Around> aroundOf(const Project& project);
 
+/// What is asked for, or what the project's programs are for, or what another machine's control reads.
+std::string dialectFor(const std::string& asked, const ProgramTarget& target, const MachineProfile& machine);
+
 /// Names that `kept` has already get numbers; then both. So each obstacle can be told from the others.
 std::vector<Obstacle> joined(std::vector<Obstacle> kept, std::vector<Obstacle> added);
 

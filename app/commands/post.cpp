@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/report.h"
+#include "app/surroundings.h"
 #include "core/base/file.h"
 #include "core/project/program_job.h"
 
@@ -44,12 +45,6 @@ Result<std::string> toolOf(const Project& project, const StoredPath& path) {
     return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
 }
 
-/// What is asked for, or what the project's programs are for, or what another machine's control reads.
-std::string dialectFor(const PostArguments& arguments, const ProgramTarget& target, const MachineProfile& machine) {
-    if (!arguments.dialect.empty()) return arguments.dialect;
-    return machine.id == target.machine ? target.dialectFor(machine) : machine.dialect;
-}
-
 int runPost(const PostArguments& arguments, CommandContext& context) {
     context.stage("Opening");
     Result<Project> project = Project::open(arguments.project);
@@ -72,7 +67,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     request.name = std::filesystem::path(arguments.output).filename().string();
     const Result<ProgramTarget> target = project->programTarget();
     if (!target) return context.fail(target.error());
-    request.dialect = dialectFor(arguments, *target, bench->machine);
+    request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
     request.gougeTolerance = arguments.tolerance;
     request.overrideReason = arguments.overrideReason;
     const Result<CheckedProgram> program = makeProgram(*bench, path->path, request, context.progress());
@@ -85,7 +80,9 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     answer["error_budget_mm"] = path->errorBudget;
     answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
     answer["tool"] = jsonOf(bench->tool);
-    const std::string verdict = textOf(program->report, arguments.tolerance);
+    answer["passed"] = program->passed();
+    answer["lint"] = jsonOf(program->lint);
+    const std::string verdict = textOf(program->report, arguments.tolerance) + textOf(program->lint);
     answer["overridden"] = program->overridden;
     if (!program->released()) {
         context.answer(answer, verdict);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/report.h"
+#include "app/surroundings.h"
 #include "core/base/file.h"
 #include "core/project/program_job.h"
 #include "ui/scene/deviation_map.h"
@@ -13,7 +14,7 @@ namespace burin {
 namespace {
 
 struct VerifyArguments {
-    std::string program, project, tool, map, machine;
+    std::string program, project, tool, map, machine, dialect;
     double tolerance = 0.02;
     std::size_t exactSamples = 500;
 };
@@ -40,7 +41,10 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!bench) return context.fail(bench.error());
 
     context.stage("Checking");
+    const Result<ProgramTarget> target = project->programTarget();
+    if (!target) return context.fail(target.error());
     ProgramRequest request;
+    request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
     request.gougeTolerance = arguments.tolerance;
     request.exactSamples = arguments.exactSamples;
     const Result<CheckedProgram> checked =
@@ -48,6 +52,8 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!checked) return context.fail(checked.error());
 
     nlohmann::json answer = jsonOf(checked->report);
+    answer["passed"] = checked->passed();
+    answer["lint"] = jsonOf(checked->lint);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
     answer["blocks"] = checked->parsed.blocks;
     answer["tool"] = jsonOf(bench->tool);
@@ -57,8 +63,8 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
             return context.fail(written.error());
         answer["map"] = std::filesystem::absolute(arguments.map).lexically_normal().string();
     }
-    context.answer(answer, textOf(checked->report, arguments.tolerance));
-    return checked->report.passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
+    context.answer(answer, textOf(checked->report, arguments.tolerance) + textOf(checked->lint));
+    return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 
 } // namespace
@@ -70,6 +76,8 @@ void registerVerify(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--project", arguments->project, "Project file (.burin)")->required();
     command->add_option("--tool", arguments->tool, "Tool; without it that of the first take");
     command->add_option("--machine", arguments->machine, "Machine; without it the project's");
+    command->add_option("--dialect", arguments->dialect,
+                        "Dialect that it is read in; without it the project's, or the machine's");
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();

@@ -200,6 +200,20 @@ public:
         return answer.clearance < within ? answer : free;
     }
 
+    bool enters(std::span<const RevolvedPiece> tool, ToolPose pose, double depth) const noexcept {
+        if (empty() || tool.empty() || !isFinite(pose.tip) || !isFinite(pose.axis)) return false;
+        pose.axis = unitOr(pose.axis, {0.0, 0.0, 1.0});
+        // Of what is found nothing better is wanted, so that the search ends there.
+        const ClearanceTolerance tie{depth, -depth, std::numeric_limits<double>::infinity()};
+        Found found;
+        found.distance = 0.0;
+        for (std::size_t i = 0; i < tool.size(); ++i) {
+            meet(PlacedPiece(tool[i], pose), i, tie, found);
+            if (found.any) return true;
+        }
+        return !reachesOutside(tool, pose);
+    }
+
 private:
     std::vector<std::uint32_t> meshOrder() const {
         std::vector<std::uint32_t> order;
@@ -365,6 +379,10 @@ ClosestPoint MeshDistance::closest(const glm::dvec3& point, double within) const
 ToolClearance MeshDistance::clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within,
                                       double tolerance) const {
     return tree_->clearance(tool, pose, within, {.ordinary = tolerance}, nullptr);
+}
+
+bool MeshDistance::enters(std::span<const RevolvedPiece> tool, const ToolPose& pose, double depth) const noexcept {
+    return tree_->enters(tool, pose, depth);
 }
 
 void MeshDistance::trianglesNear(const glm::dvec3& point, double within, std::vector<std::uint32_t>& numbers) const {

@@ -79,6 +79,11 @@ public:
     ToolClearance clearance(std::span<const RevolvedPiece> tool, const ToolPose& pose, double within = 1e300,
                             double tolerance = 1e-8) const;
 
+    /// Whether a tool at a pose is in the solid by more than `depth`, mm, > 0: a point of the mesh lies deeper in one of
+    /// its pieces, or all of the tool is in the solid. Quicker than its clearance, as the first such point is enough and
+    /// what is less deep is not looked at. A pose that is not finite enters nothing.
+    bool enters(std::span<const RevolvedPiece> tool, const ToolPose& pose, double depth) const noexcept;
+
     Box bounds() const noexcept;
     /// What is measured to, in an order in which neighbours are near each other.
     std::span<const Triangle> triangles() const noexcept;

@@ -48,9 +48,14 @@ Result<Deviation> apply(const Offset& edit, PathUnderEdit& state, const PathCont
 Result<Deviation> apply(const StepOverRows& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const Simplify& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const RoundCorners& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const LeadIn& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const LeadOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 /// Errors: pathGouges, where the tool can't get to a stroke from above without entering the part.
 Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+/// Errors: argumentInvalid (no stock, no feeds yet), those of PathContext::makeStock.
+Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const AreaFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 } // namespace burin

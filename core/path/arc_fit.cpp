@@ -43,30 +43,6 @@ std::optional<double> centreOnBisector(std::span<const StrokePoint> points, cons
     return 0.5 * sum / square;
 }
 
-/// The place on the grid of figures around `centre` from where both ends, as the control gets them, are most nearly
-/// equally far. Nothing where none is good enough.
-std::optional<glm::dvec2> roundedCentre(const glm::dvec2& centre, const glm::dvec2& from, const glm::dvec2& to,
-                                        const glm::dvec2& zero, const ArcFitRules& rules) {
-    const auto rounded = [&](const glm::dvec2& place) {
-        return glm::round((place - zero) / rules.figure) * rules.figure;
-    };
-    const glm::dvec2 start = rounded(from), end = rounded(to), nearest = rounded(centre);
-    double least = std::numeric_limits<double>::infinity();
-    glm::dvec2 best(0.0);
-    for (int i = -1; i <= 1; ++i) {
-        for (int j = -1; j <= 1; ++j) {
-            const glm::dvec2 here = nearest + rules.figure * glm::dvec2(i, j);
-            const double mismatch = std::abs(glm::distance(here, start) - glm::distance(here, end));
-            if (mismatch < least) {
-                least = mismatch;
-                best = here;
-            }
-        }
-    }
-    if (least > rules.radiusMismatch) return {};
-    return best + zero;
-}
-
 /// How far the polyline and the arc lie apart; nothing where the points don't go round it in order.
 std::optional<Deviation> deviationOf(std::span<const StrokePoint> points, const Arc& arc, const ArcTurn& turn) {
     const PlaneOfArc plane(arc.axis);
@@ -104,6 +80,28 @@ std::optional<Deviation> deviationOf(std::span<const StrokePoint> points, const 
 }
 
 } // namespace
+
+std::optional<glm::dvec2> roundedCentre(const glm::dvec2& centre, const glm::dvec2& from, const glm::dvec2& to,
+                                        const glm::dvec2& zero, const ArcFitRules& rules) {
+    const auto rounded = [&](const glm::dvec2& place) {
+        return glm::round((place - zero) / rules.figure) * rules.figure;
+    };
+    const glm::dvec2 start = rounded(from), end = rounded(to), nearest = rounded(centre);
+    double least = std::numeric_limits<double>::infinity();
+    glm::dvec2 best(0.0);
+    for (int i = -1; i <= 1; ++i) {
+        for (int j = -1; j <= 1; ++j) {
+            const glm::dvec2 here = nearest + rules.figure * glm::dvec2(i, j);
+            const double mismatch = std::abs(glm::distance(here, start) - glm::distance(here, end));
+            if (mismatch < least) {
+                least = mismatch;
+                best = here;
+            }
+        }
+    }
+    if (least > rules.radiusMismatch) return {};
+    return best + zero;
+}
 
 std::optional<FittedArc> fitArc(std::span<const StrokePoint> points, int axis, const ArcFitRules& rules) {
     const PlaneOfArc plane(axis);

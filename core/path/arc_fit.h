@@ -27,6 +27,11 @@ struct FittedArc {
     Deviation deviation; ///< never understated
 };
 
+/// The place on the grid of figures around `centre` from where both ends, as the control gets them, are most nearly
+/// equally far; all in the arc's plane. Nothing where none is good enough.
+std::optional<glm::dvec2> roundedCentre(const glm::dvec2& centre, const glm::dvec2& from, const glm::dvec2& to,
+                                        const glm::dvec2& zero, const ArcFitRules& rules);
+
 /// The arc or helix about an axis of the frame from the first point to the last that the points between lie nearest to
 /// (least squares on the bisector of both ends), with its centre on the grid of the control's figures. Nothing where
 /// that breaks a rule.

@@ -79,12 +79,31 @@ void ClearedHeights::cutAt(const glm::dvec3& tip) {
     }
 }
 
-double ClearedHeights::restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor) const {
+double ClearedHeights::heightAt(const glm::dvec3& place) const {
+    const double i = std::floor((place.x - stock_.low.x) / edge_), j = std::floor((place.y - stock_.low.y) / edge_);
+    if (!(i >= 0.0 && j >= 0.0 && i < static_cast<double>(countX_) && j < static_cast<double>(countY_)))
+        return stock_.low.z - 1e3;
+    return height(static_cast<long>(i), static_cast<long>(j));
+}
+
+double ClearedHeights::freeHeight(const glm::dvec3& from, const glm::dvec3& to) const {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const auto steps = static_cast<long>(std::max(1.0, std::ceil(length / edge_)));
+    double height = stock_.low.z - 1e3;
+    for (long i = 0; i <= steps; ++i) {
+        const glm::dvec3 place = glm::mix(from, to, static_cast<double>(i) / static_cast<double>(steps));
+        height = restingHeight(place.x, place.y, pieces_, height, 0.5 * edge_);
+    }
+    return height;
+}
+
+double ClearedHeights::restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor,
+                                     double slack) const {
     double resting = floor;
     for (const RevolvedPiece& piece : pieces) {
         if (stock_.high.z - piece.bottom <= resting) continue; // above everything
-        const auto [left, right] = range(x, piece.widestRadius(), 0);
-        const auto [front, back] = range(y, piece.widestRadius(), 1);
+        const auto [left, right] = range(x, piece.widestRadius() + slack, 0);
+        const auto [front, back] = range(y, piece.widestRadius() + slack, 1);
         for (long j = front; j <= back; ++j) {
             const double low = stock_.low.y + static_cast<double>(j) * edge_ - y;
             const double nearY = std::max({low, -low - edge_, 0.0});
@@ -92,7 +111,7 @@ double ClearedHeights::restingHeight(double x, double y, std::span<const Revolve
                 if (height(i, j) - piece.bottom <= resting) continue;
                 const double side = stock_.low.x + static_cast<double>(i) * edge_ - x;
                 const double nearX = std::max({side, -side - edge_, 0.0});
-                if (const auto heights = heightsAt(piece, std::hypot(nearX, nearY)))
+                if (const auto heights = heightsAt(piece, std::max(0.0, std::hypot(nearX, nearY) - slack)))
                     resting = std::max(resting, height(i, j) - heights->low);
             }
         }

@@ -27,6 +27,11 @@ public:
 
     /// The lowest tip above (x, y) at which the whole tool is in empty space, mm; very low beside the stock.
     double freeHeight(double x, double y) const { return restingHeight(x, y, pieces_, stock_.low.z - 1e3); }
+    /// The same all along a straight way in plan; the squares that the tool passes between two looks are held to be as
+    /// near as half of the way between them.
+    double freeHeight(const glm::dvec3& from, const glm::dvec3& to) const;
+    /// Above which height it is empty there, mm; very low beside the stock.
+    double heightAt(const glm::dvec3& place) const;
     /// Whether shank and holder are in empty space.
     bool shankIsFree(const glm::dvec3& tip) const {
         return restingHeight(tip.x, tip.y, std::span(pieces_).subspan(fluteCount_), tip.z) <= tip.z;
@@ -34,8 +39,9 @@ public:
 
 private:
     void cutAt(const glm::dvec3& tip);
-    /// The lowest tip, not below `floor`, at which the pieces are in empty space.
-    double restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor) const;
+    /// The lowest tip, not below `floor`, at which the pieces are in empty space, also where it is aside by `slack`.
+    double restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor,
+                         double slack = 0.0) const;
     /// Indices of the squares that a circle may touch, along one axis.
     struct Range {
         long first, last;

@@ -18,10 +18,10 @@
 namespace burin {
 
 /// All kinds of edits. What is known of each stands in one row of edit_rows.h.
-using EditParameters =
-    std::variant<DropAirCuts, DropDwells, CutOut, Trim, Split, Join, Reorder, Reverse, Mirror, Rotate, Array,
-                 MovePoints, ReplaceStretch, RemoveArea, LiftArea, Smooth, SmoothSpline, LayOnPart, Offset,
-                 StepOverRows, HoldOut, Simplify, FitArcs, Link, SetFeed, AreaFeed>;
+using EditParameters = std::variant<DropAirCuts, DropDwells, CutOut, Trim, Split, Join, Reorder, Reverse, Mirror,
+                                    Rotate, Array, MovePoints, ReplaceStretch, RemoveArea, LiftArea, Smooth,
+                                    SmoothSpline, LayOnPart, Offset, StepOverRows, HoldOut, Simplify, RoundCorners,
+                                    FitArcs, LeadIn, LeadOut, Link, SetFeed, LevelFeed, AreaFeed>;
 
 /// One entry of a path's history.
 struct Edit {

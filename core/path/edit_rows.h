@@ -185,11 +185,39 @@ struct EditRow<FitArcs> {
                                        number("radius_mismatch_mm", &FitArcs::radiusMismatch, 0.0001, 0.1)};
 };
 template <>
+struct EditRow<RoundCorners> {
+    static constexpr EditTraits traits{.id = "round-corners",
+                                       .title = BURIN_TEXT("Edit", "Round corners"),
+                                       .step = EditStep::curves,
+                                       .approximates = true};
+    static constexpr std::tuple fields{number("tolerance_mm", &RoundCorners::tolerance, 0.001, 10.0),
+                                       number("smallest_turn_rad", &RoundCorners::smallestTurn, 0.001, 3.0)};
+};
+template <>
+struct EditRow<LeadIn> {
+    static constexpr EditTraits traits{.id = "lead-in", .title = BURIN_TEXT("Edit", "Lead in"), .step = EditStep::ends};
+    static constexpr std::array<std::string_view, 4> forms{"line", "arc", "ramp", "helix"};
+    static constexpr std::tuple fields{stretch("stretch", &LeadIn::stretch), choice("form", &LeadIn::form, forms),
+                                       number("size_mm", &LeadIn::size, 0.05, 1000.0),
+                                       number("height_mm", &LeadIn::height, 0.01, 1000.0),
+                                       number("angle_rad", &LeadIn::angle, 0.002, 1.2)};
+};
+template <>
+struct EditRow<LeadOut> {
+    static constexpr EditTraits traits{
+        .id = "lead-out", .title = BURIN_TEXT("Edit", "Lead out"), .step = EditStep::ends};
+    static constexpr std::array<std::string_view, 2> forms{"line", "arc"};
+    static constexpr std::tuple fields{stretch("stretch", &LeadOut::stretch), choice("form", &LeadOut::form, forms),
+                                       number("size_mm", &LeadOut::size, 0.05, 1000.0)};
+};
+template <>
 struct EditRow<Link> {
     static constexpr EditTraits traits{
         .id = "link", .title = BURIN_TEXT("Edit", "Link"), .step = EditStep::links, .once = true};
+    static constexpr std::array<std::string_view, 2> travels{"safe", "lowest"};
     static constexpr std::tuple fields{number("clearance_above_mm", &Link::clearanceAbove, 0.1, 1000.0),
-                                       number("approach_mm", &Link::approach, 0.1, 100.0)};
+                                       number("approach_mm", &Link::approach, 0.1, 100.0),
+                                       choice("travel", &Link::travel, travels)};
 };
 template <>
 struct EditRow<SetFeed> {
@@ -198,6 +226,18 @@ struct EditRow<SetFeed> {
     static constexpr std::tuple<> fields{};
 };
 
+template <>
+struct EditRow<LevelFeed> {
+    static constexpr EditTraits traits{
+        .id = "level-feed", .title = BURIN_TEXT("Edit", "Feed by engagement"), .step = EditStep::tuning};
+    static constexpr std::array<std::string_view, 2> goals{"force", "removal"};
+    static constexpr std::tuple fields{choice("goal", &LevelFeed::goal, goals),
+                                       number("target", &LevelFeed::target, 0.0, 1e6),
+                                       number("smallest_chip_mm", &LevelFeed::smallestChip, 0.0001, 1.0),
+                                       number("largest_chip_mm", &LevelFeed::largestChip, 0.0001, 5.0),
+                                       number("least_change", &LevelFeed::leastChange, 0.0, 1.0),
+                                       number("sampling_mm", &LevelFeed::sampling, 0.05, 10.0)};
+};
 template <>
 struct EditRow<AreaFeed> {
     static constexpr EditTraits traits{

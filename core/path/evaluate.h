@@ -12,7 +12,9 @@
 #include "core/recording/sample.h"
 #include "core/setup/obstacle.h"
 #include "core/tool/tool.h"
+#include "core/volume/run_volume.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,9 @@ struct PathContext {
     Box stock;                            ///< mm, setup frame
     std::vector<ObstacleSolid> obstacles; ///< links keep clear of those that are on
     double tickPeriod = 0.001;            ///< s
-    glm::dvec3 workOffset{0.0};           ///< mm, program zero in the setup frame: where a control rounds figures
+    /// The stock before the path, which the path is cut out of again for feeds by engagement; may be empty.
+    std::function<Result<RunVolume>(Progress&)> makeStock{};
+    glm::dvec3 workOffset{0.0}; ///< mm, program zero in the setup frame: where a control rounds figures
 };
 
 /// What one edit did.

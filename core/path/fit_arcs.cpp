@@ -13,8 +13,6 @@ namespace {
 
 /// An arc has to stand for so many moves at least.
 constexpr std::size_t fewestMoves = 3;
-/// Arcs are held against the part by chords that leave them by this, mm; the part is grown by as much.
-constexpr double guardChord = 0.0005;
 
 /// A line or an arc to one of a stroke's points.
 struct Primitive {
@@ -92,14 +90,8 @@ private:
         if (primitive.end == first + 1) return true; // the move that was there
         const glm::dvec3 &from = points_[first].tip, &to = points_[primitive.end].tip;
         if (!primitive.arc) return guard_.isClear(from, to, required_, defaultSampling);
-        std::vector<glm::dvec3> places;
-        flatten({from, to, primitive.arc->centre, primitive.arc->axis, primitive.arc->clockwise}, guardChord, places);
-        glm::dvec3 at = from;
-        return std::ranges::all_of(places, [&](const glm::dvec3& place) {
-            const bool clear = guard_.isClear(at, place, required_ + guardChord, defaultSampling);
-            at = place;
-            return clear;
-        });
+        const PathArc& arc = *primitive.arc;
+        return guard_.isClear({from, to, arc.centre, arc.axis, arc.clockwise}, required_, defaultSampling);
     }
 
     const ArcFitRules& rules_;
@@ -156,10 +148,11 @@ Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathCon
     if (!guard) return guard.error();
     ArcFitRules rules;
     rules.tolerance = edit.tolerance;
-    rules.largestSweep = edit.largestSweep;
-    rules.smallestRadius = edit.smallestRadius;
-    rules.largestRadius = edit.largestRadius;
-    rules.radiusMismatch = edit.radiusMismatch;
+    const ArcRules& control = context.machine.arcs;
+    rules.largestSweep = std::min(edit.largestSweep, control.largestSweep);
+    rules.smallestRadius = std::max(edit.smallestRadius, control.smallestRadius);
+    rules.largestRadius = std::min(edit.largestRadius, control.largestRadius);
+    rules.radiusMismatch = std::min(edit.radiusMismatch, control.radiusMismatch);
     rules.figure = std::pow(10.0, -context.machine.coordinateDecimals);
     rules.programZero = context.workOffset;
     std::vector<Deviation> deviations(state.strokes.size());

@@ -50,20 +50,23 @@ class Linker {
 public:
     Linker(const Link& edit, const PartGuard& guard, const PathContext& context, double safeHeight)
         : approach_(edit.approach)
+        , travel_(edit.travel)
         , safeHeight_(safeHeight)
         , reach_(context.tool.cutter.diameter)
         , guard_(guard)
         , cleared_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {
         for (const ObstacleSolid& obstacle : context.obstacles)
-            if (obstacle.on) obstacles_.emplace_back(*obstacle.surface, context.tool);
+            if (obstacle.on) obstacles_.emplace_back(PartGuard(*obstacle.surface, context.tool), obstacle.margin);
     }
 
     void add(const PathStroke& stroke, const Access& access) {
         const glm::dvec3& start = stroke.points.front().tip;
         const bool joined = !points.empty() && canJoin(start, std::min(lastRequired_, stroke.required));
         if (!joined) {
-            leave();
-            enter(stroke, access);
+            const double height =
+                goBack() ? travelHeight(points.back().tip, stroke.points[access.entry].tip) : safeHeight_;
+            rise(height);
+            enter(stroke, access, height);
         }
         if (joined) cut(stroke, 0, {});
         for (std::size_t i = 1; i < stroke.points.size(); ++i) cut(stroke, i, stroke.points[i].arc);
@@ -71,21 +74,53 @@ public:
         lastRequired_ = stroke.required;
     }
 
-    /// Up to where the tool may travel.
+    /// Up to where nothing stands.
     void leave() {
-        if (points.empty()) return;
-        for (const auto& [stroke, index] : back_) cut(*stroke, index, reversed(stroke->points[index + 1].arc));
-        back_.clear();
-        const glm::dvec3 tip = points.back().tip;
-        const double near = std::min(tip.z + approach_, safeHeight_);
-        go({tip.x, tip.y, near}, MoveKind::retract);
-        if (near < safeHeight_) go({tip.x, tip.y, safeHeight_}, MoveKind::rapid);
+        if (goBack()) rise(safeHeight_);
     }
 
     std::vector<PathPoint> points;
 
 private:
     void go(const glm::dvec3& tip, MoveKind kind) { points.push_back({tip, kind, 0.0, 0, -1}); }
+
+    /// To where the last stroke can be left. @return false where there was none
+    bool goBack() {
+        if (points.empty()) return false;
+        for (const auto& [stroke, index] : back_) cut(*stroke, index, reversed(stroke->points[index + 1].arc));
+        back_.clear();
+        return true;
+    }
+
+    /// Up to a height, a little of it at the feed.
+    void rise(double height) {
+        if (points.empty()) return;
+        const glm::dvec3 tip = points.back().tip;
+        const double near = std::min(tip.z + approach_, height);
+        go({tip.x, tip.y, near}, MoveKind::retract);
+        if (near < height) go({tip.x, tip.y, height}, MoveKind::rapid);
+    }
+
+    /// At which the tool goes from the end of a stroke to the start of the next one.
+    double travelHeight(const glm::dvec3& from, const glm::dvec3& to) const {
+        if (travel_ == Link::Travel::safe) return safeHeight_;
+        const double height = std::max({cleared_.freeHeight(from, to), from.z, to.z}) + approach_;
+        if (height >= safeHeight_) return safeHeight_;
+        const glm::dvec3 start(from.x, from.y, height), end(to.x, to.y, height);
+        const auto passes = [&](const PartGuard& guard, double distance) {
+            return guard.isClear(from, start,
+                                 std::min(distance, guard.clearance(from, distance + 1.0).clearance) - touchTolerance,
+                                 defaultSampling) &&
+                   guard.isClear(start, end, distance, defaultSampling) &&
+                   guard.isClear(end, to,
+                                 std::min(distance, guard.clearance(to, distance + 1.0).clearance) - touchTolerance,
+                                 defaultSampling);
+        };
+        const bool clear = passes(guard_, 0.0) && std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
+                               return passes(obstacle.first, obstacle.second);
+                           });
+        return clear ? height : safeHeight_;
+    }
 
     /// To a point of a stroke, along the arc or straight.
     void cut(const PathStroke& stroke, std::size_t index, const std::optional<PathArc>& arc) {
@@ -98,14 +133,14 @@ private:
         points.push_back({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample, arc});
     }
 
-    /// To the stroke's first point: across at the safe height, rapidly down to the approach above what is left there,
+    /// To the stroke's first point: across at a height, rapidly down to the approach above what is left there,
     /// and on at the plunge feed.
-    void enter(const PathStroke& stroke, const Access& access) {
+    void enter(const PathStroke& stroke, const Access& access, double height) {
         const StrokePoint& entry = stroke.points[access.entry];
         const glm::dvec3& tip = entry.tip;
-        go({tip.x, tip.y, safeHeight_}, MoveKind::rapid);
+        go({tip.x, tip.y, height}, MoveKind::rapid);
         const double free = std::max(cleared_.freeHeight(tip.x, tip.y) + approach_, tip.z);
-        if (free < safeHeight_) go({tip.x, tip.y, free}, MoveKind::rapid);
+        if (free < height) go({tip.x, tip.y, free}, MoveKind::rapid);
         cleared_.cut(points.back().tip, tip);
         points.push_back({tip, MoveKind::plunge, 0.0, stroke.take, entry.sample});
         for (std::size_t i = access.entry; i > 0; --i) cut(stroke, i - 1, reversed(stroke.points[i].arc));
@@ -118,7 +153,7 @@ private:
         const glm::dvec3& end = points.back().tip;
         const double length = glm::distance(end, start);
         if (length > reach_ || !guard_.isClear(end, start, required, defaultSampling)) return false;
-        for (const PartGuard& obstacle : obstacles_)
+        for (const auto& [obstacle, margin] : obstacles_)
             if (!obstacle.isClear(end, start, 0.0, defaultSampling)) return false;
         constexpr double sampling = 0.25; // mm
         const int steps = std::max(1, static_cast<int>(length / sampling) + 1);
@@ -129,10 +164,12 @@ private:
         return true;
     }
 
-    double approach_, safeHeight_, reach_; // mm
-    double lastRequired_ = 0.0;            // mm from the part, of the stroke before
+    double approach_; // mm
+    Link::Travel travel_;
+    double safeHeight_, reach_; // mm
+    double lastRequired_ = 0.0; // mm from the part, of the stroke before
     const PartGuard& guard_;
-    std::vector<PartGuard> obstacles_;
+    std::vector<std::pair<PartGuard, double>> obstacles_; // with the margin to keep, mm
     ClearedHeights cleared_;
     std::vector<std::pair<const PathStroke*, std::size_t>> back_; // the way to where the last stroke can be left
 };

@@ -12,15 +12,32 @@ namespace burin {
 /// rapid down to `approach` above what is left at the entry, plunge. What is left is known from a conservative height
 /// map of the strokes before. Ends no farther apart than the cutter's diameter are joined straight at the cutting feed,
 /// where that keeps the allowance and shank and holder stay in empty space. Under an overhang the tool leaves along the
-/// way it came.
+/// way it came. Instead of over everything it may travel at the lowest height at which the whole tool, on its straight
+/// way across, stays `approach` above what the height map says is left, and clear of part and obstacles.
 struct Link {
+    enum class Travel { safe, lowest };
     double clearanceAbove = 5.0; ///< mm
     double approach = 1.0;       ///< mm
+    Travel travel = Travel::safe;
 };
 
 /// Feed, plunge feed and spindle speed from tool, material and machine. Plunges, and moves that go down by more than
 /// 45°, get the plunge feed.
 struct SetFeed {};
+
+/// Feeds by what the tool meets: the path is cut again out of the stock, and each stretch of a straight cutting move
+/// gets the feed at which the tangential force, or the removal rate, is what is aimed at. Arcs get one feed, the least
+/// that one of their stretches asks for; plunges keep theirs. Feeds stay within the chip loads and the machine's limit,
+/// never need more than its acceleration to come down in time, and change where they differ by more than `leastChange`,
+/// to the lower one.
+struct LevelFeed {
+    enum class Goal { force, removal };
+    Goal goal = Goal::force;
+    double target = 0.0; ///< N or mm³/s; 0: the mean over time that the path has where it cuts
+    double smallestChip = 0.005, largestChip = 0.2; ///< mm a tooth
+    double leastChange = 0.1;                       ///< of the feed
+    double sampling = 0.5;                          ///< mm of a move between looks
+};
 
 /// Feeds in an area are multiplied by a factor; the machine's limit holds. Lines are split at its border; an arc counts
 /// where its middle lies.

@@ -104,4 +104,16 @@ std::optional<PartGuard::Dip> PartGuard::scan(const glm::dvec3& from, const glm:
     return Scan(*this, from, to, required, firstIsEnough).run(sampling);
 }
 
+bool PartGuard::isClear(const Arc& arc, double required, double sampling) const {
+    constexpr double chord = 0.0005; // mm
+    std::vector<glm::dvec3> places;
+    flatten(arc, chord, places);
+    glm::dvec3 at = arc.from;
+    return std::ranges::all_of(places, [&](const glm::dvec3& place) {
+        const bool clear = isClear(at, place, required + chord, sampling);
+        at = place;
+        return clear;
+    });
+}
+
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/arc.h"
 #include "core/geometry/mesh_distance.h"
 #include "core/path/evaluate.h"
 
@@ -33,6 +34,9 @@ public:
     bool isClear(const glm::dvec3& from, const glm::dvec3& to, double required, double sampling) const {
         return !scan(from, to, required, sampling, true);
     }
+
+    /// The same along an arc, held against the part grown by the 0.0005 mm that chords leave it by.
+    bool isClear(const Arc& arc, double required, double sampling) const;
 
     /// A tip this high has the whole part below it, mm.
     double top() const noexcept { return top_; }

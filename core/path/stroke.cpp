@@ -67,6 +67,19 @@ bool holds(const PathStroke& stroke, const Moment& moment) noexcept {
     return first.sample <= moment.tick && moment.tick <= last.sample;
 }
 
+PathStroke reversed(const PathStroke& stroke) {
+    PathStroke back = stroke;
+    std::ranges::reverse(back.points);
+    for (std::size_t i = back.points.size(); i-- > 1;) { // what a motion is stays with it
+        back.points[i].arc = back.points[i - 1].arc;
+        back.points[i].removes = back.points[i - 1].removes;
+        back.points[i].onBoundary = back.points[i - 1].onBoundary;
+        if (back.points[i].arc) back.points[i].arc->clockwise = !back.points[i].arc->clockwise;
+    }
+    if (!back.points.empty()) back.points.front().arc.reset();
+    return back;
+}
+
 std::size_t PathUnderEdit::count() const noexcept {
     if (linked) return points.size();
     std::size_t sum = 0;

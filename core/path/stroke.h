@@ -41,6 +41,9 @@ bool touches(const TakeStretch& stretch, const PathStroke& stroke) noexcept;
 /// Whether a stroke goes through a moment.
 bool holds(const PathStroke& stroke, const Moment& moment) noexcept;
 
+/// The stroke gone the other way: what a motion did, and its arc, stay with it, though it ends at its other end then.
+PathStroke reversed(const PathStroke& stroke);
+
 /// A path between two edits: strokes until they are linked, points from then on.
 struct PathUnderEdit {
     std::vector<PathStroke> strokes;

@@ -31,13 +31,13 @@ std::vector<std::string> headerLines(const Bench& bench) {
 }
 
 /// What was found and why the program is wanted all the same: one line a kind, with its worst amount.
-std::vector<std::string> overrideLines(const VerifyReport& report, const std::string& reason) {
+std::vector<std::string> overrideLines(const CheckedProgram& program, const std::string& reason) {
     struct Kind {
         std::size_t count = 0;
         double worst = 0.0;
     };
     std::map<FindingKind, Kind> kinds;
-    for (const Finding& finding : report.findings) {
+    for (const Finding& finding : program.report.findings) {
         Kind& kind = kinds[finding.kind];
         ++kind.count;
         kind.worst = std::max(kind.worst, finding.amount);
@@ -48,6 +48,8 @@ std::vector<std::string> overrideLines(const VerifyReport& report, const std::st
         lines.push_back("Found: " + std::to_string(kind.count) + " x " + idOf(id) +
                         (unit.empty() ? "" : ", worst " + formatFixed(kind.worst, 4) + " " + unit));
     }
+    const auto rejected = std::ranges::count(program.lint, LintSeverity::error, &LintMark::severity);
+    if (rejected > 0) lines.push_back("Found: " + std::to_string(rejected) + " x rejected by the control");
     return lines;
 }
 
@@ -76,6 +78,7 @@ Result<CheckedProgram> overridden(CheckedProgram checked, std::string text, cons
     const auto lines = [](const std::string& all) { return std::count(all.begin(), all.end(), '\n'); };
     const auto added = static_cast<std::uint32_t>(lines(text) - lines(checked.text));
     for (Finding& finding : checked.report.findings) finding.line += added;
+    for (LintMark& mark : checked.lint) mark.line += added;
     checked.text = std::move(text);
     checked.parsed = std::move(*parsed);
     checked.overridden = true;
@@ -83,6 +86,11 @@ Result<CheckedProgram> overridden(CheckedProgram checked, std::string text, cons
 }
 
 } // namespace
+
+std::size_t CheckedProgram::errorCount() const noexcept {
+    const auto rejected = std::ranges::count(lint, LintSeverity::error, &LintMark::severity);
+    return report.findings.size() + static_cast<std::size_t>(rejected);
+}
 
 Result<StoredPath> standardPath(const Project& project) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
@@ -115,6 +123,11 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
     context.stock = bench.setup.stock;
     context.obstacles = solidsOf(bench.obstacles);
     context.workOffset = bench.setup.workOffset;
+    context.makeStock = [&bench](Progress& stockProgress) -> Result<RunVolume> {
+        Result<EmbeddedSetup> embedded = embed(*bench.model, bench.setup, stockProgress);
+        if (!embedded) return std::move(embedded).error();
+        return std::move(embedded->workpiece);
+    };
     if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
     return evaluate(path.name, takes, path.edits, context, progress);
 }
@@ -132,15 +145,16 @@ Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const P
     Result<std::string> text = post(bench, path, request, {}, progress);
     if (!text) return std::move(text).error();
     Result<CheckedProgram> checked = checkProgram(bench, std::move(*text), request.name, request, progress);
-    if (!checked || checked->report.passed() || request.overrideReason.empty()) return checked;
-    text = post(bench, path, request, overrideLines(checked->report, request.overrideReason), progress);
+    if (!checked || checked->passed() || request.overrideReason.empty()) return checked;
+    text = post(bench, path, request, overrideLines(*checked, request.overrideReason), progress);
     if (!text) return std::move(text).error();
     return overridden(std::move(*checked), std::move(*text), request.name, controlOfDialect(request.dialect));
 }
 
 Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,
                                     const ProgramRequest& request, Progress& progress) {
-    Result<ParsedProgram> parsed = parseProgram(text, origin, controlOfDialect(request.dialect));
+    const Control& control = controlOfDialect(request.dialect);
+    Result<ParsedProgram> parsed = parseProgram(text, origin, control);
     if (!parsed) return std::move(parsed).error();
     VerifyRequest verification;
     verification.program = &*parsed;
@@ -158,6 +172,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     CheckedProgram checked;
     Result<VerifyReport> report = verify(verification, progress, &checked.machined);
     if (!report) return std::move(report).error();
+    checked.lint = lint(text, {&control, &bench.machine, &bench.tool});
     checked.text = std::move(text);
     checked.parsed = std::move(*parsed);
     checked.report = std::move(*report);

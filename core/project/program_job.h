@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/nc/lint.h"
 #include "core/nc/post.h"
 #include "core/path/evaluate.h"
 #include "core/project/bench.h"
@@ -38,13 +39,17 @@ struct ProgramRequest {
 /// A program that was posted, read back from its text and judged.
 struct CheckedProgram {
     std::string text;
-    ParsedProgram parsed; ///< what the text says
+    ParsedProgram parsed;       ///< what the text says
+    std::vector<LintMark> lint; ///< what the control may not take
     VerifyReport report;
     VolumeSnapshot machined; ///< the workpiece as the program leaves it
     bool overridden = false; ///< refused, and its header says why it is wanted all the same
 
+    /// What the check found, and what the control would reject; warnings are not among them.
+    std::size_t errorCount() const noexcept;
+    bool passed() const noexcept { return errorCount() == 0; }
     /// It may leave the house.
-    bool released() const noexcept { return report.passed() || overridden; }
+    bool released() const noexcept { return passed() || overridden; }
 };
 
 /// Posts a path, reads the text back with Burin's own parser and re-simulates it. What is not `released` must not reach

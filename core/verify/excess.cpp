@@ -3,6 +3,7 @@
 #include "core/verify/excess.h"
 #include "core/base/parallel.h"
 #include "core/tool/piece_profile.h"
+#include "core/verify/left_over.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,8 @@ namespace burin {
 
 namespace {
 
-constexpr double longestExcess = 20.0;       // mm; beyond it the stock was simply never touched
-constexpr double reachableClearance = -0.01; // mm: what the mesh's chord may cost
+constexpr double longestExcess = 20.0;  // mm; beyond it the stock was simply never touched
+constexpr double reachableDepth = 0.01; // mm: what the mesh's chord may cost
 
 struct SurfacePoint {
     glm::dvec3 place{0.0}, normal{0.0};
@@ -46,55 +47,6 @@ std::vector<SurfacePoint> pointsOver(const TriangleMesh& mesh, double spacing) {
     return points;
 }
 
-/// Reads a workpiece at places that follow each other closely.
-class PlaceReader {
-public:
-    explicit PlaceReader(const RunVolume& workpiece) : workpiece_(workpiece), grid_(workpiece.grid()) {}
-
-    PropertyIndex at(const glm::dvec3& place) {
-        const glm::dvec3 index = (place - grid_.low()) / grid_.edge();
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(index[axis] >= 0.0 && index[axis] < grid_.count()[axis])) return airProperty;
-        const LineIndex line{static_cast<std::int32_t>(index[grid_.axisOfU()]),
-                             static_cast<std::int32_t>(index[grid_.axisOfV()])};
-        const auto position = static_cast<RunPosition>(index[grid_.axisOfRuns()] * unitsPerVoxel);
-        if (!(line == line_ && position >= from_ && position < to_)) find(line, position);
-        return property_;
-    }
-
-private:
-    void find(LineIndex line, RunPosition position) {
-        line_ = line;
-        to_ = 0;
-        for (const Segment segment : workpiece_.line(line)) {
-            from_ = to_;
-            to_ = segment.end();
-            property_ = segment.property();
-            if (position < to_) return;
-        }
-    }
-
-    const RunVolume& workpiece_;
-    const Grid& grid_;
-    LineIndex line_{-1, -1}; ///< of the segment that was read last
-    RunPosition from_ = 0, to_ = 0;
-    PropertyIndex property_ = airProperty;
-};
-
-/// Length along the normal until the stock ends. Starts half a voxel's diagonal out, where a scanline's centre can no
-/// longer lie inside the part, and goes on in eighths of a voxel.
-double excessAt(const RunVolume& workpiece, const SurfacePoint& point) {
-    const double step = workpiece.grid().edge() / 8.0;
-    PlaceReader reader(workpiece);
-    double thickness = 0.0;
-    for (double way = step; way <= longestExcess; way += step) {
-        const PropertyIndex property = reader.at(point.place + way * point.normal);
-        if (property == airProperty) break;
-        if (!workpiece.properties().isProtected(property)) thickness = way;
-    }
-    return thickness;
-}
-
 /// Tip of the cutter when it touches the part at a place with this normal: with the point of the flutes that lies
 /// farthest against the normal. A hollow cutter may touch with others; what it reaches with those is not counted.
 glm::dvec3 touchingTip(std::span<const PieceProfile> flutes, const SurfacePoint& point) {
@@ -116,6 +68,7 @@ glm::dvec3 touchingTip(std::span<const PieceProfile> flutes, const SurfacePoint&
 /// A tool, ready to be asked what it can touch.
 struct TouchingTool {
     explicit TouchingTool(const Tool& tool) : stack(pieces(tool.cutter)) {
+        std::reverse(stack.begin(), stack.end()); // a wide holder is told quickest that it has no room
         for (const RevolvedPiece& piece : flutePieces(tool.cutter)) flutes.emplace_back(piece);
     }
 
@@ -123,13 +76,14 @@ struct TouchingTool {
     std::vector<PieceProfile> flutes;
 };
 
+bool facesACutter(const SurfacePoint& point) noexcept {
+    return point.normal.z >= -1e-6;
+}
+
 bool isReachable(const VerifyRequest& request, const TouchingTool& tool, const SurfacePoint& point, double lowest) {
-    if (point.normal.z < -1e-6) return false;
     const glm::dvec3 tip = touchingTip(tool.flutes, point);
     if (tip.z < lowest - 1e-6) return false;
-    // Whether it enters the part by more than is allowed is all that is asked: nothing that is less deep is looked for.
-    const ToolPose pose{tip, {0.0, 0.0, 1.0}};
-    return request.part->clearance(tool.stack, pose, 0.0, -reachableClearance).clearance >= reachableClearance;
+    return !request.part->enters(tool.stack, ToolPose{tip, {0.0, 0.0, 1.0}}, reachableDepth);
 }
 
 } // namespace
@@ -143,14 +97,21 @@ Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, c
     }
     const std::vector<TouchingTool> touching(tools.begin(), tools.end());
     const double lowest = request.model->box().low.z;
+    const LeftOver left(workpiece);
     std::vector<DeviationSample> samples(points.size());
     parallelStretches(std::size_t{0}, points.size(), 256, [&](std::size_t from, std::size_t to) {
         if (progress.cancelled()) return;
-        for (std::size_t i = from; i != to; ++i)
-            samples[i] = {points[i].place, excessAt(workpiece, points[i]),
-                          std::any_of(touching.begin(), touching.end(), [&](const TouchingTool& tool) {
-                              return isReachable(request, tool, points[i], lowest);
-                          })};
+        for (std::size_t i = from; i != to; ++i) {
+            DeviationSample& sample = samples[i];
+            sample.place = points[i].place;
+            sample.excess = left.along(points[i].place, points[i].normal, longestExcess);
+            // What is bare and faces a cutter from above needs no proof that one gets there.
+            sample.reachable =
+                facesACutter(points[i]) &&
+                (sample.excess == 0.0 || std::any_of(touching.begin(), touching.end(), [&](const TouchingTool& tool) {
+                     return isReachable(request, tool, points[i], lowest);
+                 }));
+        }
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
     return samples;

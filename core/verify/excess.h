@@ -9,8 +9,9 @@
 namespace burin {
 
 /// How much stock a workpiece leaves over the part, at places spread over the part's surface about a voxel apart: the
-/// length along the outward normal until the stock ends. Reachable are places that the cutter can touch from above
-/// (tip not below the part's lowest point) without entering the part elsewhere.
+/// length along the outward normal until the stock ends. Reachable are places that face upwards or
+/// sideways and are bare, or that the cutter can touch from above (tip not below the part's lowest point) without
+/// entering the part elsewhere.
 /// @param tools that the program uses: reachable is what one of them can touch
 /// Errors: cancelled.
 Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,

@@ -54,7 +54,7 @@ public:
             }
             bool onPart = false;
             if (glm::length(tip - last) > spare) {
-                const ToolClearance found = asker->ask(tip, within, {});
+                const ToolClearance found = asker->ask(tip, within, answers);
                 last = tip;
                 spare = found.clearance - onPartDistance;
                 within = found.clearance < within ? leastSearch : std::min(2.0 * within, greatestSearch);
@@ -69,6 +69,8 @@ public:
     }
 
 private:
+    /// A gouge is told exactly, what is clear to 1e-4 mm: more than that is neither reported nor ranked.
+    static constexpr ClearanceTolerance answers{1e-4, 0.0, 1e-8};
     static constexpr double leastSearch = 0.5, greatestSearch = 8.0; // mm: farther from the part nobody asks how far
 
     bool isFinishing(const ToolMove& move) const noexcept {
@@ -122,12 +124,6 @@ ExactQuestion questionFor(const Sample& sample, const Cutter& cutter) {
     return {sample.clearance.meshPoint + sample.clearance.away * sample.clearance.clearance, 0.0};
 }
 
-void report(const Sample& sample, double depth, const std::vector<ToolMove>& moves, const VerifyRequest& request,
-            Findings& findings) {
-    if (depth > request.gougeTolerance)
-        findings.add(FindingKind::gouge, moves[sample.move].line, sample.clearance.meshPoint, depth);
-}
-
 /// The worst samples on the B-rep; they stand first in `samples` afterwards.
 /// @return their depths, mm
 Result<std::vector<double>> exactDepths(std::vector<Sample>& samples, const std::vector<ToolMove>& moves,
@@ -169,7 +165,9 @@ Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const double depth = i < exact->size() ? (*exact)[i] : -samples[i].clearance.clearance;
         judgement.maximum = std::max(judgement.maximum, depth);
-        report(samples[i], depth, moves, request, findings);
+        if (depth <= request.gougeTolerance) continue;
+        judgement.places.push_back({samples[i].clearance.meshPoint, depth});
+        findings.add(FindingKind::gouge, moves[samples[i].move].line, samples[i].clearance.meshPoint, depth);
     }
     return judgement;
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/limits.h"
 
-#include "core/base/units.h"
-
 #include <algorithm>
 
 namespace burin {
@@ -37,16 +35,6 @@ void judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const 
     if (!moves.empty() && (spindleSpeed > machine.maximumSpindleSpeed ||
                            (spindleSpeed > 0.0 && spindleSpeed < machine.minimumSpindleSpeed)))
         findings.add(FindingKind::spindleLimit, moves.front().line, moves.front().to, spindleSpeed);
-}
-
-double machiningSeconds(const std::vector<ToolMove>& moves, const MachineProfile& machine) {
-    double seconds = 0.0;
-    for (const ToolMove& move : moves) {
-        const double feed = move.rapid ? machine.rapidFeed : move.feed;
-        if (move.startKnown && move.endKnown && feed > 0.0)
-            seconds += glm::length(move.to - move.from) / feed * secondsPerMinute;
-    }
-    return seconds;
 }
 
 } // namespace burin

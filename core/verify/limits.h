@@ -12,7 +12,4 @@ namespace burin {
 void judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const MachineProfile& machine,
                  const Box& travel, Findings& findings);
 
-/// s that the moves take at their feeds and at the machine's rapid feed, without acceleration.
-double machiningSeconds(const std::vector<ToolMove>& moves, const MachineProfile& machine);
-
 } // namespace burin

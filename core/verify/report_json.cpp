@@ -2,11 +2,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/report_json.h"
 
+#include "core/verify/load_chart.h"
+
 #include <nlohmann/json.hpp>
 
 namespace burin {
 
 using nlohmann::json;
+
+namespace {
+
+const char* idOf(RapidMode mode) {
+    switch (mode) {
+    case RapidMode::synchronised:
+        return "synchronised";
+    case RapidMode::independent:
+        return "independent";
+    case RapidMode::tip:
+        return "tip";
+    }
+    return "unknown";
+}
+
+/// Null where nothing is removed.
+json peakOf(const VerifyReport& report) {
+    const MotionLoad* const peak = peakLoad(report.loads);
+    if (peak == nullptr) return nullptr;
+    return {{"line", peak->line},
+            {"place_mm", json::array({peak->place.x, peak->place.y, peak->place.z})},
+            {"removal_rate_mm3_s", peak->removalRate},
+            {"force_n", peak->force},
+            {"power_w", peak->power},
+            {"at_s", peak->start}};
+}
+
+} // namespace
 
 std::string toJson(const VerifyReport& report) {
     json findings = json::array();
@@ -27,6 +57,9 @@ std::string toJson(const VerifyReport& report) {
                 {"samples_checked", report.samples},
                 {"samples_exact", report.exactSamples},
                 {"machining_s", report.machiningSeconds},
+                {"machining_without_acceleration_s", report.secondsWithoutAcceleration},
+                {"rapids", idOf(report.rapids)},
+                {"peak_load", peakOf(report)},
                 {"findings", findings}}
         .dump();
 }

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/verify.h"
 
+#include "core/verify/deviation_map.h"
 #include "core/verify/excess.h"
 #include "core/verify/findings.h"
 #include "core/verify/gouge.h"
 #include "core/verify/limits.h"
+#include "core/verify/load_chart.h"
 #include "core/verify/obstacles.h"
 #include "core/verify/outline.h"
 #include "core/verify/program_tools.h"
@@ -40,6 +42,16 @@ void summariseExcess(VerifyReport& report) {
     report.reachableShare = static_cast<double>(reachable) / static_cast<double>(report.deviations.size());
 }
 
+/// Each gouge beyond the tolerance to the sample of the part that is nearest to it.
+void markGouges(const std::vector<GougePlace>& places, double voxel, std::vector<DeviationSample>& samples) {
+    if (places.empty()) return;
+    const DeviationMap map(samples, voxel);
+    for (const GougePlace& gouge : places) {
+        const std::optional<std::size_t> nearest = map.nearest(gouge.place, 2.0 * voxel);
+        if (nearest) samples[*nearest].gouge = std::max(samples[*nearest].gouge, gouge.depth);
+    }
+}
+
 void take(const GougeJudgement& gouges, VerifyReport& report) {
     report.gougeMax = gouges.maximum;
     report.gougeMaxMesh = gouges.maximumMesh;
@@ -68,12 +80,18 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, request.travel, findings);
     if (Result<void> judged = judgeObstacles(moves, tools->tools, request, findings, progress); !judged)
         return std::move(judged).error();
-    report.machiningSeconds = machiningSeconds(moves, request.machine);
+    const MachiningTime time = machiningTime(*request.program, request.machine);
+    report.machiningSeconds = time.seconds;
+    report.secondsWithoutAcceleration = time.withoutAcceleration;
+    report.rapids = request.machine.rapids;
 
     progress.stage(0.05, 0.4);
     const Result<std::vector<MoveCut>> cuts = replay(moves, tools->tools, workpiece, findings, progress);
     if (!cuts) return cuts.error();
     for (const MoveCut& cut : *cuts) report.removed += cut.volume;
+    report.loads =
+        loadChart(*request.program, moves, *cuts, tools->tools, time, workpiece.properties(), embedded->stockProperty);
+    report.times = time.motions;
 
     progress.stage(0.4, 0.9);
     const Result<GougeJudgement> gouges = judgeGouges(moves, tools->tools, outlines, request, findings, progress);
@@ -84,6 +102,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     Result<std::vector<DeviationSample>> deviations = measureExcess(workpiece, request, tools->tools, progress);
     if (!deviations) return std::move(deviations).error();
     report.deviations = std::move(*deviations);
+    markGouges(gouges->places, request.setup.voxel, report.deviations);
     summariseExcess(report);
 
     report.findings = findings.inProgramOrder();

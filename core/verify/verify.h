@@ -11,6 +11,8 @@
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
+#include "core/verify/load.h"
+#include "core/verify/machine_time.h"
 
 #include <vector>
 
@@ -62,6 +64,7 @@ struct Finding {
 struct DeviationSample {
     glm::dvec3 place{0.0}; ///< on the part, mm, setup frame
     double excess = 0.0;   ///< mm of stock along the normal; 0: bare
+    double gouge = 0.0;    ///< mm by which the tool went into the part here; 0 within the tolerance for gouges
     bool reachable = true; ///< the tool could touch the part here without entering it or going below it
 };
 
@@ -76,9 +79,13 @@ struct VerifyReport {
     double reachableShare = 0.0; ///< of the part's surface, 0 … 1
     double removed = 0.0;        ///< mm³
     double onPartShare = 0.0; ///< of cutting samples over the part's outline shrunk by the radius: within 0.1 mm of it
-    std::size_t onPartSamples = 0; ///< how many those samples are
-    double machiningSeconds = 0.0; ///< at the programmed feeds and the machine's rapids, without acceleration
-    std::vector<Finding> findings; ///< the worst of each kind on each line, in program order
+    std::size_t onPartSamples = 0;              ///< how many those samples are
+    double machiningSeconds = 0.0;              ///< with the machine's accelerations, corners, dwells and tool changes
+    double secondsWithoutAcceleration = 0.0;    ///< at the programmed feeds and the machine's rapids alone
+    std::vector<MotionTime> times;              ///< by place in ParsedProgram::motions
+    std::vector<MotionLoad> loads;              ///< of what removes something, in program order
+    RapidMode rapids = RapidMode::synchronised; ///< the way that rapids were judged on
+    std::vector<Finding> findings;              ///< the worst of each kind on each line, in program order
     std::vector<DeviationSample> deviations;
 
     /// True when nothing was found; a gouge within the tolerance is not a finding.

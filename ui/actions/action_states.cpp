@@ -38,6 +38,7 @@ void ActionStates::update() {
     enable(ActionId::rateControl, bench.hand.canRate());
     enable(ActionId::newPath, !bench.mill.takes().empty() && bench.bench.embedded());
     enable(ActionId::evaluatePath, bench.path.stored().has_value() && bench.bench.embedded());
+    enable(ActionId::drawStretch, bench.path.selection().has_value());
     enable(ActionId::post, bench.path.evaluated() != nullptr && !bench.path.outdated());
     enable(ActionId::findInProgram, !bench.program.storedText().isEmpty());
     enable(ActionId::overrideCheck, bench.program.refused() && !bench.program.busy());

@@ -114,6 +114,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Make a path of the recordings, with the edits of the main job."), "Ctrl+P"},
     Row{ActionId::evaluatePath, "evaluatePathAction", QT_TRANSLATE_NOOP("Actions", "&Evaluate"),
         QT_TRANSLATE_NOOP("Actions", "Apply the edits to the recordings again."), "F5"},
+    Row{ActionId::drawStretch, "drawStretchAction", QT_TRANSLATE_NOOP("Actions", "&Draw instead"),
+        QT_TRANSLATE_NOOP("Actions", "Draw a stroke in the view that replaces what is chosen of the path."), "Ctrl+D"},
     Row{ActionId::post, "postAction", QT_TRANSLATE_NOOP("Actions", "&Post and check"),
         QT_TRANSLATE_NOOP("Actions", "Make the program, read it back and check it."), "F6"},
     Row{ActionId::findInProgram, "findAction", QT_TRANSLATE_NOOP("Actions", "&Find in the program"),

@@ -57,6 +57,7 @@ enum class ActionId : std::size_t {
     rateControl,
     newPath,
     evaluatePath,
+    drawStretch,
     post,
     findInProgram,
     overrideCheck,

@@ -17,6 +17,11 @@ bool PathPicker::press(const ViewportEvent& event) {
     return taken_;
 }
 
+bool PathPicker::move(const ViewportEvent& event) {
+    if (event.buttons == Qt::NoButton) emit hovered(event.position);
+    return taken_;
+}
+
 bool PathPicker::release(const ViewportEvent& event) {
     return event.button == Qt::LeftButton && std::exchange(taken_, false);
 }

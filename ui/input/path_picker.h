@@ -21,10 +21,12 @@ public:
     void setMoves(std::vector<Move> moves) { moves_ = std::move(moves); }
 
     bool press(const ViewportEvent& event) override;
+    bool move(const ViewportEvent& event) override; ///< the camera's as well
     bool release(const ViewportEvent& event) override;
 
 signals:
-    void chosen(std::size_t move); ///< its place in the list
+    void hovered(const QPointF& position); ///< no button is down
+    void chosen(std::size_t move);         ///< its place in the list
 
 private:
     Appearance appearance_;

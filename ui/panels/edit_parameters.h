@@ -20,6 +20,7 @@ struct EditParameter {
 std::vector<EditParameter> parametersOf(const EditParameters& edit);
 
 QString choiceText(std::string_view choice); ///< one of a field's names in words
-QString valueText(const EditValue& value);   ///< a moment, a stretch or places in words; empty for what has a field
+QString stretchText(const TakeStretch& stretch);
+QString valueText(const EditValue& value); ///< a moment, a stretch or places in words; empty for what has a field
 
 } // namespace burin

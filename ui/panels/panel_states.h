@@ -5,6 +5,7 @@
 #include "core/cad/model.h"
 #include "core/haptics/guide.h"
 #include "core/haptics/tick_sink.h"
+#include "core/nc/lint.h"
 #include "core/path/evaluate.h"
 #include "core/project/project.h"
 #include "core/setup/obstacle.h"
@@ -135,6 +136,9 @@ struct HandState {
     bool charging = false;
 };
 
+/// What a drag of a place of the path changes.
+enum class DragChoice { level, x, y, z, surface };
+
 struct PathState {
     bool hasTakes = false;
     bool exists = false;
@@ -146,6 +150,9 @@ struct PathState {
     bool outdated = false;      ///< takes or edits changed since
     bool busy = false;
     bool waiting = false; ///< for the workpiece; then it is evaluated by itself
+    std::optional<TakeStretch> selection;
+    DragChoice drag = DragChoice::level;
+    bool drawing = false; ///< a stroke is being drawn in the selection's stead
     QString problem;
 };
 
@@ -160,8 +167,10 @@ struct ProgramState {
     std::vector<NamedChoice> machines, dialects;
     std::string machine, dialect; ///< ids of those in force
     QString text;                 ///< empty: not posted
+    bool edited = false;          ///< by hand, after it was posted, and not checked since
     std::size_t blocks = 0;
     std::optional<VerifyReport> report;
+    std::vector<LintMark> lint;   ///< of the program that the report is about
     bool released = false;        ///< it passed, or its header says why it is wanted all the same
     double gougeTolerance = 0.02; ///< mm
     bool outdated = false;

@@ -7,6 +7,7 @@
 #include "ui/panels/edit_card.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
+#include "ui/panels/selection_card.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
 
@@ -41,6 +42,7 @@ private:
     QToolButton* eye_;
     Notice* notice_;
     QWidget* content_;
+    SelectionCard* selection_;
     ValueRow *takes_, *points_, *length_, *budget_;
     QVBoxLayout* list_;
     std::vector<EditCard*> cards_;
@@ -61,6 +63,11 @@ PathPanel::Fields::Fields(PathPanel* panel) : QObject(panel), panel_(panel), col
         inner->addWidget(*row);
     }
     budget_->setToolTip(PathPanel::tr("The path is at most this far from what the hand did"));
+    selection_ = new SelectionCard(content_);
+    connect(selection_, &SelectionCard::dragChosen, panel, &PathPanel::dragChosen);
+    connect(selection_, &SelectionCard::drawingWanted, panel, &PathPanel::drawingWanted);
+    connect(selection_, &SelectionCard::cleared, panel, &PathPanel::selectionCleared);
+    inner->addWidget(selection_);
     inner->addWidget(makeSectionTitle(PathPanel::tr("Edits, in order"), content_));
     list_ = new QVBoxLayout;
     list_->setSpacing(4);
@@ -198,6 +205,7 @@ void PathPanel::Fields::refresh() {
     tell();
     content_->setVisible(state.exists);
     refreshFigures();
+    selection_->setState(state);
     refreshEdits();
 }
 

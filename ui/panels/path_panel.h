@@ -24,6 +24,9 @@ signals:
     void editAdded(const burin::Edit& edit);
     void editRemoved(std::size_t index);
     void editMoved(std::size_t from, std::size_t to);
+    void dragChosen(burin::DragChoice drag);
+    void drawingWanted(bool wanted);
+    void selectionCleared();
     void evaluateRequested();
     void visibilityToggled(bool shown);
 

@@ -4,6 +4,7 @@
 
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
+#include "ui/panels/deviation_card.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
@@ -44,6 +45,7 @@ public:
 
     ProgramState state;
     ProgramText* program;
+    DeviationCard* deviation;
 
 private:
     void addTarget();
@@ -52,17 +54,19 @@ private:
     void refreshFigures();
     QString reasonAgainstExport() const;
     QString failure() const;
-    std::vector<ListRow> findingRows() const;
-    std::vector<LineMark> marks() const;
+    void gather();
+    std::vector<ListRow> rows() const;
+    std::size_t errors() const;
 
     ProgramPanel* panel_;
     QVBoxLayout* column_;
     LengthUnit unit_ = LengthUnit::millimetre;
-    QPushButton *post_, *export_, *override_;
+    QPushButton *post_, *export_, *override_, *checkText_;
     ChoiceBox *machine_, *dialect_;
     LengthField* tolerance_;
     Notice *verdict_, *notice_;
     RowList* findings_;
+    std::vector<LineMark> marks_; ///< what the check found and what the control may not take, a row each
     QWidget* figures_;
     ValueRow *gouge_, *excess_, *onPart_, *removed_, *time_, *blocks_;
 };
@@ -99,6 +103,10 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
         ProgramPanel::tr("Give a reason that goes into the program's header; then it can be exported"));
     column_->addWidget(override_);
     addFigures();
+    deviation = new DeviationCard(panel);
+    column_->addWidget(deviation);
+    checkText_ = makePrimaryButton(ProgramPanel::tr("Check the edited text"), QStringLiteral("checkTextButton"), panel);
+    column_->addWidget(checkText_);
     program = new ProgramText(panel);
     column_->addWidget(program, 1);
     column_->addStretch(); // while there is no text
@@ -106,11 +114,13 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     connect(post_, &QPushButton::clicked, panel, &ProgramPanel::postRequested);
     connect(export_, &QPushButton::clicked, panel, &ProgramPanel::exportRequested);
     connect(tolerance_, &LengthField::valueEdited, panel, &ProgramPanel::gougeToleranceEdited);
+    connect(checkText_, &QPushButton::clicked, panel, &ProgramPanel::textCheckRequested);
+    connect(program, &ProgramText::textEdited, panel, &ProgramPanel::textEdited);
     connect(override_, &QPushButton::clicked, panel, &ProgramPanel::overrideRequested);
     connect(program, &ProgramText::lineChosen, panel, &ProgramPanel::lineChosen);
     connect(findings_, &RowList::rowChosen, this, [this](int row) {
-        if (!state.report || static_cast<std::size_t>(row) >= state.report->findings.size()) return;
-        const int line = static_cast<int>(state.report->findings[static_cast<std::size_t>(row)].line);
+        if (static_cast<std::size_t>(row) >= marks_.size()) return;
+        const int line = marks_[static_cast<std::size_t>(row)].line;
         program->showLine(line);
         emit panel_->lineChosen(line);
     });
@@ -154,38 +164,46 @@ void ProgramPanel::Fields::addFigures() {
 QString ProgramPanel::Fields::reasonAgainstExport() const {
     if (state.text.isEmpty()) return ProgramPanel::tr("Post the path first.");
     if (state.busy) return ProgramPanel::tr("Work is under way.");
+    if (state.edited) return ProgramPanel::tr("The text was edited: check it first.");
     if (state.outdated) return ProgramPanel::tr("The path changed since: post and check it again.");
     if (!state.report) return ProgramPanel::tr("The program is not checked yet.");
     if (!state.released) return ProgramPanel::tr("The program did not pass its check.");
     return {};
 }
 
+void ProgramPanel::Fields::gather() {
+    marks_.clear();
+    if (state.report)
+        for (const Finding& finding : state.report->findings)
+            marks_.push_back({static_cast<int>(finding.line), LineMark::Kind::error, findingText(finding, unit_)});
+    for (const LintMark& mark : state.lint)
+        marks_.push_back({static_cast<int>(mark.line),
+                          mark.severity == LintSeverity::error ? LineMark::Kind::error : LineMark::Kind::warning,
+                          QString::fromStdString(mark.text)});
+}
+
+std::size_t ProgramPanel::Fields::errors() const {
+    return static_cast<std::size_t>(std::ranges::count(marks_, LineMark::Kind::error, &LineMark::kind));
+}
+
 QString ProgramPanel::Fields::failure() const {
-    const int count = static_cast<int>(state.report->findings.size());
+    const int count = static_cast<int>(errors());
     return count == 1 ? ProgramPanel::tr("Not passed: 1 finding.")
                       : ProgramPanel::tr("Not passed: %n findings.", nullptr, count);
 }
 
-std::vector<ListRow> ProgramPanel::Fields::findingRows() const {
+std::vector<ListRow> ProgramPanel::Fields::rows() const {
     std::vector<ListRow> rows;
-    if (!state.report) return rows;
-    for (const Finding& finding : state.report->findings) {
+    for (const LineMark& mark : marks_) {
+        const bool error = mark.kind == LineMark::Kind::error;
         ListRow row;
-        row.title = row.toolTip = findingText(finding, unit_);
-        row.value = ProgramPanel::tr("line %1").arg(finding.line);
-        row.icon = QStringLiteral("error");
-        row.iconRole = &Palette::force;
+        row.title = row.toolTip = mark.text;
+        row.value = ProgramPanel::tr("line %1").arg(mark.line);
+        row.icon = error ? QStringLiteral("error") : QStringLiteral("warning");
+        row.iconRole = error ? &Palette::force : &Palette::accent;
         rows.push_back(row);
     }
     return rows;
-}
-
-std::vector<LineMark> ProgramPanel::Fields::marks() const {
-    std::vector<LineMark> marks;
-    if (!state.report) return marks;
-    for (const Finding& finding : state.report->findings)
-        marks.push_back({static_cast<int>(finding.line), LineMark::Kind::error, findingText(finding, unit_)});
-    return marks;
 }
 
 void ProgramPanel::Fields::refreshVerdict() {
@@ -195,13 +213,15 @@ void ProgramPanel::Fields::refreshVerdict() {
         notice_->tell(Notice::Kind::error, state.problem);
     else if (!state.hasPath)
         notice_->tell(Notice::Kind::information, ProgramPanel::tr("Make a path first."));
+    else if (state.edited)
+        notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The text was edited: check it first."));
     else if (!state.text.isEmpty() && state.outdated)
         notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The path changed since: post and check it again."));
     else
         notice_->clear();
     if (!state.report)
         verdict_->clear();
-    else if (state.report->passed())
+    else if (errors() == 0)
         verdict_->tell(Notice::Kind::passed,
                        ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")
                            .arg(lengthText(state.report->gougeMax, unit_), lengthText(state.gougeTolerance, unit_)));
@@ -211,9 +231,8 @@ void ProgramPanel::Fields::refreshVerdict() {
     else
         verdict_->tell(Notice::Kind::error, failure());
     override_->setVisible(state.report && !state.released && !state.outdated && !state.busy);
-    const std::vector<ListRow> rows = findingRows();
-    findings_->setRows(rows);
-    findings_->setVisible(!rows.empty());
+    findings_->setRows(rows());
+    findings_->setVisible(!marks_.empty());
 }
 
 void ProgramPanel::Fields::refreshFigures() {
@@ -241,16 +260,22 @@ void ProgramPanel::Fields::refresh() {
     showChoices(*machine_, state.machines, state.machine);
     showChoices(*dialect_, state.dialects, state.dialect);
     tolerance_->showValue(state.gougeTolerance);
+    gather();
     refreshVerdict();
     refreshFigures();
+    deviation->setVisible(state.report && !state.report->deviations.empty());
+    checkText_->setVisible(state.edited);
+    enableUnless(checkText_, state.busy ? ProgramPanel::tr("Work is under way.") : QString(),
+                 ProgramPanel::tr("Read the edited text back and mill it again on a fresh workpiece"));
     program->showProgram(state.text);
-    program->setMarks(marks());
+    program->setMarks(marks_);
     program->setVisible(!state.text.isEmpty());
 }
 
 void ProgramPanel::Fields::setUnit(LengthUnit next) {
     unit_ = next;
     tolerance_->setLengthUnit(next);
+    deviation->setUnit(next);
     refresh();
 }
 
@@ -274,6 +299,10 @@ void ProgramPanel::showLine(int line) {
 
 void ProgramPanel::showMachineState(const QString& state) {
     fields_->program->showState(state);
+}
+
+DeviationCard& ProgramPanel::deviation() const {
+    return *fields_->deviation;
 }
 
 void ProgramPanel::startSearch() {

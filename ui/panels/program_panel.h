@@ -9,6 +9,8 @@
 
 namespace burin {
 
+class DeviationCard;
+
 /// The program with highlighting, the verdict of its check and every finding, its figures; Export.
 class ProgramPanel : public QWidget {
     Q_OBJECT
@@ -19,11 +21,14 @@ public:
     void showLine(int line);                     ///< from 1, without a signal
     void showMachineState(const QString& state); ///< when the chosen line is done
     void startSearch();
+    DeviationCard& deviation() const; ///< the part of the panel that tells what is left on the part
 
 signals:
     void postRequested();
     void exportRequested();
-    void overrideRequested(); ///< the program is wanted although its check refuses it
+    void textEdited(const QString& text); ///< by the user
+    void textCheckRequested();            ///< of the text as it was edited
+    void overrideRequested();             ///< the program is wanted although its check refuses it
     void gougeToleranceEdited(double millimetres);
     void machineChosen(const std::string& id);
     void dialectChosen(const std::string& id);

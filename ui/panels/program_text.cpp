@@ -12,11 +12,15 @@
 #include <QLocale>
 #include <QToolButton>
 
+#include <chrono>
+
 namespace burin {
 
 ProgramText::ProgramText(QWidget* parent)
     : QWidget(parent)
     , wanted_(new QLineEdit(this))
+    , edit_(
+          makeIconButton(QStringLiteral("edit"), tr("Edit the program's text"), QStringLiteral("editTextButton"), this))
     , previous_(makeIconButton(QStringLiteral("previous"), tr("Previous place (Shift+Enter)"),
                                QStringLiteral("searchPreviousButton"), this))
     , next_(makeIconButton(QStringLiteral("next"), tr("Next place (Enter)"), QStringLiteral("searchNextButton"), this))
@@ -40,6 +44,8 @@ ProgramText::ProgramText(QWidget* parent)
 
     auto* bar = new QHBoxLayout;
     bar->setSpacing(4);
+    edit_->setCheckable(true);
+    bar->addWidget(edit_);
     bar->addWidget(wanted_, 1);
     bar->addWidget(found_);
     bar->addWidget(previous_);
@@ -56,8 +62,23 @@ ProgramText::ProgramText(QWidget* parent)
     connect(next_, &QToolButton::clicked, this, [this] { search(false); });
     connect(previous_, &QToolButton::clicked, this, [this] { search(true); });
     connect(view_, &ProgramView::lineChosen, this, &ProgramText::lineChosen);
+    settled_.setSingleShot(true);
+    settled_.setInterval(std::chrono::milliseconds(400));
+    connect(edit_, &QToolButton::toggled, this, [this](bool editable) {
+        view_->setEditable(editable);
+        if (editable) view_->setFocus();
+    });
+    connect(view_, &ProgramView::edited, &settled_, qOverload<>(&QTimer::start));
+    connect(&settled_, &QTimer::timeout, this, [this] {
+        told();
+        emit textEdited(view_->program());
+    });
     showState({});
     told();
+}
+
+bool ProgramText::editable() const {
+    return edit_->isChecked();
 }
 
 bool ProgramText::eventFilter(QObject* watched, QEvent* event) {
@@ -75,6 +96,7 @@ bool ProgramText::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ProgramText::showProgram(const QString& text) {
+    if (settled_.isActive()) return; // what the user writes is newer
     view_->showProgram(text);
     told();
 }

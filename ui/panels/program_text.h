@@ -4,6 +4,7 @@
 
 #include "ui/panels/program_view.h"
 
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -23,6 +24,7 @@ public:
     void setMarks(std::vector<LineMark> marks);
     /// @param state of the machine when the chosen line is done; empty: there is nothing to tell
     void showState(const QString& state);
+    bool editable() const;
     /// The keyboard goes to the search, what stood there is chosen.
     void startSearch();
 
@@ -30,16 +32,18 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override; ///< Enter and Esc in the search
 
 signals:
-    void lineChosen(int line); ///< from 1; the user put the cursor there, or a search led there
+    void textEdited(const QString& text); ///< by the user, some time after the last key
+    void lineChosen(int line);            ///< from 1; the user put the cursor there, or a search led there
 
 private:
     void search(bool backward);
     void told();
 
     QLineEdit* wanted_;
-    QToolButton *previous_, *next_;
+    QToolButton *edit_, *previous_, *next_;
     QLabel *found_, *state_;
     ProgramView* view_;
+    QTimer settled_;
 };
 
 } // namespace burin

@@ -87,7 +87,28 @@ ProgramView::ProgramView(QWidget* parent) : QPlainTextEdit(parent), margin_(new 
         chosen_ = line;
         emit lineChosen(line);
     });
+    connect(document(), &QTextDocument::contentsChange, this, [this](int place, int, int added) {
+        if (quiet_) return;
+        QTextBlock block = document()->findBlock(place);
+        for (; block.isValid() && block.position() <= place + added; block = block.next()) block.setUserState(-1);
+    });
+    connect(this, &QPlainTextEdit::textChanged, this, [this] {
+        if (quiet_ || isReadOnly()) return;
+        text_ = toPlainText();
+        filled_ = text_.size();
+        emit edited();
+    });
     placeMargin();
+}
+
+void ProgramView::setEditable(bool editable) {
+    if (editable == !isReadOnly()) return;
+    if (!complete()) fill(std::numeric_limits<int>::max());
+    const QScopedValueRollback quiet(quiet_, true);
+    setUndoRedoEnabled(editable);
+    setReadOnly(!editable);
+    setTextInteractionFlags(editable ? Qt::TextEditorInteraction
+                                     : Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
 }
 
 void ProgramView::showProgram(const QString& text) {

@@ -16,14 +16,18 @@ struct LineMark {
     QString text; ///< for the tooltip
 };
 
-/// A program to read: line numbers, coloured words, the current line marked. Only lines that are seen are coloured, and
-/// a long program comes in by slices of some ms, so that the window never waits for it.
+/// A program to read, and to write while it is editable: line numbers, coloured words, the current line marked. Only
+/// lines that are seen are coloured, and a long program comes in by slices of some ms, so that the window never waits
+/// for it.
 class ProgramView : public QPlainTextEdit {
     Q_OBJECT
 public:
     explicit ProgramView(QWidget* parent = nullptr);
     void showProgram(const QString& text); ///< nothing is done when it shows it
     void showLine(int line);               ///< from 1; brings it into view, without a signal
+    /// All of the text has come in when it becomes editable. Editing has an undo of its own.
+    void setEditable(bool editable);
+    const QString& program() const noexcept { return text_; } ///< as it is now
     /// In any order; a line with several is shown in the colour of the worst.
     void setMarks(std::vector<LineMark> marks);
     /// Goes to the next place behind the cursor (or the one before it) where a text stands, whatever its case, and on
@@ -33,6 +37,7 @@ public:
     bool complete() const noexcept { return filled_ == text_.size(); } ///< all of the program has come in
 
 signals:
+    void edited();             ///< the user changed the text
     void lineChosen(int line); ///< from 1; the user put the cursor there
 
 protected:

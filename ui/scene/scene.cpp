@@ -14,6 +14,8 @@
 namespace burin {
 namespace {
 
+constexpr double deviationPoint = 3.0; // device-independent pixels
+
 std::array<double, 3> components(const QColor& colour) {
     return {colour.redF(), colour.greenF(), colour.blueF()};
 }
@@ -39,6 +41,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , tool_(*bench_)
     , livePath_(*bench_)
     , editedPath_(*bench_)
+    , deviations_(*bench_)
     , grid_(*bench_)
     , stock_(*bench_)
     , scaleBar_(*bench_)
@@ -71,6 +74,7 @@ void Scene::setPalette(const Palette& palette) {
     tool_.setPalette(palette);
     livePath_.setColour(palette.livePath);
     editedPath_.setPalette(palette);
+    deviations_.setPalette(palette);
     grid_.setColour(palette.grid);
     stock_.setColour(palette.quietText);
     scaleBar_.setPalette(palette);
@@ -165,6 +169,7 @@ void Scene::setLineWidths(double ratio) {
     lineRatio_ = ratio;
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
+    deviations_.setSize(deviationPoint * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
     obstacles_.setLineWidth(ratio);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/scene/camera_view.h"
+#include "ui/scene/deviation_points.h"
 #include "ui/scene/edited_path.h"
 #include "ui/scene/force_arrow.h"
 #include "ui/scene/ground_grid.h"
@@ -52,6 +53,7 @@ public:
     void setGuides(const GuideMarks& marks) { guides_.set(marks); }
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
+    DeviationPoints& deviations() noexcept { return deviations_; }
     MoveMark& moveMark() noexcept { return moveMark_; }
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
@@ -79,6 +81,7 @@ private:
     ToolActors tool_;
     LivePath livePath_;
     EditedPath editedPath_;
+    DeviationPoints deviations_;
     GroundGrid grid_;
     StockOutline stock_;
     ScaleBar scaleBar_;

@@ -154,6 +154,11 @@ void Viewport::setPathVisible(bool visible) {
     impl_->refresh();
 }
 
+void Viewport::setDeviations(std::span<const DeviationSample> samples, const DeviationTolerance& tolerance) {
+    impl_->scene.deviations().set(samples, tolerance);
+    impl_->refresh();
+}
+
 void Viewport::setMoveMark(std::span<const glm::dvec3> places) {
     impl_->scene.moveMark().set(places);
     impl_->refresh();
@@ -181,6 +186,10 @@ ViewportEvent Viewport::sight(const QPointF& position) const {
     event.rayOrigin = sight.origin;
     event.rayDirection = sight.direction;
     return event;
+}
+
+std::optional<glm::dvec3> Viewport::pick(const QPointF& position) const {
+    return impl_->scene.pick(sightThrough(impl_->motion.view(), impl_->motion.size(), position));
 }
 
 QPointF Viewport::project(const glm::dvec3& place) const {

@@ -6,6 +6,7 @@
 #include "core/path/path.h"
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
+#include "core/verify/deviation_map.h"
 #include "core/volume/run_volume.h"
 #include "ui/scene/guide_marks.h"
 #include "ui/scene/interactive_tool.h"
@@ -88,6 +89,8 @@ public:
     /// The edited path, colour by kind of move.
     void setPath(const Path& path);
     void setPathVisible(bool visible);
+    /// What a program leaves on the part, or takes from it; no samples: nothing.
+    void setDeviations(std::span<const DeviationSample> samples, const DeviationTolerance& tolerance);
     /// A move that is looked at: places along it, mm, setup frame. Fewer than two: none.
     void setMoveMark(std::span<const glm::dvec3> places);
 
@@ -97,6 +100,8 @@ public:
     void setInteractiveTool(InteractiveTool* tool);
     /// Sight through a place of the widget (device-independent pixels).
     ViewportEvent sight(const QPointF& position) const;
+    /// The place of workpiece or part that appears there, mm, setup frame; nothing: the bench alone does.
+    std::optional<glm::dvec3> pick(const QPointF& position) const;
     /// Where a place in the setup frame appears, device-independent pixels.
     QPointF project(const glm::dvec3& place) const;
 

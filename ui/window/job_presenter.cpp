@@ -89,6 +89,7 @@ JobStepState JobPresenter::program() const {
     if (program.problem()) return {StepProgress::ready, tr("not possible")};
     if (!program.program()) return {StepProgress::ready, tr("not yet")};
     if (program.outdated()) return {StepProgress::ready, tr("out of date")};
+    if (program.edited()) return {StepProgress::ready, tr("edited")};
     if (!program.exportable()) return {StepProgress::ready, tr("refused")};
     return {StepProgress::done, program.program()->overridden ? tr("overridden") : tr("passed")};
 }

@@ -162,6 +162,7 @@ void MainWindow::connectActions() {
             &QAction::trigger);
     connect(panels_->hand, &HandPanel::alignmentRequested, actions_[ActionId::alignHand], &QAction::trigger);
     on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
+    on(ActionId::drawStretch, [this] { presenters_->pathScene.setDrawing(!presenters_->pathScene.drawing()); });
     on(ActionId::evaluatePath, [this] { workbench_.path.evaluate(); });
     on(ActionId::post, [this] { workbench_.program.post(programName(workbench_)); });
     on(ActionId::findInProgram, [this] {
@@ -254,7 +255,11 @@ void MainWindow::showBench(bool shown) {
 void MainWindow::showStep(JobStep step) {
     presenters_->job.setShown(step);
     presenters_->guideScene.setShown(step);
+    presenters_->deviation.setShown(step == JobStep::program);
+    // Who lets go of the pointer comes before who takes it.
+    if (step == JobStep::program) presenters_->pathScene.setShown(step);
     presenters_->programScene.setShown(step);
+    if (step != JobStep::program) presenters_->pathScene.setShown(step);
     panels_->showStep(step);
 }
 
@@ -323,7 +328,7 @@ void MainWindow::removeTake(qint64 take) {
 
 void MainWindow::overrideCheck() {
     if (!workbench_.program.refused()) return;
-    const auto count = static_cast<int>(workbench_.program.program()->report.findings.size());
+    const auto count = static_cast<int>(workbench_.program.program()->errorCount());
     const QString reason = askReason(
         this, tr("Export a program that was refused?"),
         count == 1 ? tr("Its check found 1 thing that can break a tool, the part or the machine.")

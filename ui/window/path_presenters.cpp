@@ -28,13 +28,17 @@ QString programName(const Workbench& workbench) {
     return (name.isEmpty() ? QStringLiteral("program") : name) + QStringLiteral(".ngc");
 }
 
-PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel) {
+PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)
+    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel), scene_(scene) {
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
     connect(&panel, &PathPanel::editAdded, &workbench.path, &PathController::addEdit);
     connect(&panel, &PathPanel::editRemoved, &workbench.path, &PathController::removeEdit);
     connect(&panel, &PathPanel::editMoved, &workbench.path, &PathController::moveEdit);
+    connect(&panel, &PathPanel::dragChosen, &scene, &PathScenePresenter::setDrag);
+    connect(&panel, &PathPanel::drawingWanted, &scene, &PathScenePresenter::setDrawing);
+    connect(&panel, &PathPanel::selectionCleared, &workbench.path, &PathController::clearSelection);
+    connect(&scene, &PathScenePresenter::changed, this, &Presenter::presentSoon);
     connect(&panel, &PathPanel::evaluateRequested, &workbench.path, &PathController::evaluate);
 }
 
@@ -59,6 +63,9 @@ void PathPresenter::present() {
     state.busy = path.busy();
     state.waiting = path.waiting();
     if (path.problem()) state.problem = Messages::sentence(*path.problem());
+    state.selection = path.selection();
+    state.drag = scene_.drag();
+    state.drawing = scene_.drawing();
     panel_.setState(state);
 }
 
@@ -67,6 +74,9 @@ ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QO
     connect(&panel, &ProgramPanel::machineChosen, &workbench.target, &TargetController::chooseMachine);
     connect(&panel, &ProgramPanel::dialectChosen, &workbench.target, &TargetController::chooseDialect);
     connect(&panel, &ProgramPanel::postRequested, this, [this] { workbench_.program.post(programName(workbench_)); });
+    connect(&panel, &ProgramPanel::textEdited, &workbench.program, &ProgramController::editText);
+    connect(&panel, &ProgramPanel::textCheckRequested, this,
+            [this] { workbench_.program.checkText(programName(workbench_)); });
     connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);
 }
 
@@ -87,7 +97,9 @@ void ProgramPresenter::present() {
     state.machine = target.machine().id;
     state.dialect = target.dialect();
     state.text = program.storedText();
-    if (program.program()) {
+    state.edited = program.edited();
+    state.lint = program.lint();
+    if (program.program() && !program.edited()) {
         state.blocks = program.program()->parsed.blocks;
         state.report = program.program()->report;
         state.released = program.program()->released();

@@ -4,6 +4,7 @@
 
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
+#include "ui/window/path_scene_presenter.h"
 #include "ui/window/presenter.h"
 
 namespace burin {
@@ -13,12 +14,13 @@ namespace burin {
 class PathPresenter final : public Presenter {
     Q_OBJECT
 public:
-    PathPresenter(Workbench& workbench, PathPanel& panel, QObject* parent);
+    PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent);
     void setUnit(LengthUnit unit) override;
 
 private:
     void present() override;
     PathPanel& panel_;
+    PathScenePresenter& scene_;
 };
 
 class ProgramPresenter final : public Presenter {

@@ -18,19 +18,23 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , surroundings(workbench, *stage.panels.surroundings, *stage.panels.bounds, stage.viewport, this)
     , guides(workbench, *stage.panels.guides, this)
     , hand(workbench, *stage.panels.hand, this)
-    , path(workbench, *stage.panels.path, this)
+    , pathScene(workbench, stage.viewport, this)
+    , path(workbench, *stage.panels.path, pathScene, this)
     , program(workbench, *stage.panels.program, this)
     , meters(workbench, *stage.panels.meters, this)
     , status(workbench, meters, stage.status, this)
     , job(workbench, stage.jobLine, this)
     , scene(workbench, stage.viewport, actions, this)
     , guideScene(workbench, stage.viewport, actions, this)
-    , programScene(workbench, stage.viewport, *stage.panels.program, scene, this) {}
+    , programScene(workbench, stage.viewport, *stage.panels.program, scene, this)
+    , deviation(workbench, stage.viewport, stage.panels.program->deviation(), scene, this) {
+    connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);
+}
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides, &hand, &path, &program,
-             &meters, &status, &job, &scene, &guideScene, &programScene})
+             &part, &stock, &material, &tool, &allowance, &mill, &surroundings, &guides, &hand, &pathScene, &path,
+             &program, &meters, &status, &job, &scene, &guideScene, &programScene, &deviation})
         presenter->setUnit(unit);
 }
 

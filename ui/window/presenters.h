@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/window/deviation_presenter.h"
 #include "ui/window/guide_presenter.h"
 #include "ui/window/guide_scene_presenter.h"
 #include "ui/window/hand_presenter.h"
@@ -9,6 +10,7 @@
 #include "ui/window/mill_presenter.h"
 #include "ui/window/panel_stack.h"
 #include "ui/window/path_presenters.h"
+#include "ui/window/path_scene_presenter.h"
 #include "ui/window/program_scene_presenter.h"
 #include "ui/window/scene_presenter.h"
 #include "ui/window/setup_presenters.h"
@@ -42,6 +44,7 @@ public:
     SurroundingsPresenter surroundings;
     GuidePresenter guides;
     HandPresenter hand;
+    PathScenePresenter pathScene;
     PathPresenter path;
     ProgramPresenter program;
     MeterPresenter meters;
@@ -50,6 +53,7 @@ public:
     ScenePresenter scene;
     GuideScenePresenter guideScene;
     ProgramScenePresenter programScene;
+    DeviationPresenter deviation;
 };
 
 } // namespace burin

@@ -22,6 +22,7 @@ ProgramScenePresenter::ProgramScenePresenter(Workbench& workbench, Viewport& vie
     , picker_([&viewport](const glm::dvec3& place) { return viewport.project(place); }) {
     connect(&panel, &ProgramPanel::lineChosen, this, &ProgramScenePresenter::choose);
     connect(&picker_, &PathPicker::chosen, this, &ProgramScenePresenter::pick);
+    connect(&picker_, &PathPicker::hovered, this, &ProgramScenePresenter::hovered);
 }
 
 void ProgramScenePresenter::setShown(JobStep step) {
@@ -31,15 +32,17 @@ void ProgramScenePresenter::setShown(JobStep step) {
 
 void ProgramScenePresenter::present() {
     const auto& bench = workbench_.bench.bench();
-    const bool active = shown_ && bench && workbench_.program.program() && !workbench_.mill.active();
+    const bool active =
+        shown_ && bench && workbench_.program.program() && !workbench_.program.edited() && !workbench_.mill.active();
     if (active) zero_ = bench->setup.workOffset;
     take(active ? workbench_.program.program() : nullptr);
     if (active != active_) {
         active_ = active;
         // In mill mode the pointer is the mill's own.
         if (active || !workbench_.mill.active()) viewport_.setInteractiveTool(active ? &picker_ : nullptr);
+        if (!active) showLine();
     }
-    showLine();
+    if (active) showLine();
 }
 
 void ProgramScenePresenter::take(std::shared_ptr<const CheckedProgram> program) {

@@ -20,6 +20,9 @@ public:
                           QObject* parent);
     void setShown(JobStep step);
 
+signals:
+    void hovered(const QPointF& position); ///< over the viewport, while this is shown
+
 private:
     void present() override;
     void choose(int line);

@@ -35,8 +35,8 @@ void ScenePresenter::present() {
         viewport_.setPart(part_);
         viewport_.fit();
     }
-    viewport_.setPartVisible(!embedded || actions_[ActionId::showPart]->isChecked());
-    viewport_.setWorkpieceVisible(embedded && actions_[ActionId::showWorkpiece]->isChecked());
+    viewport_.setPartVisible(!embedded || bare_ || actions_[ActionId::showPart]->isChecked());
+    viewport_.setWorkpieceVisible(embedded && !bare_ && actions_[ActionId::showWorkpiece]->isChecked());
     const bool outline = workbench_.setup.usable() && !embedded;
     viewport_.setStockOutline(outline ? std::optional(workbench_.setup.setup().stock) : std::nullopt);
 
@@ -58,6 +58,12 @@ void ScenePresenter::placeTool() {
     if (!axis.free && !toolTip_) marks.proxy.axis = axis.direction;
     marks.proxy.tip = toolTip_.value_or(glm::dvec3(centre.x, centre.y, bench.safeHeight()));
     viewport_.setToolMarks(marks);
+}
+
+void ScenePresenter::showBarePart(bool bare) {
+    if (bare == bare_) return;
+    bare_ = bare;
+    presentSoon();
 }
 
 void ScenePresenter::showToolAt(const std::optional<glm::dvec3>& tip) {

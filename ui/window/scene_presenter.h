@@ -15,6 +15,8 @@ class ScenePresenter final : public Presenter {
     Q_OBJECT
 public:
     ScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions, QObject* parent);
+    /// The bare part in the workpiece's stead.
+    void showBarePart(bool bare);
     /// Where the tool stands while no session moves it, mm, setup frame. Nothing: parked over the stock.
     void showToolAt(const std::optional<glm::dvec3>& tip);
 
@@ -29,6 +31,7 @@ private:
     LiveStrokes live_;
     const Actions& actions_;
     std::shared_ptr<const Model> part_; ///< that is drawn
+    bool bare_ = false;
     std::optional<glm::dvec3> toolTip_;
     std::string tool_;              ///< id of the one that is drawn
     std::vector<glm::vec3> stroke_; ///< storage

@@ -32,6 +32,16 @@ std::vector<Edit> withEdit(const std::vector<Edit>& edits, const Edit& edit) {
     return appended;
 }
 
+/// An edit whose stretch and moments are those that were chosen.
+Edit meantFor(Edit edit, const TakeStretch& chosen) {
+    for (const EditField& field : fieldsOf(edit.parameters)) {
+        if (std::holds_alternative<TakeStretch>(field.value)) setField(edit.parameters, field.key, chosen);
+        if (std::holds_alternative<Moment>(field.value))
+            setField(edit.parameters, field.key, Moment{chosen.take, chosen.first});
+    }
+    return edit;
+}
+
 bool alike(const StoredPath& one, const StoredPath& other) {
     return one.name == other.name && one.takes == other.takes &&
            std::ranges::equal(one.edits, other.edits,
@@ -86,6 +96,7 @@ PathController::PathController(const Desk& desk, BenchController& bench, QObject
 }
 
 void PathController::load(const std::vector<StoredPath>& paths) {
+    selection_.reset();
     desk_.tasks.abandon(TaskKind::path);
     stored_ = paths.empty() ? std::nullopt : std::optional(paths.front());
     evaluated_.reset();
@@ -120,7 +131,56 @@ void PathController::changeEdit(std::size_t index, const Edit& edit) {
 
 void PathController::addEdit(const Edit& edit) {
     if (!stored_) return;
-    push(tr("new edit"), withEdit(stored_->edits, edit));
+    push(tr("new edit"), withEdit(stored_->edits, selection_ ? meantFor(edit, *selection_) : edit));
+}
+
+void PathController::select(const Moment& moment) {
+    selection_ = TakeStretch{moment.take, moment.tick, moment.tick};
+    emit changed();
+}
+
+void PathController::selectTo(const Moment& moment) {
+    if (!selection_ || selection_->take != moment.take) {
+        select(moment);
+        return;
+    }
+    selection_->first = std::min(selection_->first, moment.tick);
+    selection_->last = std::max(selection_->last, moment.tick);
+    emit changed();
+}
+
+void PathController::clearSelection() {
+    if (!selection_) return;
+    selection_.reset();
+    emit changed();
+}
+
+void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MovePoints::Along along) {
+    if (!stored_ || by == glm::dvec3(0.0)) return;
+    const TakeStretch stretch{moment.take, moment.tick, moment.tick};
+    std::vector<Edit> edits = stored_->edits;
+    const auto same = std::ranges::find_if(edits, [&](const Edit& edit) {
+        const auto* moves = std::get_if<MovePoints>(&edit.parameters);
+        return moves != nullptr && edit.enabled && moves->stretch == stretch && moves->along == along;
+    });
+    if (same != edits.end()) {
+        std::get<MovePoints>(same->parameters).by += by;
+    } else {
+        MovePoints moves;
+        moves.stretch = stretch;
+        moves.by = by;
+        moves.along = along;
+        edits = withEdit(edits, {moves});
+    }
+    push(tr("place of the path"), std::move(edits));
+}
+
+void PathController::replaceSelection(const std::vector<glm::dvec3>& places) {
+    if (!stored_ || !selection_ || places.size() < 2) return;
+    ReplaceStretch replaces;
+    replaces.stretch = *selection_;
+    replaces.places = places;
+    push(tr("drawn stroke"), withEdit(stored_->edits, {replaces}));
 }
 
 void PathController::removeEdit(std::size_t index) {

@@ -32,6 +32,16 @@ public:
     void addEdit(const Edit& edit);
     void removeEdit(std::size_t index);
     void moveEdit(std::size_t from, std::size_t to);
+    /// What the user chose of the path: edits that are added are meant for it. Nothing: for all of it.
+    const std::optional<TakeStretch>& selection() const noexcept { return selection_; }
+    void select(const Moment& moment);   ///< this one moment
+    void selectTo(const Moment& moment); ///< everything from what was chosen to there; of one take
+    void clearSelection();
+    /// Moves a place of the path. Once more at the same place: the edit that is there moves it by so much more.
+    /// @param by mm; @param along the part's surface, or freely
+    void movePlace(const Moment& moment, const glm::dvec3& by, MovePoints::Along along);
+    /// Puts a stroke that was drawn in the selection's stead. @param places mm, setup frame, at least two
+    void replaceSelection(const std::vector<glm::dvec3>& places);
     void evaluate();
     void takesChanged(); ///< what was evaluated may be no longer what was recorded
 
@@ -50,6 +60,7 @@ private:
 
     BenchController& bench_;
     std::optional<StoredPath> stored_;
+    std::optional<TakeStretch> selection_;
     std::shared_ptr<const EvaluatedPath> evaluated_;
     std::optional<Error> problem_;
     Takes takes_;            ///< as they were read; null: to be read again

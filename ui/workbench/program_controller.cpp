@@ -3,7 +3,9 @@
 #include "ui/workbench/program_controller.h"
 
 #include "core/base/file.h"
+#include "core/nc/dialect_library.h"
 #include "core/verify/report_json.h"
+#include "ui/workbench/value_command.h"
 
 namespace burin {
 
@@ -16,6 +18,8 @@ void ProgramController::load(const std::vector<StoredProgram>& programs) {
     program_.reset();
     problem_.reset();
     outdated_ = true;
+    edited_ = false;
+    lint_.clear();
     storedText_ = programs.empty() ? QString() : QString::fromStdString(programs.back().text);
     emit changed();
 }
@@ -41,19 +45,52 @@ void ProgramController::setGougeTolerance(double millimetres) {
     emit changed();
 }
 
-void ProgramController::post(const QString& name, const QString& overrideReason) {
-    if (!bench_.bench() || !path_.evaluated()) return;
+ProgramRequest ProgramController::request(const QString& name) const {
     ProgramRequest request;
     request.name = name.toStdString();
     request.dialect = target_.dialect();
     request.gougeTolerance = gougeTolerance_;
-    request.overrideReason = overrideReason.trimmed().toStdString();
+    return request;
+}
+
+void ProgramController::post(const QString& name, const QString& overrideReason) {
+    if (!bench_.bench() || !path_.evaluated()) return;
+    ProgramRequest wanted = request(name);
+    wanted.overrideReason = overrideReason.trimmed().toStdString();
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
-        [bench = bench_.bench(), path = path_.evaluated(), request](Progress& progress) {
-            return makeProgram(*bench, path->path, request, progress);
+        [bench = bench_.bench(), path = path_.evaluated(), wanted](Progress& progress) {
+            return makeProgram(*bench, path->path, wanted, progress);
         },
-        [this, posted = StoredProgram{request.name, request.dialect, bench_.bench()->machine.id, {}, {}}](
+        [this, posted = StoredProgram{wanted.name, wanted.dialect, bench_.bench()->machine.id, {}, {}}](
+            Result<CheckedProgram> outcome) { take(posted, std::move(outcome)); });
+    emit changed();
+}
+
+void ProgramController::editText(const QString& text) {
+    if (text == storedText_) return;
+    storedText_ = text;
+    edited_ = true;
+    problem_.reset();
+    lintText();
+    emit changed();
+}
+
+void ProgramController::lintText() {
+    const auto& bench = bench_.bench();
+    lint_ = burin::lint(storedText_.toStdString(), {&controlOfDialect(target_.dialect()),
+                                                    bench ? &bench->machine : nullptr, bench ? &bench->tool : nullptr});
+}
+
+void ProgramController::checkText(const QString& name) {
+    if (!bench_.bench() || !edited_) return;
+    const ProgramRequest wanted = request(name);
+    desk_.tasks.start(
+        TaskKind::program, tr("Checking"),
+        [bench = bench_.bench(), text = storedText_.toStdString(), wanted](Progress& progress) {
+            return checkProgram(*bench, text, wanted.name, wanted, progress);
+        },
+        [this, posted = StoredProgram{wanted.name, wanted.dialect, bench_.bench()->machine.id, {}, {}}](
             Result<CheckedProgram> outcome) { take(posted, std::move(outcome)); });
     emit changed();
 }
@@ -64,15 +101,30 @@ void ProgramController::take(const StoredProgram& posted, Result<CheckedProgram>
         emit changed();
         return;
     }
-    problem_.reset();
-    program_ = std::make_shared<const CheckedProgram>(std::move(*outcome));
-    storedText_ = QString::fromStdString(program_->text);
-    outdated_ = path_.outdated();
-    if (program_->released())
-        store([posted, program = program_](Project& project) {
+    const auto program = std::make_shared<const CheckedProgram>(std::move(*outcome));
+    if (program->released())
+        store([posted, program](Project& project) {
             return project.addProgram(
                 {posted.name, posted.dialect, posted.machine, program->text, toJson(program->report)});
         });
+    const Shown next{program, QString::fromStdString(program->text), false};
+    if (edited_) // what the user wrote is worth an undo
+        desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1, {program_, storedText_, true}, next,
+                                                [this](const Shown& value) { show(value); }));
+    else
+        show(next);
+}
+
+void ProgramController::show(const Shown& shown) {
+    problem_.reset();
+    program_ = shown.program;
+    storedText_ = shown.text;
+    edited_ = shown.edited;
+    if (edited_)
+        lintText();
+    else
+        lint_ = program_->lint;
+    outdated_ = path_.outdated();
     emit changed();
 }
 

@@ -24,15 +24,23 @@ public:
     const std::shared_ptr<const CheckedProgram>& program() const noexcept { return program_; }
     /// Text of a program that the project held when it was opened, until a new one is posted.
     const QString& storedText() const noexcept { return storedText_; }
+    /// The text was changed by hand since it was checked.
+    bool edited() const noexcept { return edited_; }
+    /// What the control may not take of the text as it is.
+    const std::vector<LintMark>& lint() const noexcept { return lint_; }
     double gougeTolerance() const noexcept { return gougeTolerance_; } ///< mm
     const std::optional<Error>& problem() const noexcept { return problem_; }
     bool outdated() const noexcept { return outdated_; }
     bool busy() const { return desk_.tasks.running(TaskKind::program); }
-    bool refused() const noexcept { return program_ && !program_->released() && !outdated_; }
-    bool exportable() const noexcept { return program_ && program_->released() && !outdated_; }
+    bool refused() const noexcept { return program_ && !program_->released() && !outdated_ && !edited_; }
+    bool exportable() const noexcept { return program_ && program_->released() && !outdated_ && !edited_; }
 
     /// @param name of the program @param overrideReason why it is wanted even if its check refuses it; empty: it is not
     void post(const QString& name, const QString& overrideReason = {});
+    /// The text as the user wrote it; no program to be exported until it is checked. The editor has an undo of its own;
+    /// whatever takes the text's place then is an entry of the undo stack.
+    void editText(const QString& text);
+    void checkText(const QString& name); ///< @param name of the program
     void setGougeTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
     void pathChanged();   ///< what was posted is no longer the path
@@ -45,6 +53,15 @@ signals:
 
 private:
     void take(const StoredProgram& posted, Result<CheckedProgram> outcome);
+    /// What the panel shows: a checked program, and the text, which may have been edited since.
+    struct Shown {
+        std::shared_ptr<const CheckedProgram> program;
+        QString text;
+        bool edited = false;
+    };
+    ProgramRequest request(const QString& name) const;
+    void show(const Shown& shown);
+    void lintText();
     void becomeOutdated();
 
     BenchController& bench_;
@@ -52,6 +69,8 @@ private:
     const TargetController& target_;
     std::shared_ptr<const CheckedProgram> program_;
     QString storedText_;
+    std::vector<LintMark> lint_;
+    bool edited_ = false;
     double gougeTolerance_ = 0.02;
     std::optional<Error> problem_;
     bool outdated_ = true;

@@ -64,7 +64,7 @@ void reliefFigures(Session& session, const Task& task) {
     });
     session.check(report.gougeMax <= 0.02, task.name + " gouges nowhere");
     session.check(report.findings.empty(), task.name + " passes");
-    session.check(report.removed > 0.0 && report.reachableShare > 0.5, task.name + " is really milled");
+    session.check(report.removed > 0.0 && report.reachableShare > 0.1, task.name + " is really milled");
     Figure own = figure(task.name, spent, "s", task.limit);
     session.add(task.peer > 0.0 ? against(std::move(own), "CAMotics", task.peer, 30.0) : std::move(own));
     splitFigures(session, task.name, scene);

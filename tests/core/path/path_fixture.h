@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/units.h"
 #include "core/path/evaluate.h"
 
 #include <cmath>
@@ -86,7 +87,6 @@ inline TriangleMesh boxMesh(const Box& box) {
 
 /// Vertices on the sphere, hence facets inside it.
 inline TriangleMesh sphereMesh(const glm::dvec3& centre, double radius, std::uint32_t rings) {
-    const double pi = std::acos(-1.0);
     TriangleMesh mesh;
     const std::uint32_t columns = 2 * rings;
     for (std::uint32_t r = 0; r <= rings; ++r) {

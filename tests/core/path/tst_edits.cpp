@@ -1,13 +1,56 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/path/edit_step.h"
 #include "path_fixture.h"
 
 #include <QTest>
 
+#include <cmath>
 #include <limits>
+#include <set>
 
 using namespace burin;
 using namespace burin::test;
+
+namespace {
+
+/// A value that a parameter may have, other than its first one.
+struct Another {
+    const EditField& field;
+    EditValue operator()(double value) const { return value == field.high ? field.low : field.high; }
+    EditValue operator()(bool value) const { return !value; }
+    EditValue operator()(std::string_view value) const {
+        return value == field.choices.back() ? field.choices.front() : field.choices.back();
+    }
+    EditValue operator()(const glm::dvec3&) const { return glm::dvec3(1.5, field.low, field.high); }
+    EditValue operator()(const std::vector<glm::dvec3>&) const {
+        return std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0.25}, {0, 1, 0}};
+    }
+    EditValue operator()(const Moment&) const { return Moment{3, 141}; }
+    EditValue operator()(const TakeStretch&) const { return TakeStretch{2, 7, 18}; }
+};
+
+/// Values that it may not have.
+struct Strange {
+    const EditField& field;
+    using Values = std::vector<EditValue>;
+    Values operator()(double) const {
+        Values values{field.low - 1e-3, field.high + 1.0, std::numeric_limits<double>::quiet_NaN()};
+        if (field.whole) values.push_back(0.5 + std::floor(0.5 * (field.low + field.high)));
+        return values;
+    }
+    Values operator()(bool) const { return {}; }
+    Values operator()(std::string_view) const { return {}; }
+    Values operator()(const glm::dvec3&) const { return {glm::dvec3(0, 0, std::numeric_limits<double>::infinity())}; }
+    Values operator()(const std::vector<glm::dvec3>&) const {
+        const glm::dvec3 nowhere(0, std::numeric_limits<double>::quiet_NaN(), 0);
+        return {std::vector<glm::dvec3>{{0, 0, 0}}, std::vector<glm::dvec3>(5, nowhere)};
+    }
+    Values operator()(const Moment&) const { return {Moment{-1, 0}, Moment{1, -1}}; }
+    Values operator()(const TakeStretch&) const { return {TakeStretch{1, 5, 4}, TakeStretch{-1, 0, 4}}; }
+};
+
+} // namespace
 
 class TestEdits : public QObject {
     Q_OBJECT
@@ -27,6 +70,31 @@ private slots:
         }
         QCOMPARE(QString::fromStdString(toJson(edits[2])),
                  R"({"edit":"smooth","enabled":true,"cut_off_hz":4.25,"tolerance_mm":0.03})");
+    }
+
+    void everyParameterOfEveryKindIsKeptAndChecked() {
+        std::set<std::string_view> ids;
+        for (Edit edit : everyEdit()) {
+            const std::string first = toJson(edit), id(idOf(edit.parameters));
+            QVERIFY2(ids.insert(idOf(edit.parameters)).second && titleOf(edit.parameters).text[0] != '\0', id.c_str());
+            QVERIFY2(validate(edit), id.c_str());
+            for (const EditField& field : fieldsOf(edit.parameters)) {
+                const Edit before = edit;
+                for (const EditValue& strange : std::visit(Strange{field}, field.value)) {
+                    setField(edit.parameters, field.key, strange);
+                    QVERIFY2(!validate(edit), (id + " " + std::string(field.key)).c_str());
+                    edit = before;
+                }
+                setField(edit.parameters, field.key, std::visit(Another{field}, field.value));
+                QVERIFY2(validate(edit), (id + " " + std::string(field.key)).c_str());
+                QVERIFY(toJson(edit) != toJson(before));
+                const auto back = editFromJson(toJson(edit));
+                QVERIFY2(back, toJson(edit).c_str());
+                QCOMPARE(QString::fromStdString(toJson(*back)), QString::fromStdString(toJson(edit)));
+            }
+        }
+        QVERIFY(ids.size() >= 30);
+        QVERIFY(checkOrder(everyEdit()));
     }
 
     void whatIsLeftOutHasItsFirstValue() {
@@ -50,6 +118,15 @@ private slots:
         QTest::newRow("a text for a number")
             << R"({"edit": "smooth", "cut_off_hz": "5"})" << ErrorCode::argumentInvalid;
         QTest::newRow("out of range") << R"({"edit": "smooth", "tolerance_mm": -1})" << ErrorCode::argumentInvalid;
+        QTest::newRow("no such choice") << R"({"edit": "mirror", "across": "w"})" << ErrorCode::argumentInvalid;
+        QTest::newRow("two coordinates") << R"({"edit": "rotate", "centre_mm": [1, 2]})" << ErrorCode::argumentInvalid;
+        QTest::newRow("half a copy") << R"({"edit": "array", "copies": 1.5})" << ErrorCode::argumentInvalid;
+        QTest::newRow("an outline of two corners")
+            << R"({"edit": "remove-area", "outline_mm": [[0, 0, 0], [1, 0, 0]]})" << ErrorCode::argumentInvalid;
+        QTest::newRow("a stretch that ends before it begins")
+            << R"({"edit": "cut-out", "stretch": {"take": 1, "first": 9, "last": 8}})" << ErrorCode::argumentInvalid;
+        QTest::newRow("a stretch with a strange member")
+            << R"({"edit": "cut-out", "stretch": {"take": 1, "from": 9}})" << ErrorCode::argumentInvalid;
         QTest::newRow("enabled is a number") << R"({"edit": "smooth", "enabled": 1})" << ErrorCode::argumentInvalid;
     }
     void strangeTextsAreRefused() {
@@ -65,6 +142,10 @@ private slots:
         QTest::newRow("smoothing behind the hold-out") << std::vector<Edit>{{HoldOut{}}, {Smooth{}}};
         QTest::newRow("smoothing thinned points") << std::vector<Edit>{{Simplify{}}, {Smooth{}}};
         QTest::newRow("simplifying links") << std::vector<Edit>{{Link{}}, {Simplify{}}};
+        QTest::newRow("arcs on what was not held out") << std::vector<Edit>{{Smooth{}}, {FitArcs{}}};
+        QTest::newRow("links of what was not held out") << std::vector<Edit>{{HoldOut{}}, {Offset{}}, {Link{}}};
+        QTest::newRow("simplifying arcs") << std::vector<Edit>{{FitArcs{}}, {Simplify{}}};
+        QTest::newRow("feeds by engagement before feeds") << std::vector<Edit>{{LevelFeed{}}, {SetFeed{}}};
         QTest::newRow("linking twice") << std::vector<Edit>{{Link{}}, {Link{}}};
         QTest::newRow("not a number") << std::vector<Edit>{{Smooth{std::numeric_limits<double>::quiet_NaN(), 0.1}}};
         QTest::newRow("cut-off beyond the recording") << std::vector<Edit>{{Smooth{500.0, 0.1}}};

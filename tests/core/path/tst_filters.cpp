@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
 #include "path_fixture.h"
 
 #include <rapidcheck.h>
@@ -12,8 +13,6 @@ using namespace burin;
 using namespace burin::test;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 /// Largest distance from a place of one polyline to the other, by dense sampling.
 double oneSided(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to, double step) {

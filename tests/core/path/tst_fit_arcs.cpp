@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
+#include "core/base/units.h"
 #include "path_fixture.h"
 
 #include <rapidcheck.h>
@@ -14,7 +15,6 @@ using namespace burin::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979324;
 const MeshDistance nothing{TriangleMesh{}};
 
 PathContext freeContext() {

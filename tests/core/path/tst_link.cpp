@@ -83,7 +83,11 @@ private slots:
         const Box stock{{-8, -8, -5}, {8, 8, 0}};
         QVERIFY(rc::check("neither rapids nor shank nor holder touch what is left", [&] {
             const Tool tool = stubbyTool(*rc::gen::element(CutterType::ball, CutterType::flat));
-            const auto path = run({takeOf(layeredStrokes())}, linkedEdits, contextOf(nothing_, tool, stock));
+            std::vector<Edit> edits = linkedEdits;
+            for (Edit& edit : edits)
+                if (Link* link = std::get_if<Link>(&edit.parameters))
+                    link->travel = *rc::gen::element(Link::Travel::safe, Link::Travel::lowest);
+            const auto path = run({takeOf(layeredStrokes())}, edits, contextOf(nothing_, tool, stock));
             RC_PRE(static_cast<bool>(path)); // strokes of no length give an empty path
             PointStock left(stock);
             const std::vector<RevolvedPiece> parts = pieces(tool.cutter);

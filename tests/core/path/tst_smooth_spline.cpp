@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
 #include "path_fixture.h"
 
 #include <rapidcheck.h>
@@ -12,8 +13,6 @@ using namespace burin;
 using namespace burin::test;
 
 namespace {
-
-constexpr double pi = 3.14159265358979324;
 
 /// Tremor of the band that hands have: twenty waves a coordinate of 8 to 12 Hz, so much in all (root of the mean
 /// square of the distance).

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "path_fixture.h"
-
-#include <rapidcheck.h>
+#include "core/base/units.h"
+#include "random_edits.h"
 
 #include <QTest>
 
@@ -13,7 +12,6 @@ using namespace burin::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979324;
 constexpr double toolRadius = 3.0;
 
 /// A dome that rises out of a plate. Its mesh lies within 0.002 mm of it.
@@ -84,8 +82,9 @@ private slots:
         walk(path->path.points, 0.05, [&](const PathPoint&, const glm::dvec3& place) {
             const double clearance = clearanceOf(place);
             QVERIFY2(clearance >= allowance - 0.004, qPrintable(QString::number(clearance)));
-            QVERIFY2(clearance <= allowance + 0.02, qPrintable(QString::number(clearance)));
+            QVERIFY2(clearance <= allowance + 0.04, qPrintable(QString::number(clearance))); // across the crease
         });
+        for (const PathPoint& point : path->path.points) QVERIFY(clearanceOf(point.tip) <= allowance + 0.012);
         if (allowance == 0.0)
             for (const PathPoint& point : path->path.points)
                 QVERIFY(std::abs(point.tip.z - restingHeight(point.tip.x, point.tip.y)) < 0.05);
@@ -130,7 +129,10 @@ private slots:
         for (glm::dvec3& corner : flat) corner.z = 0.0;
         for (const double distance : {1.0, -1.0, 4.0, -0.3}) {
             const auto path = run({takeOf(along(corners, 100.0))}, {{Offset{{}, distance}}}, context);
-            QVERIFY(path);
+            if (!path) { // inside the slot there is no room
+                QVERIFY(path.error().code == ErrorCode::pathEmpty && distance >= 1.0 && corners.size() == 4);
+                continue;
+            }
             for (std::size_t i = 1; i < path->path.points.size(); ++i) {
                 if (path->path.points[i].kind == MoveKind::rapid) continue;
                 for (const glm::dvec3& place : placesOf(path->path.points[i - 1].tip, path->path.points[i], 0.02)) {
@@ -166,6 +168,7 @@ private slots:
     }
 
     void noRandomSequenceOfEditsGouges() {
+        int judged = 0;
         QVERIFY(rc::check("with the hold-out last", [&] {
             const std::vector<Edit> recorded = randomEdits(false), later = randomEdits(true);
             std::vector<Edit> edits = recorded;
@@ -177,10 +180,13 @@ private slots:
             if (!path && path.error().code == ErrorCode::pathEmpty) return;
             RC_ASSERT(static_cast<bool>(path));
             expectNoGouge(*path);
+            ++judged;
         }));
+        QVERIFY2(judged > 60, qPrintable(QString::number(judged))); // of a hundred
     }
 
     void noOrderOfEditsGouges() {
+        int judged = 0;
         QVERIFY(rc::check("an order is refused, or what comes of it does not enter the part", [&] {
             std::vector<Edit> edits = randomEdits(false);
             for (const Edit& edit : randomEdits(true)) edits.push_back(edit);
@@ -192,9 +198,13 @@ private slots:
             const auto path = run({randomTake()}, edits, domeContext());
             const bool linked = std::ranges::any_of(
                 edits, [](const Edit& edit) { return std::holds_alternative<Link>(edit.parameters); });
-            if (path && linked) expectNoGouge(*path);
+            if (path && linked) {
+                expectNoGouge(*path);
+                ++judged;
+            }
             if (!path) RC_ASSERT(!path.error().detail.empty() || path.error().code == ErrorCode::pathEmpty);
         }));
+        QVERIFY2(judged > 15, qPrintable(QString::number(judged)));
     }
 
 private:
@@ -205,47 +215,6 @@ private:
             for (const glm::dvec3& place : placesOf(path.path.points[i - 1].tip, point, 0.05))
                 RC_ASSERT(clearanceOf(place) >= -0.01);
         }
-    }
-
-    static Take randomTake() {
-        std::vector<glm::dvec3> corners;
-        const int count = *rc::gen::inRange(2, 6);
-        for (int i = 0; i < count; ++i)
-            corners.push_back({0.1 * *rc::gen::inRange(-180, 180), 0.1 * *rc::gen::inRange(-180, 180),
-                               0.1 * *rc::gen::inRange(0, 120)});
-        return takeOf(along(corners, 400.0));
-    }
-
-    static std::vector<Edit> randomEdits(bool surface) {
-        std::vector<Edit> edits;
-        const int count = *rc::gen::inRange(0, surface ? 2 : 4);
-        const auto length = [] { return 0.1 * *rc::gen::inRange(-60, 60); };
-        for (int i = 0; i < count; ++i) {
-            const TakeStretch stretch{1, *rc::gen::inRange(0, 60), *rc::gen::inRange(60, 200)};
-            const glm::dvec3 by(length(), length(), length());
-            LiftArea lift;
-            lift.outline = {{-9, -9, 0}, {by.x + 9, -9, 0}, {0, by.y + 9, 0}};
-            RemoveArea remove;
-            remove.outline = {{0, -9, 0}, {9, by.x, 0}, {0, 9, 0}};
-            const std::vector<Edit> recording{{CutOut{stretch}},
-                                              {Trim{stretch, std::abs(by.x), 1.0}},
-                                              {Split{{1, stretch.last}}},
-                                              {Join{{}, 100.0}},
-                                              {Reverse{stretch}},
-                                              {Mirror{stretch, Mirror::Across::y, by.x, true}},
-                                              {Rotate{stretch, by, by.z}},
-                                              {burin::Array{stretch, by, {}, by.x, 2.0}},
-                                              {MovePoints{stretch, by, 3.0, MovePoints::Along::free}},
-                                              {MovePoints{stretch, by, 3.0, MovePoints::Along::surface}},
-                                              {ReplaceStretch{{}, {by, -by, {by.y, by.x, 0}}}},
-                                              {lift},
-                                              {remove},
-                                              {Smooth{5.0, std::abs(by.x)}},
-                                              {SmoothSpline{5.0, std::abs(by.x)}}};
-            const std::vector<Edit> onSurface{{Offset{stretch, by.x}}, {Simplify{0.5}}, {LayOnPart{0.2}}};
-            edits.push_back(*rc::gen::elementOf(surface ? onSurface : recording));
-        }
-        return edits;
     }
 
     const MeshDistance nothing_{TriangleMesh{}};

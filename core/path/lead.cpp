@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/lead.h"
+
+#include "core/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+/// The direction in which a stroke sets off, level and of unit length; zero where it goes straight up or down.
+glm::dvec3 directionAtStart(const PathStroke& stroke) {
+    const StrokePoint &first = stroke.points[0], &second = stroke.points[1];
+    glm::dvec3 way = second.tip - first.tip;
+    if (second.arc && second.arc->axis == 2) {
+        const glm::dvec3 out = first.tip - second.arc->centre;
+        way = second.arc->clockwise ? glm::dvec3(out.y, -out.x, 0.0) : glm::dvec3(-out.y, out.x, 0.0);
+    }
+    way.z = 0.0;
+    const double length = glm::length(way);
+    return length > 1e-9 ? way / length : glm::dvec3(0.0);
+}
+
+StrokePoint pointAt(const glm::dvec3& tip) {
+    StrokePoint point;
+    point.tip = tip;
+    point.removes = true; // what it meets it cuts
+    return point;
+}
+
+} // namespace
+
+LeadFinder::LeadFinder(const LeadShape& shape, const PartGuard& guard, const PathContext& context)
+    : shape_(shape), guard_(guard) {
+    for (const ObstacleSolid& obstacle : context.obstacles)
+        if (obstacle.on) obstacles_.emplace_back(PartGuard(*obstacle.surface, context.tool), obstacle.margin);
+}
+
+std::vector<StrokePoint> LeadFinder::into(const PathStroke& stroke) const {
+    if (stroke.points.size() < 2) return {};
+    const glm::dvec3 direction = directionAtStart(stroke);
+    if (direction == glm::dvec3(0.0)) return {};
+    for (const double share : {1.0, 0.5, 0.25}) {
+        for (const double side : {1.0, -1.0}) {
+            std::vector<StrokePoint> way = made(stroke.points.front().tip, direction, share * shape_.size, side);
+            if (!isClear(way, stroke.required)) continue;
+            for (StrokePoint& point : way) point.sample = stroke.points.front().sample;
+            return way;
+        }
+    }
+    return {};
+}
+
+/// @param side 1: the circle's centre lies on the left
+std::vector<StrokePoint> LeadFinder::made(const glm::dvec3& end, const glm::dvec3& direction, double size,
+                                          double side) const {
+    const glm::dvec3 up(0.0, 0.0, 1.0), left(-direction.y, direction.x, 0.0);
+    const glm::dvec3 centre = end + side * size * left;
+    const PathArc turn{centre, 2, side < 0.0};
+    std::vector<StrokePoint> way;
+    if (shape_.form == LeadIn::Form::line || shape_.form == LeadIn::Form::ramp) {
+        const double rise = shape_.form == LeadIn::Form::ramp ? shape_.height : 0.0;
+        return {pointAt(end - size * direction + rise * up), pointAt(end)};
+    }
+    if (shape_.form == LeadIn::Form::arc) {
+        way = {pointAt(centre - size * direction), pointAt(end)};
+        way.back().arc = turn;
+        return way;
+    }
+    // Half turns, so that no control takes one for nothing.
+    const double halfTurn = pi * size * std::tan(shape_.angle);
+    const auto halves = static_cast<int>(std::max(1.0, std::ceil(shape_.height / halfTurn)));
+    for (int i = halves; i >= 0; --i) {
+        const glm::dvec3 place = i % 2 == 0 ? end : 2.0 * centre - end;
+        way.push_back(pointAt(place + (shape_.height * i / halves) * up));
+        if (i < halves) way.back().arc = turn;
+    }
+    way.back().tip = end;
+    return way;
+}
+
+bool LeadFinder::isClear(const std::vector<StrokePoint>& way, double required) const {
+    const auto keeps = [&](const PartGuard& guard, double distance) {
+        for (std::size_t i = 1; i < way.size(); ++i) {
+            const glm::dvec3 &from = way[i - 1].tip, &to = way[i].tip;
+            const bool clear =
+                way[i].arc ? guard.isClear(Arc{from, to, way[i].arc->centre, way[i].arc->axis, way[i].arc->clockwise},
+                                           distance, defaultSampling)
+                           : guard.isClear(from, to, distance, defaultSampling);
+            if (!clear) return false;
+        }
+        return true;
+    };
+    return keeps(guard_, required) && std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
+               return keeps(obstacle.first, obstacle.second);
+           });
+}
+
+} // namespace burin

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/parallel.h"
+#include "core/path/apply.h"
+#include "core/path/lead.h"
+
+namespace burin {
+
+Result<Deviation> apply(const LeadIn& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
+    const Result<PartGuard> guard = PartGuard::of(context);
+    if (!guard) return guard.error();
+    const LeadFinder finder({edit.form, edit.size, edit.height, edit.angle}, *guard, context);
+    parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
+        PathStroke& stroke = state.strokes[i];
+        if (progress.cancelled() || !touches(edit.stretch, stroke)) return;
+        const std::vector<StrokePoint> way = finder.into(stroke);
+        if (way.empty()) return;
+        stroke.points.front().arc = way.back().arc; // the stroke's own start ends the way
+        stroke.points.insert(stroke.points.begin(), way.begin(), way.end() - 1);
+    });
+    return Deviation{}; // the stroke lies where it was
+}
+
+} // namespace burin

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/engagement_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+namespace {
+
+/// What is aimed at, as a function of the feed.
+class Load {
+public:
+    Load(const LevelFeed& edit, const PathContext& context, const RunVolume& stock)
+        : force_(edit.goal == LevelFeed::Goal::force)
+        , coefficients_(cuttingCoefficients(stock.properties(), context.tool.cutter.diameter))
+        , tool_(spinningTool(context.tool, context.conditions.surfaceSpeed)) {}
+
+    /// N or mm³/s. @param feed mm/min, > 0
+    double at(const MetStretch& met, double feed) const {
+        if (!(met.length > 0.0) || !(met.reported > 0.0)) return 0.0;
+        const double period = met.length / (feed / 60.0);
+        if (!force_) return met.reported / period;
+        return cuttingForce(met.cut(), coefficients_, tool_, ToolPose{met.from}, ToolPose{met.to}, period).tangential;
+    }
+
+    /// The feed between both at which the load is as wanted; it rises with the feed.
+    double feedFor(const MetStretch& met, double wanted, double low, double high) const {
+        if (at(met, high) <= wanted) return high;
+        if (at(met, low) >= wanted) return low;
+        for (int i = 0; i < 40; ++i) {
+            const double middle = 0.5 * (low + high);
+            (at(met, middle) <= wanted ? low : high) = middle;
+        }
+        return low;
+    }
+
+private:
+    bool force_;
+    CuttingCoefficients coefficients_;
+    SpinningTool tool_;
+};
+
+/// Over time, where the path cuts at the feeds that it has.
+double meanLoad(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points, const Load& load) {
+    double sum = 0.0, time = 0.0;
+    for (const MetStretch& met : record) {
+        const PathPoint& point = points[met.move];
+        const double here = load.at(met, point.feed);
+        if (point.kind != MoveKind::cut || !(here > 0.0)) continue;
+        sum += here * met.length / point.feed;
+        time += met.length / point.feed;
+    }
+    return time > 0.0 ? sum / time : 0.0;
+}
+
+/// No stretch is faster than the next one allows: v² = v'² + 2 a s.
+void slowDownInTime(const std::vector<MetStretch>& record, double acceleration, std::vector<double>& feeds) {
+    if (!(acceleration > 0.0)) return;
+    for (std::size_t i = feeds.size() - 1; i-- > 0;) {
+        if (record[i + 1].from != record[i].to) continue; // a rapid lies between
+        const double next = feeds[i + 1] / 60.0;
+        feeds[i] = std::min(feeds[i], 60.0 * std::sqrt(next * next + 2.0 * acceleration * record[i].length));
+    }
+}
+
+/// Moves with their feeds: a line is divided where its stretches ask for feeds that differ by too much, and keeps the
+/// least of what one block's stretches ask for.
+class Divider {
+public:
+    Divider(const std::vector<PathPoint>& points, double leastChange) : points_(points), leastChange_(leastChange) {}
+
+    void add(const MetStretch& met, double feed) {
+        const bool isArc = points_[met.move].arc.has_value();
+        const bool goesOn =
+            met.move == move_ && (isArc || std::max(high_, feed) <= (1.0 + leastChange_) * std::min(low_, feed));
+        if (!goesOn) finish();
+        if (met.move != move_) copyUpTo(met.move);
+        if (!goesOn) low_ = high_ = feed;
+        low_ = std::min(low_, feed);
+        high_ = std::max(high_, feed);
+        end_ = met.to;
+        ends_ = met.end >= 1.0;
+        open_ = true;
+    }
+    std::vector<PathPoint> take() {
+        finish();
+        copyUpTo(points_.size());
+        return std::move(divided_);
+    }
+
+private:
+    /// The block that is open.
+    void finish() {
+        if (!open_) return;
+        PathPoint point = points_[move_];
+        if (!ends_) point.tip = end_;
+        point.feed = low_;
+        divided_.push_back(point);
+        open_ = false;
+        if (ends_) ++next_;
+    }
+    /// Moves that keep what they have.
+    void copyUpTo(std::size_t move) {
+        while (next_ < move) divided_.push_back(points_[next_++]);
+        move_ = move;
+    }
+
+    const std::vector<PathPoint>& points_;
+    double leastChange_;
+    std::vector<PathPoint> divided_;
+    std::size_t next_ = 0, move_ = std::numeric_limits<std::size_t>::max();
+    double low_ = 0.0, high_ = 0.0;
+    glm::dvec3 end_{0.0};
+    bool open_ = false, ends_ = false;
+};
+
+} // namespace
+
+Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
+    const CuttingConditions& conditions = context.conditions;
+    if (!context.makeStock)
+        return Error{ErrorCode::argumentInvalid, "stock", "", "feeds by engagement need the stock that is cut"};
+    for (const PathPoint& point : state.points)
+        if (point.kind != MoveKind::rapid && !(point.feed > 0.0))
+            return Error{ErrorCode::argumentInvalid, "edits", "level-feed", "set-feed, then level-feed"};
+    if (!(conditions.spindleSpeed > 0.0) || !(conditions.surfaceSpeed > 0.0))
+        return Error{ErrorCode::argumentInvalid, "spindle speed", "", "above 0"};
+    Result<RunVolume> stock = context.makeStock(progress);
+    if (!stock) return stock.error();
+    auto record = recordEngagement(state.points, context.tool, *stock, edit.sampling, progress);
+    if (!record) return record.error();
+    if (record->empty()) return Deviation{};
+    const Load load(edit, context, *stock);
+    const double wanted = edit.target > 0.0 ? edit.target : meanLoad(*record, state.points, load);
+    const double teeth = conditions.spindleSpeed * context.tool.fluteCount; // a minute
+    const double limit = context.machine.maximumFeed > 0.0 ? context.machine.maximumFeed : 1e9;
+    const double high = std::min(limit, teeth * std::max(edit.smallestChip, edit.largestChip));
+    const double low = std::min(high, teeth * edit.smallestChip);
+    std::vector<double> feeds;
+    for (const MetStretch& met : *record) {
+        const PathPoint& point = state.points[met.move];
+        feeds.push_back(point.kind == MoveKind::cut ? load.feedFor(met, wanted, low, high) : point.feed);
+    }
+    slowDownInTime(*record, context.machine.acceleration, feeds);
+    Divider divider(state.points, edit.leastChange);
+    for (std::size_t i = 0; i < feeds.size(); ++i) divider.add((*record)[i], feeds[i]);
+    state.points = divider.take();
+    return Deviation{};
+}
+
+} // namespace burin

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/milling_side.h"
+
+#include "core/geometry/arc.h"
+#include "core/path/cleared_heights.h"
+#include "core/path/part_guard.h"
+
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double flattest = 1e-6; // mm in plan: less is straight up or down
+/// Stock is looked for so far beside the axis and ahead of it, in radii: just beyond what the flutes cover already.
+constexpr double beside = 0.95, ahead = 0.45;
+/// Stock that stands no higher above the flutes than this is not cut by their side, mm.
+constexpr double least = 0.02;
+/// The part lies beside the tool when its direction is at least so much across the motion (sine).
+constexpr double across = 0.25;
+
+MillingSide sideOf(bool left, bool right) {
+    if (left == right) return MillingSide::neither;
+    return right ? MillingSide::climb : MillingSide::conventional;
+}
+
+/// Looks at one move after the other, and cuts it.
+class SideFinder {
+public:
+    SideFinder(const PathContext& context, const PartGuard& guard)
+        : guard_(guard)
+        , radius_(context.tool.cutter.radius())
+        , edgeHeight_(heightsAt(guard.pieces().front(), beside * radius_).value_or(HeightRange{}).low)
+        , left_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {}
+
+    MillingSide cut(const glm::dvec3& from, const PathPoint& to) {
+        const MillingSide side = look(from, to);
+        if (to.kind != MoveKind::rapid && to.arc)
+            left_.cut(Arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise});
+        else if (to.kind != MoveKind::rapid)
+            left_.cut(from, to.tip);
+        return side;
+    }
+
+private:
+    MillingSide look(const glm::dvec3& from, const PathPoint& to) const {
+        if (to.kind != MoveKind::cut) return MillingSide::neither;
+        glm::dvec3 place = glm::mix(from, to.tip, 0.5), way = to.tip - from;
+        if (to.arc) {
+            const Arc arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+            const ArcTurn turn = turnOf(arc);
+            place = placeOn(arc, turn, 0.5);
+            way = placeOn(arc, turn, 0.501) - placeOn(arc, turn, 0.499);
+        }
+        const double length = std::hypot(way.x, way.y);
+        if (length < flattest) return MillingSide::neither;
+        const glm::dvec3 side(-way.y / length, way.x / length, 0.0);
+        const auto stands = [&](double sign) {
+            return left_.heightAt(place + radius_ * (ahead / length * glm::dvec3(way.x, way.y, 0.0) +
+                                                     sign * beside * side)) > place.z + edgeHeight_ + least;
+        };
+        const MillingSide byStock = sideOf(stands(1.0), stands(-1.0));
+        return byStock != MillingSide::neither ? byStock : byPart(place, side);
+    }
+
+    MillingSide byPart(const glm::dvec3& place, const glm::dvec3& side) const {
+        const ToolClearance found = guard_.clearance(place, radius_);
+        if (found.clearance >= radius_) return MillingSide::neither;
+        const double toLeft = -glm::dot(found.away, side);
+        return std::abs(toLeft) < across ? MillingSide::neither : sideOf(toLeft > 0.0, toLeft < 0.0);
+    }
+
+    const PartGuard& guard_;
+    double radius_, edgeHeight_; // mm, of the flutes; above the tip, where stock is looked for
+    ClearedHeights left_;
+};
+
+} // namespace
+
+Result<std::vector<MillingStretch>> millingSides(const Path& path, const PathContext& context) {
+    const Result<PartGuard> guard = PartGuard::of(context);
+    if (!guard) return guard.error();
+    if (context.stock.empty()) return Error{ErrorCode::argumentInvalid, "stock", "", "a box that is not empty"};
+    SideFinder finder(context, *guard);
+    std::vector<MillingStretch> stretches;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        const MillingSide side = finder.cut(path.points[i - 1].tip, path.points[i]);
+        if (stretches.empty() || stretches.back().side != side) stretches.push_back({i, i, side});
+        stretches.back().last = i;
+    }
+    return stretches;
+}
+
+} // namespace burin

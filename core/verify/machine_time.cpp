@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/machine_time.h"
+
+#include "core/base/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double straightOn = 1e-6; // of |change of direction| / 2: less is no corner
+
+/// A block as the planner sees it. mm and s.
+struct Block {
+    std::size_t motion = 0;
+    double length = 0.0;              ///< mm, > 0
+    double speed = 0.0;               ///< mm/s, greatest in it
+    double acceleration = 0.0;        ///< mm/s² along it; infinite: without limit
+    glm::dvec3 first{0.0}, last{0.0}; ///< unit, of the way at both ends
+    double entry = 0.0;               ///< mm²/s², square of the speed at its start
+    bool startsAtRest = false;        ///< something else happens before it: a dwell, a tool change
+};
+
+/// The greatest value along a direction that keeps every axis within its own.
+template <class OfAxis>
+double along(const glm::dvec3& direction, const OfAxis& ofAxis) {
+    double most = unlimited;
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(direction[axis]) > 1e-12) most = std::min(most, ofAxis(axis) / std::abs(direction[axis]));
+    return most;
+}
+
+double accelerationOf(const MachineProfile& machine, int axis) {
+    const double acceleration = machine.axisAcceleration(axis);
+    return acceleration > 0.0 ? acceleration : unlimited;
+}
+double rateOf(const MachineProfile& machine, int axis) { // mm/s
+    const double rate = machine.axisRate(axis);
+    return rate > 0.0 ? rate / secondsPerMinute : unlimited;
+}
+
+/// s that a stretch takes from one speed to another with a greatest one between.
+double trapezoid(double length, double fromSquare, double toSquare, double speed, double acceleration,
+                 double& peak) noexcept {
+    if (!std::isfinite(acceleration)) {
+        peak = speed;
+        return length / speed;
+    }
+    peak = std::min(speed, std::sqrt(acceleration * length + 0.5 * (fromSquare + toSquare)));
+    const double ramps = (2.0 * peak * peak - fromSquare - toSquare) / (2.0 * acceleration);
+    const double changing = (2.0 * peak - std::sqrt(fromSquare) - std::sqrt(toSquare)) / acceleration;
+    return changing + std::max(0.0, length - ramps) / peak;
+}
+
+class Planner {
+public:
+    Planner(const ParsedProgram& program, const MachineProfile& machine)
+        : program_(program), machine_(machine), alone_(program.motions.size()) {
+        time_.motions.resize(program.motions.size());
+    }
+
+    MachiningTime plan() {
+        for (std::size_t i = 0; i < program_.motions.size(); ++i) add(i);
+        limitEntries();
+        std::vector<double> durations = alone_;
+        for (std::size_t i = 0; i < blocks_.size(); ++i) {
+            const Block& block = blocks_[i];
+            const double exit = exitOf(i);
+            MotionTime& motion = time_.motions[block.motion];
+            durations[block.motion] =
+                trapezoid(block.length, block.entry, exit, block.speed, block.acceleration, motion.peakSpeed);
+        }
+        double now = 0.0;
+        for (std::size_t i = 0; i < durations.size(); ++i) {
+            if (changesTool(i)) now += machine_.toolChangeSeconds;
+            time_.motions[i].start = now;
+            time_.motions[i].duration = durations[i];
+            now += durations[i];
+        }
+        time_.seconds = now;
+        return std::move(time_);
+    }
+
+private:
+    bool changesTool(std::size_t i) const {
+        const int before = i == 0 ? 0 : program_.motions[i - 1].tool;
+        return program_.motions[i].tool != before;
+    }
+
+    void add(std::size_t i) {
+        const NcMotion& motion = program_.motions[i];
+        if (changesTool(i)) {
+            ++time_.toolChanges;
+            atRest_ = true;
+        }
+        const bool known = motion.startKnown() && motion.toKnown[0] && motion.toKnown[1] && motion.toKnown[2];
+        if (motion.kind == NcMotionKind::dwell) {
+            alone_[i] = motion.seconds;
+            atRest_ = true;
+            time_.withoutAcceleration += motion.seconds;
+        } else if (!known) {
+            atRest_ = true;
+        } else if (motion.rapid() && machine_.rapids == RapidMode::independent) {
+            addIndependent(i);
+        } else {
+            addBlock(i);
+        }
+    }
+
+    /// Every axis by itself, from rest to rest.
+    void addIndependent(std::size_t i) {
+        const NcMotion& motion = program_.motions[i];
+        double longest = 0.0, atRates = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double way = std::abs(motion.to[axis] - motion.from[axis]);
+            if (!(way > 0.0) || !std::isfinite(rateOf(machine_, axis))) continue;
+            double peak = 0.0;
+            longest = std::max(longest,
+                               trapezoid(way, 0.0, 0.0, rateOf(machine_, axis), accelerationOf(machine_, axis), peak));
+            atRates = std::max(atRates, way / rateOf(machine_, axis));
+            time_.motions[i].peakSpeed = std::hypot(time_.motions[i].peakSpeed, peak);
+        }
+        alone_[i] = longest;
+        time_.withoutAcceleration += atRates;
+        atRest_ = true;
+    }
+
+    void addBlock(std::size_t i) {
+        const NcMotion& motion = program_.motions[i];
+        Block block;
+        block.motion = i;
+        block.length = lengthOf(motion);
+        if (!(block.length > 0.0)) return;
+        double asked = motion.rapid() ? unlimited : motion.feed / secondsPerMinute;
+        if (motion.rapid() && (machine_.rapids == RapidMode::tip || motion.kind == NcMotionKind::arc))
+            asked = machine_.rapidFeed / secondsPerMinute;
+        if (motion.kind == NcMotionKind::arc)
+            limitArc(motion, block);
+        else
+            limitStraight(motion, block);
+        block.speed = std::min(block.speed, asked);
+        if (!(block.speed > 0.0) || !std::isfinite(block.speed)) { // no feed, or no rate: nothing can be said
+            atRest_ = true;
+            return;
+        }
+        block.startsAtRest = atRest_;
+        atRest_ = false;
+        blocks_.push_back(block);
+        time_.withoutAcceleration += block.length / (motion.rapid() ? block.speed : motion.feed / secondsPerMinute);
+    }
+
+    void limitStraight(const NcMotion& motion, Block& block) const {
+        block.first = block.last = (motion.to - motion.from) / block.length;
+        block.speed = along(block.first, [&](int axis) { return rateOf(machine_, axis); });
+        block.acceleration = along(block.first, [&](int axis) { return accelerationOf(machine_, axis); });
+    }
+
+    /// An arc comes by directions of its plane: its axes' least figures count, whatever the part of a turn.
+    void limitArc(const NcMotion& motion, Block& block) const {
+        const ArcTurn turn = motion.turn();
+        const int axis = motion.arcAxis, u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const double rise = (motion.to[axis] - motion.from[axis]) / block.length;
+        const double inPlane = std::sqrt(std::max(0.0, 1.0 - rise * rise));
+        const auto tangent = [&](double angle) {
+            glm::dvec3 direction(0.0);
+            const double sense = turn.sweep < 0.0 ? -1.0 : 1.0;
+            direction[u] = -sense * inPlane * std::sin(angle);
+            direction[v] = sense * inPlane * std::cos(angle);
+            direction[axis] = rise;
+            return direction;
+        };
+        block.first = tangent(turn.startAngle);
+        block.last = tangent(turn.startAngle + turn.sweep);
+        glm::dvec3 widest(0.0);
+        widest[u] = widest[v] = inPlane;
+        widest[axis] = rise;
+        block.speed = along(widest, [&](int i) { return rateOf(machine_, i); });
+        block.acceleration = along(widest, [&](int i) { return accelerationOf(machine_, i); });
+        const double centripetal = std::min(accelerationOf(machine_, u), accelerationOf(machine_, v));
+        const double radius = std::min(turn.startRadius, turn.endRadius);
+        if (std::isfinite(centripetal) && inPlane > 0.0)
+            block.speed = std::min(block.speed, std::sqrt(centripetal * radius) / inPlane);
+    }
+
+    /// Square of the speed that the machine's rule allows between two blocks.
+    double junction(const Block& before, const Block& after) const {
+        const glm::dvec3 change = after.first - before.last;
+        const double half = 0.5 * glm::length(change); // cosine of half of the inner angle
+        if (machine_.junctions == JunctionRule::exactStop) return 0.0;
+        if (half < straightOn) return unlimited;
+        const double acceleration =
+            along(change / (2.0 * half), [&](int axis) { return accelerationOf(machine_, axis); });
+        if (!std::isfinite(acceleration)) return unlimited;
+        if (machine_.junctions == JunctionRule::deviation) {
+            const double sine = std::sqrt(std::max(0.0, 1.0 - half * half)); // of half of the inner angle
+            return acceleration * machine_.junctionTolerance * sine / (1.0 - sine);
+        }
+        const double leg = std::min({2.0 * machine_.junctionTolerance / half, 0.5 * before.length, 0.5 * after.length});
+        return acceleration * leg / half;
+    }
+
+    void limitEntries() {
+        for (std::size_t i = 0; i < blocks_.size(); ++i) {
+            Block& block = blocks_[i];
+            if (i == 0 || block.startsAtRest) continue;
+            const Block& before = blocks_[i - 1];
+            block.entry = std::min({junction(before, block), before.speed * before.speed, block.speed * block.speed});
+        }
+        for (std::size_t i = blocks_.size(); i-- > 0;)
+            blocks_[i].entry = std::min(blocks_[i].entry, exitOf(i) + reachOf(blocks_[i]));
+        for (std::size_t i = 1; i < blocks_.size(); ++i)
+            blocks_[i].entry = std::min(blocks_[i].entry, blocks_[i - 1].entry + reachOf(blocks_[i - 1]));
+    }
+    /// mm²/s² that the square of the speed changes by along a block.
+    static double reachOf(const Block& block) noexcept { return 2.0 * block.acceleration * block.length; }
+    double exitOf(std::size_t i) const noexcept { return i + 1 < blocks_.size() ? blocks_[i + 1].entry : 0.0; }
+
+    const ParsedProgram& program_;
+    const MachineProfile& machine_;
+    std::vector<Block> blocks_;
+    std::vector<double> alone_; ///< s, by motion: what is made from rest to rest
+    bool atRest_ = true;
+    MachiningTime time_;
+};
+
+} // namespace
+
+MachiningTime machiningTime(const ParsedProgram& program, const MachineProfile& machine) {
+    return Planner(program, machine).plan();
+}
+
+} // namespace burin

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/machine/machine_profile.h"
+#include "core/nc/parser.h"
+
+#include <vector>
+
+namespace burin {
+
+/// When the machine makes a motion of the program.
+struct MotionTime {
+    double start = 0.0;     ///< s from the beginning of the program
+    double duration = 0.0;  ///< s; of a dwell its length
+    double peakSpeed = 0.0; ///< mm/s that the tip reaches in it
+};
+
+/// What a program takes on a machine.
+struct MachiningTime {
+    std::vector<MotionTime> motions;  ///< by place in ParsedProgram::motions
+    double seconds = 0.0;             ///< in all, tool changes and dwells included
+    double withoutAcceleration = 0.0; ///< s: at the programmed feeds and the machine's rapids, with nothing but them
+    int toolChanges = 0;              ///< the first tool's included
+};
+
+/// Plans every motion as a control with unlimited look-ahead would: trapezoids of speed along each block, as fast at
+/// both ends as the machine's junction rule, the block's own length and the blocks around it allow; no axis beyond its
+/// rate or acceleration; arcs no faster than sqrt(a r). core/verify/README.md states the rules and what is left out.
+/// A motion from a place that the program has not set takes no time.
+MachiningTime machiningTime(const ParsedProgram& program, const MachineProfile& machine);
+
+} // namespace burin

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
+#include "core/path/milling_side.h"
+#include "path_fixture.h"
+
+#include <QTest>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+const MeshDistance nothing{TriangleMesh{}};
+
+PathContext freeContext() {
+    return contextOf(nothing, ballTool(), {{-100, -100, -50}, {100, 100, 0}});
+}
+
+/// Corners alone: what Simplify leaves of straight ways between them.
+Result<EvaluatedPath> edited(const std::vector<glm::dvec3>& corners, const std::vector<Edit>& edits,
+                             const PathContext& context = freeContext()) {
+    std::vector<Edit> all{{Simplify{1e-6}}};
+    all.insert(all.end(), edits.begin(), edits.end());
+    return run({takeOf(along(corners, 50.0))}, all, context);
+}
+
+/// Direction in which a move sets off, or arrives, by its own places.
+glm::dvec3 directionOf(const glm::dvec3& from, const PathPoint& to, bool atEnd) {
+    const std::vector<glm::dvec3> places = placesOf(from, to, 1e-4);
+    const std::size_t i = atEnd ? places.size() - 1 : 1;
+    return glm::normalize(places[i] - places[i - 1]);
+}
+
+} // namespace
+
+class TestEnds : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cornersArePassedByExactlyTheTolerance_data() {
+        QTest::addColumn<glm::dvec3>("in");
+        QTest::addColumn<glm::dvec3>("out");
+        QTest::addColumn<bool>("arc");
+        QTest::newRow("square in XY") << glm::dvec3(-20, 0, 0) << glm::dvec3(0, 20, 0) << true;
+        QTest::newRow("acute, clockwise") << glm::dvec3(-20, 0, 0) << glm::dvec3(-15, -8, 0) << true;
+        QTest::newRow("obtuse in XZ") << glm::dvec3(-20, 0, 0) << glm::dvec3(15, 0, -9) << true;
+        QTest::newRow("in YZ") << glm::dvec3(0, 20, 3) << glm::dvec3(0, 4, -20) << true;
+        QTest::newRow("in space") << glm::dvec3(-20, 0, 3) << glm::dvec3(4, 18, 9) << false;
+    }
+    void cornersArePassedByExactlyTheTolerance() {
+        QFETCH(glm::dvec3, in);
+        QFETCH(glm::dvec3, out);
+        QFETCH(bool, arc);
+        const glm::dvec3 corner(1.0, 2.0, -20.0);
+        const double e = 0.05, inner = std::acos(glm::dot(glm::normalize(in), glm::normalize(out)));
+        const auto path = edited({corner + in, corner, corner + out}, {{RoundCorners{e}}});
+        QVERIFY(path);
+        double nearest = 1e9;
+        for (const glm::dvec3& place : placesAlong(path->path.points, 0.001))
+            nearest = std::min(nearest, glm::distance(place, corner));
+        QVERIFY2(std::abs(nearest - e) <= 0.0025, qPrintable(QString::number(nearest))); // figures, chords
+        const double leg = glm::distance(path->path.points[1].tip, corner);
+        const double radius = e / (1.0 / std::sin(0.5 * inner) - 1.0);
+        QCOMPARE(leg, arc ? radius / std::tan(0.5 * inner) : 2.0 * e / std::cos(0.5 * inner));
+        QCOMPARE(path->path.points[2].arc.has_value(), arc);
+        if (arc) QVERIFY(path->path.points.size() == 4);
+        QVERIFY(path->errorBudget >= nearest && path->errorBudget < nearest + 0.005);
+    }
+
+    void legsDoNotOverlap() {
+        std::vector<glm::dvec3> zigzag;
+        for (int i = 0; i < 12; ++i) zigzag.push_back({0.1 * i, i % 2 == 0 ? 0.0 : 0.3, -3.0});
+        const auto path = edited(zigzag, {{RoundCorners{0.5}}});
+        QVERIFY(path);
+        const std::vector<PathPoint>& points = path->path.points;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            if (points[i].arc) continue;
+            const glm::dvec3 way = points[i].tip - points[i - 1].tip;
+            QVERIFY(way.x > -1e-9); // never back
+        }
+        QVERIFY(farthestFrom(placesAlong(points, 0.01), zigzag) < 0.3);
+    }
+
+    void roundingDoesNotEnterThePart() {
+        const Box block{{-30, 3.001, -30}, {-3.001, 30, 10}}; // its edge fills the inside of the corner but for a hair
+        const MeshDistance part(boxMesh(block));
+        const std::vector<glm::dvec3> corners{{-25, 0, -5}, {0, 0, -5}, {0, 25, -5}};
+        const auto beside = [&](const EvaluatedPath& path) {
+            double least = 1e9;
+            for (const glm::dvec3& place : placesAlong(path.path.points, 0.002)) {
+                const double x = std::max(place.x - block.high.x, 0.0), y = std::max(block.low.y - place.y, 0.0);
+                least = std::min(least, std::hypot(x, y) - 3.0);
+            }
+            return least;
+        };
+        const PathContext held = contextOf(part, flatTool(), {{-40, -40, -20}, {40, 40, 0}});
+        const auto path = edited(corners, {{RoundCorners{1.5}}}, held);
+        PathContext free = held;
+        free.part = &nothing;
+        const auto unheld = edited(corners, {{RoundCorners{1.5}}}, free);
+        QVERIFY(path && unheld);
+        QVERIFY(beside(*unheld) < -0.1); // an arc of 3.6 mm cuts into a corner that a tool of 3 mm goes round
+        QVERIFY2(beside(*path) > -1e-4, qPrintable(QString::number(beside(*path))));
+    }
+
+    void leadsAreTangent_data() {
+        QTest::addColumn<LeadIn::Form>("form");
+        QTest::newRow("line") << LeadIn::Form::line;
+        QTest::newRow("arc") << LeadIn::Form::arc;
+        QTest::newRow("helix") << LeadIn::Form::helix;
+        QTest::newRow("ramp") << LeadIn::Form::ramp;
+    }
+    void leadsAreTangent() {
+        QFETCH(LeadIn::Form, form);
+        LeadIn in;
+        in.form = form;
+        in.size = 4.0;
+        in.height = 2.5;
+        in.angle = 0.05;
+        LeadOut out;
+        out.size = 2.0;
+        const auto path = edited({{0, 0, -3}, {20, 5, -3}}, {{in}, {out}});
+        QVERIFY(path);
+        const std::vector<PathPoint>& points = path->path.points;
+        const glm::dvec3 along = glm::normalize(glm::dvec3(20, 5, 0));
+        std::size_t start = 0, end = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (points[i].tip == glm::dvec3(0, 0, -3)) start = i;
+            if (points[i].tip == glm::dvec3(20, 5, -3)) end = i;
+        }
+        QVERIFY(start > 0 && end == start + 1 && end + 2 == points.size());
+        const glm::dvec3 arrives = directionOf(points[start - 1].tip, points[start], true);
+        QVERIFY(glm::length(glm::dvec2(arrives) / glm::length(glm::dvec2(arrives)) - glm::dvec2(along)) < 1e-4);
+        const glm::dvec3 begin = points.front().tip;
+        if (form == LeadIn::Form::line) QVERIFY(glm::distance(begin, -4.0 * along + glm::dvec3(0, 0, -3)) < 1e-9);
+        if (form == LeadIn::Form::ramp) QVERIFY(glm::distance(begin, -4.0 * along + glm::dvec3(0, 0, -0.5)) < 1e-9);
+        if (form == LeadIn::Form::arc)
+            QVERIFY(std::abs(glm::length(begin - glm::dvec3(0, 0, -3)) - 4.0 * std::sqrt(2.0)) < 1e-9);
+        if (form == LeadIn::Form::helix) {
+            QCOMPARE(begin.z, -0.5);
+            for (std::size_t i = 1; i <= start; ++i) {
+                QVERIFY(points[i].arc && points[i - 1].tip.z - points[i].tip.z <= pi * 4.0 * std::tan(0.05) + 1e-9);
+                for (const glm::dvec3& place : placesOf(points[i - 1].tip, points[i], 0.1))
+                    QVERIFY(std::abs(std::hypot(place.x + 4.0 * along.y, place.y - 4.0 * along.x) - 4.0) < 1e-9);
+            }
+        }
+        const glm::dvec3 leaves = directionOf(points[end].tip, points[end + 1], false);
+        QVERIFY(points[end + 1].arc && glm::distance(leaves, along) < 1e-3);
+        QVERIFY(std::abs(glm::distance(points.back().tip, points[end].tip) - 2.0 * std::sqrt(2.0)) < 1e-9);
+    }
+
+    void aLeadKeepsClearOfThePart() {
+        const Box wall{{-30, 3.01, -30}, {30, 10, 10}}; // on the left of the stroke
+        const MeshDistance part(boxMesh(wall));
+        const auto path = edited({{0, 0, -5}, {20, 0, -5}}, {{LeadIn{}}, {LeadOut{}}},
+                                 contextOf(part, ballTool(), {{-60, -60, -20}, {60, 60, 0}}));
+        QVERIFY(path);
+        QVERIFY(path->path.points.front().tip.y < -2.0 && path->path.points.back().tip.y < -2.0); // to the right
+        for (const glm::dvec3& place : placesAlong(path->path.points, 0.01)) QVERIFY(place.y <= 0.0101);
+    }
+
+    void theLowestWayStaysAboveWhatIsLeft() {
+        Take first = takeOf(along({{-20, 0, -3}, {-10, 0, -3}}, 50.0)),
+             second = takeOf(along({{10, 0, -3}, {20, 0, -3}}, 50.0));
+        second.info.id = 2;
+        PathContext context = freeContext();
+        Link link;
+        link.travel = Link::Travel::lowest;
+        const auto heights = [&](const PathContext& in) {
+            const auto path = run({first, second}, {{Simplify{}}, {link}}, in);
+            double lowest = 1e9, between = -1e9;
+            if (!path) return std::pair{lowest, between};
+            const std::vector<PathPoint>& points = path->path.points;
+            for (std::size_t i = 1; i < points.size(); ++i) {
+                const bool across = glm::distance(glm::dvec2(points[i].tip), glm::dvec2(points[i - 1].tip)) > 1.0;
+                if (points[i].kind != MoveKind::rapid || !across) continue;
+                lowest = std::min({lowest, points[i].tip.z, points[i - 1].tip.z});
+                if (points[i - 1].tip.x < 0.0 && points[i].tip.x > 0.0) between = points[i].tip.z;
+            }
+            return std::pair{lowest, between};
+        };
+        const auto [lowest, between] = heights(context);
+        QCOMPARE(lowest, 1.0); // the approach above the stock that stands between
+        QCOMPARE(between, 1.0);
+        const auto pin = std::make_shared<const MeshDistance>(boxMesh({{-1, -1, -5}, {1, 1, 4}}));
+        context.obstacles.push_back({pin, 2.0, true});
+        QVERIFY(heights(context).second >= 4.0 + 2.0);
+    }
+
+    void climbAndConventionalAreTold_data() {
+        QTest::addColumn<bool>("reversed");
+        QTest::addColumn<double>("stepOver");
+        for (const bool reversed : {false, true})
+            for (const double stepOver : {2.0, -2.0, 0.7})
+                QTest::addRow("%s, the second row %g mm to the left", reversed ? "reversed" : "as made", stepOver)
+                    << reversed << stepOver;
+    }
+    void climbAndConventionalAreTold() {
+        QFETCH(bool, reversed);
+        QFETCH(double, stepOver);
+        // A slot along X, then a row beside it: stock lies on the far side of the row alone.
+        Take slot = takeOf(along({{-30, 0, -2}, {30, 0, -2}}, 100.0)),
+             row = takeOf(along({{-20, stepOver, -2}, {20, stepOver, -2}}, 100.0));
+        row.info.id = 2;
+        std::vector<Edit> edits{{Simplify{}}, {Link{}}};
+        if (reversed) edits.insert(edits.begin(), Edit{Reverse{{2, 0, 100000}}});
+        PathContext context = contextOf(nothing, flatTool(), {{-60, -60, -20}, {60, 60, 0}});
+        const auto path = run({slot, row}, edits, context);
+        QVERIFY(path);
+        const auto sides = millingSides(path->path, context);
+        QVERIFY(sides);
+        const bool stockOnLeft = (stepOver > 0.0) != reversed;
+        std::size_t cuts = 0;
+        for (const MillingStretch& stretch : *sides) {
+            for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+                const PathPoint& point = path->path.points[i];
+                if (point.kind != MoveKind::cut || glm::distance(point.tip, path->path.points[i - 1].tip) < 10.0)
+                    continue;
+                ++cuts;
+                if (point.take == 1)
+                    QVERIFY(stretch.side == MillingSide::neither); // a slot: on both sides
+                else
+                    QVERIFY(stretch.side == (stockOnLeft ? MillingSide::conventional : MillingSide::climb));
+            }
+        }
+        QCOMPARE(cuts, std::size_t{2});
+    }
+
+    void besideAFinishedWallThePartTells() {
+        const MeshDistance part(boxMesh({{-30, 3.005, -30}, {30, 10, 10}})); // on the left, no stock about
+        const PathContext context = contextOf(part, flatTool(), {{-60, -60, -20}, {60, 60, -10}});
+        for (const bool reversed : {false, true}) {
+            std::vector<Edit> edits{{Simplify{}}, {Link{}}};
+            if (reversed) edits.insert(edits.begin(), Edit{Reverse{}});
+            const auto path = run({takeOf(along({{-20, 0, -5}, {20, 0, -5}}, 100.0))}, edits, context);
+            QVERIFY(path);
+            const auto sides = millingSides(path->path, context);
+            QVERIFY(sides);
+            const MillingSide wanted = reversed ? MillingSide::climb : MillingSide::conventional;
+            QCOMPARE(std::ranges::count(*sides, wanted, &MillingStretch::side), std::ptrdiff_t{1});
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestEnds)
+#include "tst_ends.moc"

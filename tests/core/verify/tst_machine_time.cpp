@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
+#include "core/verify/machine_time.h"
+
+#include <QTest>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace burin;
+
+namespace {
+
+constexpr double a = 500.0; // mm/s²
+
+MachineProfile mill(JunctionRule rule = JunctionRule::deviation) {
+    MachineProfile machine;
+    machine.rapidFeed = 6000.0; // 100 mm/s
+    machine.maximumFeed = 6000.0;
+    machine.acceleration = a;
+    machine.junctions = rule;
+    machine.junctionTolerance = 0.01;
+    return machine;
+}
+
+ParsedProgram read(const std::string& moves) {
+    return parseProgram("G21 G90 G17 G54\nT1 M6\nS10000 M3\n" + moves + "M2\n", "time.ngc").value();
+}
+
+/// Seconds from the start of the motion of a program's line to the end of the program.
+double secondsFrom(const ParsedProgram& program, std::uint32_t line, const MachineProfile& machine) {
+    const MachiningTime time = machiningTime(program, machine);
+    for (std::size_t i = 0; i < program.motions.size(); ++i)
+        if (program.motions[i].line == line) return time.seconds - time.motions[i].start;
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Behind the moves that every program here begins with.
+constexpr std::uint32_t firstLine = 5;
+const std::string begin = "G0 X0 Y0 Z5\n";
+
+bool near(double value, double expected, double relative = 1e-9) {
+    return std::abs(value - expected) <= relative * expected;
+}
+
+/// Speed over a finely cut way of straight blocks, from a definition alone: no faster than the block, at corners no
+/// faster than GRBL's rule, nowhere more than the acceleration. Forward, back, then the time of each piece.
+double bruteForce(const std::vector<glm::dvec2>& places, double speed, double acceleration, double deviation) {
+    constexpr int pieces = 4000; // of each block
+    std::vector<double> squares, lengths;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const double length = glm::distance(places[i - 1], places[i]);
+        double corner = 0.0;
+        if (i > 1) {
+            const glm::dvec2 before = glm::normalize(places[i - 1] - places[i - 2]);
+            const glm::dvec2 after = glm::normalize(places[i] - places[i - 1]);
+            const double inner = pi - std::acos(std::clamp(glm::dot(before, after), -1.0, 1.0));
+            const double sine = std::sin(0.5 * inner);
+            corner = sine < 1.0 - 1e-12 ? acceleration * deviation * sine / (1.0 - sine) : 1e300;
+        }
+        for (int k = 0; k < pieces; ++k) {
+            squares.push_back(k == 0 ? std::min(corner, speed * speed) : speed * speed);
+            lengths.push_back(length / pieces);
+        }
+    }
+    squares.push_back(0.0);
+    for (std::size_t i = lengths.size(); i-- > 0;)
+        squares[i] = std::min(squares[i], squares[i + 1] + 2.0 * acceleration * lengths[i]);
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+        squares[i + 1] = std::min(squares[i + 1], squares[i] + 2.0 * acceleration * lengths[i]);
+    double seconds = 0.0;
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+        seconds += 2.0 * lengths[i] / (std::sqrt(squares[i]) + std::sqrt(squares[i + 1]));
+    return seconds;
+}
+
+} // namespace
+
+class MachineTimeTest : public QObject {
+    Q_OBJECT
+private slots:
+    void aMoveIsATrapezoid();
+    void aShortMoveNeverGetsToItsFeed();
+    void twoMovesInLineAreOne();
+    void aSquareCornerIsTakenAsTheMachineSays();
+    void aZigZagIsWhatAnIntegrationSays();
+    void anAxisThatIsSlowSlowsTheWay();
+    void anArcIsNoFasterThanItsCurvatureAllows();
+    void rapidsOfIndependentAxesTakeTheLongest();
+    void dwellsAndToolChangesCount();
+    void nothingIsFasterThanWithoutAcceleration();
+    void feedsMayBeTimesOrTurns();
+};
+
+void MachineTimeTest::aMoveIsATrapezoid() {
+    const ParsedProgram program = read(begin + "G1 X100 F1200\n");
+    QVERIFY(near(secondsFrom(program, firstLine, mill()), 100.0 / 20.0 + 20.0 / a));
+    const MachiningTime time = machiningTime(program, mill());
+    QVERIFY(near(time.motions.back().peakSpeed, 20.0));
+    QVERIFY(near(time.withoutAcceleration, 5.0));
+}
+
+void MachineTimeTest::aShortMoveNeverGetsToItsFeed() {
+    const ParsedProgram program = read(begin + "G1 X0.5 F6000\n");
+    QVERIFY(near(secondsFrom(program, firstLine, mill()), 2.0 * std::sqrt(0.5 / a)));
+    QVERIFY(near(machiningTime(program, mill()).motions.back().peakSpeed, std::sqrt(0.5 * a)));
+}
+
+void MachineTimeTest::twoMovesInLineAreOne() {
+    for (const JunctionRule rule : {JunctionRule::deviation, JunctionRule::blend}) {
+        const double one = secondsFrom(read(begin + "G1 X100 Y50 F3000\n"), firstLine, mill(rule));
+        const double two = secondsFrom(read(begin + "G1 X40 Y20 F3000\nX100 Y50\n"), firstLine, mill(rule));
+        QVERIFY(near(two, one));
+    }
+    const double stops = secondsFrom(read(begin + "G1 X40 F3000\nX100\n"), firstLine, mill(JunctionRule::exactStop));
+    QVERIFY(near(stops, 100.0 / 50.0 + 2.0 * 50.0 / a));
+}
+
+/// 20 mm, a square corner, 20 mm at 50 mm/s: each side loses (v - vc)²/(2 a v) where it slows down for the corner
+/// instead of going through, and v/2a at its other end.
+void MachineTimeTest::aSquareCornerIsTakenAsTheMachineSays() {
+    const ParsedProgram program = read(begin + "G1 X20 F3000\nY20\n");
+    const double v = 50.0, sine = std::sqrt(0.5);
+    // Along the bisector both axes work together: sqrt(2) times what one does.
+    const double along = a * std::sqrt(2.0);
+    const auto expected = [&](double corner) {
+        const double ramps = v / a + (v - corner) / a;
+        const double way = (v * v + v * v - corner * corner) / (2.0 * a);
+        return 2.0 * (ramps + (20.0 - way) / v);
+    };
+    const double deviation = std::sqrt(along * 0.01 * sine / (1.0 - sine));
+    QVERIFY(near(secondsFrom(program, firstLine, mill(JunctionRule::deviation)), expected(deviation)));
+    const double leg = 2.0 * 0.01 / std::cos(0.25 * pi); // of the parabola that leaves the corner by 0.01 mm
+    const double blend = std::sqrt(along * leg / std::cos(0.25 * pi));
+    QVERIFY(near(secondsFrom(program, firstLine, mill(JunctionRule::blend)), expected(blend)));
+    QVERIFY(near(secondsFrom(program, firstLine, mill(JunctionRule::exactStop)), expected(0.0)));
+}
+
+void MachineTimeTest::aZigZagIsWhatAnIntegrationSays() {
+    const bool holds = rc::check("look-ahead equals a fine integration", [] {
+        const double tolerance = *rc::gen::inRange(5, 100) / 1000.0;
+        std::vector<glm::dvec2> places{{0.0, 0.0}};
+        std::string text = begin;
+        const int count = *rc::gen::inRange(2, 12);
+        for (int i = 0; i < count; ++i) {
+            // Diagonals: both axes take the same part of every block, so that its limit is a sqrt(2).
+            const double length = *rc::gen::inRange(1, 4000) / 1000.0;
+            const double turn = *rc::gen::inRange(0, 3) == 0 ? -1.0 : 1.0;
+            places.push_back(places.back() + glm::dvec2(length, turn * length));
+            text += (i == 0 ? "G1 F3000 " : "") + std::string("X") + std::to_string(places.back().x) + " Y" +
+                    std::to_string(places.back().y) + "\n";
+        }
+        MachineProfile machine = mill();
+        machine.junctionTolerance = tolerance;
+        machine.axisAccelerations = {a, a, a};
+        // At these corners the direction changes along Y alone, where the limit is a, not a sqrt(2).
+        const double expected = bruteForce(places, 50.0, a * std::sqrt(2.0), tolerance / std::sqrt(2.0));
+        RC_ASSERT(near(secondsFrom(read(text), firstLine, machine), expected, 1e-3));
+    });
+    QVERIFY(holds);
+}
+
+void MachineTimeTest::anAxisThatIsSlowSlowsTheWay() {
+    MachineProfile machine = mill();
+    machine.axisRates = {6000.0, 6000.0, 600.0}; // Z: 10 mm/s
+    machine.axisAccelerations = {500.0, 500.0, 100.0};
+    // 3 : 4 : the way is 5/4 of its Z.
+    const ParsedProgram program = read(begin + "G1 X30 Z-35 F6000\n");
+    const double v = 10.0 * 1.25, slow = 100.0 * 1.25;
+    QVERIFY(near(secondsFrom(program, firstLine, machine), 50.0 / v + v / slow));
+    QVERIFY(near(secondsFrom(read(begin + "G0 X30 Z-35\n"), firstLine, machine), 50.0 / v + v / slow));
+}
+
+void MachineTimeTest::anArcIsNoFasterThanItsCurvatureAllows() {
+    // A whole circle of radius 2: no faster than sqrt(500 * 2) = 31.6 mm/s, though 100 are asked for.
+    const ParsedProgram program = read(begin + "G2 I2 J0 F6000\n");
+    const double v = std::sqrt(a * 2.0), length = 2.0 * pi * 2.0;
+    QVERIFY(near(secondsFrom(program, firstLine, mill()), length / v + v / a));
+    // A tangent line before it is gone through without a stop.
+    const double line = secondsFrom(read(begin + "G1 Y40 F6000\nG2 X4 I2 J0\n"), firstLine, mill());
+    const double entered = 100.0, way = 40.0;
+    const double ramps = entered / a + (entered - v) / a;
+    const double used = (2.0 * entered * entered - v * v) / (2.0 * a);
+    const double half = pi * 2.0;
+    QVERIFY(near(line, ramps + (way - used) / entered + (half - v * v / (2.0 * a)) / v + v / a));
+}
+
+void MachineTimeTest::rapidsOfIndependentAxesTakeTheLongest() {
+    MachineProfile machine = mill();
+    machine.rapids = RapidMode::independent;
+    machine.axisRates = {6000.0, 3000.0, 6000.0};
+    const ParsedProgram program = read(begin + "G0 X60 Y50\n");
+    QVERIFY(near(secondsFrom(program, firstLine, machine), 50.0 / 50.0 + 50.0 / a)); // Y, though X goes farther
+}
+
+void MachineTimeTest::dwellsAndToolChangesCount() {
+    MachineProfile machine = mill();
+    machine.toolChangeSeconds = 7.0;
+    const ParsedProgram program = read(begin + "G1 X10 F600\nG4 P1.5\nG1 X20\nT2 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 X10\n");
+    const MachiningTime time = machiningTime(program, machine);
+    QCOMPARE(time.toolChanges, 2);
+    const double move = 10.0 / 10.0 + 10.0 / a;
+    QVERIFY(near(time.seconds, 2.0 * 7.0 + 1.5 + 3.0 * move));
+    for (std::size_t i = 1; i < time.motions.size(); ++i)
+        QVERIFY(time.motions[i].start >= time.motions[i - 1].start + time.motions[i - 1].duration - 1e-12);
+}
+
+void MachineTimeTest::nothingIsFasterThanWithoutAcceleration() {
+    const bool holds = rc::check("acceleration and corners only cost time, more of them less", [] {
+        std::string text = begin + "G1 F3000\n";
+        const int count = *rc::gen::inRange(1, 20);
+        for (int i = 0; i < count; ++i) {
+            const auto place = [] { return std::to_string(*rc::gen::inRange(-3000, 3000) / 100.0); };
+            text += "X" + place() + " Y" + place() + " Z" + place() + "\n";
+        }
+        const ParsedProgram program = read(text);
+        double last = std::numeric_limits<double>::infinity();
+        for (const double tolerance : {0.001, 0.01, 0.1}) {
+            MachineProfile machine = mill(JunctionRule::blend);
+            machine.junctionTolerance = tolerance;
+            const MachiningTime time = machiningTime(program, machine);
+            RC_ASSERT(time.seconds >= time.withoutAcceleration - 1e-9);
+            RC_ASSERT(time.seconds <= last + 1e-9);
+            last = time.seconds;
+        }
+        RC_ASSERT(machiningTime(program, mill(JunctionRule::exactStop)).seconds >= last - 1e-9);
+    });
+    QVERIFY(holds);
+}
+
+void MachineTimeTest::feedsMayBeTimesOrTurns() {
+    MachineProfile machine = mill();
+    machine.acceleration = 0.0;                                                                 // without limit
+    QVERIFY(near(secondsFrom(read(begin + "G93\nG1 X30 F10\n"), firstLine + 1, machine), 6.0)); // a tenth of a minute
+    QVERIFY(near(secondsFrom(read(begin + "G95\nG1 X30 F0.003\n"), firstLine + 1, machine), 60.0)); // 10,000 turns
+}
+
+QTEST_APPLESS_MAIN(MachineTimeTest)
+#include "tst_machine_time.moc"

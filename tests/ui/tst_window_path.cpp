@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/window_steps.h"
+
+#include <QAction>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+/// Makes a path of one straight groove along X, 1 mm deep.
+bool makePath(WindowDriver& driver) {
+    Workbench& bench = driver.window().workbench();
+    if (!makeReady(driver) || !driver.step(JobStep::mill) || !driver.clickOn("recordButton")) return false;
+    if (!driver.waitFor([&] { return bench.mill.recording(); }, 5000)) return false;
+    millLine(driver, {-15, 0}, {15, 0});
+    driver.key(Qt::Key_Escape);
+    return driver.waitFor([&] { return !bench.session.running(); }, 5000) && driver.step(JobStep::path) &&
+           driver.clickOn("newPathButton") && driver.waitFor([&] { return bench.path.evaluated() != nullptr; }) &&
+           driver.settle();
+}
+
+bool evaluatedAgain(WindowDriver& driver) {
+    Workbench& bench = driver.window().workbench();
+    return driver.waitFor([&] { return !bench.path.busy() && !bench.path.outdated() && !bench.path.problem(); });
+}
+
+/// The cutting point of the hand nearest to a place in program coordinates, seen from above.
+const PathPoint& pointNear(const Workbench& bench, const glm::dvec2& place) {
+    const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
+    const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
+    return *std::ranges::min_element(points, {}, [&](const PathPoint& point) {
+        const bool cuts = point.kind == MoveKind::cut && point.sample >= 0;
+        return cuts ? glm::distance(glm::dvec2(point.tip) - zero, place) : 1e9;
+    });
+}
+
+std::vector<std::string> editsOf(const Workbench& bench) {
+    std::vector<std::string> ids;
+    for (const Edit& edit : bench.path.stored()->edits) ids.emplace_back(idOf(edit.parameters));
+    return ids;
+}
+
+std::size_t placeOf(const Workbench& bench, const char* id) {
+    const std::vector<std::string> ids = editsOf(bench);
+    return static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin());
+}
+
+void drag(Viewport& viewport, const QPoint& from, const QPoint& to) {
+    QTest::mousePress(&viewport, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 8; ++i) QTest::mouseMove(&viewport, from + (to - from) * i / 8, 10);
+    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, to);
+}
+
+bool show(WindowDriver& driver, const QString& name) {
+    auto* area = driver.visible<QScrollArea>("pathPage");
+    auto* widget = driver.window().findChild<QWidget*>(name);
+    if (area == nullptr || widget == nullptr) return false;
+    area->ensureWidgetVisible(widget);
+    QCoreApplication::processEvents();
+    return true;
+}
+
+} // namespace
+
+class TestWindowPath : public QObject {
+    Q_OBJECT
+private slots:
+    void placesAreDraggedStretchesDrawnAndEditsOrdered();
+};
+
+void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
+    WindowDriver driver;
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(makePath(driver));
+    auto* viewport = driver.visible<Viewport>("viewport");
+    QVERIFY(viewport != nullptr);
+    const std::vector<std::string> before = editsOf(bench);
+    driver.shoot("23-path");
+
+    // A place in the groove's middle is dragged sideways by 4 mm, on its level.
+    const PathPoint middle = pointNear(bench, {0.0, 0.0});
+    const glm::dvec3 aside = middle.tip + glm::dvec3(0.0, 4.0, 0.0);
+    drag(*viewport, viewport->project(middle.tip).toPoint(), viewport->project(aside).toPoint());
+    QVERIFY(driver.waitFor([&] { return placeOf(bench, "move-points") < bench.path.stored()->edits.size(); }, 3000));
+    QVERIFY(placeOf(bench, "move-points") < placeOf(bench, "hold-out"));
+    QVERIFY(evaluatedAgain(driver));
+    const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
+    const PathPoint& moved = pointNear(bench, glm::dvec2(aside) - zero);
+    QVERIFY2(glm::distance(moved.tip, aside) < 0.3, qPrintable(QString::number(glm::distance(moved.tip, aside))));
+    const PathPoint& end = pointNear(bench, {-14.0, 0.0}); // farther along than the falloff
+    QVERIFY(std::abs(end.tip.y - middle.tip.y) < 0.5);
+    driver.shoot("24-dragged");
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(driver.waitFor([&] { return editsOf(bench) == before; }, 3000));
+    QVERIFY(evaluatedAgain(driver));
+    QVERIFY(std::abs(pointNear(bench, {0.0, 0.0}).tip.y - middle.tip.y) < 0.05);
+
+    // A stretch is chosen by two clicks and replaced by a stroke that goes round it.
+    const PathPoint from = pointNear(bench, {-6.0, 0.0}), to = pointNear(bench, {6.0, 0.0});
+    QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.tip).toPoint());
+    QVERIFY(bench.path.selection() && bench.path.selection()->first == bench.path.selection()->last);
+    QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.tip).toPoint());
+    QVERIFY(bench.path.selection()->last > bench.path.selection()->first + 20);
+    QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
+    QVERIFY(driver.clickOn("drawStretchButton"));
+    const glm::dvec3 corners[] = {from.tip, from.tip + glm::dvec3(0.0, 5.0, 0.0), to.tip + glm::dvec3(0.0, 5.0, 0.0),
+                                  to.tip};
+    QTest::mousePress(viewport, Qt::LeftButton, {}, viewport->project(corners[0]).toPoint());
+    for (int side = 0; side < 3; ++side)
+        for (int i = 1; i <= 20; ++i)
+            QTest::mouseMove(viewport,
+                             viewport->project(glm::mix(corners[side], corners[side + 1], i / 20.0)).toPoint(), 5);
+    driver.shoot("25-drawing");
+    QTest::mouseRelease(viewport, Qt::LeftButton, {}, viewport->project(corners[3]).toPoint());
+    QVERIFY(
+        driver.waitFor([&] { return placeOf(bench, "replace-stretch") < bench.path.stored()->edits.size(); }, 3000));
+    QVERIFY(evaluatedAgain(driver));
+    const glm::dvec3 along = glm::mix(corners[1], corners[2], 0.5);
+    const PathPoint& drawn = pointNear(bench, glm::dvec2(along) - zero);
+    QVERIFY2(std::abs(drawn.tip.y - along.y) < 0.3, qPrintable(QString::number(drawn.tip.y - along.y)));
+    driver.key(Qt::Key_Escape);
+
+    // Edits are added from the menu, moved and removed; a wrong order is refused with one sentence.
+    auto* add = driver.window().findChild<QAction*>("add-fit-arcs");
+    QVERIFY(add != nullptr);
+    add->trigger();
+    QVERIFY(driver.waitFor([&] { return placeOf(bench, "fit-arcs") < bench.path.stored()->edits.size(); }, 3000));
+    QVERIFY(placeOf(bench, "fit-arcs") > placeOf(bench, "simplify") &&
+            placeOf(bench, "fit-arcs") < placeOf(bench, "link"));
+    QVERIFY(evaluatedAgain(driver));
+    const std::vector<std::string> ordered = editsOf(bench);
+    const QString later = QStringLiteral("edit%1Later").arg(placeOf(bench, "fit-arcs"));
+    QVERIFY(driver.waitFor([&] { return show(driver, later); }, 3000));
+    QVERIFY(driver.clickOn(qPrintable(later)));
+    QVERIFY(driver.waitFor([&] { return bench.path.problem().has_value(); }));
+    driver.shoot("26-wrong-order");
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(driver.waitFor([&] { return editsOf(bench) == ordered && !bench.path.problem(); }));
+    QVERIFY(evaluatedAgain(driver));
+    const QString remove = QStringLiteral("edit%1Remove").arg(placeOf(bench, "replace-stretch"));
+    QVERIFY(driver.waitFor([&] { return show(driver, remove); }, 3000));
+    QVERIFY(driver.clickOn(qPrintable(remove)));
+    QVERIFY(driver.waitFor([&] { return placeOf(bench, "replace-stretch") == bench.path.stored()->edits.size(); }));
+    QVERIFY(evaluatedAgain(driver));
+}
+
+QTEST_MAIN(TestWindowPath)
+#include "tst_window_path.moc"

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/verify/deviation_map.h"
+#include "ui/theme/length_unit.h"
+
+#include <QFrame>
+
+#include <optional>
+
+class QCheckBox;
+class QLabel;
+
+namespace burin {
+
+class RowList;
+
+/// The legend of the deviation map with each band's share of the part, its switch, and the figure under the pointer.
+class DeviationCard : public QFrame {
+    Q_OBJECT
+public:
+    explicit DeviationCard(QWidget* parent = nullptr);
+    void setUnit(LengthUnit unit);
+    void setShares(const DeviationMap::Shares& shares, const DeviationTolerance& tolerance);
+    void showOn(bool on); ///< never emits
+    /// @param sample under the pointer; nothing: there is none
+    void showUnderPointer(const std::optional<DeviationSample>& sample);
+
+signals:
+    void switched(bool on); ///< by the user
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+
+    QCheckBox* switch_;
+    RowList* bands_;
+    QLabel* under_;
+    DeviationMap::Shares shares_;
+    DeviationTolerance tolerance_;
+    std::optional<DeviationSample> sample_;
+    LengthUnit unit_ = LengthUnit::millimetre;
+};
+
+} // namespace burin

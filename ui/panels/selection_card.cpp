@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/selection_card.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
+#include "ui/panels/edit_parameters.h"
+#include "ui/panels/elided_label.h"
+#include "ui/panels/field_row.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace burin {
+
+SelectionCard::SelectionCard(QWidget* parent)
+    : QFrame(parent)
+    , chosen_(new ElidedLabel({}, this))
+    , clear_(makeIconButton(QStringLiteral("cancel"), tr("Choose nothing (Esc in the view)"),
+                            QStringLiteral("clearSelectionButton"), this))
+    , drag_(new ChoiceBox(this))
+    , draw_(makeButton(tr("Draw instead"), QStringLiteral("path"), QStringLiteral("drawStretchButton"), this)) {
+    setProperty("look", "card");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(10, 6, 8, 8);
+    column->setSpacing(4);
+    chosen_->setObjectName(QStringLiteral("pathSelection"));
+    chosen_->setToolTip(tr("Click a place of the path in the view; with Shift, everything up to there"));
+    auto* head = new QHBoxLayout;
+    head->addWidget(chosen_, 1);
+    head->addWidget(clear_);
+    column->addLayout(head);
+    drag_->setObjectName(QStringLiteral("dragChoice"));
+    drag_->addItems({tr("on its level"), QStringLiteral("X"), QStringLiteral("Y"), tr("Z, the tool's axis"),
+                     tr("the part's surface")});
+    column->addWidget(new FieldRow(tr("Drag along"), drag_, tr("Where a place of the path goes that is dragged"), this,
+                                   FieldRow::choiceWidth));
+    draw_->setCheckable(true);
+    column->addWidget(draw_);
+    connect(drag_, &QComboBox::activated, this, [this](int index) { emit dragChosen(static_cast<DragChoice>(index)); });
+    connect(draw_, &QPushButton::clicked, this, &SelectionCard::drawingWanted);
+    connect(clear_, &QToolButton::clicked, this, &SelectionCard::cleared);
+}
+
+void SelectionCard::setState(const PathState& state) {
+    chosen_->setText(state.selection ? tr("Chosen: %1").arg(stretchText(*state.selection))
+                                     : tr("Nothing of the path is chosen"));
+    clear_->setEnabled(state.selection.has_value());
+    drag_->setCurrentIndex(static_cast<int>(state.drag));
+    draw_->setChecked(state.drawing);
+    enableUnless(draw_, state.selection ? QString() : tr("Choose a stretch of the path in the view first."),
+                 tr("Draw a stroke in the view that replaces what is chosen, on its height"));
+}
+
+} // namespace burin

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/verify/deviation_map.h"
+#include "ui/panels/deviation_card.h"
+#include "ui/scene/viewport.h"
+#include "ui/window/presenter.h"
+#include "ui/window/scene_presenter.h"
+
+namespace burin {
+
+/// The deviation map of the newest program: on the part in the viewport, as shares in the panel, as a figure under the
+/// pointer.
+class DeviationPresenter final : public Presenter {
+    Q_OBJECT
+public:
+    DeviationPresenter(Workbench& workbench, Viewport& viewport, DeviationCard& card, ScenePresenter& scene,
+                       QObject* parent);
+    void setShown(bool shown); ///< the program's step is shown
+    void pointAt(const QPointF& position);
+    void setUnit(LengthUnit unit) override;
+
+private:
+    void present() override;
+    void take(std::shared_ptr<const CheckedProgram> program);
+
+    Viewport& viewport_;
+    DeviationCard& card_;
+    ScenePresenter& scene_;
+    std::shared_ptr<const CheckedProgram> program_; ///< whose samples the map refers to
+    std::unique_ptr<DeviationMap> map_;
+    bool shown_ = false, on_ = false, drawn_ = false;
+};
+
+} // namespace burin
