@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace burin {
@@ -14,6 +15,7 @@ namespace {
 constexpr double smallestSweep = 1e-3; // rad
 constexpr double sweepTolerance = 0.1; // rad: a piece that turns by more or less has become another arc
 constexpr int mostHalvings = 3;
+constexpr double computed = 1e-9; // mm: what a control's own arithmetic may add
 
 glm::dvec3 placeOf(const StepPlace& steps, const NumberWords& numbers) {
     return {numbers.millimetresOf(steps[0]), numbers.millimetresOf(steps[1]), numbers.millimetresOf(steps[2])};
@@ -21,6 +23,10 @@ glm::dvec3 placeOf(const StepPlace& steps, const NumberWords& numbers) {
 
 StepPlace stepsOf(const glm::dvec3& place, const NumberWords& numbers) {
     return {numbers.stepsOf(place.x), numbers.stepsOf(place.y), numbers.stepsOf(place.z)};
+}
+
+std::size_t at(int axis) noexcept {
+    return static_cast<std::size_t>(axis);
 }
 
 class ArcWriter {
@@ -93,16 +99,39 @@ private:
             rounded.centre[u] -= astray * du / chord;
             rounded.centre[v] -= astray * dv / chord;
         }
-        move.offset[static_cast<std::size_t>(u)] = numbers_.stepsOf(rounded.centre[u] - rounded.from[u]);
-        move.offset[static_cast<std::size_t>(v)] = numbers_.stepsOf(rounded.centre[v] - rounded.from[v]);
+        move.offset[at(u)] = numbers_.stepsOf(rounded.centre[u] - rounded.from[u]);
+        move.offset[at(v)] = numbers_.stepsOf(rounded.centre[v] - rounded.from[v]);
+        move.offset = bestOffset(rounded, move.offset);
         rounded.centre = rounded.from + placeOf(move.offset, numbers_);
         const ArcTurn turn = turnOf(rounded), wanted = turnOf(arc);
         if (std::abs(astray) > limits_.largestMismatch ||
-            std::abs(turn.startRadius - turn.endRadius) > limits_.largestMismatch ||
+            std::abs(turn.startRadius - turn.endRadius) > limits_.largestMismatch - computed ||
             std::min(turn.startRadius, turn.endRadius) < limits_.smallestRadius ||
             std::abs(turn.sweep - wanted.sweep) > sweepTolerance)
             return std::nullopt;
         return move;
+    }
+
+    /// Of the rounded centre and its neighbours by one step the one whose radii agree best; the rounded one among
+    /// equals.
+    StepPlace bestOffset(Arc arc, const StepPlace& rounded) const {
+        const int u = (arc.axis + 1) % 3, v = (arc.axis + 2) % 3;
+        StepPlace best = rounded;
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [du, dv] :
+             {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+            StepPlace offset = rounded;
+            offset[at(u)] += du;
+            offset[at(v)] += dv;
+            arc.centre = arc.from + placeOf(offset, numbers_);
+            const ArcTurn turn = turnOf(arc);
+            const double mismatch = std::abs(turn.startRadius - turn.endRadius);
+            if (mismatch >= least - 1e-9) continue;
+            least = mismatch;
+            best = offset;
+            if (least <= limits_.largestMismatch - computed) break;
+        }
+        return best;
     }
 
     const NumberWords& numbers_;

@@ -34,15 +34,15 @@ enum class MGroup : std::uint8_t { stop, toolChange, spindle, coolant, overrides
 /// Ten times the numbers of G words that the code names.
 namespace gcode {
 inline constexpr int rapid = 0, line = 10, clockwise = 20, anticlockwise = 30, dwell = 40, setOffset = 100;
-inline constexpr int planeXY = 170, planeZX = 180, planeYZ = 190, inch = 200, millimetre = 210;
-inline constexpr int inchByG70 = 700, millimetreByG71 = 710;
+inline constexpr int planeXY = 170, planeZX = 180, inch = 200;
+inline constexpr int inchByG70 = 700;
 inline constexpr int home = 280, storeHome = 281, secondHome = 300, storeSecondHome = 301;
 inline constexpr int noCompensation = 400, lengthOffset = 430, statedLength = 431, noLengthOffset = 490;
-inline constexpr int localShift = 520, machineFrame = 530, furtherOffset = 541, exactStop = 610, exactPath = 611;
-inline constexpr int blend = 640, peckBreaking = 730, noMotion = 800, absolute = 900, absoluteCentres = 901;
-inline constexpr int incremental = 910, incrementalCentres = 911, shift = 920, dropShift = 921, pauseShift = 922;
-inline constexpr int restoreShift = 923, inverseTime = 930, perMinute = 940, perRevolution = 950;
-inline constexpr int retractToStart = 980, retractToHeight = 990, furtherOffsetHaas = 1540;
+inline constexpr int localShift = 520, machineFrame = 530, furtherOffset = 541;
+inline constexpr int blend = 640, peckBreaking = 730, noMotion = 800, absoluteCentres = 901;
+inline constexpr int incremental = 910, shift = 920, dropShift = 921, pauseShift = 922;
+inline constexpr int restoreShift = 923, inverseTime = 930, perRevolution = 950;
+inline constexpr int retractToHeight = 990, furtherOffsetHaas = 1540;
 } // namespace gcode
 
 /// A word that stands alone in its block: letter and number.

@@ -222,7 +222,7 @@ void CannedCycles::peck(const Hole& hole, MotionWriter& writer) const {
     };
     for (double depth = hole.height - *step_; depth > hole.depth; depth -= *step_) {
         writer.move(NcMotionKind::line, hole.with(depth), everywhere, hole.column);
-        if (hole.cycle == 830) rapid(hole.clear);
+        if (hole.cycle == 830) rapid(hole.height); // chips out
         rapid(depth + peckClearance);
     }
     writer.move(NcMotionKind::line, hole.with(hole.depth), everywhere, hole.column);

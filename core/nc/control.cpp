@@ -157,6 +157,7 @@ Control linuxCnc() {
                                 {commonM, {6, 7, 48, 49, 60, 61, 98, 99}});
     control.expressions = control.namedParameters = true;
     control.arcTurns = true;
+    control.blendWords = true;
     control.retractsToHeight = true;
     control.arcRadius = {0.0282842712474619, 0.001, 2.82842712474619};
     control.arcRadius.inchFactor = 2.54;
@@ -245,12 +246,6 @@ bool ArcRadiusRule::accepts(double difference, double radius, bool inch) const n
     const double factor = inch ? inchFactor : 1.0;
     if (difference <= absolute * factor) return true;
     return difference <= ceiling * factor && difference <= relative * radius;
-}
-
-bool Control::reads(GGroup group) const noexcept {
-    for (const std::int8_t one : gGroups)
-        if (one == static_cast<std::int8_t>(group)) return true;
-    return false;
 }
 
 bool Control::readsG(int tenfold) const noexcept {

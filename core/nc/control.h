@@ -41,6 +41,7 @@ struct Control {
     bool pointNeeded = false;      ///< lengths without a decimal point count smallest steps
     bool arcNeedsAxis = false;     ///< an arc names an axis of its plane
     bool arcTurns = false;         ///< P of an arc counts turns
+    bool blendWords = false;       ///< G64 takes P and Q
     bool repeatsByK = false;       ///< K repeats a canned cycle, besides L
     bool dwellByX = false;         ///< G4 X, seconds
     bool retractsToHeight = false; ///< G99 rather than G98 is in force at the start
@@ -51,7 +52,6 @@ struct Control {
     int lineLength = 255;                ///< characters
     bool lengthCountsWordsAlone = false; ///< blanks and comments don't count
 
-    bool reads(GGroup group) const noexcept; ///< any code of it
     bool readsG(int tenfold) const noexcept;
     bool readsM(int tenfold) const noexcept;
 };

@@ -80,6 +80,7 @@ private:
         if (Result<void> done = blocks(dialect_.toolChange); !done) return done;
         const std::vector<NcMove>& moves = section_->moves;
         place_ = {};
+        feed_ = 0; // each tool states its own
         if (Result<void> done = firstMove(moves.front()); !done) return done;
         for (std::size_t i = 1; i < moves.size(); ++i) {
             if (i % 1024 == 0) {
@@ -157,7 +158,10 @@ private:
         const Result<StepPlace> steps = stepsOf(target);
         if (!steps) return steps.error();
         std::array<bool, 3> named{};
-        for (std::size_t axis = 0; axis < 3; ++axis) named[axis] = target[axis].has_value();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            named[axis] = target[axis].has_value();
+            if (target[axis]) reached_[static_cast<int>(axis)] = *target[axis];
+        }
         return line(kind, *steps, named, feed);
     }
 
@@ -176,12 +180,9 @@ private:
     }
 
     Result<void> arc(const NcMove& move) {
+        const Arc arc{reached_, move.target, move.arc.centre, move.arc.axis, move.arc.clockwise};
         StepPlace from{};
-        Arc arc{{}, move.target, move.arc.centre, move.arc.axis, move.arc.clockwise};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            from[axis] = place_[axis].value_or(0);
-            arc.from[static_cast<int>(axis)] = numbers_.millimetresOf(from[axis]);
-        }
+        for (std::size_t axis = 0; axis < 3; ++axis) from[axis] = place_[axis].value_or(0);
         if (const Result<StepPlace> sound = stepsOf({move.target.x, move.target.y, move.target.z}); !sound)
             return sound.error();
         const double reach = glm::length(arc.centre - arc.from);
@@ -191,6 +192,7 @@ private:
                                          : line(NcMoveKind::line, step.to, {true, true, true}, move.feed);
             if (!done) return done;
         }
+        reached_ = move.target;
         return {};
     }
 
@@ -326,6 +328,7 @@ private:
     DialectArcs arcs_;
     double clearHeight_;                            // mm
     std::array<std::optional<long long>, 3> place_; // in steps of the last digit; nothing: not known
+    glm::dvec3 reached_{0.0};                       // mm, the same before it was rounded
     std::optional<std::string> motion_;
     int plane_ = 2;
     long long feed_ = 0;  // in steps of the feed's last digit

@@ -13,7 +13,6 @@ namespace {
 constexpr int deepestNesting = 64;
 constexpr double largestResult = 1e15;  // of a part of an expression
 constexpr double wholeTolerance = 1e-4; // as LinuxCNC's for parameter numbers
-constexpr double equalTolerance = 1e-6; // as LinuxCNC's for EQ and NE
 constexpr double degree = pi / 180.0;
 
 bool isBlank(char c) noexcept {
@@ -45,32 +44,6 @@ constexpr std::array<NamedFunction, 11> functions{{
     {"SIN", [](double x) { return std::sin(x * degree); }},
     {"TAN", [](double x) { return std::tan(x * degree); }},
 }};
-
-} // namespace
-
-enum class ExpressionReader::Operator : std::uint8_t {
-    close,
-    logicalAnd,
-    logicalOr,
-    logicalXor,
-    equal,
-    notEqual,
-    greater,
-    greaterOrEqual,
-    less,
-    lessOrEqual,
-    plus,
-    minus,
-    times,
-    divide,
-    modulo,
-    power
-};
-
-namespace {
-
-/// How tightly an operator binds, by its place in the list above.
-constexpr std::array<int, 16> precedences{0, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 4, 4, 4, 5};
 
 } // namespace
 
@@ -179,113 +152,34 @@ bool ExpressionReader::general(std::size_t word, std::size_t& at, double& value)
     return done;
 }
 
-bool ExpressionReader::readOperator(std::size_t& at, Operator& found) noexcept {
-    struct Spelling {
-        std::string_view text;
-        Operator means;
-    };
-    static constexpr std::array<Spelling, 16> spellings{{{"]", Operator::close},
-                                                         {"**", Operator::power},
-                                                         {"*", Operator::times},
-                                                         {"/", Operator::divide},
-                                                         {"+", Operator::plus},
-                                                         {"-", Operator::minus},
-                                                         {"MOD", Operator::modulo},
-                                                         {"AND", Operator::logicalAnd},
-                                                         {"OR", Operator::logicalOr},
-                                                         {"XOR", Operator::logicalXor},
-                                                         {"EQ", Operator::equal},
-                                                         {"NE", Operator::notEqual},
-                                                         {"GT", Operator::greater},
-                                                         {"GE", Operator::greaterOrEqual},
-                                                         {"LT", Operator::less},
-                                                         {"LE", Operator::lessOrEqual}}};
+bool ExpressionReader::readOperator(std::size_t& at, ExpressionOperator& found) noexcept {
     skipBlanks(at);
-    for (const Spelling& spelling : spellings) {
-        if (keyword(at, spelling.text)) {
-            found = spelling.means;
-            return true;
-        }
-    }
-    return fail(ProgramProblem::expressionInvalid, at);
-}
-
-bool ExpressionReader::combine(Operator by, double& left, double right, std::size_t at) {
-    const auto truth = [](bool value) { return value ? 1.0 : 0.0; };
-    const bool equal = std::abs(left - right) < equalTolerance;
-    switch (by) {
-    case Operator::logicalAnd:
-        left = truth(left != 0.0 && right != 0.0);
-        break;
-    case Operator::logicalOr:
-        left = truth(left != 0.0 || right != 0.0);
-        break;
-    case Operator::logicalXor:
-        left = truth((left != 0.0) != (right != 0.0));
-        break;
-    case Operator::equal:
-        left = truth(equal);
-        break;
-    case Operator::notEqual:
-        left = truth(!equal);
-        break;
-    case Operator::greater:
-        left = truth(left > right);
-        break;
-    case Operator::greaterOrEqual:
-        left = truth(left >= right);
-        break;
-    case Operator::less:
-        left = truth(left < right);
-        break;
-    case Operator::lessOrEqual:
-        left = truth(left <= right);
-        break;
-    case Operator::plus:
-        left += right;
-        break;
-    case Operator::minus:
-        left -= right;
-        break;
-    case Operator::times:
-        left *= right;
-        break;
-    case Operator::divide:
-        if (right == 0.0) return fail(ProgramProblem::expressionUndefined, at);
-        left /= right;
-        break;
-    case Operator::modulo:
-        if (right == 0.0) return fail(ProgramProblem::expressionUndefined, at);
-        left = std::fmod(left, right);
-        if (left < 0.0) left += std::abs(right); // never negative, as the report has it
-        break;
-    case Operator::power:
-        left = std::pow(left, right);
-        break;
-    case Operator::close:
-        break;
-    }
-    return finite(left, at);
+    const std::optional<SpelledOperator> spelled = operatorAt(line_.substr(at));
+    if (!spelled) return fail(ProgramProblem::expressionInvalid, at);
+    at += spelled->length;
+    found = spelled->by;
+    return true;
 }
 
 /// Values wait on a stack until an operator that binds no tighter stands behind them.
 bool ExpressionReader::bracket(std::size_t& at, double& value) {
     static constexpr std::size_t tightest = 6;
     std::array<double, tightest> values{};
-    std::array<Operator, tightest> waiting{};
+    std::array<ExpressionOperator, tightest> waiting{};
     std::size_t count = 0;
     const std::size_t start = at++;
     for (;;) {
         if (!general(start, at, values[count])) return false;
-        Operator next = Operator::close;
+        ExpressionOperator next = ExpressionOperator::close;
         const std::size_t place = at;
         if (!readOperator(at, next)) return false;
-        const auto precedence = [](Operator one) { return precedences[static_cast<std::size_t>(one)]; };
-        while (count > 0 && precedence(waiting[count - 1]) >= precedence(next)) {
-            if (!combine(waiting[count - 1], values[count - 1], values[count], place)) return false;
-            --count;
+        while (count > 0 && precedenceOf(waiting[count - 1]) >= precedenceOf(next)) {
+            const std::optional<double> result = combined(waiting[count - 1], values[count - 1], values[count]);
+            if (!result) return fail(ProgramProblem::expressionUndefined, place);
+            values[--count] = *result;
+            if (!finite(values[count], place)) return false;
         }
-        if (next == Operator::close) break;
+        if (next == ExpressionOperator::close) break;
         waiting[count++] = next; // strictly rising precedences: never more than there are of them
     }
     value = values[0];

@@ -4,6 +4,7 @@
 
 #include "core/nc/block.h"
 #include "core/nc/control.h"
+#include "core/nc/expression_operator.h"
 #include "core/nc/parameters.h"
 
 #include <string>
@@ -32,7 +33,6 @@ public:
     bool assignment(std::size_t& at);
 
 private:
-    enum class Operator : std::uint8_t;
     bool fail(ProgramProblem problem, std::size_t from, std::size_t to = 0) noexcept;
     void skipBlanks(std::size_t& at) const noexcept;
     bool number(std::size_t word, std::size_t& at, double& value, bool& point) noexcept;
@@ -44,8 +44,7 @@ private:
     bool parameter(std::size_t& at, double& value);
     bool parameterNumber(std::size_t& at, int& number);
     bool parameterName(std::size_t& at, std::string& name);
-    bool readOperator(std::size_t& at, Operator& found) noexcept;
-    bool combine(Operator by, double& left, double right, std::size_t at);
+    bool readOperator(std::size_t& at, ExpressionOperator& found) noexcept;
     bool keyword(std::size_t& at, std::string_view word) const noexcept;
     bool finite(double value, std::size_t at);
 

@@ -96,23 +96,21 @@ bool Interpreter::home(const Block& block, const Code& code) {
     const std::size_t which = code.number == gcode::home ? 0 : 1;
     glm::dvec3 place;
     std::array<bool, 3> known{};
-    if (block.hasAxis()) {
-        // Incrementally from nowhere (G28 G91 Z0): the way stays unknown, and so is nothing that matters.
-        place = state_.frames.place();
-        known = state_.frames.known();
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto at = static_cast<std::size_t>(axis);
-            const Word& word = block.word(static_cast<char>('X' + axis));
-            if (!word.given()) continue;
-            if (!state_.incremental) {
-                place[axis] = word.value * state_.length + state_.frames.shift()[axis];
-                known[at] = true;
-            } else if (known[at]) {
-                place[axis] += word.value * state_.length;
-            }
+    // Incrementally from nowhere (G28 G91 Z0): the way stays unknown, and so is nothing that matters.
+    place = state_.frames.place();
+    known = state_.frames.known();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        const Word& word = block.word(static_cast<char>('X' + axis));
+        if (!word.given()) continue;
+        if (!state_.incremental) {
+            place[axis] = word.value * state_.length + state_.frames.shift()[axis];
+            known[at] = true;
+        } else if (known[at]) {
+            place[axis] += word.value * state_.length;
         }
-        writer_.move(NcMotionKind::rapid, place, known, code.column);
     }
+    writer_.move(NcMotionKind::rapid, place, known, code.column);
     place = state_.frames.place();
     known = state_.frames.known();
     for (int axis = 0; axis < 3; ++axis) {

@@ -78,14 +78,13 @@ bool Interpreter::checkUse(const Block& block) {
         char letter;
         bool used;
     };
-    const bool linuxCnc = control_.namedParameters; // its G64 alone has words
     const std::array<Use, 10> uses{{
         {'H', block.code(GGroup::lengthOffset).number == gcode::lengthOffset},
         {'D', false}, // of G41 and G42 alone
         {'L', sets || cycle},
-        {'P', once == gcode::dwell || (blends && linuxCnc) || sets || further || smooths || waits || arc ||
+        {'P', once == gcode::dwell || (blends && control_.blendWords) || sets || further || smooths || waits || arc ||
                   once == gcode::secondHome},
-        {'Q', (blends && linuxCnc) || pecks || smooths || block.code(MGroup::toolChange).number == 610},
+        {'Q', (blends && control_.blendWords) || pecks || smooths || block.code(MGroup::toolChange).number == 610},
         {'R', arc || cycle || sets || smooths},
         {'E', smooths},
         {'I', arc || boresBack},

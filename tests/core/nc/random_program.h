@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 namespace burin {

@@ -17,6 +17,7 @@ using namespace burin;
 namespace {
 
 constexpr double printed = 1e-4; // rs274 prints four decimals
+constexpr double slowest = 0.1;  // unit/min: LinuxCNC makes no inverse time slower than that
 
 /// The machine that rs274 plays: it stands at 0, and so do all of its offsets.
 MachineState standing() {
@@ -68,7 +69,7 @@ QString difference(const CanonicalProgram& truth, const ParsedProgram& program) 
         if (theirs.kind == CanonicalKind::dwell && std::abs(theirs.seconds - ours.seconds) > printed)
             return where + "seconds";
         if ((theirs.kind == CanonicalKind::line || theirs.kind == CanonicalKind::arc) &&
-            ours.feedMode != FeedMode::perRevolution &&
+            ours.feedMode != FeedMode::perRevolution && theirs.feed > slowest * theirs.unit &&
             std::abs(theirs.feed - ours.feed) > printed * std::max(25.4, theirs.feed))
             return where + QString("feed %1 against %2").arg(theirs.feed).arg(ours.feed);
         if (theirs.kind != CanonicalKind::arc) continue;
