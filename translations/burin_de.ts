@@ -387,6 +387,30 @@
         <source>A stylus without motors sets the tool&apos;s speed, not its place.</source>
         <translation>Ein Stift ohne Motoren gibt das Tempo des Werkzeugs vor, nicht seinen Ort.</translation>
     </message>
+    <message>
+        <source>&amp;Draw instead</source>
+        <translation>Stattdessen &amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw a stroke in the view that replaces what is chosen of the path.</source>
+        <translation>In der Ansicht einen Zug zeichnen, der das Gewählte der Bahn ersetzt.</translation>
+    </message>
+    <message>
+        <source>&amp;Find in the program</source>
+        <translation>Im Programm &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Look for a text in the program.</source>
+        <translation>Einen Text im Programm suchen.</translation>
+    </message>
+    <message>
+        <source>&amp;Override the check…</source>
+        <translation>Prüfung ü&amp;bergehen …</translation>
+    </message>
+    <message>
+        <source>Give the reason why a program is wanted that its check refused.</source>
+        <translation>Begründen, warum ein Programm gebraucht wird, das seine Prüfung abgelehnt hat.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -500,6 +524,98 @@
         <source>Set feed and speed</source>
         <translation>Vorschub und Drehzahl setzen</translation>
     </message>
+    <message>
+        <source>Smooth by a spline</source>
+        <translation>Mit einem Spline glätten</translation>
+    </message>
+    <message>
+        <source>Cut out</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Trim</source>
+        <translation>Kürzen</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Reorder</source>
+        <translation>Umordnen</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Vervielfältigen</translation>
+    </message>
+    <message>
+        <source>Move points</source>
+        <translation>Punkte verschieben</translation>
+    </message>
+    <message>
+        <source>Replace a stretch</source>
+        <translation>Ein Stück ersetzen</translation>
+    </message>
+    <message>
+        <source>Remove from an area</source>
+        <translation>Aus einem Bereich entfernen</translation>
+    </message>
+    <message>
+        <source>Lift in an area</source>
+        <translation>In einem Bereich anheben</translation>
+    </message>
+    <message>
+        <source>Lay on the part</source>
+        <translation>Auf das Teil legen</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versetzen</translation>
+    </message>
+    <message>
+        <source>Rows along a guide</source>
+        <translation>Zeilen entlang einer Führung</translation>
+    </message>
+    <message>
+        <source>Fit arcs</source>
+        <translation>Bögen einpassen</translation>
+    </message>
+    <message>
+        <source>Round corners</source>
+        <translation>Ecken runden</translation>
+    </message>
+    <message>
+        <source>Lead in</source>
+        <translation>Anfahren</translation>
+    </message>
+    <message>
+        <source>Lead out</source>
+        <translation>Abfahren</translation>
+    </message>
+    <message>
+        <source>Feed by engagement</source>
+        <translation>Vorschub nach Eingriff</translation>
+    </message>
+    <message>
+        <source>Feed in an area</source>
+        <translation>Vorschub in einem Bereich</translation>
+    </message>
 </context>
 <context>
     <name>EditParameterTexts</name>
@@ -578,6 +694,481 @@
     <message>
         <source>How far above what is left the plunge begins</source>
         <translation>Höhe über dem Restmaterial, in der das Eintauchen beginnt</translation>
+    </message>
+    <message>
+        <source>take %1, tick %2</source>
+        <translation>Aufnahme %1, Takt %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n places</source>
+        <translation>
+            <numerusform>%n Ort</numerusform>
+            <numerusform>%n Orte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>take %1 from tick %2</source>
+        <translation>Aufnahme %1 ab Takt %2</translation>
+    </message>
+    <message>
+        <source>take %1, ticks %2 to %3</source>
+        <translation>Aufnahme %1, Takte %2 bis %3</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>The strokes that it is meant for; choose them in the view before adding the edit</source>
+        <translation>Die Züge, für die sie gilt; vor dem Hinzufügen in der Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>The stretch that is left out; choose it in the view before adding the edit</source>
+        <translation>Das Stück, das wegfällt; vor dem Hinzufügen in der Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>The places that are moved</source>
+        <translation>Die Orte, die verschoben werden</translation>
+    </message>
+    <message>
+        <source>The stretch that the drawn stroke replaces</source>
+        <translation>Das Stück, das der gezeichnete Zug ersetzt</translation>
+    </message>
+    <message>
+        <source>From the start</source>
+        <translation>Vom Anfang</translation>
+    </message>
+    <message>
+        <source>Cut off where each stroke begins</source>
+        <translation>Wird am Anfang jedes Zuges abgeschnitten</translation>
+    </message>
+    <message>
+        <source>From the end</source>
+        <translation>Vom Ende</translation>
+    </message>
+    <message>
+        <source>Cut off where each stroke ends</source>
+        <translation>Wird am Ende jedes Zuges abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>The stroke is parted here</source>
+        <translation>Hier wird der Zug geteilt</translation>
+    </message>
+    <message>
+        <source>Farthest</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Ends no farther apart than this are joined</source>
+        <translation>Enden, die nicht weiter auseinanderliegen, werden verbunden</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>The stroke that is moved in the order</source>
+        <translation>Der Zug, der in der Reihenfolge wandert</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>The stroke that it comes before; none: it comes last</source>
+        <translation>Der Zug, vor den er kommt; keiner: Er kommt zuletzt</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer zu</translation>
+    </message>
+    <message>
+        <source>The axis that the mirror&apos;s plane stands across</source>
+        <translation>Die Achse, zu der die Spiegelebene quer steht</translation>
+    </message>
+    <message>
+        <source>Plane at</source>
+        <translation>Ebene bei</translation>
+    </message>
+    <message>
+        <source>Where the mirror&apos;s plane stands</source>
+        <translation>Wo die Spiegelebene steht</translation>
+    </message>
+    <message>
+        <source>Keep the originals</source>
+        <translation>Originale behalten</translation>
+    </message>
+    <message>
+        <source>They are cut before their images</source>
+        <translation>Sie werden vor ihren Bildern gefräst</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Place of the upright axis that it turns about</source>
+        <translation>Ort der senkrechten Achse, um die gedreht wird</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Anticlockwise as seen from above</source>
+        <translation>Gegen den Uhrzeigersinn, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>From each copy to the next</source>
+        <translation>Von jeder Kopie zur nächsten</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>From each copy to the next, anticlockwise as seen from above</source>
+        <translation>Von jeder Kopie zur nächsten, von oben gesehen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Kopien</translation>
+    </message>
+    <message>
+        <source>Besides the original</source>
+        <translation>Außer dem Original</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Um</translation>
+    </message>
+    <message>
+        <source>How far the places are moved</source>
+        <translation>Wie weit die Orte verschoben werden</translation>
+    </message>
+    <message>
+        <source>Falloff</source>
+        <translation>Auslauf</translation>
+    </message>
+    <message>
+        <source>Places along the stroke up to this far follow, ever less</source>
+        <translation>So weit den Zug entlang gehen Orte mit, immer weniger</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>Freely, or along the part&apos;s surface with the same distance from it</source>
+        <translation>Frei, oder an der Oberfläche des Teils entlang mit gleichem Abstand</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Of the stroke that was drawn instead</source>
+        <translation>Des Zuges, der stattdessen gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Corners of the area in plan</source>
+        <translation>Ecken des Bereichs von oben</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Lowest height of the area</source>
+        <translation>Unterste Höhe des Bereichs</translation>
+    </message>
+    <message>
+        <source>Up to</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Greatest height of the area</source>
+        <translation>Oberste Höhe des Bereichs</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Hub</translation>
+    </message>
+    <message>
+        <source>How far the path is lifted inside the area</source>
+        <translation>Wie weit die Bahn im Bereich angehoben wird</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Feeds inside the area are multiplied by this</source>
+        <translation>Damit werden Vorschübe im Bereich malgenommen</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Stock that is left on the part</source>
+        <translation>Rohteil, das auf dem Teil stehen bleibt</translation>
+    </message>
+    <message>
+        <source>How densely places are laid on the part</source>
+        <translation>Wie dicht Orte auf das Teil gelegt werden</translation>
+    </message>
+    <message>
+        <source>Down the tool&apos;s axis, or along the part&apos;s normal</source>
+        <translation>Die Werkzeugachse hinab, oder entlang der Flächennormale</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>To the left of the motion; negative to the right</source>
+        <translation>Links der Bewegung; negativ rechts</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>Places of a guide that was drawn; none: the strokes that are chosen</source>
+        <translation>Orte einer gezeichneten Führung; keine: die gewählten Züge</translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>Zeilenabstand</translation>
+    </message>
+    <message>
+        <source>Between rows, seen from above</source>
+        <translation>Zwischen Zeilen, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Rows to the left</source>
+        <translation>Zeilen links</translation>
+    </message>
+    <message>
+        <source>Beside the guide, in its direction</source>
+        <translation>Neben der Führung, in ihrer Richtung</translation>
+    </message>
+    <message>
+        <source>Rows to the right</source>
+        <translation>Zeilen rechts</translation>
+    </message>
+    <message>
+        <source>No arc leaves the path farther than this</source>
+        <translation>Kein Bogen weicht weiter von der Bahn ab</translation>
+    </message>
+    <message>
+        <source>Largest sweep</source>
+        <translation>Größter Winkel</translation>
+    </message>
+    <message>
+        <source>An arc that turns by more becomes several</source>
+        <translation>Ein Bogen, der weiter dreht, wird zu mehreren</translation>
+    </message>
+    <message>
+        <source>Smallest radius</source>
+        <translation>Kleinster Radius</translation>
+    </message>
+    <message>
+        <source>Tighter turns stay straight moves</source>
+        <translation>Engere Kurven bleiben gerade Bewegungen</translation>
+    </message>
+    <message>
+        <source>Largest radius</source>
+        <translation>Größter Radius</translation>
+    </message>
+    <message>
+        <source>Flatter turns stay straight moves</source>
+        <translation>Flachere Kurven bleiben gerade Bewegungen</translation>
+    </message>
+    <message>
+        <source>Radius mismatch</source>
+        <translation>Radiusabweichung</translation>
+    </message>
+    <message>
+        <source>How far the radii at both ends may differ once figures are rounded</source>
+        <translation>Wie weit die Radien beider Enden nach dem Runden der Zahlen auseinanderliegen dürfen</translation>
+    </message>
+    <message>
+        <source>How far a rounded corner may leave the sharp one</source>
+        <translation>Wie weit eine gerundete Ecke von der scharfen abweichen darf</translation>
+    </message>
+    <message>
+        <source>Smallest turn</source>
+        <translation>Kleinster Knick</translation>
+    </message>
+    <message>
+        <source>Corners that turn by less stay</source>
+        <translation>Ecken mit kleinerem Knick bleiben</translation>
+    </message>
+    <message>
+        <source>The strokes that get one; choose them in the view before adding the edit</source>
+        <translation>Die Züge, die es bekommen; vor dem Hinzufügen in der Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>How the tool comes to the stroke, or leaves it</source>
+        <translation>Wie das Werkzeug zum Zug kommt oder ihn verlässt</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Length of a line or ramp, radius of an arc or helix</source>
+        <translation>Länge einer Geraden oder Rampe, Radius eines Bogens oder einer Helix</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>How far a ramp or helix goes down</source>
+        <translation>Wie weit eine Rampe oder Helix hinabgeht</translation>
+    </message>
+    <message>
+        <source>No helix goes down more steeply</source>
+        <translation>Steiler geht keine Helix hinab</translation>
+    </message>
+    <message>
+        <source>Length of a line, radius of an arc</source>
+        <translation>Länge einer Geraden, Radius eines Bogens</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Above everything, or as low as what is left allows</source>
+        <translation>Über allem, oder so tief, wie das Verbliebene erlaubt</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Ausgleichen</translation>
+    </message>
+    <message>
+        <source>What is to stay the same: the force, or the removal rate</source>
+        <translation>Was gleich bleiben soll: die Kraft oder das Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>N or mm³/s; 0: the mean that the path has where it cuts</source>
+        <translation>N oder mm³/s; 0: das Mittel der Bahn, wo sie schneidet</translation>
+    </message>
+    <message>
+        <source>Smallest chip</source>
+        <translation>Kleinster Span</translation>
+    </message>
+    <message>
+        <source>A tooth never takes less</source>
+        <translation>Weniger nimmt kein Zahn</translation>
+    </message>
+    <message>
+        <source>Largest chip</source>
+        <translation>Größter Span</translation>
+    </message>
+    <message>
+        <source>A tooth never takes more</source>
+        <translation>Mehr nimmt kein Zahn</translation>
+    </message>
+    <message>
+        <source>Least change</source>
+        <translation>Kleinste Änderung</translation>
+    </message>
+    <message>
+        <source>Of the feed; smaller ones are left out</source>
+        <translation>Des Vorschubs; kleinere entfallen</translation>
+    </message>
+    <message>
+        <source>How densely moves are looked at</source>
+        <translation>Wie dicht Bewegungen betrachtet werden</translation>
+    </message>
+    <message>
+        <source>a straight line</source>
+        <translation>eine Gerade</translation>
+    </message>
+    <message>
+        <source>an arc</source>
+        <translation>ein Bogen</translation>
+    </message>
+    <message>
+        <source>a ramp</source>
+        <translation>eine Rampe</translation>
+    </message>
+    <message>
+        <source>a helix</source>
+        <translation>eine Helix</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>freely</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>the part&apos;s surface</source>
+        <translation>die Oberfläche des Teils</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s axis</source>
+        <translation>die Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>the part&apos;s normal</source>
+        <translation>die Flächennormale</translation>
+    </message>
+    <message>
+        <source>above everything</source>
+        <translation>über allem</translation>
+    </message>
+    <message>
+        <source>as low as is safe</source>
+        <translation>so tief wie sicher</translation>
+    </message>
+    <message>
+        <source>the force</source>
+        <translation>die Kraft</translation>
+    </message>
+    <message>
+        <source>the removal rate</source>
+        <translation>das Zeitspanvolumen</translation>
     </message>
 </context>
 <context>
@@ -860,6 +1451,18 @@
         <source>The motors of &quot;%1&quot; are hot, so its forces go down to half; press less until they have cooled.</source>
         <translation>Die Motoren von „%1“ sind heiß, darum sinken die Kräfte auf die Hälfte; drücken Sie weniger, bis sie abgekühlt sind.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; has to come before &quot;%2&quot; in the list of edits; move it there.</source>
+        <translation>„%1“ muss in der Liste vor „%2“ stehen; verschieben Sie es dorthin.</translation>
+    </message>
+    <message>
+        <source>A path has one &quot;%1&quot; alone; remove the other one.</source>
+        <translation>Eine Bahn hat „%1“ nur einmal; entfernen Sie das andere.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; may lead the tool into the part; put &quot;%2&quot; between it and &quot;%3&quot;.</source>
+        <translation>„%1“ kann das Werkzeug ins Teil führen; setzen Sie „%2“ zwischen dies und „%3“.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -1018,6 +1621,265 @@
     </message>
 </context>
 <context>
+    <name>ProgramProblem</name>
+    <message>
+        <source>the control does not read so long a line</source>
+        <translation>so lange Zeilen liest die Steuerung nicht</translation>
+    </message>
+    <message>
+        <source>character is not allowed</source>
+        <translation>Zeichen ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>comment is not closed</source>
+        <translation>Kommentar ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>comment inside a comment</source>
+        <translation>Kommentar in einem Kommentar</translation>
+    </message>
+    <message>
+        <source>% has to stand alone</source>
+        <translation>% muss allein stehen</translation>
+    </message>
+    <message>
+        <source>the control does not read %</source>
+        <translation>die Steuerung liest kein %</translation>
+    </message>
+    <message>
+        <source>line number has to stand first</source>
+        <translation>die Zeilennummer muss vorn stehen</translation>
+    </message>
+    <message>
+        <source>the control does not read this word</source>
+        <translation>dieses Wort liest die Steuerung nicht</translation>
+    </message>
+    <message>
+        <source>word stands twice</source>
+        <translation>Wort steht doppelt</translation>
+    </message>
+    <message>
+        <source>no other word of the block uses this one</source>
+        <translation>kein anderes Wort des Satzes gebraucht dieses</translation>
+    </message>
+    <message>
+        <source>word without a number</source>
+        <translation>Wort ohne Zahl</translation>
+    </message>
+    <message>
+        <source>number is out of range</source>
+        <translation>Zahl liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>number is not whole</source>
+        <translation>Zahl ist nicht ganz</translation>
+    </message>
+    <message>
+        <source>negative number</source>
+        <translation>negative Zahl</translation>
+    </message>
+    <message>
+        <source>decimal point is missing: the control would take the number for its smallest steps</source>
+        <translation>Dezimalpunkt fehlt: Die Steuerung hielte die Zahl für ihre kleinsten Schritte</translation>
+    </message>
+    <message>
+        <source>code is not read</source>
+        <translation>Code wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>two words of one modal group</source>
+        <translation>zwei Wörter einer modalen Gruppe</translation>
+    </message>
+    <message>
+        <source>two codes of the block read its axis words</source>
+        <translation>zwei Codes des Satzes lesen seine Achswörter</translation>
+    </message>
+    <message>
+        <source>the control reads no parameters or expressions</source>
+        <translation>die Steuerung liest keine Parameter und Ausdrücke</translation>
+    </message>
+    <message>
+        <source>expression is not complete</source>
+        <translation>Ausdruck ist unvollständig</translation>
+    </message>
+    <message>
+        <source>expression has no value</source>
+        <translation>Ausdruck hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>there is no such parameter, or it can&apos;t be set</source>
+        <translation>diesen Parameter gibt es nicht, oder er lässt sich nicht setzen</translation>
+    </message>
+    <message>
+        <source>the program does not say what the parameter holds</source>
+        <translation>das Programm sagt nicht, was der Parameter enthält</translation>
+    </message>
+    <message>
+        <source>words behind the program&apos;s end</source>
+        <translation>Wörter hinter dem Programmende</translation>
+    </message>
+    <message>
+        <source>the program makes more moves than are kept of it (20 million)</source>
+        <translation>das Programm macht mehr Bewegungen, als davon behalten werden (20 Millionen)</translation>
+    </message>
+    <message>
+        <source>cutter radius compensation is not read: program the centre of the tool</source>
+        <translation>Fräserradiuskorrektur wird nicht gelesen: Programmieren Sie die Werkzeugmitte</translation>
+    </message>
+    <message>
+        <source>subprograms and flow control are not read</source>
+        <translation>Unterprogramme und Ablaufsteuerung werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>tool change without a tool</source>
+        <translation>Werkzeugwechsel ohne Werkzeug</translation>
+    </message>
+    <message>
+        <source>work offset is missing</source>
+        <translation>Nullpunkt fehlt</translation>
+    </message>
+    <message>
+        <source>length offset is missing</source>
+        <translation>Längenkorrektur fehlt</translation>
+    </message>
+    <message>
+        <source>feed beside a change of units</source>
+        <translation>Vorschub neben einem Wechsel der Einheit</translation>
+    </message>
+    <message>
+        <source>feed is missing</source>
+        <translation>Vorschub fehlt</translation>
+    </message>
+    <message>
+        <source>each move needs its F while G93 is in force</source>
+        <translation>unter G93 braucht jede Bewegung ihr F</translation>
+    </message>
+    <message>
+        <source>feed per revolution with a spindle that stands still</source>
+        <translation>Vorschub je Umdrehung bei stehender Spindel</translation>
+    </message>
+    <message>
+        <source>dwell without its time</source>
+        <translation>Verweilen ohne Zeit</translation>
+    </message>
+    <message>
+        <source>dwell and motion in one block</source>
+        <translation>Verweilen und Bewegung in einem Satz</translation>
+    </message>
+    <message>
+        <source>the program does not say where this begins</source>
+        <translation>das Programm sagt nicht, wo dies beginnt</translation>
+    </message>
+    <message>
+        <source>axis word is missing</source>
+        <translation>Achswort fehlt</translation>
+    </message>
+    <message>
+        <source>axis word without a motion in force</source>
+        <translation>Achswort ohne gültige Bewegungsart</translation>
+    </message>
+    <message>
+        <source>G53 needs G0 or G1</source>
+        <translation>G53 braucht G0 oder G1</translation>
+    </message>
+    <message>
+        <source>arc without its centre or radius</source>
+        <translation>Bogen ohne Mitte und Radius</translation>
+    </message>
+    <message>
+        <source>arc offset across the arc&apos;s plane</source>
+        <translation>Mittelpunktwort quer zur Ebene des Bogens</translation>
+    </message>
+    <message>
+        <source>arc offset without an arc</source>
+        <translation>Mittelpunktwort ohne Bogen</translation>
+    </message>
+    <message>
+        <source>arc of radius zero</source>
+        <translation>Bogen mit Radius null</translation>
+    </message>
+    <message>
+        <source>radius at the end of the arc differs from the radius at its start</source>
+        <translation>der Radius am Ende des Bogens weicht vom Radius am Anfang ab</translation>
+    </message>
+    <message>
+        <source>radius is too small to reach the end of the arc</source>
+        <translation>der Radius ist zu klein für das Ende des Bogens</translation>
+    </message>
+    <message>
+        <source>arc by radius that ends where it begins</source>
+        <translation>Bogen über den Radius, der endet, wo er beginnt</translation>
+    </message>
+    <message>
+        <source>arc by radius and by centre</source>
+        <translation>Bogen über Radius und Mitte</translation>
+    </message>
+    <message>
+        <source>number of turns has to be whole and above 0</source>
+        <translation>die Zahl der Umläufe muss ganz und größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>canned cycle with inverse time feed</source>
+        <translation>Festzyklus mit Zeitvorschub</translation>
+    </message>
+    <message>
+        <source>canned cycle without R</source>
+        <translation>Festzyklus ohne R</translation>
+    </message>
+    <message>
+        <source>canned cycle without its depth</source>
+        <translation>Festzyklus ohne Tiefe</translation>
+    </message>
+    <message>
+        <source>R of the canned cycle lies below its depth</source>
+        <translation>R des Festzyklus liegt unter seiner Tiefe</translation>
+    </message>
+    <message>
+        <source>canned cycle lacks a word</source>
+        <translation>dem Festzyklus fehlt ein Wort</translation>
+    </message>
+    <message>
+        <source>Q has to be above 0, and large enough for the depth</source>
+        <translation>Q muss größer als 0 sein und groß genug für die Tiefe</translation>
+    </message>
+    <message>
+        <source>canned cycle with a spindle that stands still, or turns the other way</source>
+        <translation>Festzyklus bei stehender oder falsch drehender Spindel</translation>
+    </message>
+    <message>
+        <source>number of repeats has to be whole and from 1 to 10000</source>
+        <translation>die Zahl der Wiederholungen muss ganz sein, 1 bis 10000</translation>
+    </message>
+    <message>
+        <source>program end is missing</source>
+        <translation>Programmende fehlt</translation>
+    </message>
+    <message>
+        <source>the cutter does not cut at its centre and is fed straight down</source>
+        <translation>der Fräser schneidet nicht über Mitte und wird senkrecht zugestellt</translation>
+    </message>
+    <message>
+        <source>feed is above the machine&apos;s</source>
+        <translation>Vorschub liegt über dem der Maschine</translation>
+    </message>
+    <message>
+        <source>spindle speed is beyond the machine&apos;s</source>
+        <translation>Drehzahl liegt außerhalb der Maschine</translation>
+    </message>
+    <message>
+        <source>how arc centres are read is a setting of this control: state G91.1</source>
+        <translation>wie Bogenmitten gelesen werden, ist bei dieser Steuerung einstellbar: G91.1 angeben</translation>
+    </message>
+    <message>
+        <source>the program does not state its units</source>
+        <translation>das Programm nennt seine Einheit nicht</translation>
+    </message>
+    <message>
+        <source>feed without a decimal point</source>
+        <translation>Vorschub ohne Dezimalpunkt</translation>
+    </message>
+</context>
+<context>
     <name>Questions</name>
     <message>
         <source>Unsaved changes</source>
@@ -1086,6 +1948,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Close this page.</source>
         <translation>Schließt diese Seite.</translation>
+    </message>
+    <message>
+        <source>Override the check</source>
+        <translation>Prüfung übergehen</translation>
     </message>
 </context>
 <context>
@@ -1405,6 +2271,53 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::DeviationCard</name>
+    <message>
+        <source>Show the deviation</source>
+        <translation>Abweichung zeigen</translation>
+    </message>
+    <message>
+        <source>Draw the bare part with what the program leaves on it, or takes from it</source>
+        <translation>Das blanke Teil mit dem zeichnen, was das Programm darauf stehen lässt oder davon nimmt</translation>
+    </message>
+    <message>
+        <source>Bands of deviation and their shares of the part</source>
+        <translation>Stufen der Abweichung und ihre Anteile am Teil</translation>
+    </message>
+    <message>
+        <source>Gouge deeper than %1</source>
+        <translation>Tiefer verletzt als %1</translation>
+    </message>
+    <message>
+        <source>Within %1</source>
+        <translation>Innerhalb %1</translation>
+    </message>
+    <message>
+        <source>More is left</source>
+        <translation>Mehr steht noch</translation>
+    </message>
+    <message>
+        <source>Out of the tool&apos;s reach</source>
+        <translation>Vom Werkzeug unerreichbar</translation>
+    </message>
+    <message>
+        <source>Point at the part for its figure.</source>
+        <translation>Auf das Teil zeigen für die Zahl dort.</translation>
+    </message>
+    <message>
+        <source>Here: %1 too deep</source>
+        <translation>Hier: %1 zu tief</translation>
+    </message>
+    <message>
+        <source>Here: %1 left</source>
+        <translation>Hier: %1 stehen noch</translation>
+    </message>
+    <message>
+        <source>out of the tool&apos;s reach</source>
+        <translation>vom Werkzeug unerreichbar</translation>
+    </message>
+</context>
+<context>
     <name>burin::DocumentController</name>
     <message>
         <source>Untitled</source>
@@ -1424,6 +2337,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>off by %1</source>
         <translation>Abweichung %1</translation>
+    </message>
+    <message>
+        <source>Apply this edit earlier</source>
+        <translation>Diese Bearbeitung früher anwenden</translation>
+    </message>
+    <message>
+        <source>Apply this edit later</source>
+        <translation>Diese Bearbeitung später anwenden</translation>
+    </message>
+    <message>
+        <source>Remove this edit</source>
+        <translation>Diese Bearbeitung entfernen</translation>
     </message>
 </context>
 <context>
@@ -1968,6 +2893,33 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>waits for the workpiece</source>
         <translation>wartet auf Werkstück</translation>
     </message>
+    <message>
+        <source>edited</source>
+        <translation>bearbeitet</translation>
+    </message>
+    <message>
+        <source>overridden</source>
+        <translation>übergangen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::LoadChart</name>
+    <message>
+        <source>Cutting force over the machining time; click for the line that is cut then</source>
+        <translation>Schnittkraft über der Bearbeitungszeit; ein Klick führt zur Zeile, die dann gefräst wird</translation>
+    </message>
+    <message>
+        <source>Cutting force over the machining time</source>
+        <translation>Schnittkraft über der Bearbeitungszeit</translation>
+    </message>
+    <message>
+        <source>Peak %1 N</source>
+        <translation>Höchstens %1 N</translation>
+    </message>
+    <message>
+        <source>Force, peak %1 N</source>
+        <translation>Kraft, höchstens %1 N</translation>
+    </message>
 </context>
 <context>
     <name>burin::MainWindow</name>
@@ -2022,6 +2974,25 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The battery of “%1” is down to %2; charge it soon.</source>
         <translation>Der Akku von „%1“ hat noch %2; laden Sie ihn bald.</translation>
+    </message>
+    <message>
+        <source>Export a program that was refused?</source>
+        <translation>Ein abgelehntes Programm ausgeben?</translation>
+    </message>
+    <message>
+        <source>Its check found 1 thing that can break a tool, the part or the machine.</source>
+        <translation>Die Prüfung fand 1 Stelle, die Werkzeug, Teil oder Maschine beschädigen kann.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Its check found %n things that can break a tool, the part or the machine.</source>
+        <translation>
+            <numerusform>Die Prüfung fand %n Stelle, die Werkzeug, Teil oder Maschine beschädigen kann.</numerusform>
+            <numerusform>Die Prüfung fand %n Stellen, die Werkzeug, Teil oder Maschine beschädigen können.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Your reason. It goes into the program&apos;s header with what was found.</source>
+        <translation>Ihr Grund. Er steht mit dem Gefundenen im Kopf des Programms.</translation>
     </message>
 </context>
 <context>
@@ -2624,12 +3595,32 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::PathController</name>
     <message>
-        <source>edit of the path</source>
-        <translation>Bearbeitung der Bahn</translation>
-    </message>
-    <message>
         <source>Editing the path</source>
         <translation>Bahn wird bearbeitet</translation>
+    </message>
+    <message>
+        <source>change of an edit</source>
+        <translation>Änderung einer Bearbeitung</translation>
+    </message>
+    <message>
+        <source>new edit</source>
+        <translation>neue Bearbeitung</translation>
+    </message>
+    <message>
+        <source>place of the path</source>
+        <translation>Ort der Bahn</translation>
+    </message>
+    <message>
+        <source>drawn stroke</source>
+        <translation>gezeichneter Zug</translation>
+    </message>
+    <message>
+        <source>removal of an edit</source>
+        <translation>Entfernen einer Bearbeitung</translation>
+    </message>
+    <message>
+        <source>order of edits</source>
+        <translation>Reihenfolge der Bearbeitungen</translation>
     </message>
 </context>
 <context>
@@ -2706,6 +3697,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The workpiece is being made; then the edits are applied…</source>
         <translation>Das Werkstück entsteht; danach werden die Bearbeitungen angewandt …</translation>
     </message>
+    <message>
+        <source>Add an edit</source>
+        <translation>Bearbeitung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Apply one more edit; it comes where the order allows it</source>
+        <translation>Eine weitere Bearbeitung anwenden; sie kommt dorthin, wo die Reihenfolge es erlaubt</translation>
+    </message>
 </context>
 <context>
     <name>burin::PreferencesDialog</name>
@@ -2776,6 +3775,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Posting and checking</source>
         <translation>Programm wird ausgegeben und geprüft</translation>
     </message>
+    <message>
+        <source>Checking</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>text of the program</source>
+        <translation>Text des Programms</translation>
+    </message>
 </context>
 <context>
     <name>burin::ProgramPanel</name>
@@ -2802,10 +3809,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Findings of the check</source>
         <translation>Befunde der Prüfung</translation>
-    </message>
-    <message>
-        <source>Text of the program</source>
-        <translation>Text des Programms</translation>
     </message>
     <message>
         <source>Deepest gouge</source>
@@ -2893,6 +3896,171 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Excess, mean / max</source>
         <translation>Restmaterial, mittel / max.</translation>
+    </message>
+    <message>
+        <source>Override the check…</source>
+        <translation>Prüfung übergehen …</translation>
+    </message>
+    <message>
+        <source>Give a reason that goes into the program&apos;s header; then it can be exported</source>
+        <translation>Einen Grund nennen, der im Kopf des Programms steht; dann lässt es sich ausgeben</translation>
+    </message>
+    <message>
+        <source>Check the edited text</source>
+        <translation>Bearbeiteten Text prüfen</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Its feeds, speeds and travel bound the program</source>
+        <translation>Ihre Vorschübe, Drehzahlen und Wege begrenzen das Programm</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>What the machine&apos;s control reads</source>
+        <translation>Was die Steuerung der Maschine liest</translation>
+    </message>
+    <message>
+        <source>The text was edited: check it first.</source>
+        <translation>Der Text wurde bearbeitet: Prüfen Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>Its header says why it is wanted all the same.</source>
+        <translation>Sein Kopf sagt, warum es trotzdem gebraucht wird.</translation>
+    </message>
+    <message>
+        <source>Read the edited text back and mill it again on a fresh workpiece</source>
+        <translation>Den bearbeiteten Text zurücklesen und auf einem frischen Werkstück noch einmal fräsen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ProgramScenePresenter</name>
+    <message>
+        <source>rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>waits %1 s</source>
+        <translation>wartet %1 s</translation>
+    </message>
+    <message>
+        <source>feed %1 %2/min</source>
+        <translation>Vorschub %1 %2/min</translation>
+    </message>
+    <message>
+        <source>spindle %1/min</source>
+        <translation>Spindel %1/min</translation>
+    </message>
+    <message>
+        <source>spindle off</source>
+        <translation>Spindel aus</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 W</source>
+        <translation>%1 W</translation>
+    </message>
+    <message>
+        <source>the hand: %1, %2 s</source>
+        <translation>die Hand: %1, %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ProgramText</name>
+    <message>
+        <source>Edit the program&apos;s text</source>
+        <translation>Den Text des Programms bearbeiten</translation>
+    </message>
+    <message>
+        <source>Previous place (Shift+Enter)</source>
+        <translation>Vorige Stelle (Umschalt+Eingabe)</translation>
+    </message>
+    <message>
+        <source>Next place (Enter)</source>
+        <translation>Nächste Stelle (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Find in the program</source>
+        <translation>Im Programm suchen</translation>
+    </message>
+    <message>
+        <source>Text to find, upper or lower case; Enter goes to the next place, Shift+Enter to the one before</source>
+        <translation>Text, groß oder klein; Eingabe geht zur nächsten Stelle, Umschalt+Eingabe zur vorigen</translation>
+    </message>
+    <message>
+        <source>Text of the program</source>
+        <translation>Text des Programms</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Places where the text stands</source>
+        <translation>Stellen, an denen der Text steht</translation>
+    </message>
+</context>
+<context>
+    <name>burin::SelectionCard</name>
+    <message>
+        <source>Choose nothing (Esc in the view)</source>
+        <translation>Nichts wählen (Esc in der Ansicht)</translation>
+    </message>
+    <message>
+        <source>Draw instead</source>
+        <translation>Stattdessen zeichnen</translation>
+    </message>
+    <message>
+        <source>Click a place of the path in the view; with Shift, everything up to there</source>
+        <translation>Einen Ort der Bahn in der Ansicht anklicken; mit Umschalt alles bis dorthin</translation>
+    </message>
+    <message>
+        <source>on its level</source>
+        <translation>auf seiner Höhe</translation>
+    </message>
+    <message>
+        <source>Z, the tool&apos;s axis</source>
+        <translation>Z, die Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>the part&apos;s surface</source>
+        <translation>die Oberfläche des Teils</translation>
+    </message>
+    <message>
+        <source>Drag along</source>
+        <translation>Ziehen entlang</translation>
+    </message>
+    <message>
+        <source>Where a place of the path goes that is dragged</source>
+        <translation>Wohin ein gezogener Ort der Bahn geht</translation>
+    </message>
+    <message>
+        <source>Chosen: %1</source>
+        <translation>Gewählt: %1</translation>
+    </message>
+    <message>
+        <source>Nothing of the path is chosen</source>
+        <translation>Von der Bahn ist nichts gewählt</translation>
+    </message>
+    <message>
+        <source>Choose a stretch of the path in the view first.</source>
+        <translation>Wählen Sie zuerst ein Stück der Bahn in der Ansicht.</translation>
+    </message>
+    <message>
+        <source>Draw a stroke in the view that replaces what is chosen, on its height</source>
+        <translation>In der Ansicht einen Zug zeichnen, der das Gewählte ersetzt, auf seiner Höhe</translation>
     </message>
 </context>
 <context>
@@ -3325,6 +4493,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Remove this take</source>
         <translation>Diese Aufnahme entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::TargetController</name>
+    <message>
+        <source>machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>dialect</source>
+        <translation>Dialekt</translation>
     </message>
 </context>
 <context>

@@ -8,26 +8,21 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 namespace burin {
 
 namespace {
 
 struct PostArguments {
     std::string project, output, dialect, machine, overrideReason;
-    std::int64_t path = 0;
+    std::vector<std::int64_t> paths;
     double tolerance = 0.02;
 };
 
-/// The path asked for, the first one, or a new one of all takes.
-Result<StoredPath> chosenPath(Project& project, std::int64_t wanted) {
-    const Result<std::vector<StoredPath>> paths = project.paths();
-    if (!paths) return paths.error();
-    std::string known;
-    for (const StoredPath& path : *paths) {
-        if (wanted == 0 || path.id == wanted) return path;
-        known += (known.empty() ? "" : ", ") + std::to_string(path.id);
-    }
-    if (wanted != 0) return Error{ErrorCode::nameUnknown, "path", std::to_string(wanted), known};
+/// The first path, or a new one of all takes.
+Result<StoredPath> firstPath(Project& project, const std::vector<StoredPath>& paths) {
+    if (!paths.empty()) return paths.front();
     Result<StoredPath> made = standardPath(project);
     if (!made) return made;
     const Result<std::int64_t> id = project.addPath(*made);
@@ -36,31 +31,80 @@ Result<StoredPath> chosenPath(Project& project, std::int64_t wanted) {
     return made;
 }
 
-/// Tool of a path: that of its first take.
-Result<std::string> toolOf(const Project& project, const StoredPath& path) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    for (const TakeInfo& take : *takes)
-        if (!path.takes.empty() && take.id == path.takes.front()) return take.toolId;
-    return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
+/// The paths asked for, or the first one.
+Result<std::vector<StoredPath>> chosenPaths(Project& project, const std::vector<std::int64_t>& wanted) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    std::string known;
+    for (const StoredPath& path : *paths) known += (known.empty() ? "" : ", ") + std::to_string(path.id);
+    std::vector<StoredPath> chosen;
+    for (const std::int64_t id : wanted) {
+        const auto found = std::ranges::find(*paths, id, &StoredPath::id);
+        if (found == paths->end()) return Error{ErrorCode::nameUnknown, "path", std::to_string(id), known};
+        chosen.push_back(*found);
+    }
+    if (!chosen.empty()) return chosen;
+    Result<StoredPath> first = firstPath(project, *paths);
+    if (!first) return std::move(first).error();
+    return std::vector{std::move(*first)};
+}
+
+/// A path's takes, and the tool that they were made with.
+struct PathMatter {
+    StoredPath path;
+    std::vector<Take> takes;
+    Tool tool;
+};
+Result<PathMatter> matterOf(const Project& project, const StoredPath& path) {
+    Result<std::vector<Take>> takes = takesOf(project, path);
+    if (!takes) return std::move(takes).error();
+    if (takes->empty()) return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
+    Result<Tool> tool = toolFor(project, takes->front().info.toolId);
+    if (!tool) return std::move(tool).error();
+    return PathMatter{path, std::move(*takes), std::move(*tool)};
+}
+
+/// What the edits of all paths did.
+struct EditedPaths {
+    ProgramPaths program;
+    std::vector<EditReport> reports;
+    double errorBudget = 0.0; ///< mm, of the worst path
+};
+Result<EditedPaths> edit(const Bench& bench, const std::vector<PathMatter>& matters, Progress& progress) {
+    EditedPaths edited;
+    std::vector<double> allowances;
+    for (const PathMatter& matter : matters) {
+        Result<EvaluatedPath> path = evaluateStored(matter.takes, bench, matter.tool, matter.path, progress);
+        if (!path) return std::move(path).error();
+        edited.program.paths.push_back(std::move(path->path));
+        edited.reports.insert(edited.reports.end(), path->reports.begin(), path->reports.end());
+        edited.errorBudget = std::max(edited.errorBudget, edited->errorBudget);
+        allowances.push_back(matter.takes.front().info.allowance);
+        if (std::ranges::find(edited.program.tools, matter.tool.id, &Tool::id) == edited.program.tools.end())
+            edited.program.tools.push_back(matter.tool);
+    }
+    edited.program = inOrder(std::move(edited.program), allowances);
+    return edited;
 }
 
 int runPost(const PostArguments& arguments, CommandContext& context) {
     context.stage("Opening");
     Result<Project> project = Project::open(arguments.project);
     if (!project) return context.fail(project.error());
-    const Result<StoredPath> stored = chosenPath(*project, arguments.path);
+    const Result<std::vector<StoredPath>> stored = chosenPaths(*project, arguments.paths);
     if (!stored) return context.fail(stored.error());
-    const Result<std::string> toolId = toolOf(*project, *stored);
-    if (!toolId) return context.fail(toolId.error());
-    const Result<Tool> tool = toolFor(*project, *toolId);
-    if (!tool) return context.fail(tool.error());
-    Result<Bench> bench = makeBench(*project, *tool, arguments.machine, context.progress());
+    std::vector<PathMatter> matters;
+    for (const StoredPath& path : *stored) {
+        Result<PathMatter> matter = matterOf(*project, path);
+        if (!matter) return context.fail(matter.error());
+        matters.push_back(std::move(*matter));
+    }
+    Result<Bench> bench = makeBench(*project, matters.front().tool, arguments.machine, context.progress());
     if (!bench) return context.fail(bench.error());
 
     context.stage("Editing");
-    const Result<EvaluatedPath> path = evaluateStored(*project, *bench, *stored, context.progress());
-    if (!path) return context.fail(path.error());
+    const Result<EditedPaths> edited = edit(*bench, matters, context.progress());
+    if (!edited) return context.fail(edited.error());
 
     context.stage("Posting and checking");
     ProgramRequest request;
@@ -70,16 +114,18 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
     request.gougeTolerance = arguments.tolerance;
     request.overrideReason = arguments.overrideReason;
-    const Result<CheckedProgram> program = makeProgram(*bench, path->path, request, context.progress());
+    const Result<CheckedProgram> program = makeProgram(*bench, edited->program, request, context.progress());
     if (!program) return context.fail(program.error());
 
     nlohmann::json answer = jsonOf(program->report);
     answer["program"] = nullptr;
     answer["blocks"] = program->parsed.blocks;
-    answer["edits"] = jsonOf(path->reports);
-    answer["error_budget_mm"] = path->errorBudget;
+    answer["edits"] = jsonOf(edited->reports);
+    answer["error_budget_mm"] = edited->errorBudget;
     answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
     answer["tool"] = jsonOf(bench->tool);
+    answer["tools"] = nlohmann::json::array();
+    for (const Tool& tool : edited->program.tools) answer["tools"].push_back(jsonOf(tool));
     answer["passed"] = program->passed();
     answer["lint"] = jsonOf(program->lint);
     const std::string verdict = textOf(program->report, arguments.tolerance) + textOf(program->lint);
@@ -112,7 +158,11 @@ void registerPost(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--dialect", arguments->dialect,
                         "Dialect of the control; without it the project's, or the machine's");
     command->add_option("--machine", arguments->machine, "Machine; without it the project's");
-    command->add_option("--path", arguments->path, "Path; without it the first, or a new one of all takes");
+    command
+        ->add_option(
+            "--path", arguments->paths,
+            "Paths of one program, with a tool each if they like; without it the first, or a new one of all takes")
+        ->delimiter(',');
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();

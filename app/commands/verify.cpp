@@ -4,6 +4,7 @@
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "core/base/file.h"
+#include "core/nc/dialect_library.h"
 #include "core/project/program_job.h"
 #include "ui/scene/deviation_map.h"
 
@@ -45,6 +46,11 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!target) return context.fail(target.error());
     ProgramRequest request;
     request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
+    if (const auto known = loadDialect(request.dialect); !known) return context.fail(known.error());
+    if (Result<std::vector<Tool>> tools = project->tools(); tools)
+        request.tools = std::move(*tools);
+    else
+        return context.fail(tools.error());
     request.gougeTolerance = arguments.tolerance;
     request.exactSamples = arguments.exactSamples;
     const Result<CheckedProgram> checked =

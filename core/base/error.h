@@ -58,8 +58,12 @@ enum class ErrorCode : std::uint16_t {
                        ///< it
     recordingOverflow, ///< the disk could not keep up; subject: samples kept
     // path, NC, verification
-    pathEmpty,          ///< subject: path
-    pathGouges,         ///< subject: path; place: depth with unit and where
+    editMisplaced, ///< subject: title of an edit (context "Edit"); place: of the one that it has to come before
+    editRepeated,  ///< there can be one in a path; subject: its title
+    editUnguarded, ///< subject: title of an edit that may lead the tool into the part; place: of one that relies on its
+                   ///< being held out; detail: of one that holds it out
+    pathEmpty,     ///< subject: path
+    pathGouges,    ///< subject: path; place: depth with unit and where
     dialectNotFound,    ///< subject: dialect id; detail: ids that exist
     pluginIncompatible, ///< subject: plugin file; place: its interface version; detail: ours
     pluginInvalid,      ///< subject: plugin file; detail
@@ -93,6 +97,9 @@ constexpr ErrorClass errorClass(ErrorCode code) noexcept {
     case ErrorCode::argumentInvalid:
     case ErrorCode::nameUnknown:
     case ErrorCode::notSupported:
+    case ErrorCode::editMisplaced:
+    case ErrorCode::editRepeated:
+    case ErrorCode::editUnguarded:
     case ErrorCode::stockInvalid:
     case ErrorCode::partOutsideStock:
     case ErrorCode::dialectNotFound:

@@ -56,7 +56,8 @@ private:
         mark.severity = severity;
         mark.problem = fault.problem;
         mark.text = std::string(wordingOf(fault.problem));
-        if (!more.empty()) mark.text += ": " + std::string(more);
+        mark.words = std::string(more);
+        if (!more.empty()) mark.text += ": " + mark.words;
         marks_.push_back(std::move(mark));
     }
 

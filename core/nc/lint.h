@@ -21,7 +21,8 @@ struct LintMark {
     std::uint32_t line = 1, column = 1, length = 1; ///< from 1; characters
     LintSeverity severity = LintSeverity::error;
     ProgramProblem problem = ProgramProblem::characterNotAllowed;
-    std::string text; ///< English, with the words concerned
+    std::string words; ///< of the program, or figures, that are concerned; empty: none
+    std::string text;  ///< English, with the words concerned
 };
 
 /// What a program is held against. Pointers may be null: their rules are then left out.

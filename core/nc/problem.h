@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/text.h"
+
 #include <cstdint>
 #include <string_view>
 
@@ -87,5 +89,7 @@ enum class ProgramProblem : std::uint8_t {
 std::string_view idOf(ProgramProblem problem) noexcept;
 /// What is wrong, in English: "the control does not read so long a line".
 std::string_view wordingOf(ProgramProblem problem) noexcept;
+/// The same, to be translated.
+TextId textOf(ProgramProblem problem) noexcept;
 
 } // namespace burin

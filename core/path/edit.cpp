@@ -102,18 +102,6 @@ Result<void> validate(const Edit& edit) {
     return {};
 }
 
-std::vector<EditNumber> numbersOf(const EditParameters& parameters) {
-    std::vector<EditNumber> numbers;
-    for (const EditField& field : fieldsOf(parameters))
-        if (const double* value = std::get_if<double>(&field.value))
-            numbers.push_back({field.key, *value, field.low, field.high});
-    return numbers;
-}
-
-void setNumber(EditParameters& parameters, std::string_view key, double value) {
-    setField(parameters, key, value);
-}
-
 std::vector<Edit> standardEdits() {
     return {{DropAirCuts{}}, {DropDwells{}}, {Smooth{}}, {HoldOut{}}, {Simplify{}}, {Link{}}, {SetFeed{}}};
 }

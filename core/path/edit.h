@@ -56,16 +56,6 @@ std::vector<EditField> fieldsOf(const EditParameters& parameters);
 /// @param key of one of the edit's parameters; @param value of its kind, not checked here: see `validate`
 void setField(EditParameters& parameters, std::string_view key, const EditValue& value);
 
-/// One number of an edit, with what it may be.
-struct EditNumber {
-    std::string_view key; ///< as in the edit's JSON, its unit at the end: "tolerance_mm"
-    double value = 0.0, low = 0.0, high = 0.0;
-};
-/// Every number among an edit's parameters, in order.
-std::vector<EditNumber> numbersOf(const EditParameters& parameters);
-/// @param key of one of the edit's numbers; @param value not checked here: see `validate`
-void setNumber(EditParameters& parameters, std::string_view key, double value);
-
 /// The edits of the main job, in the order that keeps their guarantees.
 std::vector<Edit> standardEdits();
 /// One of each kind, with its first values, in the order in which they may follow each other.

@@ -9,12 +9,14 @@
 namespace burin {
 namespace {
 
-Error refused(const EditTraits& edit, std::string allowed) {
-    return Error{ErrorCode::argumentInvalid, "edits", std::string(edit.id), std::move(allowed)};
+Error refused(ErrorCode code, const EditTraits& edit, const EditTraits* other = nullptr) {
+    return Error{code, edit.title.text, other != nullptr ? other->title.text : "", {}};
 }
 
-std::string text(std::string_view id) {
-    return std::string(id);
+Error unguarded(const EditTraits& entering, const EditTraits& relying) {
+    Error error = refused(ErrorCode::editUnguarded, entering, &relying);
+    error.detail = traitsOf(HoldOut{}).title.text;
+    return error;
 }
 
 } // namespace
@@ -27,11 +29,10 @@ Result<void> checkOrder(std::span<const Edit> edits) {
         if (Result<void> valid = validate(edit); !valid) return valid;
         const EditTraits& traits = traitsOf(edit.parameters);
         if (traits.once && std::ranges::find(before, &traits) != before.end())
-            return refused(traits, "one " + text(traits.id) + " in a path");
+            return refused(ErrorCode::editRepeated, traits);
         if (!before.empty() && traits.step < before.back()->step)
-            return refused(traits, text(traits.id) + " before " + text(before.back()->id));
-        if (entering != nullptr && traits.step > EditStep::surface)
-            return refused(traits, text(entering->id) + ", then hold-out, then " + text(traits.id));
+            return refused(ErrorCode::editMisplaced, traits, before.back());
+        if (entering != nullptr && traits.step > EditStep::surface) return unguarded(*entering, traits);
         if (traits.mayEnter) entering = &traits;
         if (traits.holdsOut) entering = nullptr;
         before.push_back(&traits);

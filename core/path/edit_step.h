@@ -36,7 +36,7 @@ const EditTraits& traitsOf(const EditParameters& parameters);
 
 /// Whether edits may follow each other so: by their steps, none twice that goes only once, and those that may lead the
 /// path into the part followed by one that holds it out before anything that relies on it (arcs, links).
-/// Errors: argumentInvalid (place: the edit, detail: what may be); those of validate.
+/// Errors: editMisplaced, editRepeated, editUnguarded; those of validate.
 Result<void> checkOrder(std::span<const Edit> edits);
 
 } // namespace burin

@@ -4,16 +4,18 @@
 
 #include "core/base/numbers.h"
 #include "core/nc/dialect_library.h"
+#include "core/path/tool_order.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace burin {
 
 namespace {
 
-std::vector<std::string> headerLines(const Bench& bench) {
+std::vector<std::string> headerLines(const Bench& bench, const std::vector<Tool>& tools) {
     const auto length = [](double value) { return formatFixed(value, 3); };
     const auto place = [&](const glm::dvec3& v) { return "X" + length(v.x) + " Y" + length(v.y) + " Z" + length(v.z); };
     const Box& stock = bench.setup.stock;
@@ -26,7 +28,9 @@ std::vector<std::string> headerLines(const Bench& bench) {
                     place(bench.setup.workOffset));
     lines.push_back("Stock in program coordinates: " + place(stock.low - bench.setup.workOffset) + " to " +
                     place(stock.high - bench.setup.workOffset));
-    lines.push_back("Tool: " + bench.tool.name + ", stick-out at least " + length(bench.tool.cutter.stickOut) + " mm");
+    for (const Tool& tool : tools)
+        lines.push_back((tools.size() > 1 ? "Tool " + std::to_string(tool.number) + ": " : "Tool: ") + tool.name +
+                        ", stick-out at least " + length(tool.cutter.stickOut) + " mm");
     return lines;
 }
 
@@ -53,21 +57,36 @@ std::vector<std::string> overrideLines(const CheckedProgram& program, const std:
     return lines;
 }
 
-Result<std::string> post(const Bench& bench, const Path& path, const ProgramRequest& request,
+Result<void> checkNumbers(const std::vector<Tool>& tools) {
+    std::set<int> numbers;
+    for (const Tool& tool : tools)
+        if (!numbers.insert(tool.number).second)
+            return Error{ErrorCode::argumentInvalid, "tool number", std::to_string(tool.number),
+                         "a number of its own for each tool of a program"};
+    return {};
+}
+
+Result<std::string> post(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
                          const std::vector<std::string>& warnings, Progress& progress) {
+    if (Result<void> numbered = checkNumbers(paths.tools); !numbered) return numbered.error();
     PostRequest post;
     post.programName = request.name;
-    post.header = headerLines(bench);
+    post.header = headerLines(bench, paths.tools);
     post.header.insert(post.header.begin(), warnings.begin(), warnings.end());
     post.workOffset = bench.setup.workOffset;
-    post.toolNumber = bench.tool.number;
-    post.toolName = bench.tool.name;
+    for (const Tool& tool : paths.tools) post.tools[tool.id] = {tool.number, tool.name};
     post.safeHeight = bench.safeHeight() - bench.setup.workOffset.z;
-    const Result<NcProgram> program = toProgram({path}, post, bench.machine);
+    const Result<NcProgram> program = toProgram(paths.paths, post, bench.machine);
     if (!program) return program.error();
     const Result<std::shared_ptr<const PostProcessor>> dialect = loadDialect(request.dialect);
     if (!dialect) return dialect.error();
     return writeProgram(*program, bench.machine, **dialect, progress);
+}
+
+std::size_t toolsIn(const ParsedProgram& program) {
+    std::set<int> tools;
+    for (const NcMotion& motion : program.motions) tools.insert(motion.tool);
+    return tools.size();
 }
 
 /// The verdict of a program for its text with more lines in the header, which move all others down.
@@ -115,10 +134,19 @@ Result<std::vector<Take>> takesOf(const Project& project, const StoredPath& path
 
 Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const StoredPath& path,
                                      Progress& progress) {
+    return evaluateStored(takes, bench, bench.tool, path, progress);
+}
+
+Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const Tool& tool,
+                                     const StoredPath& path, Progress& progress) {
+    const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
+    const Result<CuttingConditions> conditions =
+        cuttingConditions(tool, material, bench.machine.maximumSpindleSpeed, bench.machine.maximumFeed);
+    if (!conditions) return conditions.error();
     PathContext context;
     context.part = &bench.part;
-    context.tool = bench.tool;
-    context.conditions = bench.conditions;
+    context.tool = tool;
+    context.conditions = *conditions;
     context.machine = bench.machine;
     context.stock = bench.setup.stock;
     context.obstacles = solidsOf(bench.obstacles);
@@ -139,16 +167,38 @@ Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench,
     return evaluateStored(*takes, bench, path, progress);
 }
 
+ProgramPaths inOrder(ProgramPaths given, const std::vector<double>& allowances) {
+    std::vector<ToolPass> passes;
+    for (std::size_t i = 0; i < given.paths.size(); ++i) {
+        const auto tool = std::ranges::find(given.tools, given.paths[i].toolId, &Tool::id);
+        passes.push_back({given.paths[i].toolId, tool != given.tools.end() ? tool->cutter.diameter : 0.0,
+                          i < allowances.size() ? allowances[i] : 0.0});
+    }
+    ProgramPaths ordered{{}, std::move(given.tools)};
+    for (const OrderedPass& pass : orderPasses(passes)) ordered.paths.push_back(std::move(given.paths[pass.pass]));
+    return ordered;
+}
+
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
                                    Progress& progress) {
+    return makeProgram(bench, ProgramPaths{{path}, {bench.tool}}, request, progress);
+}
+
+Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
+                                   Progress& progress) {
     progress.stage(0.0, 0.1);
-    Result<std::string> text = post(bench, path, request, {}, progress);
+    ProgramRequest wanted = request;
+    wanted.tools = paths.tools;
+    Result<std::string> text = post(bench, paths, wanted, {}, progress);
     if (!text) return std::move(text).error();
-    Result<CheckedProgram> checked = checkProgram(bench, std::move(*text), request.name, request, progress);
+    Result<CheckedProgram> checked = checkProgram(bench, std::move(*text), request.name, wanted, progress);
     if (!checked) return checked;
-    checked->moments = momentsOf(checked->parsed, path, bench.setup.workOffset);
+    Path whole;
+    for (const Path& path : paths.paths)
+        whole.points.insert(whole.points.end(), path.points.begin(), path.points.end());
+    checked->moments = momentsOf(checked->parsed, whole, bench.setup.workOffset);
     if (checked->passed() || request.overrideReason.empty()) return checked;
-    text = post(bench, path, request, overrideLines(*checked, request.overrideReason), progress);
+    text = post(bench, paths, wanted, overrideLines(*checked, request.overrideReason), progress);
     if (!text) return std::move(text).error();
     return overridden(std::move(*checked), std::move(*text), request.name, controlOfDialect(request.dialect));
 }
@@ -167,6 +217,8 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     if (bench.travel.zero) // what is only the rule's guess refuses no program
         verification.travel = travelEnvelope(bench.machine, bench.travel, bench.setup.workOffset).tips;
     verification.tool = bench.tool;
+    const bool several = toolsIn(*parsed) > 1;
+    if (several) verification.tools = request.tools;
     verification.machine = bench.machine;
     verification.gougeTolerance = request.gougeTolerance;
     verification.exactSamples = request.exactSamples;
@@ -174,7 +226,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     CheckedProgram checked;
     Result<VerifyReport> report = verify(verification, progress, &checked.machined);
     if (!report) return std::move(report).error();
-    checked.lint = lint(text, {&control, &bench.machine, &bench.tool});
+    checked.lint = lint(text, {&control, &bench.machine, several ? nullptr : &bench.tool});
     checked.text = std::move(text);
     checked.parsed = std::move(*parsed);
     checked.report = std::move(*report);

@@ -19,6 +19,9 @@ Result<std::vector<Take>> takesOf(const Project& project, const StoredPath& path
 /// A stored path, evaluated on a bench; `takes` are its own. Errors: those of evaluate.
 Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const StoredPath& path,
                                      Progress& progress);
+/// The same with another tool than the bench's. Errors: also those of cuttingConditions.
+Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const Tool& tool,
+                                     const StoredPath& path, Progress& progress);
 /// The same with takes out of a project. Errors: also those of Project::take.
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
                                      Progress& progress);
@@ -32,6 +35,8 @@ struct ProgramRequest {
     double gougeTolerance = 0.02; ///< mm
     std::size_t exactSamples = 500;
     ImportOptions import; ///< worker for the exact distances
+    /// Tools that a program with several of them may call by their numbers; a program of one tool is the bench's.
+    std::vector<Tool> tools;
     /// Why a program that its check refuses is wanted all the same, in the user's words; they and what was found stand
     /// in the program's header then. Empty: it is not wanted.
     std::string overrideReason;
@@ -54,8 +59,20 @@ struct CheckedProgram {
     bool released() const noexcept { return passed() || overridden; }
 };
 
-/// Posts a path, reads the text back with Burin's own parser and re-simulates it. What is not `released` must not reach
+/// What a program is made of: paths in the order in which they are milled, and each tool that they use, once.
+struct ProgramPaths {
+    std::vector<Path> paths;
+    std::vector<Tool> tools;
+};
+/// In a sensible order, by orderPasses. @param allowances mm, that each path leaves on the part
+ProgramPaths inOrder(ProgramPaths given, const std::vector<double>& allowances);
+
+/// Posts paths, reads the text back with Burin's own parser and re-simulates it. What is not `released` must not reach
 /// a machine. Errors: those of toProgram, the dialect, parseProgram and verify.
+/// Also argumentInvalid: two tools of one number.
+Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
+                                   Progress& progress);
+/// The same of one path, with the bench's tool.
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
                                    Progress& progress);
 

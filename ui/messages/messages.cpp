@@ -4,6 +4,7 @@
 
 #include "ui/messages/subjects.h"
 
+#include <QCoreApplication>
 #include <QDir>
 
 namespace burin {
@@ -12,6 +13,11 @@ namespace {
 
 QString given(const std::string& text) {
     return text.empty() ? Messages::tr("no details are known") : QString::fromStdString(text);
+}
+
+/// The title of a kind of edit, as core marks it.
+QString editTitle(const std::string& title) {
+    return QCoreApplication::translate("Edit", title.c_str());
 }
 
 } // namespace
@@ -127,6 +133,14 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::pathEmpty:
         return tr("The path \"%1\" holds no move; add a take that cuts, or switch off the edit that drops everything.")
             .arg(subject);
+    case ErrorCode::editMisplaced:
+        return tr("\"%1\" has to come before \"%2\" in the list of edits; move it there.")
+            .arg(editTitle(error.subject), editTitle(error.place));
+    case ErrorCode::editRepeated:
+        return tr("A path has one \"%1\" alone; remove the other one.").arg(editTitle(error.subject));
+    case ErrorCode::editUnguarded:
+        return tr("\"%1\" may lead the tool into the part; put \"%2\" between it and \"%3\".")
+            .arg(editTitle(error.subject), editTitle(error.detail), editTitle(error.place));
     case ErrorCode::pathGouges:
         return tr("The path \"%1\" cuts into the part (%2); hold it out of the part before it is posted.")
             .arg(subject, place);

@@ -188,7 +188,7 @@ void ProgramPanel::Fields::gather() {
     for (const LintMark& mark : state.lint)
         marks_.push_back({static_cast<int>(mark.line),
                           mark.severity == LintSeverity::error ? LineMark::Kind::error : LineMark::Kind::warning,
-                          QString::fromStdString(mark.text)});
+                          lintText(mark)});
 }
 
 std::size_t ProgramPanel::Fields::errors() const {

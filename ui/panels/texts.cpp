@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/texts.h"
 
+#include "ui/messages/messages.h"
+
 #include "core/base/units.h"
 #include "ui/panels/quantity.h"
 
@@ -177,6 +179,11 @@ QString findingText(const Finding& finding, LengthUnit unit) {
         return PanelTexts::tr("In a fixture by %1").arg(length);
     }
     return {};
+}
+
+QString lintText(const LintMark& mark) {
+    const QString text = Messages::text(textOf(mark.problem));
+    return mark.words.empty() ? text : text + QStringLiteral(": ") + QString::fromStdString(mark.words);
 }
 
 } // namespace burin

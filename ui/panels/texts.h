@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/box.h"
+#include "core/nc/lint.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
 #include "core/volume/property_list.h"
@@ -31,5 +32,6 @@ QString shareText(double share);                                     ///< "42 %"
 QString durationText(double seconds);                                ///< "01:42", "1:02:07"
 
 QString findingText(const Finding& finding, LengthUnit unit); ///< "Gouge of 0.034 mm"
+QString lintText(const LintMark& mark);                       ///< "decimal point is missing: …"
 
 } // namespace burin

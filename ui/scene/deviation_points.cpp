@@ -18,6 +18,8 @@
 namespace burin {
 
 DeviationPoints::DeviationPoints(vtkRenderer& renderer) : points_(raisedLineActor(vtkNew<vtkPolyData>())) {
+    points_->GetMapper()->ScalarVisibilityOn();
+    points_->GetMapper()->SetColorModeToDirectScalars();
     points_->VisibilityOff();
     points_->PickableOff();
     renderer.AddActor(points_);

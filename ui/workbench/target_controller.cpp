@@ -21,7 +21,12 @@ std::vector<MachineProfile> library() {
 } // namespace
 
 TargetController::TargetController(const Desk& desk, QObject* parent) : Controller(desk, parent), machines_(library()) {
-    if (Result<std::vector<DialectDescription>> known = burin::dialects()) dialects_ = std::move(*known);
+    Result<std::vector<DialectDescription>> known = burin::dialects();
+    if (known)
+        dialects_ = std::move(*known);
+    else // nobody listens yet
+        QMetaObject::invokeMethod(
+            this, [this, error = known.error()] { emit failed(error); }, Qt::QueuedConnection);
 }
 
 const MachineProfile& TargetController::machine() const noexcept {

@@ -139,22 +139,28 @@ private slots:
 
     void onlyOrdersThatKeepTheirPromiseAreTaken_data() {
         QTest::addColumn<std::vector<Edit>>("edits");
-        QTest::newRow("smoothing behind the hold-out") << std::vector<Edit>{{HoldOut{}}, {Smooth{}}};
-        QTest::newRow("smoothing thinned points") << std::vector<Edit>{{Simplify{}}, {Smooth{}}};
-        QTest::newRow("simplifying links") << std::vector<Edit>{{Link{}}, {Simplify{}}};
-        QTest::newRow("arcs on what was not held out") << std::vector<Edit>{{Smooth{}}, {FitArcs{}}};
-        QTest::newRow("links of what was not held out") << std::vector<Edit>{{HoldOut{}}, {Offset{}}, {Link{}}};
-        QTest::newRow("simplifying arcs") << std::vector<Edit>{{FitArcs{}}, {Simplify{}}};
-        QTest::newRow("feeds by engagement before feeds") << std::vector<Edit>{{LevelFeed{}}, {SetFeed{}}};
-        QTest::newRow("linking twice") << std::vector<Edit>{{Link{}}, {Link{}}};
-        QTest::newRow("not a number") << std::vector<Edit>{{Smooth{std::numeric_limits<double>::quiet_NaN(), 0.1}}};
-        QTest::newRow("cut-off beyond the recording") << std::vector<Edit>{{Smooth{500.0, 0.1}}};
+        QTest::addColumn<ErrorCode>("code");
+        const auto row = [](const char* name, std::vector<Edit> edits, ErrorCode code) {
+            QTest::newRow(name) << std::move(edits) << code;
+        };
+        using enum ErrorCode;
+        row("smoothing behind the hold-out", {{HoldOut{}}, {Smooth{}}}, editMisplaced);
+        row("smoothing thinned points", {{Simplify{}}, {Smooth{}}}, editMisplaced);
+        row("simplifying links", {{Link{}}, {Simplify{}}}, editMisplaced);
+        row("arcs on what was not held out", {{Smooth{}}, {FitArcs{}}}, editUnguarded);
+        row("links of what was not held out", {{HoldOut{}}, {Offset{}}, {Link{}}}, editUnguarded);
+        row("simplifying arcs", {{FitArcs{}}, {Simplify{}}}, editMisplaced);
+        row("feeds by engagement before feeds", {{LevelFeed{}}, {SetFeed{}}}, editMisplaced);
+        row("linking twice", {{Link{}}, {Link{}}}, editRepeated);
+        row("not a number", {{Smooth{std::numeric_limits<double>::quiet_NaN(), 0.1}}}, argumentInvalid);
+        row("cut-off beyond the recording", {{Smooth{500.0, 0.1}}}, argumentInvalid);
     }
     void onlyOrdersThatKeepTheirPromiseAreTaken() {
         QFETCH(std::vector<Edit>, edits);
+        QFETCH(ErrorCode, code);
         const auto path = run({cut()}, edits, context());
         QVERIFY(!path);
-        QCOMPARE(path.error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(path.error().code, code);
         for (Edit& edit : edits) edit.enabled = false; // what is off does not count
         QVERIFY(run({cut()}, edits, context()));
     }
