@@ -39,13 +39,17 @@ public:
 };
 
 QRect difference(const QImage& one, const QImage& other, int least = 6) {
+    const QImage a = one.convertToFormat(QImage::Format_RGB32), b = other.convertToFormat(QImage::Format_RGB32);
     QRect different;
-    for (int y = 0; y < one.height(); ++y)
-        for (int x = 0; x < one.width(); ++x) {
-            const QColor a = one.pixelColor(x, y), b = other.pixelColor(x, y);
-            if (std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) > least)
+    for (int y = 0; y < a.height(); ++y) {
+        const auto* lineA = reinterpret_cast<const QRgb*>(a.constScanLine(y));
+        const auto* lineB = reinterpret_cast<const QRgb*>(b.constScanLine(y));
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb p = lineA[x], q = lineB[x];
+            if (std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q)) > least)
                 different |= QRect(x, y, 1, 1);
         }
+    }
     return different;
 }
 
@@ -89,19 +93,21 @@ private slots:
         QFETCH(QString, name);
         const GuideMarks marks = example(static_cast<GuideKind>(kind));
         viewport_->setGuides(marks);
+        QImage idle;
         const auto drawn = [&] {
             bench_->settle();
-            return difference(plain_, viewport_->grabFramebuffer());
+            idle = viewport_->grabFramebuffer();
+            return difference(plain_, idle);
         };
         QTRY_VERIFY_WITH_TIMEOUT(drawn().width() > 60, 5000);
-        QVERIFY(bench_->save(qPrintable(QStringLiteral("guide-") + name)));
+        QVERIFY(bench_->save(qPrintable(QStringLiteral("guide-") + name), idle));
         GuideMarks holding = marks;
         holding.guides[0].holds = true;
-        const QImage idle = viewport_->grabFramebuffer();
         viewport_->setGuides(holding);
         bench_->settle();
-        QVERIFY(!difference(idle, viewport_->grabFramebuffer()).isEmpty());
-        QVERIFY(bench_->save(qPrintable(QStringLiteral("guide-") + name + QStringLiteral("-holds"))));
+        const QImage held = viewport_->grabFramebuffer();
+        QVERIFY(!difference(idle, held).isEmpty());
+        QVERIFY(bench_->save(qPrintable(QStringLiteral("guide-") + name + QStringLiteral("-holds")), held));
         viewport_->setGuides({});
         bench_->settle();
         QVERIFY(difference(plain_, viewport_->grabFramebuffer(), 0).isEmpty());

@@ -59,7 +59,15 @@ public:
         return pixel.blue() > pixel.red() + 60;
     }
     /// Until the last motion is over and full detail is drawn.
-    static void settle() { QTest::qWait(420); }
+    void settle() const {
+        QTest::qWait(80); // what was changed is painted first
+        const auto still = [this] {
+            const FrameStatistics frames = viewport->statistics();
+            return frames.fullDetail && !frames.busy;
+        };
+        QVERIFY(QTest::qWaitFor(still, 5000));
+        QTest::qWait(20);
+    }
     void drag(Qt::MouseButton button, const QPoint& from, const QPoint& to,
               Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         QTest::mousePress(viewport, button, modifiers, from);
@@ -76,9 +84,11 @@ public:
         QApplication::sendEvent(viewport, &event);
     }
     /// Keeps a picture for the eye.
-    bool save(const char* name) {
+    bool save(const char* name) { return save(name, viewport->grabFramebuffer()); }
+    bool save(const char* name, const QImage& picture) const {
+        constexpr int quick = 85; // Qt's quality: packed less, in a fraction of the time
         const QString ratio = viewport->devicePixelRatio() > 1.5 ? QStringLiteral("@2x") : QString();
-        return viewport->grabFramebuffer().save(folder() + QString::fromLatin1(name) + ratio + QStringLiteral(".png"));
+        return picture.save(folder() + QString::fromLatin1(name) + ratio + QStringLiteral(".png"), "PNG", quick);
     }
 
     std::unique_ptr<QMainWindow> window;

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/end_to_end/program_run.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace {
+
+QString contentOf(const QString& file) {
+    QFile content(file);
+    return content.open(QIODevice::ReadOnly) ? QString::fromUtf8(content.readAll()) : QString();
+}
+
+} // namespace
+
+class TestSeveralTools : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void largerToolsComeFirst();
+    void theProgramIsVerifiedWithEachOfItsTools();
+    void aControlWithoutToolChangeRefuses();
+
+private:
+    QString inFolder(const char* name) const { return folder_.filePath(name); }
+    QTemporaryDir folder_;
+    QString project_;
+};
+
+void TestSeveralTools::initTestCase() {
+    project_ = inFolder("two.burin");
+    QCOMPARE(runBurin({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", project_, "--voxel", "0.5", "--margin", "4",
+                       "--material", "machinable-wax"})
+                 .status,
+             0);
+    for (const char* tool : {"ball-3", "flat-10"})
+        QCOMPARE(runBurin({"mill", project_, "--tool", tool, "--seconds", "6"}).status, 0);
+    const QJsonArray takes = runBurin({"info", project_, "--json"}).json()["takes"].toArray();
+    QVERIFY(takes.size() >= 2);
+    QMap<QString, QStringList> byTool;
+    for (const auto& take : takes)
+        byTool[take.toObject()["tool"].toString()].append(QString::number(take.toObject()["id"].toInteger()));
+    QCOMPARE(byTool.keys(), (QStringList{"ball-3", "flat-10"}));
+    for (const QStringList& ids : byTool)
+        QCOMPARE(runBurin({"path", project_, "new", "--takes", ids.join(',')}).status, 0);
+}
+
+void TestSeveralTools::largerToolsComeFirst() {
+    const QString program = inFolder("two.ngc");
+    const ProgramRun run = runBurin({"post", project_, "-o", program, "--path", "1,2", "--json"});
+    QVERIFY2(run.status == 0, run.messages + run.output);
+    const QJsonArray tools = run.json()["tools"].toArray();
+    QCOMPARE(tools.size(), 2);
+    QStringList changes;
+    auto match = QRegularExpression("^T(\\d+) M6", QRegularExpression::MultilineOption).globalMatch(contentOf(program));
+    while (match.hasNext()) changes.append(match.next().captured(1));
+    QStringList bySize; // as the tools say themselves
+    for (const char* id : {"flat-10", "ball-3"})
+        for (const auto& tool : tools)
+            if (tool.toObject()["id"].toString() == id)
+                bySize.append(QString::number(tool.toObject()["number"].toInt()));
+    QCOMPARE(changes, bySize);
+}
+
+void TestSeveralTools::theProgramIsVerifiedWithEachOfItsTools() {
+    const QString program = inFolder("two.ngc");
+    const ProgramRun run = runBurin({"verify", program, "--project", project_, "--json"});
+    QVERIFY2(run.status == 0, run.messages + run.output);
+    // A tool that nobody knows is no tool to judge by.
+    QFile strange(inFolder("strange.ngc"));
+    QVERIFY(strange.open(QIODevice::WriteOnly));
+    QString text = contentOf(program);
+    text.replace(QRegularExpression("^T\\d+ M6(?![\\s\\S]*^T\\d+ M6)", QRegularExpression::MultilineOption), "T77 M6");
+    strange.write(text.toUtf8());
+    strange.close();
+    const ProgramRun refused = runBurin({"verify", strange.fileName(), "--project", project_});
+    QCOMPARE(refused.status, 2);
+    QVERIFY2(refused.messages.contains("77") && refused.messages.count('\n') == 1, refused.messages.constData());
+}
+
+void TestSeveralTools::aControlWithoutToolChangeRefuses() {
+    const QString program = inFolder("two.nc");
+    const ProgramRun run = runBurin({"post", project_, "-o", program, "--path", "1,2", "--machine", "grbl-router"});
+    QVERIFY2(run.status != 0 && run.messages.count('\n') == 1, run.messages.constData());
+    QVERIFY(!QFile::exists(program));
+}
+
+QTEST_GUILESS_MAIN(TestSeveralTools)
+#include "tst_several_tools.moc"
