@@ -78,8 +78,11 @@ Result<EditedPaths> edit(const Bench& bench, const std::vector<PathMatter>& matt
         if (!path) return std::move(path).error();
         edited.program.paths.push_back(std::move(path->path));
         edited.reports.insert(edited.reports.end(), path->reports.begin(), path->reports.end());
-        edited.errorBudget = std::max(edited.errorBudget, edited->errorBudget);
-        allowances.push_back(matter.takes.front().info.allowance);
+        edited.errorBudget = std::max(edited.errorBudget, path->errorBudget);
+        // What it leaves on the part in the end.
+        const auto least =
+            std::ranges::min_element(matter.takes, {}, [](const Take& take) { return take.info.allowance; });
+        allowances.push_back(least->info.allowance);
         if (std::ranges::find(edited.program.tools, matter.tool.id, &Tool::id) == edited.program.tools.end())
             edited.program.tools.push_back(matter.tool);
     }
