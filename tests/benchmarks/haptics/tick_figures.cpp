@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/haptic_step.h"
+#include "core/haptics/tick_thread.h"
 #include "core/project/recorder.h"
 #include "tests/benchmarks/haptics/haptic_groups.h"
 #include "tests/benchmarks/haptics/tick_scene.h"
