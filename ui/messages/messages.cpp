@@ -17,7 +17,7 @@ QString given(const std::string& text) {
 
 /// The title of a kind of edit, as core marks it.
 QString editTitle(const std::string& title) {
-    return QCoreApplication::translate("Edit", title.c_str());
+    return title.empty() ? given(title) : QCoreApplication::translate("Edit", title.c_str());
 }
 
 } // namespace
