@@ -18,6 +18,7 @@ struct PostArguments {
     std::string project, output, dialect, machine, overrideReason;
     std::vector<std::int64_t> paths;
     double tolerance = 0.02;
+    bool inch = false;
 };
 
 /// The first path, or a new one of all takes.
@@ -116,6 +117,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     if (!target) return context.fail(target.error());
     request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
     request.gougeTolerance = arguments.tolerance;
+    request.units = arguments.inch ? NcUnits::inch : NcUnits::millimetre;
     request.overrideReason = arguments.overrideReason;
     const Result<CheckedProgram> program = makeProgram(*bench, edited->program, request, context.progress());
     if (!program) return context.fail(program.error());
@@ -158,6 +160,7 @@ void registerPost(CLI::App& program, CommandContext& context, int& status) {
     CLI::App* command = program.add_subcommand("post", "Write a path as a program, once the program passes its check");
     command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
     command->add_option("-o,--output", arguments->output, "Program to write")->required();
+    command->add_flag("--inch", arguments->inch, "Lengths and feeds of the program in inches (G20)");
     command->add_option("--dialect", arguments->dialect,
                         "Dialect of the control; without it the project's, or the machine's");
     command->add_option("--machine", arguments->machine, "Machine; without it the project's");

@@ -74,6 +74,7 @@ Result<std::string> post(const Bench& bench, const ProgramPaths& paths, const Pr
     post.header = headerLines(bench, paths.tools);
     post.header.insert(post.header.begin(), warnings.begin(), warnings.end());
     post.workOffset = bench.setup.workOffset;
+    post.units = request.units;
     for (const Tool& tool : paths.tools) post.tools[tool.id] = {tool.number, tool.name};
     post.safeHeight = bench.safeHeight() - bench.setup.workOffset.z;
     const Result<NcProgram> program = toProgram(paths.paths, post, bench.machine);

@@ -34,7 +34,8 @@ struct ProgramRequest {
     std::string dialect = "linuxcnc";
     double gougeTolerance = 0.02; ///< mm
     std::size_t exactSamples = 500;
-    ImportOptions import; ///< worker for the exact distances
+    NcUnits units = NcUnits::millimetre; ///< of the program's text
+    ImportOptions import;                ///< worker for the exact distances
     /// Tools that a program with several of them may call by their numbers; a program of one tool is the bench's.
     std::vector<Tool> tools;
     /// Why a program that its check refuses is wanted all the same, in the user's words; they and what was found stand

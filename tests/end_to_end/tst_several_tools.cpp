@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <cmath>
+
 namespace {
 
 QString contentOf(const QString& file) {
@@ -23,6 +25,7 @@ private slots:
     void initTestCase();
     void largerToolsComeFirst();
     void theProgramIsVerifiedWithEachOfItsTools();
+    void inchesSayTheSame();
     void aControlWithoutToolChangeRefuses();
 
 private:
@@ -80,6 +83,23 @@ void TestSeveralTools::theProgramIsVerifiedWithEachOfItsTools() {
     const ProgramRun refused = runBurin({"verify", strange.fileName(), "--project", project_});
     QCOMPARE(refused.status, 2);
     QVERIFY2(refused.messages.contains("77") && refused.messages.count('\n') == 1, refused.messages.constData());
+}
+
+void TestSeveralTools::inchesSayTheSame() {
+    const QString metric = inFolder("two.ngc"), inch = inFolder("inch.ngc");
+    const ProgramRun posted = runBurin({"post", project_, "-o", inch, "--path", "1,2", "--inch", "--json"});
+    QVERIFY2(posted.status == 0, posted.messages + posted.output);
+    QVERIFY(contentOf(inch).contains("G20") && !contentOf(inch).contains("G21"));
+    QVERIFY(contentOf(metric).contains("G21"));
+    const auto judged = [&](const QString& program) {
+        return runBurin({"verify", program, "--project", project_, "--json"}).json();
+    };
+    const QJsonObject one = judged(metric), other = judged(inch);
+    QVERIFY(other["passed"].toBool());
+    // Four decimals of an inch are 0.00254 mm.
+    const double removed = one["removed_mm3"].toDouble();
+    QVERIFY2(std::abs(other["removed_mm3"].toDouble() - removed) < 0.003 * removed,
+             qPrintable(QString::number(other["removed_mm3"].toDouble() - removed)));
 }
 
 void TestSeveralTools::aControlWithoutToolChangeRefuses() {
