@@ -4,6 +4,7 @@
 
 #include "core/base/plugin_library.h"
 #include "core/base/resource_folder.h"
+#include "core/nc/block_writer.h"
 #include "core/nc/data_post.h"
 
 #include <algorithm>
@@ -57,6 +58,27 @@ Result<std::shared_ptr<const PostProcessor>> create(const PluginDescription& plu
     return post;
 }
 
+class Lines final : public LineSink {
+public:
+    Result<void> line(std::string_view content) override {
+        text += content;
+        text += '\n';
+        return {};
+    }
+    std::string text;
+};
+
+/// Characters of the lines at a program's head that have to stay there: a tape mark, a program number.
+std::size_t frameLength(std::string_view text) {
+    std::size_t length = 0;
+    while (length < text.size() && (text[length] == '%' || text[length] == 'O')) {
+        const std::size_t end = text.find('\n', length);
+        if (end == std::string_view::npos) return length;
+        length = end + 1;
+    }
+    return length;
+}
+
 } // namespace
 
 Result<std::vector<DialectDescription>> dialects(const fs::path& folder) {
@@ -103,6 +125,25 @@ Result<std::shared_ptr<const PostProcessor>> loadDialect(const std::string& id, 
     std::string ids;
     for (const std::string& one : known) ids += (ids.empty() ? "" : " ") + one;
     return Error{ErrorCode::dialectNotFound, id, "", ids};
+}
+
+Result<std::string> withHeaderComments(std::string_view text, const std::vector<std::string>& comments,
+                                       const std::string& dialect, int lineLength) {
+    DialectData words;
+    words.commentOpen = "(";
+    words.commentClose = ")";
+    const std::vector<std::string> known = resourceIds(dialectResource);
+    if (std::ranges::find(known, dialect) != known.end()) {
+        Result<DialectData> data = readData(dialect);
+        if (!data) return std::move(data).error();
+        words = std::move(*data);
+    }
+    Lines head;
+    BlockWriter writer(words, std::min(lineLength, words.lineLength), head);
+    for (const std::string& comment : comments)
+        if (Result<void> done = writer.comment(comment); !done) return done.error();
+    const std::size_t frame = frameLength(text);
+    return std::string(text.substr(0, frame)) + head.text + std::string(text.substr(frame));
 }
 
 } // namespace burin

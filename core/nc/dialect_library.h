@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace burin {
@@ -36,5 +37,11 @@ const Control& controlOfDialect(const std::string& id);
 /// pluginInvalid (does not load, no entry point).
 Result<std::shared_ptr<const PostProcessor>> loadDialect(const std::string& id,
                                                          const std::filesystem::path& folder = {});
+
+/// A program's text with comments at its head, as its dialect words them: behind a tape mark and a program number.
+/// Everything else stays as it is, so many lines further down. Comments of a plugin's dialect stand between ( and ).
+/// @param lineLength characters that a line may have. Errors: resourceInvalid.
+Result<std::string> withHeaderComments(std::string_view text, const std::vector<std::string>& comments,
+                                       const std::string& dialect, int lineLength);
 
 } // namespace burin

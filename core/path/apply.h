@@ -5,6 +5,8 @@
 #include "core/path/evaluate.h"
 #include "core/path/stroke.h"
 
+#include <functional>
+
 namespace burin {
 
 /// The farthest that an edit moved the path.
@@ -17,6 +19,11 @@ struct Deviation {
     }
     void include(const Deviation& other) noexcept { include(other.distance, other.place); }
 };
+
+/// The farthest that any stroke moved; each stroke is changed by itself, all of them in parallel, none any more once
+/// the work is cancelled. @param change what an edit does to a stroke, and how far that moves it
+Deviation changeEach(PathUnderEdit& state, const Progress& progress,
+                     const std::function<Deviation(PathStroke&)>& change);
 
 // One function an edit, each in the file of its name. They change `state` in place and say how far the path went from
 // what it was. Strokes stay in their order; each edit treats a stroke by itself, so they run in parallel and give the

@@ -155,13 +155,7 @@ Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathCon
     rules.radiusMismatch = std::min(edit.radiusMismatch, control.radiusMismatch);
     rules.figure = std::pow(10.0, -context.machine.coordinateDecimals);
     rules.programZero = context.workOffset;
-    std::vector<Deviation> deviations(state.strokes.size());
-    parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
-        if (!progress.cancelled()) deviations[i] = fitStroke(state.strokes[i], rules, *guard, progress);
-    });
-    Deviation deviation;
-    for (const Deviation& one : deviations) deviation.include(one);
-    return deviation;
+    return changeEach(state, progress, [&](PathStroke& stroke) { return fitStroke(stroke, rules, *guard, progress); });
 }
 
 } // namespace burin

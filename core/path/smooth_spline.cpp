@@ -118,13 +118,7 @@ Result<Deviation> apply(const SmoothSpline& edit, PathUnderEdit& state, const Pa
             return Error{ErrorCode::argumentInvalid, "cut_off_hz", formatShortest(edit.cutOff),
                          "below half of the recording's rate"};
     }
-    std::vector<Deviation> deviations(state.strokes.size());
-    parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
-        if (!progress.cancelled()) deviations[i] = smooth(state.strokes[i], edit, progress);
-    });
-    Deviation deviation;
-    for (const Deviation& one : deviations) deviation.include(one);
-    return deviation;
+    return changeEach(state, progress, [&](PathStroke& stroke) { return smooth(stroke, edit, progress); });
 }
 
 } // namespace burin

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/stroke.h"
 
+#include "core/base/parallel.h"
+#include "core/path/apply.h"
+
 #include <algorithm>
 
 namespace burin {
@@ -107,6 +110,17 @@ std::vector<PathPoint> pointsOf(const PathUnderEdit& state) {
         }
     }
     return points;
+}
+
+Deviation changeEach(PathUnderEdit& state, const Progress& progress,
+                     const std::function<Deviation(PathStroke&)>& change) {
+    std::vector<Deviation> deviations(state.strokes.size());
+    parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
+        if (!progress.cancelled()) deviations[i] = change(state.strokes[i]);
+    });
+    Deviation farthest;
+    for (const Deviation& one : deviations) farthest.include(one);
+    return farthest;
 }
 
 } // namespace burin

@@ -67,12 +67,11 @@ Result<void> checkNumbers(const std::vector<Tool>& tools) {
 }
 
 Result<std::string> post(const Bench& bench, const ProgramPaths& paths, const ProgramRequest& request,
-                         const std::vector<std::string>& warnings, Progress& progress) {
+                         Progress& progress) {
     if (Result<void> numbered = checkNumbers(paths.tools); !numbered) return numbered.error();
     PostRequest post;
     post.programName = request.name;
     post.header = headerLines(bench, paths.tools);
-    post.header.insert(post.header.begin(), warnings.begin(), warnings.end());
     post.workOffset = bench.setup.workOffset;
     post.units = request.units;
     for (const Tool& tool : paths.tools) post.tools[tool.id] = {tool.number, tool.name};
@@ -88,21 +87,6 @@ std::size_t toolsIn(const ParsedProgram& program) {
     std::set<int> tools;
     for (const NcMotion& motion : program.motions) tools.insert(motion.tool);
     return tools.size();
-}
-
-/// The verdict of a program for its text with more lines in the header, which move all others down.
-Result<CheckedProgram> overridden(CheckedProgram checked, std::string text, const std::string& origin,
-                                  const Control& control) {
-    Result<ParsedProgram> parsed = parseProgram(text, origin, control);
-    if (!parsed) return std::move(parsed).error();
-    const auto lines = [](const std::string& all) { return std::count(all.begin(), all.end(), '\n'); };
-    const auto added = static_cast<std::uint32_t>(lines(text) - lines(checked.text));
-    for (Finding& finding : checked.report.findings) finding.line += added;
-    for (LintMark& mark : checked.lint) mark.line += added;
-    checked.text = std::move(text);
-    checked.parsed = std::move(*parsed);
-    checked.overridden = true;
-    return checked;
 }
 
 } // namespace
@@ -190,7 +174,7 @@ Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths
     progress.stage(0.0, 0.1);
     ProgramRequest wanted = request;
     wanted.tools = paths.tools;
-    Result<std::string> text = post(bench, paths, wanted, {}, progress);
+    Result<std::string> text = post(bench, paths, wanted, progress);
     if (!text) return std::move(text).error();
     Result<CheckedProgram> checked = checkProgram(bench, std::move(*text), request.name, wanted, progress);
     if (!checked) return checked;
@@ -199,9 +183,24 @@ Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths
         whole.points.insert(whole.points.end(), path.points.begin(), path.points.end());
     checked->moments = momentsOf(checked->parsed, whole, bench.setup.workOffset);
     if (checked->passed() || request.overrideReason.empty()) return checked;
-    text = post(bench, paths, wanted, overrideLines(*checked, request.overrideReason), progress);
+    return overrideCheck(std::move(*checked), request.overrideReason, bench.machine);
+}
+
+Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& reason, const MachineProfile& machine) {
+    Result<std::string> text =
+        withHeaderComments(program.text, overrideLines(program, reason), program.dialect, machine.maximumLineLength);
     if (!text) return std::move(text).error();
-    return overridden(std::move(*checked), std::move(*text), request.name, controlOfDialect(request.dialect));
+    Result<ParsedProgram> parsed = parseProgram(*text, "program", controlOfDialect(program.dialect));
+    if (!parsed) return std::move(parsed).error();
+    const auto lines = [](const std::string& all) { return std::ranges::count(all, '\n'); };
+    const auto added = static_cast<std::uint32_t>(lines(*text) - lines(program.text));
+    for (Finding& finding : program.report.findings) finding.line += added;
+    for (MotionLoad& load : program.report.loads) load.line += added;
+    for (LintMark& mark : program.lint) mark.line += added;
+    program.text = std::move(*text);
+    program.parsed = std::move(*parsed);
+    program.overridden = true;
+    return program;
 }
 
 Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,
@@ -229,6 +228,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     if (!report) return std::move(report).error();
     checked.lint = lint(text, {&control, &bench.machine, several ? nullptr : &bench.tool});
     checked.text = std::move(text);
+    checked.dialect = request.dialect;
     checked.parsed = std::move(*parsed);
     checked.report = std::move(*report);
     return checked;

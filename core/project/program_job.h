@@ -46,6 +46,7 @@ struct ProgramRequest {
 /// A program that was posted, read back from its text and judged.
 struct CheckedProgram {
     std::string text;
+    std::string dialect;         ///< that it is read in
     ParsedProgram parsed;        ///< what the text says
     std::vector<LintMark> lint;  ///< what the control may not take
     std::vector<Moment> moments; ///< of the hand, behind each motion; empty where the text was not posted from a path
@@ -76,6 +77,10 @@ Result<CheckedProgram> makeProgram(const Bench& bench, const ProgramPaths& paths
 /// The same of one path, with the bench's tool.
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
                                    Progress& progress);
+
+/// A program that its check refused, with a reason why it is wanted all the same: that and what was found stand in its
+/// header, and what was found names the lines as they are then. Errors: those of withHeaderComments and parseProgram.
+Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& reason, const MachineProfile& machine);
 
 /// Judges the text of a program on a bench. @param origin file name for messages
 Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const std::string& origin,

@@ -25,6 +25,8 @@ struct DeviationTolerance {
     double gouge = 0.02;    ///< deviation below -gouge is a gouge
     double excess = 0.1;    ///< beyond allowance + excess there is too much
     double allowance = 0.0; ///< that is meant to stay
+
+    friend bool operator==(const DeviationTolerance&, const DeviationTolerance&) = default;
 };
 
 /// mm: stock that is left, or what is missing as a negative number.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -36,4 +37,10 @@ inline ProgramRun runBurin(const QStringList& arguments) {
     run.output = process.readAllStandardOutput();
     run.messages = process.readAllStandardError();
     return run;
+}
+
+/// All of a text file; empty where it can't be read.
+inline QString contentOf(const QString& file) {
+    QFile content(file);
+    return content.open(QIODevice::ReadOnly) ? QString::fromUtf8(content.readAll()) : QString();
 }

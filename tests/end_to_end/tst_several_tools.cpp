@@ -10,15 +10,6 @@
 
 #include <cmath>
 
-namespace {
-
-QString contentOf(const QString& file) {
-    QFile content(file);
-    return content.open(QIODevice::ReadOnly) ? QString::fromUtf8(content.readAll()) : QString();
-}
-
-} // namespace
-
 class TestSeveralTools : public QObject {
     Q_OBJECT
 private slots:

@@ -143,11 +143,6 @@ void SurroundingsTest::theProjectKeepsWhatStandsAround() {
     QCOMPARE(left[0].toObject()["on"].toBool(), false);
 }
 
-QByteArray contentOf(const QString& file) {
-    QFile content(file);
-    return content.open(QIODevice::ReadOnly) ? content.readAll() : QByteArray();
-}
-
 /// A clamp that was put on after milling is in the way of what was milled.
 void SurroundingsTest::aProgramThroughAFixtureIsRefused() {
     const QString project = inFolder("later.burin"), program = inFolder("later.ngc");
@@ -169,16 +164,16 @@ void SurroundingsTest::aProgramThroughAFixtureIsRefused() {
     const ProgramRun wanted = runBurin({"post", project, "-o", program, "--override", reason, "--json"});
     QCOMPARE(wanted.status, 0);
     QVERIFY(wanted.json()["overridden"].toBool() && !wanted.json()["passed"].toBool());
-    const QByteArray whole = contentOf(program);
+    const QString whole = contentOf(program);
     QVERIFY2(whole.contains("(Reason: the clamp is taken off before line 60)") &&
                  whole.contains("REFUSED BY THE CHECK") && whole.contains("x obstacle_collision, worst "),
-             whole.left(600).constData());
+             qPrintable(whole.left(600)));
     // The findings name the lines of the text that was written.
     QCOMPARE(runBurin({"verify", program, "--project", project, "--json"}).json()["findings"],
              wanted.json()["findings"]);
     QCOMPARE(runBurin({"setup", project, "--switch-off", "keep-out"}).status, 0);
     QCOMPARE(runBurin({"post", project, "-o", program, "--override", reason}).status, 0);
-    const QByteArray passed = contentOf(program);
+    const QString passed = contentOf(program);
     QVERIFY(passed.contains("M2") && !passed.contains("REFUSED"));
 }
 

@@ -185,7 +185,7 @@ inline ProgramState program() {
     report.onPartShare = 0.973;
     report.removed = 112404.0;
     report.machiningSeconds = 1504.0;
-    state.report = report;
+    state.report = std::make_shared<const VerifyReport>(report);
     state.released = true;
     return state;
 }
@@ -193,11 +193,13 @@ inline ProgramState program() {
 inline ProgramState failedProgram() {
     ProgramState state = program();
     state.released = false;
-    state.report->gougeMax = 0.134;
-    state.report->findings = {{FindingKind::gouge, 12, {}, 0.134},
-                              {FindingKind::rapidInStock, 21, {}, 40.2},
-                              {FindingKind::shankCollision, 33, {}, 3.4},
-                              {FindingKind::feedLimit, 40, {}, 6200.0}};
+    VerifyReport report = *state.report;
+    report.gougeMax = 0.134;
+    report.findings = {{FindingKind::gouge, 12, {}, 0.134},
+                       {FindingKind::rapidInStock, 21, {}, 40.2},
+                       {FindingKind::shankCollision, 33, {}, 3.4},
+                       {FindingKind::feedLimit, 40, {}, 6200.0}};
+    state.report = std::make_shared<const VerifyReport>(report);
     return state;
 }
 

@@ -203,16 +203,17 @@ private slots:
     void theLoadLeadsToItsLine() {
         LoadChart chart;
         chart.resize(200, chart.sizeHint().height());
-        std::vector<MotionLoad> loads;
+        VerifyReport report;
+        report.machiningSeconds = 10.0;
         for (std::uint32_t i = 0; i < 10; ++i) {
             MotionLoad load;
             load.line = 20 + i;
             load.start = i;
             load.duration = 1.0;
             load.force = i == 6 ? 42.5 : 10.0;
-            loads.push_back(load);
+            report.loads.push_back(load);
         }
-        chart.setLoads(loads, 10.0);
+        chart.setReport(std::make_shared<const VerifyReport>(report));
         chart.show();
         QVERIFY(chart.accessibleDescription().contains(QStringLiteral("42.5")));
         QSignalSpy line(&chart, &LoadChart::lineChosen);

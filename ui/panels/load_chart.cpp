@@ -17,7 +17,7 @@ namespace burin {
 namespace {
 
 constexpr int chartHeight = 64, textHeight = 16; // pixels
-constexpr double fillShare = 0.35;          // of the force's colour below its line
+constexpr double fillShare = 0.35;               // of the force's colour below its line
 
 } // namespace
 
@@ -28,11 +28,11 @@ LoadChart::LoadChart(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Cutting force over the machining time"));
 }
 
-void LoadChart::setLoads(std::vector<MotionLoad> loads, double seconds) {
-    loads_ = std::move(loads);
-    seconds_ = seconds;
+void LoadChart::setReport(std::shared_ptr<const VerifyReport> report) {
+    if (report == report_) return;
+    report_ = std::move(report);
     peak_ = 0.0;
-    for (const MotionLoad& load : loads_) peak_ = std::max(peak_, load.force);
+    for (const MotionLoad& load : loads()) peak_ = std::max(peak_, load.force);
     setAccessibleDescription(tr("Peak %1 N").arg(QLocale().toString(peak_, 'f', 1)));
     update();
 }
@@ -47,13 +47,18 @@ QSize LoadChart::sizeHint() const {
     return {200, chartHeight};
 }
 
+std::span<const MotionLoad> LoadChart::loads() const {
+    if (!report_) return {};
+    return report_->loads;
+}
+
 std::vector<double> LoadChart::columns(int count) const {
     std::vector<double> greatest(static_cast<std::size_t>(std::max(0, count)), 0.0);
-    if (seconds_ <= 0.0 || count <= 0) return greatest;
+    if (seconds() <= 0.0 || count <= 0) return greatest;
     const auto columnOf = [&](double time) {
-        return static_cast<std::size_t>(std::clamp(static_cast<int>(time / seconds_ * count), 0, count - 1));
+        return static_cast<std::size_t>(std::clamp(static_cast<int>(time / seconds() * count), 0, count - 1));
     };
-    for (const MotionLoad& load : loads_)
+    for (const MotionLoad& load : loads())
         for (std::size_t i = columnOf(load.start); i <= columnOf(load.start + load.duration); ++i)
             greatest[i] = std::max(greatest[i], load.force);
     return greatest;
@@ -74,9 +79,9 @@ void LoadChart::paintEvent(QPaintEvent*) {
         painter.fillRect(x, top, 1, bottom - top, fill);
         painter.fillRect(x, top, 1, 1, palette.force);
     }
-    if (time_ && seconds_ > 0.0) {
+    if (time_ && seconds() > 0.0) {
         painter.setPen(palette.text);
-        const int x = static_cast<int>(std::lround(*time_ / seconds_ * (width() - 1)));
+        const int x = static_cast<int>(std::lround(*time_ / seconds() * (width() - 1)));
         painter.drawLine(x, 0, x, bottom);
     }
     painter.setPen(palette.quietText);
@@ -85,12 +90,13 @@ void LoadChart::paintEvent(QPaintEvent*) {
 }
 
 const MotionLoad* LoadChart::at(double seconds) const {
-    const auto behind = std::ranges::upper_bound(loads_, seconds, {}, &MotionLoad::start);
-    return behind == loads_.begin() ? nullptr : &*std::prev(behind);
+    const std::span<const MotionLoad> all = loads();
+    const auto behind = std::ranges::upper_bound(all, seconds, {}, &MotionLoad::start);
+    return behind == all.begin() ? nullptr : &*std::prev(behind);
 }
 
 void LoadChart::choose(double x) {
-    const MotionLoad* load = at(std::clamp(x / std::max(1, width()), 0.0, 1.0) * seconds_);
+    const MotionLoad* load = at(std::clamp(x / std::max(1, width()), 0.0, 1.0) * seconds());
     if (load != nullptr) emit lineChosen(static_cast<int>(load->line));
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/verify/load.h"
+#include "core/verify/verify.h"
 
 #include <QWidget>
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -17,8 +19,8 @@ class LoadChart : public QWidget {
     Q_OBJECT
 public:
     explicit LoadChart(QWidget* parent = nullptr);
-    /// @param loads in program order @param seconds that the program takes
-    void setLoads(std::vector<MotionLoad> loads, double seconds);
+    /// Its loads over the time that the program takes; null: none. Nothing is done when it shows it.
+    void setReport(std::shared_ptr<const VerifyReport> report);
     void showTime(std::optional<double> seconds); ///< marks a time; nothing: none
 
     QSize sizeHint() const override;
@@ -32,12 +34,14 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
 
 private:
+    std::span<const MotionLoad> loads() const;
+    double seconds() const { return report_ ? report_->machiningSeconds : 0.0; }
     std::vector<double> columns(int count) const; ///< N, greatest force in each
     const MotionLoad* at(double seconds) const;   ///< what is cut then, or last before
     void choose(double x);
 
-    std::vector<MotionLoad> loads_;
-    double seconds_ = 0.0, peak_ = 0.0;
+    std::shared_ptr<const VerifyReport> report_;
+    double peak_ = 0.0; ///< N
     std::optional<double> time_;
 };
 

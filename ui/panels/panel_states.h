@@ -169,10 +169,10 @@ struct ProgramState {
     QString text;                 ///< empty: not posted
     bool edited = false;          ///< by hand, after it was posted, and not checked since
     std::size_t blocks = 0;
-    std::optional<VerifyReport> report;
-    std::vector<LintMark> lint;   ///< of the program that the report is about
-    bool released = false;        ///< it passed, or its header says why it is wanted all the same
-    double gougeTolerance = 0.02; ///< mm
+    std::shared_ptr<const VerifyReport> report; ///< null: not checked; large, so that it is shared
+    std::vector<LintMark> lint;                 ///< of the program that the report is about
+    bool released = false;                      ///< it passed, or its header says why it is wanted all the same
+    double gougeTolerance = 0.02;               ///< mm
     bool outdated = false;
     bool busy = false;
     QString problem;

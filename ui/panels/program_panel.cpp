@@ -245,7 +245,7 @@ void ProgramPanel::Fields::refreshVerdict() {
 }
 
 void ProgramPanel::Fields::refreshFigures() {
-    figures_->setVisible(state.report.has_value());
+    figures_->setVisible(state.report != nullptr);
     if (!state.report) return;
     const VerifyReport& report = *state.report;
     gouge_->setValue(lengthText(report.gougeMax, unit_));
@@ -273,7 +273,7 @@ void ProgramPanel::Fields::refresh() {
     refreshVerdict();
     refreshFigures();
     load->setVisible(state.report && !state.report->loads.empty());
-    if (state.report) load->setLoads(state.report->loads, state.report->machiningSeconds);
+    load->setReport(state.report);
     deviation->setVisible(state.report && !state.report->deviations.empty());
     checkText_->setVisible(state.edited);
     enableUnless(checkText_, state.busy ? ProgramPanel::tr("Work is under way.") : QString(),

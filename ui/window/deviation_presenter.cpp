@@ -44,17 +44,20 @@ void DeviationPresenter::setUnit(LengthUnit unit) {
 void DeviationPresenter::present() {
     const ProgramController& program = workbench_.program;
     const bool fits = program.program() && !program.edited() && !program.outdated() && workbench_.bench.bench();
-    take(fits ? program.program() : nullptr);
+    const bool other = take(fits ? program.program() : nullptr);
     const bool drawn = shown_ && on_ && map_ && !workbench_.mill.active();
-    if (drawn)
-        viewport_.setDeviations(program_->report.deviations, toleranceOf(workbench_));
-    else if (drawn_)
+    if (drawn && (other || !drawn_))
+        viewport_.setDeviations(program_->report.deviations, tolerance_);
+    else if (!drawn && drawn_)
         viewport_.setDeviations({}, {});
     drawn_ = drawn;
     scene_.showBarePart(drawn);
 }
 
-void DeviationPresenter::take(std::shared_ptr<const CheckedProgram> program) {
+bool DeviationPresenter::take(std::shared_ptr<const CheckedProgram> program) {
+    const DeviationTolerance tolerance = toleranceOf(workbench_);
+    if (program == program_ && tolerance == tolerance_) return false;
+    tolerance_ = tolerance;
     if (program != program_) {
         map_.reset();
         program_ = std::move(program);
@@ -62,7 +65,8 @@ void DeviationPresenter::take(std::shared_ptr<const CheckedProgram> program) {
             map_ = std::make_unique<DeviationMap>(program_->report.deviations, workbench_.bench.bench()->setup.voxel);
         card_.showUnderPointer({});
     }
-    if (map_) card_.setShares(map_->shares(toleranceOf(workbench_)), toleranceOf(workbench_));
+    if (map_) card_.setShares(map_->shares(tolerance_), tolerance_);
+    return true;
 }
 
 void DeviationPresenter::pointAt(const QPointF& position) {

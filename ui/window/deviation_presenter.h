@@ -23,13 +23,15 @@ public:
 
 private:
     void present() override;
-    void take(std::shared_ptr<const CheckedProgram> program);
+    /// @return whether there is something else to draw
+    bool take(std::shared_ptr<const CheckedProgram> program);
 
     Viewport& viewport_;
     DeviationCard& card_;
     ScenePresenter& scene_;
     std::shared_ptr<const CheckedProgram> program_; ///< whose samples the map refers to
     std::unique_ptr<DeviationMap> map_;
+    DeviationTolerance tolerance_; ///< that shares and bands are told in
     bool shown_ = false, on_ = false, drawn_ = false;
 };
 

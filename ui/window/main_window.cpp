@@ -334,7 +334,7 @@ void MainWindow::overrideCheck() {
         count == 1 ? tr("Its check found 1 thing that can break a tool, the part or the machine.")
                    : tr("Its check found %n things that can break a tool, the part or the machine.", nullptr, count),
         tr("Your reason. It goes into the program's header with what was found."));
-    if (!reason.isEmpty()) workbench_.program.post(programName(workbench_), reason);
+    if (!reason.isEmpty()) workbench_.program.overrideCheck(programName(workbench_), reason);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -101,7 +101,7 @@ void ProgramPresenter::present() {
     state.lint = program.lint();
     if (program.program() && !program.edited()) {
         state.blocks = program.program()->parsed.blocks;
-        state.report = program.program()->report;
+        state.report = {program.program(), &program.program()->report}; // it lives with the program
         state.released = program.program()->released();
     }
     state.gougeTolerance = program.gougeTolerance();

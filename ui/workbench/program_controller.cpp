@@ -53,10 +53,9 @@ ProgramRequest ProgramController::request(const QString& name) const {
     return request;
 }
 
-void ProgramController::post(const QString& name, const QString& overrideReason) {
+void ProgramController::post(const QString& name) {
     if (!bench_.bench() || !path_.evaluated()) return;
-    ProgramRequest wanted = request(name);
-    wanted.overrideReason = overrideReason.trimmed().toStdString();
+    const ProgramRequest wanted = request(name);
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
         [bench = bench_.bench(), path = path_.evaluated(), wanted](Progress& progress) {
@@ -102,17 +101,35 @@ void ProgramController::take(const StoredProgram& posted, Result<CheckedProgram>
         return;
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*outcome));
-    if (program->released())
-        store([posted, program](Project& project) {
-            return project.addProgram(
-                {posted.name, posted.dialect, posted.machine, program->text, toJson(program->report)});
-        });
+    keep(posted, *program);
     const Shown next{program, QString::fromStdString(program->text), false};
-    if (edited_) // what the user wrote is worth an undo
-        desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1, {program_, storedText_, true}, next,
-                                                [this](const Shown& value) { show(value); }));
-    else
-        show(next);
+    edited_ ? change(next) : show(next); // what the user wrote is worth an undo
+}
+
+void ProgramController::keep(const StoredProgram& posted, const CheckedProgram& program) {
+    if (!program.released()) return;
+    StoredProgram kept = posted;
+    kept.text = program.text;
+    kept.reportJson = toJson(program.report);
+    store([kept](Project& project) { return project.addProgram(kept); });
+}
+
+void ProgramController::change(const Shown& next) {
+    desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1, {program_, storedText_, edited_}, next,
+                                            [this](const Shown& value) { show(value); }));
+}
+
+void ProgramController::overrideCheck(const QString& name, const QString& reason) {
+    if (!refused() || !bench_.bench()) return;
+    const MachineProfile& machine = bench_.bench()->machine;
+    Result<CheckedProgram> wanted = burin::overrideCheck(*program_, reason.trimmed().toStdString(), machine);
+    if (!wanted) {
+        emit failed(wanted.error());
+        return;
+    }
+    const auto program = std::make_shared<const CheckedProgram>(std::move(*wanted));
+    keep({name.toStdString(), program->dialect, machine.id, {}, {}}, *program);
+    change({program, QString::fromStdString(program->text), false});
 }
 
 void ProgramController::show(const Shown& shown) {

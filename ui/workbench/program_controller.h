@@ -35,8 +35,9 @@ public:
     bool refused() const noexcept { return program_ && !program_->released() && !outdated_ && !edited_; }
     bool exportable() const noexcept { return program_ && program_->released() && !outdated_ && !edited_; }
 
-    /// @param name of the program @param overrideReason why it is wanted even if its check refuses it; empty: it is not
-    void post(const QString& name, const QString& overrideReason = {});
+    void post(const QString& name); ///< @param name of the program
+    /// Gives a refused program, posted or written by hand, the reason why it is wanted; an entry of the undo stack.
+    void overrideCheck(const QString& name, const QString& reason);
     /// The text as the user wrote it; no program to be exported until it is checked. The editor has an undo of its own;
     /// whatever takes the text's place then is an entry of the undo stack.
     void editText(const QString& text);
@@ -61,6 +62,8 @@ private:
     };
     ProgramRequest request(const QString& name) const;
     void show(const Shown& shown);
+    void change(const Shown& next);
+    void keep(const StoredProgram& posted, const CheckedProgram& program);
     void lintText();
     void becomeOutdated();
 
