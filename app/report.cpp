@@ -123,6 +123,13 @@ std::string textOf(const VerifyReport& report, double gougeTolerance) {
              << formatFixed(finding.place.z, 3) << ") mm";
     }
     if (report.findings.size() > 20) text << "\n  and " << report.findings.size() - 20 << " more";
+    for (std::size_t i = 0; i < report.nearPasses.size() && i < 20; ++i) {
+        const NearPass& pass = report.nearPasses[i];
+        text << "\n  warning  line " << pass.line << ": " << idOf(pass) << " " << formatFixed(pass.distance, 3)
+             << " mm at (" << formatFixed(pass.place.x, 3) << ", " << formatFixed(pass.place.y, 3) << ", "
+             << formatFixed(pass.place.z, 3) << ") mm";
+    }
+    if (report.nearPasses.size() > 20) text << "\n  and " << report.nearPasses.size() - 20 << " more warnings";
     return text.str();
 }
 

@@ -45,6 +45,12 @@ std::string toJson(const VerifyReport& report) {
                             {"line", finding.line},
                             {"place_mm", json::array({finding.place.x, finding.place.y, finding.place.z})},
                             {"amount", finding.amount}});
+    json warnings = json::array();
+    for (const NearPass& pass : report.nearPasses)
+        warnings.push_back({{"kind", idOf(pass)},
+                            {"line", pass.line},
+                            {"place_mm", json::array({pass.place.x, pass.place.y, pass.place.z})},
+                            {"distance_mm", pass.distance}});
     return json{{"passed", report.passed()},
                 {"gouge_max_mm", report.gougeMax},
                 {"gouge_max_mesh_mm", report.gougeMaxMesh},
@@ -60,7 +66,8 @@ std::string toJson(const VerifyReport& report) {
                 {"machining_without_acceleration_s", report.secondsWithoutAcceleration},
                 {"rapids", idOf(report.rapids)},
                 {"peak_load", peakOf(report)},
-                {"findings", findings}}
+                {"findings", findings},
+                {"warnings", warnings}}
         .dump();
 }
 
