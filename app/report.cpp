@@ -116,6 +116,15 @@ std::string textOf(const VerifyReport& report, double gougeTolerance) {
          << " mm in the mean, where the tool can reach\n"
          << "  removed  " << formatFixed(report.removed, 1) << " mm^3 in " << formatFixed(report.machiningSeconds, 0)
          << " s at the programmed feeds";
+    for (std::size_t i = 0; i < report.pathModes.size() && i < 5; ++i) {
+        const StatedPathMode& mode = report.pathModes[i];
+        if (mode.mode == PathMode::machine) continue;
+        text << "\n  corners  from line " << mode.line << " as the program says: "
+             << (mode.mode == PathMode::exactStop   ? "at rest after every block"
+                 : mode.mode == PathMode::exactPath ? "at rest where the way bends"
+                 : mode.tolerance > 0.0             ? "blended within " + formatFixed(mode.tolerance, 3) + " mm"
+                                                    : std::string("blended without limit"));
+    }
     for (std::size_t i = 0; i < report.findings.size() && i < 20; ++i) {
         const Finding& finding = report.findings[i];
         text << "\n  line " << finding.line << ": " << idOf(finding.kind) << " " << formatFixed(finding.amount, 4)

@@ -24,6 +24,31 @@ const char* idOf(RapidMode mode) {
     return "unknown";
 }
 
+const char* idOf(PathMode mode) {
+    switch (mode) {
+    case PathMode::machine:
+        return "machine";
+    case PathMode::exactPath:
+        return "exact_path";
+    case PathMode::exactStop:
+        return "exact_stop";
+    case PathMode::blend:
+        return "blend";
+    }
+    return "unknown";
+}
+
+/// A tolerance of null: without limit.
+json modesOf(const std::vector<StatedPathMode>& modes) {
+    json list = json::array();
+    for (const StatedPathMode& mode : modes) {
+        json entry{{"line", mode.line}, {"mode", idOf(mode.mode)}};
+        if (mode.mode == PathMode::blend) entry["tolerance_mm"] = mode.tolerance > 0.0 ? json(mode.tolerance) : json();
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
 /// Null where nothing is removed.
 json peakOf(const VerifyReport& report) {
     const MotionLoad* const peak = peakLoad(report.loads);
@@ -65,6 +90,7 @@ std::string toJson(const VerifyReport& report) {
                 {"machining_s", report.machiningSeconds},
                 {"machining_without_acceleration_s", report.secondsWithoutAcceleration},
                 {"rapids", idOf(report.rapids)},
+                {"path_modes", modesOf(report.pathModes)},
                 {"peak_load", peakOf(report)},
                 {"findings", findings},
                 {"warnings", warnings}}

@@ -88,6 +88,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     report.machiningSeconds = time.seconds;
     report.secondsWithoutAcceleration = time.withoutAcceleration;
     report.rapids = request.machine.rapids;
+    report.pathModes = statedPathModes(*request.program);
 
     progress.stage(0.05, 0.4);
     const Result<std::vector<MoveCut>> cuts =

@@ -101,6 +101,7 @@ struct VerifyReport {
     std::vector<MotionTime> times;              ///< by place in ParsedProgram::motions
     std::vector<MotionLoad> loads;              ///< of what removes something, in program order
     RapidMode rapids = RapidMode::synchronised; ///< the way that rapids were judged on
+    std::vector<StatedPathMode> pathModes;      ///< what the program itself says of corners, and the time counts
     std::vector<Finding> findings;              ///< the worst of each kind on each line, in program order
     std::vector<NearPass> nearPasses; ///< the nearest of each section and neighbour on each line, in program order
     std::vector<DeviationSample> deviations;
