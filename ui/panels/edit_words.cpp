@@ -265,7 +265,13 @@ constexpr std::array rows{
     Row{"link",
         "travel",
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Travel"),
-         QT_TRANSLATE_NOOP("EditParameterTexts", "Above everything, or as low as what is left allows")}},
+         QT_TRANSLATE_NOOP("EditParameterTexts",
+                           "Above everything, as low as what is left allows, or also round what stands in the way")}},
+    Row{"link",
+        "rounding_mm",
+        {QT_TRANSLATE_NOOP("EditParameterTexts", "Rounding"),
+         QT_TRANSLATE_NOOP("EditParameterTexts",
+                           "How much of either move the rounded corner of a link may take; none: sharp corners")}},
     Row{"level-feed",
         "goal",
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Level"),
@@ -306,6 +312,7 @@ constexpr std::array choices{
     std::pair{std::string_view("normal"), QT_TRANSLATE_NOOP("EditParameterTexts", "the part's normal")},
     std::pair{std::string_view("safe"), QT_TRANSLATE_NOOP("EditParameterTexts", "above everything")},
     std::pair{std::string_view("lowest"), QT_TRANSLATE_NOOP("EditParameterTexts", "as low as is safe")},
+    std::pair{std::string_view("around"), QT_TRANSLATE_NOOP("EditParameterTexts", "low, and round what stands there")},
     std::pair{std::string_view("force"), QT_TRANSLATE_NOOP("EditParameterTexts", "the force")},
     std::pair{std::string_view("removal"), QT_TRANSLATE_NOOP("EditParameterTexts", "the removal rate")}};
 
