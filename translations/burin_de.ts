@@ -1170,6 +1170,46 @@
         <source>the removal rate</source>
         <translation>das Zeitspanvolumen</translation>
     </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Of what the tables say; feeds go with it, the chip load stays</source>
+        <translation>Anteil am Tabellenwert; Vorschübe gehen mit, der Zahnvorschub bleibt</translation>
+    </message>
+    <message>
+        <source>Chip load</source>
+        <translation>Zahnvorschub</translation>
+    </message>
+    <message>
+        <source>Of what the tables say; feeds go with it</source>
+        <translation>Anteil am Tabellenwert; Vorschübe gehen mit</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlung</translation>
+    </message>
+    <message>
+        <source>As the material advises where the machine has it, or as you say</source>
+        <translation>Wie der Werkstoff rät, wo die Maschine es hat, oder wie Sie es sagen</translation>
+    </message>
+    <message>
+        <source>as advised</source>
+        <translation>wie geraten</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>mist (M7)</source>
+        <translation>Nebel (M7)</translation>
+    </message>
+    <message>
+        <source>flood (M8)</source>
+        <translation>Schwall (M8)</translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -2349,6 +2389,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Remove this edit</source>
         <translation>Diese Bearbeitung entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::EditFieldEditor</name>
+    <message>
+        <source>Draw it in the view; Esc leaves it as it is</source>
+        <translation>In der Ansicht zeichnen; Esc lässt es, wie es ist</translation>
+    </message>
+    <message>
+        <source>Draw %1</source>
+        <translation>%1 zeichnen</translation>
     </message>
 </context>
 <context>
@@ -3670,10 +3721,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Zeichnen Sie zuerst eine Aufnahme auf.</translation>
     </message>
     <message>
-        <source>Make a path of all takes, with the standard edits</source>
-        <translation>Aus allen Aufnahmen eine Bahn mit den üblichen Bearbeitungen machen</translation>
-    </message>
-    <message>
         <source>The path is up to date.</source>
         <translation>Die Bahn ist aktuell.</translation>
     </message>
@@ -3704,6 +3751,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Apply one more edit; it comes where the order allows it</source>
         <translation>Eine weitere Bearbeitung anwenden; sie kommt dorthin, wo die Reihenfolge es erlaubt</translation>
+    </message>
+    <message>
+        <source>Make a path of all takes of this tool, with the standard edits</source>
+        <translation>Eine Bahn aus allen Aufnahmen dieses Werkzeugs machen, mit den üblichen Bearbeitungen</translation>
+    </message>
+    <message>
+        <source>Record a take with this tool first.</source>
+        <translation>Nehmen Sie zuerst etwas mit diesem Werkzeug auf.</translation>
     </message>
 </context>
 <context>
@@ -3936,6 +3991,38 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Read the edited text back and mill it again on a fresh workpiece</source>
         <translation>Den bearbeiteten Text zurücklesen und auf einem frischen Werkstück noch einmal fräsen</translation>
+    </message>
+    <message>
+        <source>mm (G21)</source>
+        <translation>mm (G21)</translation>
+    </message>
+    <message>
+        <source>inch (G20)</source>
+        <translation>Zoll (G20)</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Lengths and feeds in the program&apos;s text</source>
+        <translation>Längen und Vorschübe im Text des Programms</translation>
+    </message>
+    <message>
+        <source>Tools of the program</source>
+        <translation>Werkzeuge des Programms</translation>
+    </message>
+    <message>
+        <source>What was milled with this tool belongs into the program</source>
+        <translation>Was mit diesem Werkzeug gefräst wurde, gehört ins Programm</translation>
+    </message>
+    <message>
+        <source>What was milled with %1 has no path and is not in the program.</source>
+        <translation>Was mit %1 gefräst wurde, hat keine Bahn und ist nicht im Programm.</translation>
+    </message>
+    <message>
+        <source>Takes or edits changed: update the path first.</source>
+        <translation>Aufnahmen oder Bearbeitungen haben sich geändert: Aktualisieren Sie zuerst die Bahn.</translation>
     </message>
 </context>
 <context>
@@ -4504,6 +4591,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>dialect</source>
         <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>units of the program</source>
+        <translation>Einheit des Programms</translation>
     </message>
 </context>
 <context>

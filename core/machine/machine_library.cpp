@@ -70,6 +70,15 @@ void readSpindle(JsonObject& file, MachineProfile& machine) {
     if (file.has("spindle_power_w")) machine.spindlePower = file.number("spindle_power_w", spindlePower);
 }
 
+void readCoolants(JsonObject& file, MachineProfile& machine) {
+    if (!file.has("coolant")) return;
+    machine.coolants.emplace();
+    file.object("coolant", [&](JsonObject& coolant) {
+        for (const Coolant each : {Coolant::mist, Coolant::flood})
+            if (coolant.boolean(idOf(each))) machine.coolants->push_back(each);
+    });
+}
+
 /// A source that names no figure of the file is a slip of the pen.
 void readSources(JsonObject& file, MachineProfile& machine) {
     machine.source = file.text("source");
@@ -103,6 +112,7 @@ Result<MachineProfile> machineFromJson(std::string_view text, const std::string&
     readMotion(*file, machine);
     readSpindle(*file, machine);
     readArcs(*file, machine.arcs);
+    readCoolants(*file, machine);
     machine.toolChangeHeight = file->number("tool_change_height_mm", height);
     machine.toolChangeSeconds = file->numberOr("tool_change_s", 0.0, toolChange);
     machine.coordinateDecimals = file->integer("coordinate_decimals", 0, 9);

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/coolant.h"
 #include "core/base/units.h"
 #include "core/geometry/box.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -58,9 +62,14 @@ struct MachineProfile {
     JunctionRule junctions = JunctionRule::blend;
     double junctionTolerance = 0.01; ///< mm; of `blend` where the program states none
     ArcRules arcs;
+    /// What it can switch on; nothing: the profile does not say, so that the control's words decide.
+    std::optional<std::vector<Coolant>> coolants{};
     int coordinateDecimals = 3;  ///< digits behind the point in mm
     int maximumLineLength = 255; ///< characters
 
+    bool has(Coolant coolant) const noexcept {
+        return coolant == Coolant::off || !coolants || std::ranges::find(*coolants, coolant) != coolants->end();
+    }
     /// mm/min, the greatest rate of an axis (0, 1, 2).
     double axisRate(int axis) const noexcept { return axisRates[axis] > 0.0 ? axisRates[axis] : rapidFeed; }
     /// mm/s², of an axis; 0: without limit.

@@ -224,7 +224,10 @@ template <>
 struct EditRow<SetFeed> {
     static constexpr EditTraits traits{
         .id = "set-feed", .title = BURIN_TEXT("Edit", "Set feed and speed"), .step = EditStep::feed, .once = true};
-    static constexpr std::tuple<> fields{};
+    static constexpr std::array<std::string_view, 4> coolings{"advised", "off", "mist", "flood"};
+    static constexpr std::tuple fields{number("speed_factor", &SetFeed::speedFactor, 0.05, 5.0),
+                                       number("feed_factor", &SetFeed::feedFactor, 0.05, 5.0),
+                                       choice("coolant", &SetFeed::cooling, coolings)};
 };
 
 template <>

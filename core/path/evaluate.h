@@ -25,6 +25,7 @@ struct PathContext {
     const MeshDistance* part = nullptr; ///< chord <= 0.005 mm
     Tool tool;
     CuttingConditions conditions;
+    Coolant advisedCoolant = Coolant::off; ///< by the material
     MachineProfile machine;
     Box stock;                            ///< mm, setup frame
     std::vector<ObstacleSolid> obstacles; ///< links keep clear of those that are on

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/coolant.h"
 #include "core/geometry/pose.h"
 
 #include <cstdint>
@@ -44,6 +45,7 @@ struct Path {
     std::string name;
     std::string toolId;
     double spindleSpeed = 0.0; ///< 1/min
+    Coolant coolant = Coolant::off;
     std::vector<PathPoint> points;
 };
 

@@ -174,7 +174,7 @@ inline QString programText() {
 
 inline ProgramState program() {
     ProgramState state;
-    state.hasPath = true;
+    state.hasPath = state.upToDate = true;
     state.text = programText();
     state.blocks = 4812;
     VerifyReport report;

@@ -20,12 +20,7 @@ using namespace burin::testing;
 namespace {
 
 bool mill(WindowDriver& driver) {
-    Workbench& bench = driver.window().workbench();
-    if (!makeReady(driver) || !driver.step(JobStep::mill) || !driver.clickOn("recordButton")) return false;
-    if (!driver.waitFor([&] { return bench.mill.recording(); }, 5000)) return false;
-    millLine(driver, {-15, 0}, {15, 0});
-    driver.key(Qt::Key_Escape);
-    return driver.waitFor([&] { return !bench.session.running(); }, 5000);
+    return makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0});
 }
 
 bool post(WindowDriver& driver) {
@@ -35,7 +30,7 @@ bool post(WindowDriver& driver) {
     if (bench.path.stored() && bench.path.outdated() && !driver.clickOn("updatePathButton")) return false;
     if (!driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated() && !bench.path.busy(); }))
         return false;
-    return driver.step(JobStep::program) && driver.clickOn("postButton") && driver.settle() && bench.program.program();
+    return postProgram(driver);
 }
 
 /// The longest cutting move.

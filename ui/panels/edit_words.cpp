@@ -272,6 +272,18 @@ constexpr std::array rows{
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Rounding"),
          QT_TRANSLATE_NOOP("EditParameterTexts",
                            "How much of either move the rounded corner of a link may take; none: sharp corners")}},
+    Row{"set-feed",
+        "speed_factor",
+        {QT_TRANSLATE_NOOP("EditParameterTexts", "Spindle speed"),
+         QT_TRANSLATE_NOOP("EditParameterTexts", "Of what the tables say; feeds go with it, the chip load stays")}},
+    Row{"set-feed",
+        "feed_factor",
+        {QT_TRANSLATE_NOOP("EditParameterTexts", "Chip load"),
+         QT_TRANSLATE_NOOP("EditParameterTexts", "Of what the tables say; feeds go with it")}},
+    Row{"set-feed",
+        "coolant",
+        {QT_TRANSLATE_NOOP("EditParameterTexts", "Coolant"),
+         QT_TRANSLATE_NOOP("EditParameterTexts", "As the material advises where the machine has it, or as you say")}},
     Row{"level-feed",
         "goal",
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Level"),
@@ -314,7 +326,11 @@ constexpr std::array choices{
     std::pair{std::string_view("lowest"), QT_TRANSLATE_NOOP("EditParameterTexts", "as low as is safe")},
     std::pair{std::string_view("around"), QT_TRANSLATE_NOOP("EditParameterTexts", "low, and round what stands there")},
     std::pair{std::string_view("force"), QT_TRANSLATE_NOOP("EditParameterTexts", "the force")},
-    std::pair{std::string_view("removal"), QT_TRANSLATE_NOOP("EditParameterTexts", "the removal rate")}};
+    std::pair{std::string_view("removal"), QT_TRANSLATE_NOOP("EditParameterTexts", "the removal rate")},
+    std::pair{std::string_view("advised"), QT_TRANSLATE_NOOP("EditParameterTexts", "as advised")},
+    std::pair{std::string_view("off"), QT_TRANSLATE_NOOP("EditParameterTexts", "off")},
+    std::pair{std::string_view("mist"), QT_TRANSLATE_NOOP("EditParameterTexts", "mist (M7)")},
+    std::pair{std::string_view("flood"), QT_TRANSLATE_NOOP("EditParameterTexts", "flood (M8)")}};
 
 } // namespace
 

@@ -34,6 +34,7 @@ private:
     void makeCard(std::size_t place);
     QMenu* editMenu();
     bool cardsFit() const;
+    QString withoutTakes() const;
     void tell();
 
     PathPanel* panel_;
@@ -106,8 +107,8 @@ void PathPanel::Fields::addHead() {
 void PathPanel::Fields::refreshButtons() {
     const QString busy = state.busy || state.waiting ? PathPanel::tr("Work is under way.") : QString();
     new_->setVisible(!state.exists);
-    enableUnless(new_, state.hasTakes ? busy : PathPanel::tr("Record a take first."),
-                 PathPanel::tr("Make a path of all takes, with the standard edits"));
+    enableUnless(new_, state.hasTakes ? busy : withoutTakes(),
+                 PathPanel::tr("Make a path of all takes of this tool, with the standard edits"));
     update_->setVisible(state.exists);
     const bool wanted = state.outdated || !state.problem.isEmpty();
     enableUnless(update_,
@@ -119,6 +120,11 @@ void PathPanel::Fields::refreshButtons() {
     eye_->setEnabled(state.exists);
 }
 
+QString PathPanel::Fields::withoutTakes() const {
+    return state.hasOtherTakes ? PathPanel::tr("Record a take with this tool first.")
+                               : PathPanel::tr("Record a take first.");
+}
+
 void PathPanel::Fields::tell() {
     if (state.busy)
         notice_->tell(Notice::Kind::information, PathPanel::tr("The edits are being applied…"));
@@ -128,7 +134,7 @@ void PathPanel::Fields::tell() {
         notice_->tell(Notice::Kind::information,
                       PathPanel::tr("The workpiece is being made; then the edits are applied…"));
     else if (!state.hasTakes)
-        notice_->tell(Notice::Kind::information, PathPanel::tr("Record a take first."));
+        notice_->tell(Notice::Kind::information, withoutTakes());
     else if (state.exists && state.outdated)
         notice_->tell(Notice::Kind::warning, PathPanel::tr("Takes or edits changed: update the path."));
     else
@@ -168,6 +174,9 @@ void PathPanel::Fields::makeCard(std::size_t place) {
     connect(card, &EditCard::moveRequested, this,
             [this, place](int by) { emit panel_->editMoved(place, by < 0 ? place - 1 : place + 1); });
     connect(card, &EditCard::removalRequested, this, [this, place] { emit panel_->editRemoved(place); });
+    connect(card, &EditCard::drawingWanted, this, [this, place](const QString& key, bool wanted) {
+        emit panel_->fieldDrawingWanted({place, key.toStdString()}, wanted);
+    });
     card->setMovable(place > 0, place + 1 < state.path.edits.size());
     list_->addWidget(card);
     cards_.push_back(card);
@@ -196,6 +205,8 @@ void PathPanel::Fields::refreshEdits() {
             edit.enabled && next < state.reports.size() && state.reports[next].edit == cards_[i]->kind();
         cards_[i]->showReport(reported ? &state.reports[next] : nullptr, unit);
         next += reported ? 1 : 0;
+        const bool drawn = state.drawnField && state.drawnField->edit == i;
+        cards_[i]->setDrawing(drawn ? std::string_view(state.drawnField->key) : std::string_view());
         cards_[i]->setEnabled(!state.busy);
     }
 }

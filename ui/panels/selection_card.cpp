@@ -36,6 +36,7 @@ SelectionCard::SelectionCard(QWidget* parent)
     column->addWidget(new FieldRow(tr("Drag along"), drag_, tr("Where a place of the path goes that is dragged"), this,
                                    FieldRow::choiceWidth));
     draw_->setCheckable(true);
+    draw_->setProperty("look", "choice");
     column->addWidget(draw_);
     connect(drag_, &QComboBox::activated, this, [this](int index) { emit dragChosen(static_cast<DragChoice>(index)); });
     connect(draw_, &QPushButton::clicked, this, &SelectionCard::drawingWanted);

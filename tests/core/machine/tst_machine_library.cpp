@@ -64,6 +64,7 @@ private slots:
         QVERIFY(router->rapids == RapidMode::synchronised);
         QCOMPARE(router->maximumLineLength, 79);
         QVERIFY(router->arcs.radiusMismatch <= 0.005);
+        QVERIFY(router->has(Coolant::off) && !router->has(Coolant::mist) && !router->has(Coolant::flood));
         QVERIFY(router->sources.at("travel_mm").find("SHAPEOKO_3") != std::string::npos);
     }
 
@@ -86,6 +87,7 @@ private slots:
         QCOMPARE(own->blocksPerSecond, 0.0);
         QCOMPARE(own->arcs.largestSweep, 2.0 * pi);
         QCOMPARE(own->toolChangeSeconds, 0.0);
+        QVERIFY(own->has(Coolant::mist) && own->has(Coolant::flood)); // nobody said it hasn't
         QVERIFY(own->dialect.empty() && own->sources.empty());
     }
 
