@@ -16,6 +16,7 @@ constexpr NumberRange spindleSpeed{0.0, 1e6};
 constexpr NumberRange spindlePower{1.0, 1e6};
 constexpr NumberRange acceleration{1.0, 1e6};
 constexpr NumberRange jerk{1.0, 1e9};
+constexpr NumberRange blockRate{1.0, 1e6};
 constexpr NumberRange height{0.0, 1e4};
 constexpr NumberRange toolChange{0.0, 3600.0};
 constexpr NumberRange tolerance{0.0, 1.0};
@@ -35,6 +36,7 @@ void readMotion(JsonObject& file, MachineProfile& machine) {
     machine.acceleration = file.number("acceleration_mm_per_s2", acceleration);
     machine.axisAccelerations = axesOr(file, "axis_accelerations_mm_per_s2", acceleration);
     machine.axisJerks = axesOr(file, "axis_jerks_mm_per_s3", jerk);
+    if (file.has("blocks_per_second")) machine.blocksPerSecond = file.number("blocks_per_second", blockRate);
     if (file.has("rapids"))
         machine.rapids = static_cast<RapidMode>(file.choice("rapids", {"synchronised", "independent", "tip"}));
     if (file.has("junctions"))

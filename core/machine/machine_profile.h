@@ -55,6 +55,7 @@ struct MachineProfile {
     double acceleration = 0.0;                  ///< mm/s², of an axis that has none of its own; 0: without limit
     glm::dvec3 axisAccelerations{0.0};          ///< mm/s², of each axis; 0: `acceleration` (see axisAcceleration)
     glm::dvec3 axisJerks{0.0};                  ///< mm/s³, of each axis; 0: without limit
+    double blocksPerSecond = 0.0;               ///< that the control carries out at most; 0: not stated
     double toolChangeSeconds = 0.0;             ///< s, from chip to chip
     double toolChangeHeight = 0.0;              ///< mm above the work offset's zero that is always safe to go to
     RapidMode rapids = RapidMode::synchronised;

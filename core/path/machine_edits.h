@@ -14,12 +14,16 @@ namespace burin {
 /// where that keeps the allowance and shank and holder stay in empty space. Under an overhang the tool leaves along the
 /// way it came. Instead of over everything it may travel at the lowest height at which the whole tool, on its straight
 /// way across, stays `approach` above what the height map says is left, and clear of part and obstacles; a machine
-/// whose axes run independently goes askew over everything all the same.
+/// whose axes run independently goes askew over everything all the same. Where the straight way is not clear so low, it
+/// may go round what stands there, at the height and on the way that are shortest of some that were looked at, where
+/// that is shorter than over everything. Corners between rapid moves may be rounded, inside, by arcs in chords, as far
+/// as what is inside stays clear in the same way.
 struct Link {
-    enum class Travel { safe, lowest };
+    enum class Travel { safe, lowest, around };
     double clearanceAbove = 5.0; ///< mm
     double approach = 1.0;       ///< mm
     Travel travel = Travel::safe;
+    double rounding = 0.0; ///< mm of either move that a rounded corner takes at most; 0: sharp
 };
 
 /// Feed, plunge feed, spindle speed and coolant from tool, material and machine. Plunges, and moves that go down by
