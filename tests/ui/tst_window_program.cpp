@@ -49,7 +49,33 @@ class TestWindowProgram : public QObject {
     Q_OBJECT
 private slots:
     void aMoveAndItsLineLeadToEachOther();
+    void textThatWasNotCheckedSurvivesAnEndFromOutside();
 };
+
+void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
+    WindowDriver driver;
+    QVERIFY(mill(driver));
+    QVERIFY(post(driver));
+    QVERIFY(driver.clickOn("editTextButton"));
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    QVERIFY(text != nullptr);
+    text->setFocus();
+    QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(text, "(half a thought)");
+    QTest::keyClick(text, Qt::Key_Return);
+    QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.edited(); }, 3000));
+    QVERIFY(driver.restart(true));
+    QVERIFY(driver.clickOn("recoverButton"));
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }));
+    QVERIFY(driver.settle());
+    QVERIFY(bench.program.edited() && !bench.program.exportable());
+    QVERIFY(bench.program.storedText().startsWith("(half a thought)\n"));
+    QVERIFY(driver.step(JobStep::program));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    QVERIFY(driver.clickOn("checkTextButton"));
+    QVERIFY(driver.waitFor([&] { return bench.program.exportable(); }));
+}
 
 void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     WindowDriver driver;

@@ -119,6 +119,22 @@ private slots:
         QVERIFY(&control == findControl("grbl"));
     }
 
+    /// A figure that is broken in two would be another figure; and no line may begin as an order to the control does.
+    void longCommentsAreBrokenBetweenWords() {
+        NcProgram job = referenceJob(NcUnits::millimetre, 1);
+        job.header = {"Program zero in the frame of the model X5.000 Y5.000 Z14.000",
+                      "Whatever fills a line, the next one begins as DEBUG, #1 and is a comment all the same"};
+        MachineProfile machine = roomyMachine();
+        for (const char* dialect : {"haas", "grbl", "linuxcnc"})
+            for (machine.maximumLineLength = 50; machine.maximumLineLength < 80; ++machine.maximumLineLength) {
+                const auto text = posted(dialect, job, machine);
+                QVERIFY(text);
+                for (const char* figure : {"X5.000", "Y5.000", "Z14.000"})
+                    QVERIFY2(text->find(figure) != std::string::npos, text->c_str());
+                QVERIFY2(text->find("(DEBUG,") == std::string::npos, text->c_str());
+            }
+    }
+
     void aUsersFaultyDialectIsNamed() {
         const std::filesystem::path file = userResourceDirectory(dialectResource) / "broken.json";
         std::filesystem::create_directories(file.parent_path());
