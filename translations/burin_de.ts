@@ -1063,10 +1063,6 @@
         <translation>Eilgang</translation>
     </message>
     <message>
-        <source>Above everything, or as low as what is left allows</source>
-        <translation>Über allem, oder so tief, wie das Verbliebene erlaubt</translation>
-    </message>
-    <message>
         <source>Level</source>
         <translation>Ausgleichen</translation>
     </message>
@@ -1209,6 +1205,22 @@
     <message>
         <source>flood (M8)</source>
         <translation>Schwall (M8)</translation>
+    </message>
+    <message>
+        <source>Above everything, as low as what is left allows, or also round what stands in the way</source>
+        <translation>Über allem, so tief, wie das Verbliebene erlaubt, oder auch um das herum, was im Weg steht</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>How much of either move the rounded corner of a link may take; none: sharp corners</source>
+        <translation>Wie viel jeder der beiden Bewegungen die gerundete Ecke einer Verbindung nehmen darf; nichts: scharfe Ecken</translation>
+    </message>
+    <message>
+        <source>low, and round what stands there</source>
+        <translation>tief, und um Hindernisse herum</translation>
     </message>
 </context>
 <context>
@@ -1658,6 +1670,30 @@
     <message>
         <source>In a fixture by %1</source>
         <translation>%1 tief in einer Vorrichtung</translation>
+    </message>
+    <message>
+        <source>Shank passes the stock at %1</source>
+        <translation>Schaft geht in %1 am Rohteil vorbei</translation>
+    </message>
+    <message>
+        <source>Holder passes the stock at %1</source>
+        <translation>Halter geht in %1 am Rohteil vorbei</translation>
+    </message>
+    <message>
+        <source>Shank passes the part at %1</source>
+        <translation>Schaft geht in %1 am Teil vorbei</translation>
+    </message>
+    <message>
+        <source>Holder passes the part at %1</source>
+        <translation>Halter geht in %1 am Teil vorbei</translation>
+    </message>
+    <message>
+        <source>Shank passes a fixture at %1</source>
+        <translation>Schaft geht in %1 an einer Vorrichtung vorbei</translation>
+    </message>
+    <message>
+        <source>Holder passes a fixture at %1</source>
+        <translation>Halter geht in %1 an einer Vorrichtung vorbei</translation>
     </message>
 </context>
 <context>
@@ -3760,6 +3796,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Record a take with this tool first.</source>
         <translation>Nehmen Sie zuerst etwas mit diesem Werkzeug auf.</translation>
     </message>
+    <message>
+        <source>Climb / conventional</source>
+        <translation>Gleichlauf / Gegenlauf</translation>
+    </message>
+    <message>
+        <source>With a spindle that turns clockwise; conventional stretches are blue in the view. The rest cuts on both sides, or from above. Reverse turns strokes round</source>
+        <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht blau. Der Rest schneidet beidseitig oder von oben. „Umkehren“ dreht Züge um</translation>
+    </message>
 </context>
 <context>
     <name>burin::PreferencesDialog</name>
@@ -4148,6 +4192,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Draw a stroke in the view that replaces what is chosen, on its height</source>
         <translation>In der Ansicht einen Zug zeichnen, der das Gewählte ersetzt, auf seiner Höhe</translation>
+    </message>
+    <message>
+        <source>climb</source>
+        <translation>Gleichlauf</translation>
+    </message>
+    <message>
+        <source>conventional</source>
+        <translation>Gegenlauf</translation>
     </message>
 </context>
 <context>

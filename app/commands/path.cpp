@@ -4,6 +4,7 @@
 #include "app/report.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
+#include "core/path/milling_side.h"
 #include "core/project/job_paths.h"
 #include "core/recording/take_csv.h"
 #include "core/recording/trace_file.h"
@@ -172,8 +173,14 @@ int show(const PathArguments& arguments, CommandContext& context) {
     answer["reports"] = burin::jsonOf(path->reports);
     answer["points"] = path->path.points.size();
     answer["error_budget_mm"] = path->errorBudget;
+    const auto bySide = lengthsBySide(path->path, path->sides);
+    const double climb = bySide[static_cast<std::size_t>(MillingSide::climb)],
+                 conventional = bySide[static_cast<std::size_t>(MillingSide::conventional)];
+    answer["climb_mm"] = climb;
+    answer["conventional_mm"] = conventional;
     std::string text = textOf(*stored) + "\n" + std::to_string(path->path.points.size()) + " points, error budget " +
-                       formatFixed(path->errorBudget, 4) + " mm";
+                       formatFixed(path->errorBudget, 4) + " mm, climb " + formatFixed(climb, 1) +
+                       " mm, conventional " + formatFixed(conventional, 1) + " mm";
     for (const EditReport& report : path->reports)
         text += "\n  " + report.edit + ": " + std::to_string(report.pointsBefore) + " -> " +
                 std::to_string(report.pointsAfter) + " points, at most " + formatFixed(report.largestDeviation, 4) +

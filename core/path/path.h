@@ -40,6 +40,9 @@ struct PathPoint {
     std::optional<PathArc> arc{};  ///< nothing: straight; never a rapid
 };
 
+/// mm, of the move to a point.
+double lengthOf(const glm::dvec3& from, const PathPoint& to) noexcept;
+
 /// What the machine shall do with one tool, axis +Z.
 struct Path {
     std::string name;

@@ -5,6 +5,7 @@
 #include "core/base/numbers.h"
 #include "core/cutting/coolant_advice.h"
 #include "core/nc/dialect_library.h"
+#include "core/path/milling_side.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -149,7 +150,12 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
         return std::move(embedded->workpiece);
     };
     if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
-    return evaluate(path.name, takes, path.edits, context, progress);
+    Result<EvaluatedPath> evaluated = evaluate(path.name, takes, path.edits, context, progress);
+    if (!evaluated) return evaluated;
+    Result<std::vector<MillingStretch>> sides = millingSides(evaluated->path, context);
+    if (!sides) return std::move(sides).error();
+    evaluated->sides = std::move(*sides);
+    return evaluated;
 }
 
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
@@ -190,6 +196,7 @@ Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& 
     const auto lines = [](const std::string& all) { return std::ranges::count(all, '\n'); };
     const auto added = static_cast<std::uint32_t>(lines(*text) - lines(program.text));
     for (Finding& finding : program.report.findings) finding.line += added;
+    for (NearPass& pass : program.report.nearPasses) pass.line += added;
     for (MotionLoad& load : program.report.loads) load.line += added;
     for (LintMark& mark : program.lint) mark.line += added;
     program.text = std::move(*text);

@@ -157,6 +157,8 @@ inline PathState path() {
     state.errorBudget = 0.0332;
     state.points = 12408;
     state.cuttingLength = 8421.7;
+    state.climbLength = 0.62 * state.cuttingLength;
+    state.conventionalLength = 0.31 * state.cuttingLength;
     return state;
 }
 

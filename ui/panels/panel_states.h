@@ -154,8 +154,10 @@ struct PathState {
     std::vector<EditReport> reports;   ///< of the newest evaluation, one for each enabled edit, in order
     std::optional<double> errorBudget; ///< mm
     std::size_t points = 0;
-    double cuttingLength = 0.0; ///< mm
-    bool outdated = false;      ///< takes or edits changed since
+    double cuttingLength = 0.0;                         ///< mm
+    double climbLength = 0.0, conventionalLength = 0.0; ///< mm of it; the rest cuts on both sides, or from above
+    std::optional<MillingSide> selectedSide;            ///< of what is chosen; nothing: not the same everywhere
+    bool outdated = false;                              ///< takes or edits changed since
     bool busy = false;
     bool waiting = false; ///< for the workpiece; then it is evaluated by itself
     std::optional<TakeStretch> selection;

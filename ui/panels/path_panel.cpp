@@ -44,7 +44,7 @@ private:
     Notice* notice_;
     QWidget* content_;
     SelectionCard* selection_;
-    ValueRow *takes_, *points_, *length_, *budget_;
+    ValueRow *takes_, *points_, *length_, *sides_, *budget_;
     QVBoxLayout* list_;
     std::vector<EditCard*> cards_;
 };
@@ -58,11 +58,15 @@ PathPanel::Fields::Fields(PathPanel* panel) : QObject(panel), panel_(panel), col
     for (auto [row, text, name] : {std::tuple{&takes_, PathPanel::tr("Takes"), "pathTakes"},
                                    {&points_, PathPanel::tr("Points"), "pathPoints"},
                                    {&length_, PathPanel::tr("Cutting length"), "pathLength"},
+                                   {&sides_, PathPanel::tr("Climb / conventional"), "pathSides"},
                                    {&budget_, PathPanel::tr("Error of all edits"), "pathErrorBudget"}}) {
         *row = new ValueRow(text, content_);
         (*row)->setObjectName(QLatin1String(name));
         inner->addWidget(*row);
     }
+    sides_->setToolTip(
+        PathPanel::tr("With a spindle that turns clockwise; conventional stretches are blue in the view. "
+                      "The rest cuts on both sides, or from above. Reverse turns strokes round"));
     budget_->setToolTip(PathPanel::tr("The path is at most this far from what the hand did"));
     selection_ = new SelectionCard(content_);
     connect(selection_, &SelectionCard::dragChosen, panel, &PathPanel::dragChosen);
@@ -147,6 +151,10 @@ void PathPanel::Fields::refreshFigures() {
     takes_->setValue(countText(state.path.takes.size()));
     points_->setValue(evaluated ? countText(state.points) : none);
     length_->setValue(evaluated ? lengthText(state.cuttingLength, unit) : none);
+    const double length = std::max(state.cuttingLength, 1e-9);
+    sides_->setValue(evaluated ? shareText(state.climbLength / length) + QStringLiteral(" / ") +
+                                     shareText(state.conventionalLength / length)
+                               : none);
     budget_->setValue(state.errorBudget ? lengthText(*state.errorBudget, unit) : none);
 }
 

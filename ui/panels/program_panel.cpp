@@ -61,6 +61,7 @@ private:
     QString reasonAgainstExport() const;
     QString failure() const;
     void gather();
+    void gatherNearPasses(std::vector<NearPass> passes);
     std::vector<ListRow> rows() const;
     std::size_t errors() const;
 
@@ -249,6 +250,17 @@ void ProgramPanel::Fields::gather() {
         marks_.push_back({static_cast<int>(mark.line),
                           mark.severity == LintSeverity::error ? LineMark::Kind::error : LineMark::Kind::warning,
                           lintText(mark)});
+    if (state.report) gatherNearPasses(state.report->nearPasses);
+}
+
+/// The nearest ones: a holder may pass a wall near by on a thousand lines.
+void ProgramPanel::Fields::gatherNearPasses(std::vector<NearPass> passes) {
+    constexpr std::size_t most = 50;
+    std::ranges::stable_sort(passes, {}, &NearPass::distance);
+    if (passes.size() > most) passes.resize(most);
+    std::ranges::stable_sort(passes, {}, &NearPass::line);
+    for (const NearPass& pass : passes)
+        marks_.push_back({static_cast<int>(pass.line), LineMark::Kind::warning, nearPassText(pass, unit_)});
 }
 
 std::size_t ProgramPanel::Fields::errors() const {

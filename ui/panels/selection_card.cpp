@@ -44,8 +44,11 @@ SelectionCard::SelectionCard(QWidget* parent)
 }
 
 void SelectionCard::setState(const PathState& state) {
-    chosen_->setText(state.selection ? tr("Chosen: %1").arg(stretchText(*state.selection))
-                                     : tr("Nothing of the path is chosen"));
+    QString chosen =
+        state.selection ? tr("Chosen: %1").arg(stretchText(*state.selection)) : tr("Nothing of the path is chosen");
+    if (state.selectedSide == MillingSide::climb) chosen += QStringLiteral(" · ") + tr("climb");
+    if (state.selectedSide == MillingSide::conventional) chosen += QStringLiteral(" · ") + tr("conventional");
+    chosen_->setText(chosen);
     clear_->setEnabled(state.selection.has_value());
     drag_->setCurrentIndex(static_cast<int>(state.drag));
     draw_->setChecked(state.drawing);

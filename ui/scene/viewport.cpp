@@ -144,7 +144,7 @@ void Viewport::clearLivePath() {
     impl_->refresh();
 }
 
-void Viewport::setPath(const Path& path) {
+void Viewport::setPath(const EvaluatedPath& path) {
     impl_->scene.editedPath().setPath(path);
     impl_->refresh();
 }

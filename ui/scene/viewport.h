@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
-#include "core/path/path.h"
+#include "core/path/evaluate.h"
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
 #include "core/verify/deviation_map.h"
@@ -87,8 +87,8 @@ public:
     /// The path as it is recorded: tips, mm; a stroke begins where `newStroke`.
     void appendLivePath(std::span<const glm::vec3> tips, bool newStroke);
     void clearLivePath();
-    /// The edited path, colour by kind of move.
-    void setPath(const Path& path);
+    /// The edited path, colour by kind of move and by the side on which it mills.
+    void setPath(const EvaluatedPath& path);
     void setPathVisible(bool visible);
     /// What a program leaves on the part, or takes from it; no samples: nothing.
     void setDeviations(std::span<const DeviationSample> samples, const DeviationTolerance& tolerance);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/path_presenters.h"
 
+#include "core/path/milling_side.h"
 #include "ui/messages/messages.h"
 
 #include <QCoreApplication>
@@ -17,8 +18,22 @@ double cuttingLength(const Path& path) {
     double length = 0.0;
     for (std::size_t i = 1; i < path.points.size(); ++i)
         if (path.points[i].kind == MoveKind::cut || path.points[i].kind == MoveKind::plunge)
-            length += glm::distance(path.points[i - 1].tip, path.points[i].tip);
+            length += lengthOf(path.points[i - 1].tip, path.points[i]);
     return length;
+}
+
+/// How all of a stretch of the hand is milled; nothing where that differs.
+std::optional<MillingSide> sideOf(const EvaluatedPath& path, const TakeStretch& chosen) {
+    std::optional<MillingSide> side;
+    for (const MillingStretch& stretch : path.sides)
+        for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+            const PathPoint& point = path.path.points[i];
+            if (point.kind != MoveKind::cut || point.sample < 0 || !chosen.contains({point.take, point.sample}))
+                continue;
+            if (side && *side != stretch.side) return std::nullopt;
+            side = stretch.side;
+        }
+    return side;
 }
 
 } // namespace
@@ -62,6 +77,10 @@ void PathPresenter::present() {
         state.errorBudget = path.evaluated()->errorBudget;
         state.points = path.evaluated()->path.points.size();
         state.cuttingLength = cuttingLength(path.evaluated()->path);
+        const auto bySide = lengthsBySide(path.evaluated()->path, path.evaluated()->sides);
+        state.climbLength = bySide[static_cast<std::size_t>(MillingSide::climb)];
+        state.conventionalLength = bySide[static_cast<std::size_t>(MillingSide::conventional)];
+        if (path.selection()) state.selectedSide = sideOf(*path.evaluated(), *path.selection());
     }
     state.outdated = path.outdated();
     state.busy = path.busy();

@@ -21,7 +21,7 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
     connect(&workbench.path, &PathController::evaluatedAnew, this, [this] {
         const auto& evaluated = workbench_.path.evaluated();
         live_.clear(); // the edited path takes its place
-        viewport_.setPath(evaluated ? evaluated->path : Path{});
+        viewport_.setPath(evaluated ? *evaluated : EvaluatedPath{});
     });
     for (const ActionId id : {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool})
         connect(actions[id], &QAction::toggled, this, &Presenter::presentSoon);
