@@ -13,6 +13,7 @@ namespace burin {
 namespace {
 
 constexpr std::size_t smallGroup = 2; // tips that are looked at one by one
+constexpr double wideNode = 2.0;      // radii of a group: nodes that are wider are looked into
 
 /// Tips by cells of space, each cell's together: one search each.
 class TipCells {
@@ -61,12 +62,13 @@ void EntrySearch::run(std::span<AskedTip> tips, std::span<std::uint8_t> entered)
     entered_ = entered;
     parts_.clear();
     parts_.push_back({0, Part::node});
-    judge(tips, 0, 1);
+    judge(tips, {0.0, 0.0, 1.0}, 0, 1);
 }
 
 /// The plate is laid through three tips that lie far apart: tips of a smooth surface are thin across it.
-EntrySearch::Group EntrySearch::groupOf(std::span<const AskedTip> tips) const noexcept {
+EntrySearch::Group EntrySearch::groupOf(std::span<const AskedTip> tips, const glm::dvec3& normal) const noexcept {
     Group group;
+    group.normal = normal;
     glm::dvec3 low = tips[0].tip, high = low;
     for (const AskedTip& asked : tips) {
         low = glm::min(low, asked.tip);
@@ -98,6 +100,12 @@ EntrySearch::Group EntrySearch::groupOf(std::span<const AskedTip> tips) const no
         group.below = std::min(group.below, along);
         group.above = std::max(group.above, along);
     }
+    layPlanes(group);
+    return group;
+}
+
+/// Across the normal, where the tools of a group end.
+void EntrySearch::layPlanes(Group& group) const noexcept {
     const double axial = glm::dot(group.normal, axis_), radial = std::sqrt(std::max(0.0, 1.0 - axial * axial));
     const auto reach = [&](double sign) {
         const ProfilePoint ring = farthestIn(piece_, radial, sign * axial);
@@ -105,29 +113,30 @@ EntrySearch::Group EntrySearch::groupOf(std::span<const AskedTip> tips) const no
     };
     group.over = group.above + reach(1.0);
     group.beneath = group.below - reach(-1.0);
-    return group;
 }
 
+/// @param normal  of the plane in which a greater group's tips lie best
 /// @param first @param end  of the parts of the mesh that may concern these tips
-void EntrySearch::judge(std::span<AskedTip> tips, std::size_t first, std::size_t end) {
+void EntrySearch::judge(std::span<AskedTip> tips, const glm::dvec3& normal, std::size_t first, std::size_t end) {
     if (tips.size() <= smallGroup) {
         for (const AskedTip& asked : tips)
-            if (enters(asked.tip, first, end)) entered_[asked.number] = 1;
+            if (enters(asked.tip, normal, first, end)) entered_[asked.number] = 1;
         return;
     }
-    const Group group = groupOf(tips);
+    const Group group = groupOf(tips, normal);
     const PlacedPiece placed(piece_, ToolPose{group.centre, axis_});
     if (consider(placed, group, first, end) == Verdict::allEnter)
         for (const AskedTip& asked : tips) entered_[asked.number] = 1;
     else if (parts_.size() > end)
-        divide(tips, 2, end, parts_.size());
+        divide(tips, 2, group.normal, end, parts_.size());
     parts_.resize(end);
 }
 
 /// Halves a group across its longest side, and each half as often as is left.
-void EntrySearch::divide(std::span<AskedTip> tips, int times, std::size_t first, std::size_t end) {
+void EntrySearch::divide(std::span<AskedTip> tips, int times, const glm::dvec3& normal, std::size_t first,
+                         std::size_t end) {
     if (times == 0 || tips.size() <= smallGroup) {
-        judge(tips, first, end);
+        judge(tips, normal, first, end);
         return;
     }
     glm::dvec3 low = tips[0].tip, high = low;
@@ -140,11 +149,11 @@ void EntrySearch::divide(std::span<AskedTip> tips, int times, std::size_t first,
     const std::size_t half = tips.size() / 2;
     std::nth_element(tips.begin(), tips.begin() + static_cast<std::ptrdiff_t>(half), tips.end(),
                      [along](const AskedTip& a, const AskedTip& b) { return a.tip[along] < b.tip[along]; });
-    divide(tips.first(half), times - 1, first, end);
-    divide(tips.subspan(half), times - 1, first, end);
+    divide(tips.first(half), times - 1, normal, first, end);
+    divide(tips.subspan(half), times - 1, normal, first, end);
 }
 
-bool EntrySearch::enters(const glm::dvec3& tip, std::size_t first, std::size_t end) {
+bool EntrySearch::enters(const glm::dvec3& tip, const glm::dvec3& normal, std::size_t first, std::size_t end) {
     const PlacedPiece placed(piece_, ToolPose{tip, axis_});
     const auto isMet = [&](std::uint32_t slot) {
         const bool met = minimumOverTriangle(placed, tree_.triangles()[slot], -depth_).has_value();
@@ -154,8 +163,8 @@ bool EntrySearch::enters(const glm::dvec3& tip, std::size_t first, std::size_t e
     if (lastMet_ != none_ && isMet(lastMet_)) return true; // what stops a neighbour is likely to stop this one
     Group one;
     one.centre = tip;
-    one.beneath = -std::numeric_limits<double>::infinity();
-    one.over = std::numeric_limits<double>::infinity();
+    one.normal = normal;
+    layPlanes(one);
     bool met = consider(placed, one, first, end) == Verdict::allEnter;
     for (std::size_t i = end; i < parts_.size() && !met; ++i) met = isMet(parts_[i].number);
     parts_.resize(end);
@@ -204,7 +213,7 @@ void EntrySearch::considerChild(const PlacedPiece& placed, const Group& group, s
     const double least = value.distance - fall - group.rise(value.gradient);
     if (least - 1e-9 - 1.2e-7 * std::abs(least) >= -depth_) return;
     const std::uint32_t first = node.first[child], count = node.count[child];
-    if (static_cast<double>(node.radius[child]) <= group.radius)
+    if (static_cast<double>(node.radius[child]) <= wideNode * group.radius)
         parts_.push_back(count == 0 ? Part{first, Part::node} : Part{number, child});
     else if (count == 0)
         open_.push_back({first, Part::node});

@@ -58,10 +58,11 @@ private:
     };
     enum class Verdict : std::uint8_t { open, allEnter };
 
-    Group groupOf(std::span<const AskedTip> tips) const noexcept;
-    void judge(std::span<AskedTip> tips, std::size_t first, std::size_t end);
-    void divide(std::span<AskedTip> tips, int times, std::size_t first, std::size_t end);
-    bool enters(const glm::dvec3& tip, std::size_t first, std::size_t end);
+    Group groupOf(std::span<const AskedTip> tips, const glm::dvec3& normal) const noexcept;
+    void layPlanes(Group& group) const noexcept;
+    void judge(std::span<AskedTip> tips, const glm::dvec3& normal, std::size_t first, std::size_t end);
+    void divide(std::span<AskedTip> tips, int times, const glm::dvec3& normal, std::size_t first, std::size_t end);
+    bool enters(const glm::dvec3& tip, const glm::dvec3& normal, std::size_t first, std::size_t end);
     Verdict consider(const PlacedPiece& placed, const Group& group, std::size_t first, std::size_t end);
     void considerNode(const PlacedPiece& placed, const Group& group, const std::array<AbovePlane, 2>& planes,
                       std::uint32_t number);
