@@ -116,6 +116,15 @@ std::string textOf(const VerifyReport& report, double gougeTolerance) {
          << " mm in the mean, where the tool can reach\n"
          << "  removed  " << formatFixed(report.removed, 1) << " mm^3 in " << formatFixed(report.machiningSeconds, 0)
          << " s at the programmed feeds";
+    for (std::size_t i = 0; i < report.pathModes.size() && i < 5; ++i) {
+        const StatedPathMode& mode = report.pathModes[i];
+        if (mode.mode == PathMode::machine) continue;
+        text << "\n  corners  from line " << mode.line << " as the program says: "
+             << (mode.mode == PathMode::exactStop   ? "at rest after every block"
+                 : mode.mode == PathMode::exactPath ? "at rest where the way bends"
+                 : mode.tolerance > 0.0             ? "blended within " + formatFixed(mode.tolerance, 3) + " mm"
+                                                    : std::string("blended without limit"));
+    }
     for (std::size_t i = 0; i < report.findings.size() && i < 20; ++i) {
         const Finding& finding = report.findings[i];
         text << "\n  line " << finding.line << ": " << idOf(finding.kind) << " " << formatFixed(finding.amount, 4)
@@ -123,6 +132,13 @@ std::string textOf(const VerifyReport& report, double gougeTolerance) {
              << formatFixed(finding.place.z, 3) << ") mm";
     }
     if (report.findings.size() > 20) text << "\n  and " << report.findings.size() - 20 << " more";
+    for (std::size_t i = 0; i < report.nearPasses.size() && i < 20; ++i) {
+        const NearPass& pass = report.nearPasses[i];
+        text << "\n  warning  line " << pass.line << ": " << idOf(pass) << " " << formatFixed(pass.distance, 3)
+             << " mm at (" << formatFixed(pass.place.x, 3) << ", " << formatFixed(pass.place.y, 3) << ", "
+             << formatFixed(pass.place.z, 3) << ") mm";
+    }
+    if (report.nearPasses.size() > 20) text << "\n  and " << report.nearPasses.size() - 20 << " more warnings";
     return text.str();
 }
 

@@ -1063,10 +1063,6 @@
         <translation>Eilgang</translation>
     </message>
     <message>
-        <source>Above everything, or as low as what is left allows</source>
-        <translation>Über allem, oder so tief, wie das Verbliebene erlaubt</translation>
-    </message>
-    <message>
         <source>Level</source>
         <translation>Ausgleichen</translation>
     </message>
@@ -1169,6 +1165,62 @@
     <message>
         <source>the removal rate</source>
         <translation>das Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Of what the tables say; feeds go with it, the chip load stays</source>
+        <translation>Anteil am Tabellenwert; Vorschübe gehen mit, der Zahnvorschub bleibt</translation>
+    </message>
+    <message>
+        <source>Chip load</source>
+        <translation>Zahnvorschub</translation>
+    </message>
+    <message>
+        <source>Of what the tables say; feeds go with it</source>
+        <translation>Anteil am Tabellenwert; Vorschübe gehen mit</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlung</translation>
+    </message>
+    <message>
+        <source>As the material advises where the machine has it, or as you say</source>
+        <translation>Wie der Werkstoff rät, wo die Maschine es hat, oder wie Sie es sagen</translation>
+    </message>
+    <message>
+        <source>as advised</source>
+        <translation>wie geraten</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>mist (M7)</source>
+        <translation>Nebel (M7)</translation>
+    </message>
+    <message>
+        <source>flood (M8)</source>
+        <translation>Schwall (M8)</translation>
+    </message>
+    <message>
+        <source>Above everything, as low as what is left allows, or also round what stands in the way</source>
+        <translation>Über allem, so tief, wie das Verbliebene erlaubt, oder auch um das herum, was im Weg steht</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>How much of either move the rounded corner of a link may take; none: sharp corners</source>
+        <translation>Wie viel jeder der beiden Bewegungen die gerundete Ecke einer Verbindung nehmen darf; nichts: scharfe Ecken</translation>
+    </message>
+    <message>
+        <source>low, and round what stands there</source>
+        <translation>tief, und um Hindernisse herum</translation>
     </message>
 </context>
 <context>
@@ -1618,6 +1670,30 @@
     <message>
         <source>In a fixture by %1</source>
         <translation>%1 tief in einer Vorrichtung</translation>
+    </message>
+    <message>
+        <source>Shank passes the stock at %1</source>
+        <translation>Schaft geht in %1 am Rohteil vorbei</translation>
+    </message>
+    <message>
+        <source>Holder passes the stock at %1</source>
+        <translation>Halter geht in %1 am Rohteil vorbei</translation>
+    </message>
+    <message>
+        <source>Shank passes the part at %1</source>
+        <translation>Schaft geht in %1 am Teil vorbei</translation>
+    </message>
+    <message>
+        <source>Holder passes the part at %1</source>
+        <translation>Halter geht in %1 am Teil vorbei</translation>
+    </message>
+    <message>
+        <source>Shank passes a fixture at %1</source>
+        <translation>Schaft geht in %1 an einer Vorrichtung vorbei</translation>
+    </message>
+    <message>
+        <source>Holder passes a fixture at %1</source>
+        <translation>Halter geht in %1 an einer Vorrichtung vorbei</translation>
     </message>
 </context>
 <context>
@@ -2349,6 +2425,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Remove this edit</source>
         <translation>Diese Bearbeitung entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::EditFieldEditor</name>
+    <message>
+        <source>Draw it in the view; Esc leaves it as it is</source>
+        <translation>In der Ansicht zeichnen; Esc lässt es, wie es ist</translation>
+    </message>
+    <message>
+        <source>Draw %1</source>
+        <translation>%1 zeichnen</translation>
     </message>
 </context>
 <context>
@@ -3670,10 +3757,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Zeichnen Sie zuerst eine Aufnahme auf.</translation>
     </message>
     <message>
-        <source>Make a path of all takes, with the standard edits</source>
-        <translation>Aus allen Aufnahmen eine Bahn mit den üblichen Bearbeitungen machen</translation>
-    </message>
-    <message>
         <source>The path is up to date.</source>
         <translation>Die Bahn ist aktuell.</translation>
     </message>
@@ -3704,6 +3787,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Apply one more edit; it comes where the order allows it</source>
         <translation>Eine weitere Bearbeitung anwenden; sie kommt dorthin, wo die Reihenfolge es erlaubt</translation>
+    </message>
+    <message>
+        <source>Make a path of all takes of this tool, with the standard edits</source>
+        <translation>Eine Bahn aus allen Aufnahmen dieses Werkzeugs machen, mit den üblichen Bearbeitungen</translation>
+    </message>
+    <message>
+        <source>Record a take with this tool first.</source>
+        <translation>Nehmen Sie zuerst etwas mit diesem Werkzeug auf.</translation>
+    </message>
+    <message>
+        <source>Climb / conventional</source>
+        <translation>Gleichlauf / Gegenlauf</translation>
+    </message>
+    <message>
+        <source>With a spindle that turns clockwise; conventional stretches are blue in the view. The rest cuts on both sides, or from above. Reverse turns strokes round</source>
+        <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht blau. Der Rest schneidet beidseitig oder von oben. „Umkehren“ dreht Züge um</translation>
     </message>
 </context>
 <context>
@@ -3937,6 +4036,38 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Read the edited text back and mill it again on a fresh workpiece</source>
         <translation>Den bearbeiteten Text zurücklesen und auf einem frischen Werkstück noch einmal fräsen</translation>
     </message>
+    <message>
+        <source>mm (G21)</source>
+        <translation>mm (G21)</translation>
+    </message>
+    <message>
+        <source>inch (G20)</source>
+        <translation>Zoll (G20)</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Lengths and feeds in the program&apos;s text</source>
+        <translation>Längen und Vorschübe im Text des Programms</translation>
+    </message>
+    <message>
+        <source>Tools of the program</source>
+        <translation>Werkzeuge des Programms</translation>
+    </message>
+    <message>
+        <source>What was milled with this tool belongs into the program</source>
+        <translation>Was mit diesem Werkzeug gefräst wurde, gehört ins Programm</translation>
+    </message>
+    <message>
+        <source>What was milled with %1 has no path and is not in the program.</source>
+        <translation>Was mit %1 gefräst wurde, hat keine Bahn und ist nicht im Programm.</translation>
+    </message>
+    <message>
+        <source>Takes or edits changed: update the path first.</source>
+        <translation>Aufnahmen oder Bearbeitungen haben sich geändert: Aktualisieren Sie zuerst die Bahn.</translation>
+    </message>
 </context>
 <context>
     <name>burin::ProgramScenePresenter</name>
@@ -4061,6 +4192,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Draw a stroke in the view that replaces what is chosen, on its height</source>
         <translation>In der Ansicht einen Zug zeichnen, der das Gewählte ersetzt, auf seiner Höhe</translation>
+    </message>
+    <message>
+        <source>climb</source>
+        <translation>Gleichlauf</translation>
+    </message>
+    <message>
+        <source>conventional</source>
+        <translation>Gegenlauf</translation>
     </message>
 </context>
 <context>
@@ -4504,6 +4643,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>dialect</source>
         <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>units of the program</source>
+        <translation>Einheit des Programms</translation>
     </message>
 </context>
 <context>

@@ -5,8 +5,8 @@
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/cad/import.h"
+#include "core/project/job_paths.h"
 #include "core/project/milling.h"
-#include "core/project/program_job.h"
 #include "ui/scene/picture.h"
 
 #include <CLI/CLI.hpp>
@@ -102,7 +102,7 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     if (!milling) return std::move(milling).error();
 
     context.stage("Editing");
-    Result<StoredPath> stored = standardPath(project);
+    Result<StoredPath> stored = standardPath(project, tool.id);
     if (!stored) return std::move(stored).error();
     const Result<std::int64_t> id = project.addPath(*stored);
     if (!id) return id.error();

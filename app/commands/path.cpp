@@ -4,7 +4,8 @@
 #include "app/report.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
-#include "core/project/program_job.h"
+#include "core/path/milling_side.h"
+#include "core/project/job_paths.h"
 #include "core/recording/take_csv.h"
 #include "core/recording/trace_file.h"
 
@@ -66,15 +67,29 @@ int list(const PathArguments& arguments, CommandContext& context) {
     return 0;
 }
 
+/// A path has one tool: that of the first take asked for, or the last one that milled.
+Result<std::string> toolForNew(const Project& project, const PathArguments& arguments) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    if (arguments.takes.empty()) return takes->empty() ? std::string() : takes->back().toolId;
+    const auto first = std::ranges::find(*takes, arguments.takes.front(), &TakeInfo::id);
+    if (first == takes->end())
+        return Error{ErrorCode::nameUnknown, "take", std::to_string(arguments.takes.front()), {}};
+    return first->toolId;
+}
+
 int create(const PathArguments& arguments, CommandContext& context) {
     Result<Project> project = Project::open(arguments.project);
     if (!project) return context.fail(project.error());
-    Result<StoredPath> path = standardPath(*project);
+    const Result<std::string> tool = toolForNew(*project, arguments);
+    if (!tool) return context.fail(tool.error());
+    Result<StoredPath> path = standardPath(*project, *tool);
     if (!path) return context.fail(path.error());
     path->name = arguments.name;
     for (const std::int64_t take : arguments.takes)
-        if (std::find(path->takes.begin(), path->takes.end(), take) == path->takes.end())
-            return context.fail({ErrorCode::nameUnknown, "take", std::to_string(take), {}});
+        if (std::ranges::find(path->takes, take) == path->takes.end())
+            return context.fail({ErrorCode::argumentInvalid, "--takes", std::to_string(take),
+                                 "recordings made with " + *tool + ", as the first one"});
     if (!arguments.takes.empty()) path->takes = arguments.takes;
     const Result<std::int64_t> id = project->addPath(*path);
     if (!id) return context.fail(id.error());
@@ -116,14 +131,24 @@ Result<void> removeEdit(StoredPath& path, const PathArguments& arguments) {
     return {};
 }
 
+/// Empty for a straight move.
+std::string arcColumns(const PathPoint& point) {
+    if (!point.arc) return ",,,,,";
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.arc->centre[axis]);
+    constexpr const char* letters[] = {"x", "y", "z"};
+    return text + "," + letters[point.arc->axis] + (point.arc->clockwise ? ",1" : ",0");
+}
+
 std::string csvOf(const Path& path) {
     constexpr const char* kinds[] = {"rapid", "plunge", "cut", "retract"};
-    std::string text = "kind,x_mm,y_mm,z_mm,feed_mm_min,take,sample\n";
+    std::string text = "kind,x_mm,y_mm,z_mm,feed_mm_min,take,sample,"
+                       "arc_centre_x_mm,arc_centre_y_mm,arc_centre_z_mm,arc_axis,arc_clockwise\n";
     for (const PathPoint& point : path.points) {
         text += kinds[static_cast<std::size_t>(point.kind)];
         for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.tip[axis]);
         text += "," + formatShortest(point.feed) + "," + std::to_string(point.take) + "," +
-                std::to_string(point.sample) + "\n";
+                std::to_string(point.sample) + arcColumns(point) + "\n";
     }
     return text;
 }
@@ -137,10 +162,7 @@ int show(const PathArguments& arguments, CommandContext& context) {
     if (!stored) return context.fail(stored.error());
     const Result<std::vector<TakeInfo>> takes = project->takes();
     if (!takes) return context.fail(takes.error());
-    std::string toolId;
-    for (const TakeInfo& take : *takes)
-        if (!stored->takes.empty() && take.id == stored->takes.front()) toolId = take.toolId;
-    const Result<Tool> tool = toolFor(*project, toolId);
+    const Result<Tool> tool = toolFor(*project, toolOf(*stored, *takes));
     if (!tool) return context.fail(tool.error());
     const Result<Bench> bench = makeBench(*project, *tool, arguments.machine, context.progress());
     if (!bench) return context.fail(bench.error());
@@ -151,8 +173,14 @@ int show(const PathArguments& arguments, CommandContext& context) {
     answer["reports"] = burin::jsonOf(path->reports);
     answer["points"] = path->path.points.size();
     answer["error_budget_mm"] = path->errorBudget;
+    const auto bySide = lengthsBySide(path->path, path->sides);
+    const double climb = bySide[static_cast<std::size_t>(MillingSide::climb)],
+                 conventional = bySide[static_cast<std::size_t>(MillingSide::conventional)];
+    answer["climb_mm"] = climb;
+    answer["conventional_mm"] = conventional;
     std::string text = textOf(*stored) + "\n" + std::to_string(path->path.points.size()) + " points, error budget " +
-                       formatFixed(path->errorBudget, 4) + " mm";
+                       formatFixed(path->errorBudget, 4) + " mm, climb " + formatFixed(climb, 1) +
+                       " mm, conventional " + formatFixed(conventional, 1) + " mm";
     for (const EditReport& report : path->reports)
         text += "\n  " + report.edit + ": " + std::to_string(report.pointsBefore) + " -> " +
                 std::to_string(report.pointsAfter) + " points, at most " + formatFixed(report.largestDeviation, 4) +
@@ -204,7 +232,9 @@ void registerPath(CLI::App& program, CommandContext& context, int& status) {
     });
     add("list", "The paths and their edits", list);
     CLI::App* make = add("new", "Make a path of takes with the edits of the main job", create);
-    make->add_option("--takes", arguments->takes, "Takes in order; without it all")->delimiter(',');
+    make->add_option("--takes", arguments->takes,
+                     "Takes in order, of one tool; without it all of the last one that milled")
+        ->delimiter(',');
     make->add_option("--name", arguments->name, "Its name")->capture_default_str();
     CLI::App* evaluateOne = withPath(add("show", "Evaluate a path and report what each edit did", show));
     evaluateOne->add_option("-o,--csv", arguments->output, "Write the points as CSV");

@@ -4,7 +4,7 @@
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "core/base/file.h"
-#include "core/project/program_job.h"
+#include "core/project/job_paths.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,22 +18,12 @@ struct PostArguments {
     std::string project, output, dialect, machine, overrideReason;
     std::vector<std::int64_t> paths;
     double tolerance = 0.02;
-    bool inch = false;
+    std::string units;
 };
 
-/// The first path, or a new one of all takes.
-Result<StoredPath> firstPath(Project& project, const std::vector<StoredPath>& paths) {
-    if (!paths.empty()) return paths.front();
-    Result<StoredPath> made = standardPath(project);
-    if (!made) return made;
-    const Result<std::int64_t> id = project.addPath(*made);
-    if (!id) return id.error();
-    made->id = *id;
-    return made;
-}
-
-/// The paths asked for, or the first one.
+/// The paths asked for, or the first one of each tool.
 Result<std::vector<StoredPath>> chosenPaths(Project& project, const std::vector<std::int64_t>& wanted) {
+    if (wanted.empty()) return jobPaths(project);
     const Result<std::vector<StoredPath>> paths = project.paths();
     if (!paths) return paths.error();
     std::string known;
@@ -44,51 +34,7 @@ Result<std::vector<StoredPath>> chosenPaths(Project& project, const std::vector<
         if (found == paths->end()) return Error{ErrorCode::nameUnknown, "path", std::to_string(id), known};
         chosen.push_back(*found);
     }
-    if (!chosen.empty()) return chosen;
-    Result<StoredPath> first = firstPath(project, *paths);
-    if (!first) return std::move(first).error();
-    return std::vector{std::move(*first)};
-}
-
-/// A path's takes, and the tool that they were made with.
-struct PathMatter {
-    StoredPath path;
-    std::vector<Take> takes;
-    Tool tool;
-};
-Result<PathMatter> matterOf(const Project& project, const StoredPath& path) {
-    Result<std::vector<Take>> takes = takesOf(project, path);
-    if (!takes) return std::move(takes).error();
-    if (takes->empty()) return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
-    Result<Tool> tool = toolFor(project, takes->front().info.toolId);
-    if (!tool) return std::move(tool).error();
-    return PathMatter{path, std::move(*takes), std::move(*tool)};
-}
-
-/// What the edits of all paths did.
-struct EditedPaths {
-    ProgramPaths program;
-    std::vector<EditReport> reports;
-    double errorBudget = 0.0; ///< mm, of the worst path
-};
-Result<EditedPaths> edit(const Bench& bench, const std::vector<PathMatter>& matters, Progress& progress) {
-    EditedPaths edited;
-    std::vector<double> allowances;
-    for (const PathMatter& matter : matters) {
-        Result<EvaluatedPath> path = evaluateStored(matter.takes, bench, matter.tool, matter.path, progress);
-        if (!path) return std::move(path).error();
-        edited.program.paths.push_back(std::move(path->path));
-        edited.reports.insert(edited.reports.end(), path->reports.begin(), path->reports.end());
-        edited.errorBudget = std::max(edited.errorBudget, path->errorBudget);
-        // What it leaves on the part in the end.
-        const auto least =
-            std::ranges::min_element(matter.takes, {}, [](const Take& take) { return take.info.allowance; });
-        allowances.push_back(least->info.allowance);
-        if (std::ranges::find(edited.program.tools, matter.tool.id, &Tool::id) == edited.program.tools.end())
-            edited.program.tools.push_back(matter.tool);
-    }
-    edited.program = inOrder(std::move(edited.program), allowances);
-    return edited;
+    return chosen;
 }
 
 int runPost(const PostArguments& arguments, CommandContext& context) {
@@ -107,7 +53,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     if (!bench) return context.fail(bench.error());
 
     context.stage("Editing");
-    const Result<EditedPaths> edited = edit(*bench, matters, context.progress());
+    const Result<EvaluatedPaths> edited = evaluateInOrder(*bench, matters, context.progress());
     if (!edited) return context.fail(edited.error());
 
     context.stage("Posting and checking");
@@ -117,7 +63,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     if (!target) return context.fail(target.error());
     request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
     request.gougeTolerance = arguments.tolerance;
-    request.units = arguments.inch ? NcUnits::inch : NcUnits::millimetre;
+    request.units = ncUnitsFromId(arguments.units).value_or(target->units);
     request.overrideReason = arguments.overrideReason;
     const Result<CheckedProgram> program = makeProgram(*bench, edited->program, request, context.progress());
     if (!program) return context.fail(program.error());
@@ -160,14 +106,17 @@ void registerPost(CLI::App& program, CommandContext& context, int& status) {
     CLI::App* command = program.add_subcommand("post", "Write a path as a program, once the program passes its check");
     command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
     command->add_option("-o,--output", arguments->output, "Program to write")->required();
-    command->add_flag("--inch", arguments->inch, "Lengths and feeds of the program in inches (G20)");
+    command
+        ->add_option("--units", arguments->units,
+                     "Lengths and feeds of the program: mm (G21) or inch (G20); without it the project's")
+        ->check(CLI::IsMember({"mm", "inch"}));
     command->add_option("--dialect", arguments->dialect,
                         "Dialect of the control; without it the project's, or the machine's");
     command->add_option("--machine", arguments->machine, "Machine; without it the project's");
     command
         ->add_option(
             "--path", arguments->paths,
-            "Paths of one program, with a tool each if they like; without it the first, or a new one of all takes")
+            "Paths of one program, with a tool each if they like; without it the first of each tool that milled")
         ->delimiter(',');
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))

@@ -19,12 +19,12 @@ struct SetupArguments {
     SurroundingsArguments around;
     std::vector<std::string> remove, switchOn, switchOff;
     double stlUnit = 1.0;
-    std::string machine, dialect;
+    std::string machine, dialect, units;
 
     bool changes() const {
-        return !(machine.empty() && dialect.empty() && around.fixtures.empty() && around.keepOuts.empty() &&
-                 around.axis.empty() && around.travel.empty() && remove.empty() && switchOn.empty() &&
-                 switchOff.empty());
+        return !(machine.empty() && dialect.empty() && units.empty() && around.fixtures.empty() &&
+                 around.keepOuts.empty() && around.axis.empty() && around.travel.empty() && remove.empty() &&
+                 switchOn.empty() && switchOff.empty());
     }
 };
 
@@ -59,12 +59,14 @@ Result<void> changeObstacles(std::vector<Obstacle>& obstacles, const SetupArgume
 Result<void> changeTarget(ProgramTarget& target, const SetupArguments& arguments) {
     if (!arguments.machine.empty()) {
         if (const Result<MachineProfile> machine = loadMachine(arguments.machine); !machine) return machine.error();
-        target = {arguments.machine, {}};
+        target.machine = arguments.machine;
+        target.dialect.clear();
     }
     if (!arguments.dialect.empty()) {
         if (const auto dialect = loadDialect(arguments.dialect); !dialect) return dialect.error();
         target.dialect = arguments.dialect;
     }
+    if (const auto units = ncUnitsFromId(arguments.units)) target.units = *units;
     return {};
 }
 
@@ -103,12 +105,14 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
     const ProgramTarget& target = around->target;
     std::string text = "axis     " + textOf(around->axis) + "\nmachine  " + target.machine;
     if (!target.dialect.empty()) text += ", dialect " + target.dialect;
+    text += std::string("\nunits    ") + idOf(target.units);
     for (const Obstacle& obstacle : around->obstacles) text += "\n" + textOf(obstacle);
     context.answer({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
                     {"axis", jsonOf(around->axis)},
                     {"machine_travel", jsonOf(around->travel)},
                     {"machine", target.machine},
                     {"dialect", target.dialect.empty() ? nlohmann::json() : nlohmann::json(target.dialect)},
+                    {"units", idOf(target.units)},
                     {"obstacles", jsonOf(around->obstacles)}},
                    text);
     return 0;
@@ -133,6 +137,8 @@ void registerSetup(CLI::App& program, CommandContext& context, int& status) {
         ->capture_default_str();
     command->add_option("--machine", arguments->machine, "Machine that its programs are for");
     command->add_option("--dialect", arguments->dialect, "Dialect of its programs; without it the machine's");
+    command->add_option("--units", arguments->units, "Units of its programs: mm or inch")
+        ->check(CLI::IsMember({"mm", "inch"}));
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runSetup(*arguments, context); });
 }

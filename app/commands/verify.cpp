@@ -47,10 +47,9 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     ProgramRequest request;
     request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
     if (const auto known = loadDialect(request.dialect); !known) return context.fail(known.error());
-    if (Result<std::vector<Tool>> tools = project->tools(); tools)
-        request.tools = std::move(*tools);
-    else
-        return context.fail(tools.error());
+    Result<std::vector<Tool>> tools = project->tools();
+    if (!tools) return context.fail(tools.error());
+    request.tools = arguments.tool.empty() ? std::move(*tools) : std::vector{*tool}; // who names a tool means it
     request.gougeTolerance = arguments.tolerance;
     request.exactSamples = arguments.exactSamples;
     const Result<CheckedProgram> checked =
@@ -62,7 +61,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     answer["lint"] = jsonOf(checked->lint);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
     answer["blocks"] = checked->parsed.blocks;
-    answer["tool"] = jsonOf(bench->tool);
+    answer["tool"] = jsonOf(checked->tools.front());
     answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
     if (!arguments.map.empty()) {
         if (const Result<void> written = writeDeviationMap(checked->report.deviations, arguments.map); !written)
@@ -80,7 +79,9 @@ void registerVerify(CLI::App& program, CommandContext& context, int& status) {
     CLI::App* command = program.add_subcommand("verify", "Re-simulate a program on a project's setup and judge it");
     command->add_option("PROGRAM", arguments->program, "NC program")->required();
     command->add_option("--project", arguments->project, "Project file (.burin)")->required();
-    command->add_option("--tool", arguments->tool, "Tool; without it that of the first take");
+    command->add_option(
+        "--tool", arguments->tool,
+        "Tool of the whole program; without it the project's by their numbers, or that of the first take");
     command->add_option("--machine", arguments->machine, "Machine; without it the project's");
     command->add_option("--dialect", arguments->dialect,
                         "Dialect that it is read in; without it the project's, or the machine's");

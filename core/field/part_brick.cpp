@@ -12,8 +12,12 @@ namespace burin {
 namespace {
 
 // All in voxels; README.md says what they amount to.
-constexpr float mostBend = 0.06F;          // of a line that is interpolated
-constexpr float mostResidual = 0.04F;      // of its ends' slopes
+constexpr float mostBend = 0.06F;       // of a line that is interpolated
+constexpr float mostMiddleBend = 0.16F; // of a line whose brick was asked in its middle, too
+constexpr float mostResidual = 0.04F;   // of its ends' slopes
+constexpr float mostMiddleResidual = 0.08F;
+constexpr float mostMiddleError = 0.01F;   // of what was expected there
+constexpr float mostMiddleTurn = 0.03F;    // of its gradient
 constexpr float mostSpread = 0.02F;        // between the lines through a sample
 constexpr float mostCellError = 0.05F;     // of a trilinear cell; worse ones are exact
 constexpr float mostImbalance = 0.08F;     // between the bends at the ends of an edge, in a smooth cell
@@ -65,6 +69,16 @@ float chordError(float rise, float fromSlope, float toSlope) noexcept {
 
 bool isSmooth(const LineCheck& check) noexcept {
     return check.bend <= mostBend && check.residual <= mostResidual;
+}
+
+bool mayBeSmooth(const LineCheck& check) noexcept {
+    return check.bend <= mostMiddleBend && check.residual <= mostMiddleResidual;
+}
+
+bool agrees(const PartSample& expected, const PartSample& asked) noexcept {
+    const glm::vec3 turn = expected.gradient - asked.gradient;
+    return std::abs(expected.distance - asked.distance) <= mostMiddleError &&
+           glm::dot(turn, turn) <= mostMiddleTurn * mostMiddleTurn;
 }
 
 float interpolationError(const LineCheck& check) noexcept {

@@ -33,6 +33,11 @@ float disagreement(const MadeBrick& first, const MadeBrick& second, int axis) no
 /// Whether lines are so smooth that cubics between their ends do.
 bool isSmooth(const LineCheck& check) noexcept;
 
+/// Whether they may do, provided that the middle between them is asked, too: of lines a brick long.
+bool mayBeSmooth(const LineCheck& check) noexcept;
+/// Whether a sample is what was expected there.
+bool agrees(const PartSample& expected, const PartSample& asked) noexcept;
+
 /// What samples between such lines are off by, voxels.
 float interpolationError(const LineCheck& check) noexcept;
 

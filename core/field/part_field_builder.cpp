@@ -139,7 +139,7 @@ private:
             SampleGrid corners(2), third(3);
             for (std::size_t i = first; i < end; ++i) {
                 FieldCandidate& candidate = candidates_[i];
-                candidate.smooth = isSmooth(refineCorners(candidate, corners, third));
+                candidate.smooth = suffices(candidate, refineCorners(candidate, corners, third), third, ask);
                 if (candidate.smooth) continue;
                 fours_[i * 8] = corners.get(0);
                 for (const int corner : {1, 3, 2, 6, 7, 5, 4}) // a step each
@@ -147,6 +147,15 @@ private:
                         ask.ask(brickVoxels * candidate.brick + 4 * cornerOf(corner));
             }
         });
+    }
+
+    /// Whether a candidate's corners tell what lies between: where they bend but gently at once, else where the brick's
+    /// middle, asked, is as they say.
+    static bool suffices(const FieldCandidate& candidate, const LineCheck& eight, const SampleGrid& third,
+                         PartAsker& ask) {
+        if (isSmooth(eight)) return true;
+        return mayBeSmooth(eight) &&
+               agrees(third.get(third.at(1, 1, 1)), ask.ask(brickVoxels * candidate.brick + brickVoxels / 2));
     }
 
     LineCheck refineCorners(const FieldCandidate& candidate, SampleGrid& corners, SampleGrid& third) const {

@@ -51,6 +51,22 @@ glm::dvec3 placeOn(const Arc& arc, const ArcTurn& turn, double share) noexcept {
     return place;
 }
 
+double lengthOf(const Arc& arc, const ArcTurn& turn) noexcept {
+    constexpr double coincident = 1e-9; // mm: radii of a circle that differ by no more are one
+    const double rise = arc.to[arc.axis] - arc.from[arc.axis];
+    if (std::abs(turn.endRadius - turn.startRadius) <= coincident)
+        return std::hypot(turn.startRadius * turn.sweep, rise);
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(turn.sweep) * 512.0 / (2.0 * pi))));
+    double length = 0.0;
+    glm::dvec3 last = arc.from;
+    for (int i = 1; i <= steps; ++i) {
+        const glm::dvec3 next = placeOn(arc, turn, static_cast<double>(i) / steps);
+        length += glm::distance(last, next);
+        last = next;
+    }
+    return length;
+}
+
 void flatten(const Arc& arc, double chordTolerance, std::vector<glm::dvec3>& places) {
     const ArcTurn turn = turnOf(arc);
     const double radius = std::max(turn.startRadius, turn.endRadius);

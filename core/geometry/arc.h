@@ -28,6 +28,9 @@ ArcTurn turnOf(const Arc& arc) noexcept;
 /// Place at a share of the sweep, 0 … 1; exactly the ends at both.
 glm::dvec3 placeOn(const Arc& arc, const ArcTurn& turn, double share) noexcept;
 
+/// mm, rises included. Exact on a circle; where the radii differ by more than 1e-9 mm, 512 chords a turn stand for it.
+double lengthOf(const Arc& arc, const ArcTurn& turn) noexcept;
+
 /// Places along the arc behind `from`, ending exactly in `to`, with chords that leave it by no more than
 /// `chordTolerance` mm, more than 0. Equal end points in the arc's plane mean a full turn.
 /// @param places is overwritten

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/mesh_distance.h"
 
+#include "core/base/parallel.h"
+#include "core/geometry/clearance_memory.h"
+#include "core/geometry/entry_search.h"
 #include "core/geometry/frame_along.h"
-#include "core/geometry/piece_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,48 +35,6 @@ std::vector<Triangle> trianglesOf(const TriangleMesh& mesh, const std::vector<st
 }
 
 } // namespace
-
-/// A point of a tool's axis, and what was asked of the mesh for it last.
-struct AxisPoint {
-    double height = 0.0; ///< mm above the tip
-    std::size_t piece = 0;
-    glm::dvec3 place{0.0}; ///< where it was
-    ClosestPoint nearest;  ///< of the mesh
-    bool any = false;      ///< it was asked
-
-    /// Whether it is certainly no deeper in the solid than so much: its depth changes no faster than it moves, nor is
-    /// it deeper than any point of the mesh is away.
-    bool isShallower(const glm::dvec3& point, double depth) const noexcept {
-        if (!any) return false;
-        return nearest.signedDistance - glm::length(point - place) >= -depth ||
-               glm::length(point - nearest.point) <= depth;
-    }
-};
-
-/// No point of the mesh was nearer to a piece, and none is by more than the piece's farthest point has moved since.
-struct PieceBound {
-    double atLeast = -std::numeric_limits<double>::infinity(); ///< mm, may be negative
-    ToolPose pose;
-
-    /// mm: no point of the piece moves by more. Of the turns that take one axis to the other, the least one moves a
-    /// point of the axis with it, and one beside it by no more than its distance times the axis' chord on top.
-    double movedBy(const RevolvedPiece& piece, const ToolPose& to) const noexcept {
-        const glm::dvec3 moved = to.tip - pose.tip;
-        if (to.axis == pose.axis) return glm::length(moved);
-        const glm::dvec3 turned = to.axis - pose.axis;
-        const double ends =
-            std::max(glm::length(moved + piece.bottom * turned), glm::length(moved + piece.top * turned));
-        return ends + piece.widestRadius() * glm::length(turned);
-    }
-};
-
-struct ClearanceMemory {
-    std::array<Found, 4> met{}; ///< the last, of as many pieces
-    std::vector<AxisPoint> axis;
-    std::vector<PieceBound> pieces;
-    bool axisFirst = false; ///< the last answer was the depth of a point of the axis
-    std::uint64_t work = 0; ///< ClearanceAsker::work
-};
 
 namespace {
 
@@ -200,18 +160,17 @@ public:
         return answer.clearance < within ? answer : free;
     }
 
-    bool enters(std::span<const RevolvedPiece> tool, ToolPose pose, double depth) const noexcept {
-        if (empty() || tool.empty() || !isFinite(pose.tip) || !isFinite(pose.axis)) return false;
-        pose.axis = unitOr(pose.axis, {0.0, 0.0, 1.0});
-        // Of what is found nothing better is wanted, so that the search ends there.
-        const ClearanceTolerance tie{depth, -depth, std::numeric_limits<double>::infinity()};
-        Found found;
-        found.distance = 0.0;
-        for (std::size_t i = 0; i < tool.size(); ++i) {
-            meet(PlacedPiece(tool[i], pose), i, tie, found);
-            if (found.any) return true;
-        }
-        return !reachesOutside(tool, pose);
+    std::vector<std::uint8_t> entered(std::span<const RevolvedPiece> tool, glm::dvec3 axis,
+                                      std::span<const glm::dvec3> tips, double depth, const Progress& progress) const {
+        if (empty() || tool.empty() || !isFinite(axis)) return std::vector<std::uint8_t>(tips.size());
+        axis = unitOr(axis, {0.0, 0.0, 1.0});
+        std::vector<std::uint8_t> entered = enteredTips(tree_, tool, axis, tips, depth, progress);
+        parallelStretches(std::size_t{0}, tips.size(), 1024, [&](std::size_t from, std::size_t to) {
+            if (progress.cancelled()) return;
+            for (std::size_t i = from; i != to; ++i)
+                if (entered[i] == 0 && isFinite(tips[i]) && !reachesOutside(tool, {tips[i], axis})) entered[i] = 1;
+        });
+        return entered;
     }
 
 private:
@@ -381,8 +340,10 @@ ToolClearance MeshDistance::clearance(std::span<const RevolvedPiece> tool, const
     return tree_->clearance(tool, pose, within, {.ordinary = tolerance}, nullptr);
 }
 
-bool MeshDistance::enters(std::span<const RevolvedPiece> tool, const ToolPose& pose, double depth) const noexcept {
-    return tree_->enters(tool, pose, depth);
+std::vector<std::uint8_t> MeshDistance::entered(std::span<const RevolvedPiece> tool, const glm::dvec3& axis,
+                                                std::span<const glm::dvec3> tips, double depth,
+                                                const Progress& progress) const {
+    return tree_->entered(tool, axis, tips, depth, progress);
 }
 
 void MeshDistance::trianglesNear(const glm::dvec3& point, double within, std::vector<std::uint32_t>& numbers) const {

@@ -16,6 +16,7 @@ constexpr NumberRange spindleSpeed{0.0, 1e6};
 constexpr NumberRange spindlePower{1.0, 1e6};
 constexpr NumberRange acceleration{1.0, 1e6};
 constexpr NumberRange jerk{1.0, 1e9};
+constexpr NumberRange blockRate{1.0, 1e6};
 constexpr NumberRange height{0.0, 1e4};
 constexpr NumberRange toolChange{0.0, 3600.0};
 constexpr NumberRange tolerance{0.0, 1.0};
@@ -35,6 +36,7 @@ void readMotion(JsonObject& file, MachineProfile& machine) {
     machine.acceleration = file.number("acceleration_mm_per_s2", acceleration);
     machine.axisAccelerations = axesOr(file, "axis_accelerations_mm_per_s2", acceleration);
     machine.axisJerks = axesOr(file, "axis_jerks_mm_per_s3", jerk);
+    if (file.has("blocks_per_second")) machine.blocksPerSecond = file.number("blocks_per_second", blockRate);
     if (file.has("rapids"))
         machine.rapids = static_cast<RapidMode>(file.choice("rapids", {"synchronised", "independent", "tip"}));
     if (file.has("junctions"))
@@ -66,6 +68,15 @@ void readSpindle(JsonObject& file, MachineProfile& machine) {
     if (machine.minimumSpindleSpeed > machine.maximumSpindleSpeed)
         file.fail("minimum_spindle_speed_rpm", "has to be at most maximum_spindle_speed_rpm");
     if (file.has("spindle_power_w")) machine.spindlePower = file.number("spindle_power_w", spindlePower);
+}
+
+void readCoolants(JsonObject& file, MachineProfile& machine) {
+    if (!file.has("coolant")) return;
+    machine.coolants.emplace();
+    file.object("coolant", [&](JsonObject& coolant) {
+        for (const Coolant each : {Coolant::mist, Coolant::flood})
+            if (coolant.boolean(idOf(each))) machine.coolants->push_back(each);
+    });
 }
 
 /// A source that names no figure of the file is a slip of the pen.
@@ -101,6 +112,7 @@ Result<MachineProfile> machineFromJson(std::string_view text, const std::string&
     readMotion(*file, machine);
     readSpindle(*file, machine);
     readArcs(*file, machine.arcs);
+    readCoolants(*file, machine);
     machine.toolChangeHeight = file->number("tool_change_height_mm", height);
     machine.toolChangeSeconds = file->numberOr("tool_change_s", 0.0, toolChange);
     machine.coordinateDecimals = file->integer("coordinate_decimals", 0, 9);

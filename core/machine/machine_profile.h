@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/coolant.h"
 #include "core/base/units.h"
 #include "core/geometry/box.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -51,15 +55,21 @@ struct MachineProfile {
     double acceleration = 0.0;                  ///< mm/s², of an axis that has none of its own; 0: without limit
     glm::dvec3 axisAccelerations{0.0};          ///< mm/s², of each axis; 0: `acceleration` (see axisAcceleration)
     glm::dvec3 axisJerks{0.0};                  ///< mm/s³, of each axis; 0: without limit
+    double blocksPerSecond = 0.0;               ///< that the control carries out at most; 0: not stated
     double toolChangeSeconds = 0.0;             ///< s, from chip to chip
     double toolChangeHeight = 0.0;              ///< mm above the work offset's zero that is always safe to go to
     RapidMode rapids = RapidMode::synchronised;
     JunctionRule junctions = JunctionRule::blend;
     double junctionTolerance = 0.01; ///< mm; of `blend` where the program states none
     ArcRules arcs;
+    /// What it can switch on; nothing: the profile does not say, so that the control's words decide.
+    std::optional<std::vector<Coolant>> coolants{};
     int coordinateDecimals = 3;  ///< digits behind the point in mm
     int maximumLineLength = 255; ///< characters
 
+    bool has(Coolant coolant) const noexcept {
+        return coolant == Coolant::off || !coolants || std::ranges::find(*coolants, coolant) != coolants->end();
+    }
     /// mm/min, the greatest rate of an axis (0, 1, 2).
     double axisRate(int axis) const noexcept { return axisRates[axis] > 0.0 ? axisRates[axis] : rapidFeed; }
     /// mm/s², of an axis; 0: without limit.

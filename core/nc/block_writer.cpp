@@ -25,6 +25,13 @@ void disarm(std::string& text, char instead) {
     text[comma] = instead;
 }
 
+/// The beginning of a text that fits, up to a space: a figure that is broken in two would be another figure.
+std::string_view upToWidth(std::string_view text, std::size_t width) {
+    if (text.size() <= width) return text;
+    const std::size_t space = text.rfind(' ', width);
+    return text.substr(0, space == std::string_view::npos || space == 0 ? width : space);
+}
+
 } // namespace
 
 /// Printable ASCII without brackets, or what the dialect allows; one ? for every other character.
@@ -41,9 +48,13 @@ std::string BlockWriter::commentText(std::string_view text) const {
         if (dialect_.commentUpperCase && clean.back() >= 'a' && clean.back() <= 'z')
             clean.back() = static_cast<char>(clean.back() - 'a' + 'A');
     }
-    const bool colon = !dialect_.commentCharacters || dialect_.commentCharacters->find(':') != std::string::npos;
-    disarm(clean, colon ? ':' : '.');
+    disarm(clean, insteadOfComma());
     return clean;
+}
+
+char BlockWriter::insteadOfComma() const {
+    const bool colon = !dialect_.commentCharacters || dialect_.commentCharacters->find(':') != std::string::npos;
+    return colon ? ':' : '.';
 }
 
 Result<void> BlockWriter::comment(std::string_view text) {
@@ -51,10 +62,12 @@ Result<void> BlockWriter::comment(std::string_view text) {
     const std::size_t frame = dialect_.commentOpen.size() + dialect_.commentClose.size();
     const auto width = std::max<std::size_t>(static_cast<std::size_t>(lineLength_), frame + 1) - frame;
     do {
-        if (Result<void> done = sink_.line(dialect_.commentOpen + clean.substr(0, width) + dialect_.commentClose);
-            !done)
+        const std::string_view line = upToWidth(clean, width);
+        if (Result<void> done = sink_.line(dialect_.commentOpen + std::string(line) + dialect_.commentClose); !done)
             return done;
-        clean.erase(0, width);
+        clean.erase(0, line.size());
+        clean.erase(0, clean.find_first_not_of(' '));
+        disarm(clean, insteadOfComma()); // the next line has a first word, too
     } while (!clean.empty());
     return {};
 }

@@ -27,6 +27,7 @@ public:
 
 private:
     std::string commentText(std::string_view text) const;
+    char insteadOfComma() const;
 
     const DialectData& dialect_;
     int lineLength_;

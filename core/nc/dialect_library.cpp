@@ -81,21 +81,23 @@ std::size_t frameLength(std::string_view text) {
 
 } // namespace
 
-Result<std::vector<DialectDescription>> dialects(const fs::path& folder) {
-    std::vector<DialectDescription> found;
-    if (folder.empty()) {
-        for (const std::string& id : resourceIds(dialectResource)) {
-            const Result<DialectData> data = readData(id);
-            if (!data) return data.error();
-            found.push_back({id, data->name, "", PostProcessor::interfaceVersion, data->fileSuffix, data->control, {}});
-        }
+DialectList dialects(const fs::path& folder) {
+    DialectList found;
+    std::vector<DialectDescription>& known = found.known;
+    for (const std::string& id : folder.empty() ? resourceIds(dialectResource) : std::vector<std::string>()) {
+        if (const Result<DialectData> data = readData(id))
+            known.push_back({id, data->name, "", PostProcessor::interfaceVersion, data->fileSuffix, data->control, {}});
+        else
+            found.faults.push_back(data.error());
     }
-    const auto plugins = pluginsBelow(folder);
-    if (!plugins) return plugins.error();
-    for (const PluginDescription& plugin : *plugins)
-        if (std::ranges::find(found, plugin.id, &DialectDescription::id) == found.end())
-            found.push_back(dialectOf(plugin));
-    std::ranges::sort(found, {}, &DialectDescription::id);
+    if (const auto plugins = pluginsBelow(folder)) {
+        for (const PluginDescription& plugin : *plugins)
+            if (std::ranges::find(known, plugin.id, &DialectDescription::id) == known.end())
+                known.push_back(dialectOf(plugin));
+    } else {
+        found.faults.push_back(plugins.error());
+    }
+    std::ranges::sort(known, {}, &DialectDescription::id);
     return found;
 }
 

@@ -22,11 +22,16 @@ struct DialectDescription {
     std::filesystem::path library; ///< of a plugin; empty for data
 };
 
-/// All dialects, sorted by id: those that are data (resources/dialects and the user's own, which replace ours of the
-/// same id), and plugins below `folder` (default: dialects in pluginDirectory(), which may be missing), described
-/// without running their code. With a folder given only its plugins are listed. Invalid data or metadata is an error
-/// that names the file (resourceInvalid, pluginInvalid); one id for both kinds: the data counts.
-Result<std::vector<DialectDescription>> dialects(const std::filesystem::path& folder = {});
+struct DialectList {
+    std::vector<DialectDescription> known; ///< sorted by id
+    std::vector<Error> faults;             ///< of what can't be read, with its file: resourceInvalid, pluginInvalid
+};
+
+/// All dialects: those that are data (resources/dialects and the user's own, which replace ours of the same id), and
+/// plugins below `folder` (default: dialects in pluginDirectory(), which may be missing), described without running
+/// their code. With a folder given only its plugins are listed. One id for both kinds: the data counts. A folder of
+/// plugins with a fault in it gives none.
+DialectList dialects(const std::filesystem::path& folder = {});
 
 /// The control that reads a dialect's programs: of data the one that it names, of a plugin one of the plugin's own id;
 /// LinuxCNC's where there is none.

@@ -117,6 +117,12 @@ bool Interpreter::modes(const Block& block) {
         state_.centresAbsolute = code.number == gcode::absoluteCentres;
     if (const Code& code = block.code(GGroup::retract); code.given())
         state_.retractToHeight = code.number == gcode::retractToHeight;
+    if (const Code& code = block.code(GGroup::control); code.given() && control_.blendWords) {
+        state_.pathMode = code.number == gcode::exactPath   ? PathMode::exactPath
+                          : code.number == gcode::exactStop ? PathMode::exactStop
+                                                            : PathMode::blend;
+        state_.blendTolerance = block.word('P').given() ? block.word('P').value * state_.length : 0.0;
+    }
     return true;
 }
 

@@ -56,9 +56,16 @@ private:
         mark.severity = severity;
         mark.problem = fault.problem;
         mark.text = std::string(wordingOf(fault.problem));
-        mark.words = std::string(more);
-        if (!more.empty()) mark.text += ": " + mark.words;
+        mark.words = std::string(more.empty() ? written(mark) : more);
+        if (!mark.words.empty()) mark.text += ": " + mark.words;
         marks_.push_back(std::move(mark));
+    }
+
+    /// What stands there; of what is missing, nothing.
+    std::string_view written(const LintMark& mark) const {
+        constexpr std::uint32_t most = 40;
+        if (mark.problem == ProgramProblem::endMissing || mark.column > content_.size()) return {};
+        return content_.substr(mark.column - 1, std::min(mark.length, most));
     }
 
     /// To the end of the word that begins in a column: its letter and what is not the next one's.

@@ -23,6 +23,8 @@ struct ModalState {
     bool retractToHeight = false; ///< G99
     double length = 1.0;          ///< mm per unit
     bool unitsStated = false;
+    PathMode pathMode = PathMode::machine;
+    double blendTolerance = 0.0; ///< mm; 0: without limit
     FeedMode feedMode = FeedMode::perMinute;
     double feed = 0.0;         ///< mm/min, 1/min, or mm per turn
     double spindleSpeed = 0.0; ///< 1/min

@@ -25,6 +25,8 @@ NcMotion& MotionWriter::move(NcMotionKind kind, const glm::dvec3& target, const 
     motion.kind = kind;
     motion.spindle = state_.spindle;
     motion.feedMode = state_.feedMode;
+    motion.pathMode = state_.pathMode;
+    motion.blendTolerance = state_.blendTolerance;
     motion.mist = state_.mist;
     motion.flood = state_.flood;
     motion.fromKnown = state_.frames.known();

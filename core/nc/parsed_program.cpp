@@ -10,24 +10,6 @@
 namespace burin {
 namespace {
 
-constexpr double coincident = 1e-9; // mm: radii of a circle that differ by no more are one
-
-double arcLength(const NcMotion& motion) noexcept {
-    const ArcTurn turn = motion.turn();
-    const double rise = motion.to[motion.arcAxis] - motion.from[motion.arcAxis];
-    if (std::abs(turn.endRadius - turn.startRadius) <= coincident)
-        return std::hypot(turn.startRadius * turn.sweep, rise);
-    const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(turn.sweep) * 512.0 / (2.0 * pi))));
-    double length = 0.0;
-    glm::dvec3 last = motion.from;
-    for (int i = 1; i <= steps; ++i) {
-        const glm::dvec3 next = placeOn(motion.arc(), turn, static_cast<double>(i) / steps);
-        length += glm::distance(last, next);
-        last = next;
-    }
-    return length;
-}
-
 void appendChords(const NcMotion& motion, double chordTolerance, std::vector<NcMotion>& moves) {
     const ArcTurn turn = motion.turn();
     const double radius = std::max(turn.startRadius, turn.endRadius);
@@ -53,7 +35,8 @@ ArcTurn NcMotion::turn() const noexcept {
 }
 
 double lengthOf(const NcMotion& motion) noexcept {
-    return motion.kind == NcMotionKind::arc ? arcLength(motion) : glm::distance(motion.from, motion.to);
+    return motion.kind == NcMotionKind::arc ? lengthOf(motion.arc(), motion.turn())
+                                            : glm::distance(motion.from, motion.to);
 }
 
 std::vector<NcMotion> straightMoves(const ParsedProgram& program, double chordTolerance) {

@@ -20,6 +20,14 @@ enum class FeedMode : std::uint8_t {
     perRevolution ///< G95: per turn of the spindle
 };
 
+/// How a program wants corners to be taken, where its control knows words for that (LinuxCNC's G61, G61.1, G64 P).
+enum class PathMode : std::uint8_t {
+    machine,   ///< it says nothing: as the machine is set
+    exactPath, ///< G61: exactly along the way, at rest where it bends
+    exactStop, ///< G61.1: at rest at the end of every block
+    blend      ///< G64
+};
+
 /// One move, or a dwell, as the control makes it. Places are mm in the frame of the work offset in force (G54 …), with
 /// shifts of G52 and G92 already in them.
 struct NcMotion {
@@ -40,9 +48,11 @@ struct NcMotion {
     double feed = 0.0;            ///< mm/min along the way; 0 for rapids, dwells and where the text does not tell it
     double seconds = 0.0;         ///< of a dwell
     double spindleSpeed = 0.0;    ///< 1/min
-    int tool = 0;                 ///< loaded
-    int lengthOffset = 0;         ///< H number in force; 0: none, -1: one that the program itself states (G43.1)
-    int workOffset = 54;          ///< 54 … 59; 591 … 593: G59.1 … G59.3; 1000 + n: G54.1 Pn, G154 Pn
+    PathMode pathMode = PathMode::machine;
+    double blendTolerance = 0.0; ///< mm, of PathMode::blend; 0: without limit
+    int tool = 0;                ///< loaded
+    int lengthOffset = 0;        ///< H number in force; 0: none, -1: one that the program itself states (G43.1)
+    int workOffset = 54;         ///< 54 … 59; 591 … 593: G59.1 … G59.3; 1000 + n: G54.1 Pn, G154 Pn
     /// The program sets a work offset, or (G92) a zero at a place that it does not know: its places are then not in the
     /// frame of the offset that the machine had.
     bool ownZero = false;

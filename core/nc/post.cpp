@@ -62,7 +62,7 @@ Result<void> checkPaths(const std::vector<Path>& paths, const PostRequest& reque
 
 PostTool toolOf(const Path& path, const PostRequest& request) {
     if (const auto found = request.tools.find(path.toolId); found != request.tools.end()) return found->second;
-    return {request.toolNumber, request.toolName, SpindleDirection::clockwise, request.coolant};
+    return {request.toolNumber, request.toolName, SpindleDirection::clockwise};
 }
 
 /// The section of a path: the last one where it uses the same tool in the same way.
@@ -71,7 +71,7 @@ NcSection& sectionOf(NcProgram& program, const Path& path, const PostRequest& re
     if (!program.sections.empty()) {
         NcSection& last = program.sections.back();
         if (last.toolNumber == tool.number && last.spindleSpeed == path.spindleSpeed &&
-            last.direction == tool.direction && last.coolant == tool.coolant)
+            last.direction == tool.direction && last.coolant == path.coolant)
             return last;
     }
     NcSection& section = program.sections.emplace_back();
@@ -79,7 +79,7 @@ NcSection& sectionOf(NcProgram& program, const Path& path, const PostRequest& re
     section.toolName = tool.name;
     section.spindleSpeed = path.spindleSpeed;
     section.direction = tool.direction;
-    section.coolant = tool.coolant;
+    section.coolant = path.coolant;
     return section;
 }
 

@@ -16,7 +16,6 @@ struct PostTool {
     int number = 1;
     std::string name;
     SpindleDirection direction = SpindleDirection::clockwise;
-    Coolant coolant = Coolant::off;
 };
 
 struct PostRequest {
@@ -27,7 +26,6 @@ struct PostRequest {
     NcUnits units = NcUnits::millimetre;
     int toolNumber = 1;
     std::string toolName;
-    Coolant coolant = Coolant::off;
     std::map<std::string, PostTool> tools; ///< by Path::toolId; empty: all paths use the one tool above
     double safeHeight = 0.0;               ///< mm above program zero
     double blendTolerance = 0.005;         ///< mm

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/coolant.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin {
@@ -34,8 +38,16 @@ struct NcMove {
 };
 
 enum class SpindleDirection : std::uint8_t { clockwise, anticlockwise };
-enum class Coolant : std::uint8_t { off, mist, flood };
 enum class NcUnits : std::uint8_t { millimetre, inch };
+/// As files and command lines name them: "mm", "inch".
+constexpr const char* idOf(NcUnits units) noexcept {
+    return units == NcUnits::inch ? "inch" : "mm";
+}
+constexpr std::optional<NcUnits> ncUnitsFromId(std::string_view id) noexcept {
+    for (const NcUnits units : {NcUnits::millimetre, NcUnits::inch})
+        if (id == idOf(units)) return units;
+    return std::nullopt;
+}
 
 /// What a program does with one tool. Begins with a rapid move.
 struct NcSection {

@@ -20,6 +20,9 @@ struct Deviation {
     void include(const Deviation& other) noexcept { include(other.distance, other.place); }
 };
 
+/// Errors: argumentInvalid (a cut-off that a stroke's sampling can't tell). @param cutOff Hz
+Result<void> checkCutOff(double cutOff, const PathUnderEdit& state);
+
 /// The farthest that any stroke moved; each stroke is changed by itself, all of them in parallel, none any more once
 /// the work is cancelled. @param change what an edit does to a stroke, and how far that moves it
 Deviation changeEach(PathUnderEdit& state, const Progress& progress,

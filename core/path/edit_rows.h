@@ -214,16 +214,20 @@ template <>
 struct EditRow<Link> {
     static constexpr EditTraits traits{
         .id = "link", .title = BURIN_TEXT("Edit", "Link"), .step = EditStep::links, .once = true};
-    static constexpr std::array<std::string_view, 2> travels{"safe", "lowest"};
+    static constexpr std::array<std::string_view, 3> travels{"safe", "lowest", "around"};
     static constexpr std::tuple fields{number("clearance_above_mm", &Link::clearanceAbove, 0.1, 1000.0),
                                        number("approach_mm", &Link::approach, 0.1, 100.0),
-                                       choice("travel", &Link::travel, travels)};
+                                       choice("travel", &Link::travel, travels),
+                                       number("rounding_mm", &Link::rounding, 0.0, 100.0)};
 };
 template <>
 struct EditRow<SetFeed> {
     static constexpr EditTraits traits{
         .id = "set-feed", .title = BURIN_TEXT("Edit", "Set feed and speed"), .step = EditStep::feed, .once = true};
-    static constexpr std::tuple<> fields{};
+    static constexpr std::array<std::string_view, 4> coolings{"advised", "off", "mist", "flood"};
+    static constexpr std::tuple fields{number("speed_factor", &SetFeed::speedFactor, 0.05, 5.0),
+                                       number("feed_factor", &SetFeed::feedFactor, 0.05, 5.0),
+                                       choice("coolant", &SetFeed::cooling, coolings)};
 };
 
 template <>

@@ -22,7 +22,7 @@ std::vector<std::pair<glm::dvec3, double>> stretchesOf(const glm::dvec3& from, c
     }
     const Arc arc{from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
     const ArcTurn turn = turnOf(arc);
-    const double length = std::hypot(turn.startRadius * turn.sweep, arc.to[arc.axis] - arc.from[arc.axis]);
+    const double length = lengthOf(arc, turn);
     const auto count = static_cast<int>(std::max(1.0, std::ceil(length / sampling)));
     for (int i = 1; i <= count; ++i) {
         const double share = static_cast<double>(i) / count;

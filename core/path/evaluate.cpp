@@ -45,6 +45,7 @@ Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>&
     evaluated.path.name = name;
     evaluated.path.toolId = context.tool.id;
     evaluated.path.spindleSpeed = state->spindleSpeed;
+    evaluated.path.coolant = state->coolant;
     evaluated.path.points = pointsOf(*state);
     if (evaluated.path.points.empty()) return Error{ErrorCode::pathEmpty, name, "", ""};
     progress.report(1.0);

@@ -8,6 +8,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/machine/machine_profile.h"
 #include "core/path/edit.h"
+#include "core/path/milling_stretch.h"
 #include "core/path/path.h"
 #include "core/recording/sample.h"
 #include "core/setup/obstacle.h"
@@ -25,6 +26,7 @@ struct PathContext {
     const MeshDistance* part = nullptr; ///< chord <= 0.005 mm
     Tool tool;
     CuttingConditions conditions;
+    Coolant advisedCoolant = Coolant::off; ///< by the material
     MachineProfile machine;
     Box stock;                            ///< mm, setup frame
     std::vector<ObstacleSolid> obstacles; ///< links keep clear of those that are on
@@ -45,7 +47,8 @@ struct EditReport {
 struct EvaluatedPath {
     Path path;
     std::vector<EditReport> reports;
-    double errorBudget = 0.0; ///< mm, sum of the deviations of the edits that approximate what was before them
+    std::vector<MillingStretch> sides; ///< in order; none where nobody asked for them (milling_side.h)
+    double errorBudget = 0.0;          ///< mm, sum of the deviations of the edits that approximate what was before them
 };
 
 /// Takes in order, each edit in order; edits that are not enabled are skipped. The order has to keep what the edits

@@ -12,34 +12,48 @@ namespace {
 /// What is aimed at, as a function of the feed.
 class Load {
 public:
-    Load(const LevelFeed& edit, const PathContext& context, const RunVolume& stock)
+    /// @param fluteSpeed mm/s
+    Load(const LevelFeed& edit, const PathContext& context, double fluteSpeed, const RunVolume& stock)
         : force_(edit.goal == LevelFeed::Goal::force)
         , coefficients_(cuttingCoefficients(stock.properties(), context.tool.cutter.diameter))
-        , tool_(spinningTool(context.tool, context.conditions.surfaceSpeed)) {}
+        , tool_(spinningTool(context.tool, fluteSpeed))
+        , fluteSpeed_(fluteSpeed)
+        , spindlePower_(context.machine.spindlePower) {}
 
     /// N or mm³/s. @param feed mm/min, > 0
     double at(const MetStretch& met, double feed) const {
         if (!(met.length > 0.0) || !(met.reported > 0.0)) return 0.0;
         const double period = met.length / (feed / 60.0);
-        if (!force_) return met.reported / period;
-        return cuttingForce(met.cut(), coefficients_, tool_, ToolPose{met.from}, ToolPose{met.to}, period).tangential;
+        return force_ ? forceIn(met, period) : met.reported / period;
     }
 
-    /// The feed between both at which the load is as wanted; it rises with the feed.
+    /// The feed between both at which the load is as wanted, or the spindle does what it can; both rise with the feed.
     double feedFor(const MetStretch& met, double wanted, double low, double high) const {
-        if (at(met, high) <= wanted) return high;
-        if (at(met, low) >= wanted) return low;
+        const auto allowed = [&](double feed) { return at(met, feed) <= wanted && spindleTurns(met, feed); };
+        if (allowed(high)) return high;
+        if (!allowed(low)) return low;
         for (int i = 0; i < 40; ++i) {
             const double middle = 0.5 * (low + high);
-            (at(met, middle) <= wanted ? low : high) = middle;
+            (allowed(middle) ? low : high) = middle;
         }
         return low;
     }
 
 private:
+    double forceIn(const MetStretch& met, double period) const {
+        return cuttingForce(met.cut(), coefficients_, tool_, ToolPose{met.from}, ToolPose{met.to}, period).tangential;
+    }
+    bool spindleTurns(const MetStretch& met, double feed) const {
+        if (!(spindlePower_ > 0.0) || !(met.length > 0.0) || !(met.reported > 0.0)) return true;
+        constexpr double millimetresPerMetre = 1000.0;
+        return forceIn(met, met.length / (feed / 60.0)) * fluteSpeed_ / millimetresPerMetre <= spindlePower_;
+    }
+
     bool force_;
     CuttingCoefficients coefficients_;
     SpinningTool tool_;
+    double fluteSpeed_;   ///< mm/s
+    double spindlePower_; ///< W; 0: not stated
 };
 
 /// Over time, where the path cuts at the feeds that it has.
@@ -132,9 +146,12 @@ Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathC
     auto record = recordEngagement(state.points, context.tool, *stock, edit.sampling, progress);
     if (!record) return record.error();
     if (record->empty()) return Deviation{};
-    const Load load(edit, context, *stock);
+    // As the path turns it, whatever the tables say.
+    const double spindleSpeed = state.spindleSpeed > 0.0 ? state.spindleSpeed : conditions.spindleSpeed;
+    const double fluteSpeed = conditions.surfaceSpeed * spindleSpeed / conditions.spindleSpeed;
+    const Load load(edit, context, fluteSpeed, *stock);
     const double wanted = edit.target > 0.0 ? edit.target : meanLoad(*record, state.points, load);
-    const double teeth = conditions.spindleSpeed * context.tool.fluteCount; // a minute
+    const double teeth = spindleSpeed * context.tool.fluteCount; // a minute
     const double limit = context.machine.maximumFeed > 0.0 ? context.machine.maximumFeed : 1e9;
     const double high = std::min(limit, teeth * std::max(edit.smallestChip, edit.largestChip));
     const double low = std::min(high, teeth * edit.smallestChip);

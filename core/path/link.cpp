@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/path/cleared_heights.h"
 #include "core/path/part_guard.h"
+#include "core/path/way_round.h"
 
 #include <algorithm>
 
@@ -51,11 +52,16 @@ public:
     Linker(const Link& edit, const PartGuard& guard, const PathContext& context, double safeHeight)
         : approach_(edit.approach)
         , travel_(edit.travel)
+        , rounding_(context.machine.rapids != RapidMode::independent ? edit.rounding : 0.0)
         , rapidsAreStraight_(context.machine.rapids != RapidMode::independent)
         , safeHeight_(safeHeight)
         , reach_(context.tool.cutter.diameter)
         , guard_(guard)
         , cleared_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {
+        area_ = context.stock;
+        for (const ObstacleSolid& obstacle : context.obstacles)
+            if (obstacle.on) area_.include(obstacle.surface->bounds());
+        area_ = area_.grown(context.tool.cutter.diameter + edit.clearanceAbove);
         for (const ObstacleSolid& obstacle : context.obstacles)
             if (obstacle.on) obstacles_.emplace_back(PartGuard(*obstacle.surface, context.tool), obstacle.margin);
     }
@@ -64,10 +70,10 @@ public:
         const glm::dvec3& start = stroke.points.front().tip;
         const bool joined = !points.empty() && canJoin(start, std::min(lastRequired_, stroke.required));
         if (!joined) {
-            const double height =
-                goBack() ? travelHeight(points.back().tip, stroke.points[access.entry].tip) : safeHeight_;
-            rise(height);
-            enter(stroke, access, height);
+            const bool first = !goBack();
+            const glm::dvec3& entry = stroke.points[access.entry].tip;
+            travel(first ? Way{safeHeight_, {}} : wayTo(points.back().tip, entry), entry);
+            enter(stroke, access);
         }
         if (joined) cut(stroke, 0, {});
         for (std::size_t i = 1; i < stroke.points.size(); ++i) cut(stroke, i, stroke.points[i].arc);
@@ -77,7 +83,10 @@ public:
 
     /// Up to where nothing stands.
     void leave() {
-        if (goBack()) rise(safeHeight_);
+        if (!goBack()) return;
+        const glm::dvec3 tip = points.back().tip;
+        go(lift(safeHeight_), MoveKind::retract);
+        if (points.back().tip.z < safeHeight_) go({tip.x, tip.y, safeHeight_}, MoveKind::rapid);
     }
 
     std::vector<PathPoint> points;
@@ -93,35 +102,165 @@ private:
         return true;
     }
 
-    /// Up to a height, a little of it at the feed.
-    void rise(double height) {
-        if (points.empty()) return;
-        const glm::dvec3 tip = points.back().tip;
-        const double near = std::min(tip.z + approach_, height);
-        go({tip.x, tip.y, near}, MoveKind::retract);
-        if (near < height) go({tip.x, tip.y, height}, MoveKind::rapid);
+    /// A level way from over one place to over another: straight, or by corners.
+    struct Way {
+        double height = 0.0; ///< mm
+        std::vector<glm::dvec2> corners;
+    };
+
+    /// A little way up, which is made at the feed.
+    glm::dvec3 lift(double height) const {
+        const glm::dvec3& tip = points.back().tip;
+        return {tip.x, tip.y, std::min(tip.z + approach_, height)};
     }
 
-    /// At which the tool goes from the end of a stroke to the start of the next one.
-    double travelHeight(const glm::dvec3& from, const glm::dvec3& to) const {
-        if (travel_ == Link::Travel::safe) return safeHeight_;
-        if (!rapidsAreStraight_ && from.x != to.x && from.y != to.y) return safeHeight_;
-        const double height = std::max({cleared_.freeHeight(from, to), from.z, to.z}) + approach_;
-        if (height >= safeHeight_) return safeHeight_;
-        const glm::dvec3 start(from.x, from.y, height), end(to.x, to.y, height);
+    /// Up, across, and rapidly down to the approach above what is left over an entry.
+    void travel(const Way& way, const glm::dvec3& entry) {
+        std::vector<glm::dvec3> rapids;
+        if (!points.empty()) {
+            go(lift(way.height), MoveKind::retract);
+            const glm::dvec3& tip = points.back().tip;
+            rapids.push_back(tip);
+            if (tip.z < way.height) rapids.emplace_back(tip.x, tip.y, way.height);
+        }
+        for (const glm::dvec2& corner : way.corners) rapids.emplace_back(corner, way.height);
+        rapids.emplace_back(entry.x, entry.y, way.height);
+        const double free = std::max(cleared_.freeHeight(entry.x, entry.y) + approach_, entry.z);
+        if (free < way.height) rapids.emplace_back(entry.x, entry.y, free);
+        const std::size_t first = points.empty() ? 0 : 1;
+        if (rounding_ > 0.0) rapids = rounded(rapids);
+        for (std::size_t i = first; i < rapids.size(); ++i) go(rapids[i], MoveKind::rapid);
+    }
+
+    /// The same way with its corners rounded inside, as far as there is room.
+    std::vector<glm::dvec3> rounded(const std::vector<glm::dvec3>& way) const {
+        std::vector<glm::dvec3> smooth;
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            if (i == 0 || i + 1 == way.size()) {
+                smooth.push_back(way[i]);
+                continue;
+            }
+            const glm::dvec3 back = way[i - 1] - way[i], on = way[i + 1] - way[i];
+            double leg = std::min({rounding_, 0.5 * glm::length(back), 0.5 * glm::length(on)});
+            std::vector<glm::dvec3> arc{way[i]};
+            for (int halving = 0; halving < 4; ++halving, leg *= 0.5) {
+                const std::vector<glm::dvec3> wider = cornerArc(way[i], back, on, leg);
+                if (!mayPass(wider)) continue;
+                arc = wider;
+                break;
+            }
+            smooth.insert(smooth.end(), arc.begin(), arc.end());
+        }
+        return smooth;
+    }
+
+    /// Places of the arc that touches both legs of a corner so far from it, in chords; the corner where it is straight.
+    static std::vector<glm::dvec3> cornerArc(const glm::dvec3& corner, const glm::dvec3& back, const glm::dvec3& on,
+                                             double leg) {
+        constexpr double chord = 0.02; // mm
+        if (!(leg > 1e-6)) return {corner};
+        const glm::dvec3 u = glm::normalize(back), v = glm::normalize(on);
+        const double half = 0.5 * std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0)); // of the inner angle
+        const double radius = leg * std::tan(half), turn = pi - 2.0 * half;
+        if (turn < 1e-3 || half < 1e-3) return {corner};
+        const glm::dvec3 centre = corner + leg / std::cos(half) * glm::normalize(u + v);
+        const glm::dvec3 from = corner + leg * u - centre;
+        const auto steps = static_cast<int>(
+            std::clamp(std::ceil(turn / (2.0 * std::sqrt(2.0 * std::min(1.0, chord / radius)))), 2.0, 64.0));
+        std::vector<glm::dvec3> places;
+        for (int k = 0; k <= steps; ++k) {
+            const double angle = turn * k / steps;
+            places.push_back(centre + std::cos(angle) * from - std::sin(angle) * radius * u);
+        }
+        return places;
+    }
+
+    /// Rapids from place to place that stay above what is left, and clear of part and obstacles.
+    bool mayPass(const std::vector<glm::dvec3>& places) const {
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            const double height = std::min(places[i - 1].z, places[i].z);
+            if (cleared_.freeHeight(places[i - 1], places[i]) + approach_ > height) return false;
+            if (!isClear(places[i - 1], places[i])) return false;
+        }
+        return true;
+    }
+
+    /// Clear of the part, and of obstacles by their margins.
+    bool isClear(const glm::dvec3& from, const glm::dvec3& to) const {
+        return guard_.isClear(from, to, 0.0, defaultSampling) &&
+               std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
+                   return obstacle.first.isClear(from, to, obstacle.second, defaultSampling);
+               });
+    }
+    /// The same between a stroke and a place above it: the stroke's own clearance is no obstacle to leaving.
+    bool isClearAbove(const glm::dvec3& tip, double height) const {
         const auto passes = [&](const PartGuard& guard, double distance) {
-            return guard.isClear(from, start,
-                                 std::min(distance, guard.clearance(from, distance + 1.0).clearance) - touchTolerance,
-                                 defaultSampling) &&
-                   guard.isClear(start, end, distance, defaultSampling) &&
-                   guard.isClear(end, to,
-                                 std::min(distance, guard.clearance(to, distance + 1.0).clearance) - touchTolerance,
-                                 defaultSampling);
+            const double required = std::min(distance, guard.clearance(tip, distance + 1.0).clearance) - touchTolerance;
+            return guard.isClear(tip, {tip.x, tip.y, height}, required, defaultSampling);
         };
-        const bool clear = passes(guard_, 0.0) && std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
-                               return passes(obstacle.first, obstacle.second);
-                           });
-        return clear ? height : safeHeight_;
+        return passes(guard_, 0.0) && std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
+                   return passes(obstacle.first, obstacle.second);
+               });
+    }
+    /// Whether the tool may go straight on at a height, above what is left, clear of part and obstacles.
+    bool isClearAcross(const glm::dvec2& from, const glm::dvec2& to, double height) const {
+        const glm::dvec3 start(from, height), end(to, height);
+        return cleared_.freeHeight(start, end) + approach_ <= height && isClear(start, end);
+    }
+
+    /// From the end of a stroke to the start of the next one.
+    Way wayTo(const glm::dvec3& from, const glm::dvec3& to) const {
+        if (travel_ == Link::Travel::safe) return {safeHeight_, {}};
+        if (!rapidsAreStraight_ && from.x != to.x && from.y != to.y) return {safeHeight_, {}};
+        const double height = std::max({cleared_.freeHeight(from, to), from.z, to.z}) + approach_;
+        if (height >= safeHeight_) return around(from, to);
+        const bool clear = isClearAbove(from, height) && isClearAbove(to, height) &&
+                           isClear({from.x, from.y, height}, {to.x, to.y, height});
+        return clear ? Way{height, {}} : around(from, to);
+    }
+
+    /// The shortest way, at one of some heights, round what stands there; else over everything.
+    Way around(const glm::dvec3& from, const glm::dvec3& to) const {
+        constexpr int levels = 4;
+        Way best{safeHeight_, {}};
+        if (travel_ != Link::Travel::around || !rapidsAreStraight_) return best;
+        const double across = glm::distance(glm::dvec2(from), glm::dvec2(to));
+        double shortest = 2.0 * safeHeight_ - from.z - to.z + across;
+        const double lowest =
+            std::max({cleared_.freeHeight(from.x, from.y), cleared_.freeHeight(to.x, to.y), from.z, to.z}) + approach_;
+        const glm::dvec3 size = area_.size();
+        const double step = std::max(0.5 * reach_, std::max(size.x, size.y) / 64.0);
+        const WayRound search(area_, step);
+        for (int level = 0; level < levels; ++level) {
+            const double height = lowest + (safeHeight_ - lowest) * level / levels;
+            const double longest = shortest - (2.0 * height - from.z - to.z);
+            if (height >= safeHeight_ || longest <= across) continue;
+            if (!isClearAbove(from, height) || !isClearAbove(to, height)) continue;
+            const auto isFree = [&](const glm::dvec2& place) {
+                const glm::dvec3 tip(place, height);
+                const double spare = 0.25 * step;
+                return cleared_.freeHeight(place.x, place.y) + approach_ <= height &&
+                       guard_.clearance(tip, spare).clearance >= spare &&
+                       std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
+                           const double distance = obstacle.second + spare;
+                           return obstacle.first.clearance(tip, distance).clearance >= distance;
+                       });
+            };
+            const auto isSeen = [&](const glm::dvec2& a, const glm::dvec2& b) { return isClearAcross(a, b, height); };
+            std::vector<glm::dvec2> corners = search.find(from, to, longest, isFree, isSeen);
+            if (corners.empty()) continue;
+            double length = 2.0 * height - from.z - to.z;
+            glm::dvec2 at(from);
+            for (const glm::dvec2& corner : corners) {
+                length += glm::distance(at, corner);
+                at = corner;
+            }
+            if (length >= shortest) continue;
+            corners.pop_back(); // over the entry
+            shortest = length;
+            best = {height, std::move(corners)};
+        }
+        return best;
     }
 
     /// To a point of a stroke, along the arc or straight.
@@ -135,14 +274,10 @@ private:
         points.push_back({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample, arc});
     }
 
-    /// To the stroke's first point: across at a height, rapidly down to the approach above what is left there,
-    /// and on at the plunge feed.
-    void enter(const PathStroke& stroke, const Access& access, double height) {
+    /// To the stroke's first point at the plunge feed.
+    void enter(const PathStroke& stroke, const Access& access) {
         const StrokePoint& entry = stroke.points[access.entry];
         const glm::dvec3& tip = entry.tip;
-        go({tip.x, tip.y, height}, MoveKind::rapid);
-        const double free = std::max(cleared_.freeHeight(tip.x, tip.y) + approach_, tip.z);
-        if (free < height) go({tip.x, tip.y, free}, MoveKind::rapid);
         cleared_.cut(points.back().tip, tip);
         points.push_back({tip, MoveKind::plunge, 0.0, stroke.take, entry.sample});
         for (std::size_t i = access.entry; i > 0; --i) cut(stroke, i - 1, reversed(stroke.points[i].arc));
@@ -168,7 +303,9 @@ private:
 
     double approach_; // mm
     Link::Travel travel_;
+    double rounding_; // mm
     bool rapidsAreStraight_;
+    Box area_;                  // where ways round may lead
     double safeHeight_, reach_; // mm
     double lastRequired_ = 0.0; // mm from the part, of the stroke before
     const PartGuard& guard_;

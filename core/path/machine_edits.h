@@ -14,22 +14,34 @@ namespace burin {
 /// where that keeps the allowance and shank and holder stay in empty space. Under an overhang the tool leaves along the
 /// way it came. Instead of over everything it may travel at the lowest height at which the whole tool, on its straight
 /// way across, stays `approach` above what the height map says is left, and clear of part and obstacles; a machine
-/// whose axes run independently goes askew over everything all the same.
+/// whose axes run independently goes askew over everything all the same. Where the straight way is not clear so low, it
+/// may go round what stands there, at the height and on the way that are shortest of some that were looked at, where
+/// that is shorter than over everything. Corners between rapid moves may be rounded, inside, by arcs in chords, as far
+/// as what is inside stays clear in the same way.
 struct Link {
-    enum class Travel { safe, lowest };
+    enum class Travel { safe, lowest, around };
     double clearanceAbove = 5.0; ///< mm
     double approach = 1.0;       ///< mm
     Travel travel = Travel::safe;
+    double rounding = 0.0; ///< mm of either move that a rounded corner takes at most; 0: sharp
 };
 
-/// Feed, plunge feed and spindle speed from tool, material and machine. Plunges, and moves that go down by more than
-/// 45°, get the plunge feed.
-struct SetFeed {};
+/// Feed, plunge feed, spindle speed and coolant from tool, material and machine. Plunges, and moves that go down by
+/// more than 45°, get the plunge feed. Another spindle speed keeps the chip load, so feeds go with it; both stay within
+/// what tool and machine can do. The material's advice for a coolant that the machine lacks is left aside, a coolant
+/// that was asked for by name is refused then.
+struct SetFeed {
+    enum class Cooling { advised, off, mist, flood };
+    double speedFactor = 1.0; ///< of the tables' spindle speed
+    double feedFactor = 1.0;  ///< of the tables' chip load
+    Cooling cooling = Cooling::advised;
+};
 
 /// Feeds by what the tool meets: the path is cut again out of the stock, and each stretch of a straight cutting move
 /// gets the feed at which the tangential force, or the removal rate, is what is aimed at. Arcs get one feed, the least
 /// that one of their stretches asks for; plunges keep theirs. Feeds stay within the chip loads and the machine's limit,
-/// never need more than its acceleration to come down in time, and change where they differ by more than `leastChange`,
+/// never need more than its acceleration to come down in time, nor (but for the smallest chip) more than the spindle's
+/// power where the machine states it, and change where they differ by more than `leastChange`,
 /// to the lower one.
 struct LevelFeed {
     enum class Goal { force, removal };

@@ -91,4 +91,13 @@ Result<std::vector<MillingStretch>> millingSides(const Path& path, const PathCon
     return stretches;
 }
 
+std::array<double, 3> lengthsBySide(const Path& path, const std::vector<MillingStretch>& stretches) {
+    std::array<double, 3> lengths{};
+    for (const MillingStretch& stretch : stretches)
+        for (std::size_t i = stretch.first; i <= stretch.last && i < path.points.size(); ++i)
+            if (path.points[i].kind == MoveKind::cut)
+                lengths[static_cast<std::size_t>(stretch.side)] += lengthOf(path.points[i - 1].tip, path.points[i]);
+    return lengths;
+}
+
 } // namespace burin

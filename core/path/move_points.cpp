@@ -26,11 +26,6 @@ std::vector<double> distancesAlong(const TakeStretch& stretch, const PathStroke&
     return distances;
 }
 
-double weightAt(double distance, double falloff) {
-    if (distance <= 0.0) return 1.0;
-    return distance < falloff ? 0.5 + 0.5 * std::cos(pi * distance / falloff) : 0.0;
-}
-
 /// Along the part, as far from it as the tool was. Far from the part there is no surface to follow.
 glm::dvec3 movedOnSurface(const glm::dvec3& tip, const glm::dvec3& by, const PartGuard& guard) {
     constexpr double farthest = 10.0;  // mm from the part
@@ -50,6 +45,11 @@ glm::dvec3 movedOnSurface(const glm::dvec3& tip, const glm::dvec3& by, const Par
 
 } // namespace
 
+double MovePoints::shareAt(double way) const noexcept {
+    if (way <= 0.0) return 1.0;
+    return way < falloff ? 0.5 + 0.5 * std::cos(pi * way / falloff) : 0.0;
+}
+
 Result<Deviation> apply(const MovePoints& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     std::optional<PartGuard> guard;
     if (edit.along == MovePoints::Along::surface) {
@@ -60,7 +60,7 @@ Result<Deviation> apply(const MovePoints& edit, PathUnderEdit& state, const Path
     for (PathStroke& stroke : state.strokes) {
         const std::vector<double> distances = distancesAlong(edit.stretch, stroke);
         for (std::size_t i = 0; i < distances.size() && !progress.cancelled(); ++i) {
-            const double weight = weightAt(distances[i], edit.falloff);
+            const double weight = edit.shareAt(distances[i]);
             if (weight <= 0.0) continue;
             glm::dvec3& tip = stroke.points[i].tip;
             tip = guard ? movedOnSurface(tip, weight * edit.by, *guard) : tip + weight * edit.by;

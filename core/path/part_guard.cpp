@@ -7,8 +7,10 @@
 
 namespace burin {
 
-PartGuard::PartGuard(const MeshDistance& part, const Tool& tool)
-    : part_(&part), pieces_(burin::pieces(tool.cutter)), top_(part.bounds().high.z) {}
+PartGuard::PartGuard(const MeshDistance& part, const Tool& tool) : PartGuard(part, burin::pieces(tool.cutter)) {}
+
+PartGuard::PartGuard(const MeshDistance& part, std::vector<RevolvedPiece> pieces)
+    : part_(&part), pieces_(std::move(pieces)), top_(part.bounds().high.z) {}
 
 Result<PartGuard> PartGuard::of(const PathContext& context) {
     if (context.part == nullptr)

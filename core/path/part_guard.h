@@ -16,6 +16,8 @@ class PartGuard {
 public:
     /// Keeps a reference to the part.
     PartGuard(const MeshDistance& part, const Tool& tool);
+    /// The same of some pieces alone.
+    PartGuard(const MeshDistance& part, std::vector<RevolvedPiece> pieces);
 
     /// Errors: argumentInvalid, when the context has no part.
     static Result<PartGuard> of(const PathContext& context);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/coolant.h"
 #include "core/geometry/pose.h"
 
 #include <cstdint>
@@ -39,11 +40,15 @@ struct PathPoint {
     std::optional<PathArc> arc{};  ///< nothing: straight; never a rapid
 };
 
+/// mm, of the move to a point.
+double lengthOf(const glm::dvec3& from, const PathPoint& to) noexcept;
+
 /// What the machine shall do with one tool, axis +Z.
 struct Path {
     std::string name;
     std::string toolId;
     double spindleSpeed = 0.0; ///< 1/min
+    Coolant coolant = Coolant::off;
     std::vector<PathPoint> points;
 };
 

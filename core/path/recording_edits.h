@@ -108,6 +108,9 @@ struct MovePoints {
     glm::dvec3 by{0.0};   ///< mm
     double falloff = 5.0; ///< mm
     Along along = Along::free;
+
+    /// How much of `by` a point takes that lies so far along the stroke from those that are meant, mm.
+    double shareAt(double way) const noexcept;
 };
 
 /// Puts places in a stretch's stead, in its time and straight from one to the next.

@@ -31,10 +31,34 @@ bool goesDownSteeply(const glm::dvec3& from, const PathPoint& to) {
     return false;
 }
 
+/// The tables' conditions as the user wants them, within what tool and machine can do.
+CuttingConditions wantedConditions(const SetFeed& edit, const PathContext& context) {
+    CuttingConditions wanted = context.conditions;
+    double fastest = wanted.spindleSpeed * edit.speedFactor;
+    for (const double limit : {context.machine.maximumSpindleSpeed, context.tool.maximumSpindleSpeed})
+        if (limit > 0.0) fastest = std::min(fastest, limit);
+    const double factor = wanted.spindleSpeed > 0.0 ? fastest / wanted.spindleSpeed : 1.0;
+    wanted.spindleSpeed *= factor;
+    wanted.surfaceSpeed *= factor;
+    wanted.feed *= factor * edit.feedFactor;
+    wanted.plungeFeed *= factor * edit.feedFactor;
+    return wanted;
+}
+
+Result<Coolant> wantedCoolant(SetFeed::Cooling cooling, const PathContext& context) {
+    if (cooling == SetFeed::Cooling::advised)
+        return context.machine.has(context.advisedCoolant) ? context.advisedCoolant : Coolant::off;
+    const auto wanted = static_cast<Coolant>(static_cast<int>(cooling) - static_cast<int>(SetFeed::Cooling::off));
+    if (context.machine.has(wanted)) return wanted;
+    return Error{ErrorCode::notSupported, std::string(idOf(wanted)) + " coolant for " + context.machine.name, "", ""};
+}
+
 } // namespace
 
-Result<Deviation> apply(const SetFeed&, PathUnderEdit& state, const PathContext& context, Progress&) {
-    const CuttingConditions& conditions = context.conditions;
+Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress&) {
+    const CuttingConditions conditions = wantedConditions(edit, context);
+    const Result<Coolant> coolant = wantedCoolant(edit.cooling, context);
+    if (!coolant) return coolant.error();
     for (const auto& [name, value] :
          {std::pair{"feed", conditions.feed}, std::pair{"plunge feed", conditions.plungeFeed},
           std::pair{"spindle speed", conditions.spindleSpeed}}) {
@@ -55,6 +79,7 @@ Result<Deviation> apply(const SetFeed&, PathUnderEdit& state, const PathContext&
             point.feed = point.kind == MoveKind::plunge || steep ? plunging : cutting;
     }
     state.spindleSpeed = conditions.spindleSpeed;
+    state.coolant = *coolant;
     return Deviation{};
 }
 

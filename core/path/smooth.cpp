@@ -89,12 +89,16 @@ Deviation smooth(PathStroke& stroke, const Smooth& edit) {
 
 } // namespace
 
-Result<Deviation> apply(const Smooth& edit, PathUnderEdit& state, const PathContext&, Progress& progress) {
-    for (const PathStroke& stroke : state.strokes) {
-        if (edit.cutOff * stroke.tickPeriod >= 0.5)
-            return Error{ErrorCode::argumentInvalid, "cut_off_hz", formatShortest(edit.cutOff),
+Result<void> checkCutOff(double cutOff, const PathUnderEdit& state) {
+    for (const PathStroke& stroke : state.strokes)
+        if (cutOff * stroke.tickPeriod >= 0.5)
+            return Error{ErrorCode::argumentInvalid, "cut_off_hz", formatShortest(cutOff),
                          "below half of the recording's rate"};
-    }
+    return {};
+}
+
+Result<Deviation> apply(const Smooth& edit, PathUnderEdit& state, const PathContext&, Progress& progress) {
+    if (Result<void> usable = checkCutOff(edit.cutOff, state); !usable) return usable.error();
     return changeEach(state, progress, [&](PathStroke& stroke) { return smooth(stroke, edit); });
 }
 

@@ -113,11 +113,7 @@ Deviation smooth(PathStroke& stroke, const SmoothSpline& edit, const Progress& p
 } // namespace
 
 Result<Deviation> apply(const SmoothSpline& edit, PathUnderEdit& state, const PathContext&, Progress& progress) {
-    for (const PathStroke& stroke : state.strokes) {
-        if (edit.cutOff * stroke.tickPeriod >= 0.5)
-            return Error{ErrorCode::argumentInvalid, "cut_off_hz", formatShortest(edit.cutOff),
-                         "below half of the recording's rate"};
-    }
+    if (Result<void> usable = checkCutOff(edit.cutOff, state); !usable) return usable.error();
     return changeEach(state, progress, [&](PathStroke& stroke) { return smooth(stroke, edit, progress); });
 }
 

@@ -50,6 +50,7 @@ struct PathUnderEdit {
     std::vector<PathPoint> points; ///< what Link made of the strokes
     bool linked = false;
     double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
+    Coolant coolant = Coolant::off;
 
     std::size_t count() const noexcept;
 };

@@ -3,8 +3,9 @@
 #include "core/project/program_job.h"
 
 #include "core/base/numbers.h"
+#include "core/cutting/coolant_advice.h"
 #include "core/nc/dialect_library.h"
-#include "core/path/tool_order.h"
+#include "core/path/milling_side.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -28,6 +29,10 @@ std::vector<std::string> headerLines(const Bench& bench, const std::vector<Tool>
                     place(bench.setup.workOffset));
     lines.push_back("Stock in program coordinates: " + place(stock.low - bench.setup.workOffset) + " to " +
                     place(stock.high - bench.setup.workOffset));
+    const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
+    if (const Coolant advised = advisedCoolant(material); !bench.machine.has(advised))
+        lines.push_back("Coolant: " + std::string(idOf(advised)) + " is advised for " + material.name +
+                        ", the machine has none");
     for (const Tool& tool : tools)
         lines.push_back((tools.size() > 1 ? "Tool " + std::to_string(tool.number) + ": " : "Tool: ") + tool.name +
                         ", stick-out at least " + length(tool.cutter.stickOut) + " mm");
@@ -83,10 +88,17 @@ Result<std::string> post(const Bench& bench, const ProgramPaths& paths, const Pr
     return writeProgram(*program, bench.machine, **dialect, progress);
 }
 
-std::size_t toolsIn(const ParsedProgram& program) {
-    std::set<int> tools;
-    for (const NcMotion& motion : program.motions) tools.insert(motion.tool);
-    return tools.size();
+/// What the program's T numbers mean: one tool for all of them, or several to look up.
+std::vector<Tool> toolsMeant(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
+    if (request.tools.size() == 1) return request.tools;
+    std::set<int> numbers;
+    for (const NcMotion& motion : program.motions) numbers.insert(motion.tool);
+    if (numbers.size() > 1 && !request.tools.empty()) return request.tools;
+    if (numbers.size() == 1 && *numbers.begin() != bench.tool.number)
+        if (const auto found = std::ranges::find(request.tools, *numbers.begin(), &Tool::number);
+            found != request.tools.end())
+            return {*found};
+    return {bench.tool};
 }
 
 } // namespace
@@ -96,15 +108,10 @@ std::size_t CheckedProgram::errorCount() const noexcept {
     return report.findings.size() + static_cast<std::size_t>(rejected);
 }
 
-Result<StoredPath> standardPath(const Project& project) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    if (takes->empty()) return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
-    StoredPath path;
-    path.name = "path 1";
-    for (const TakeInfo& take : *takes) path.takes.push_back(take.id);
-    path.edits = standardEdits();
-    return path;
+const Tool* CheckedProgram::toolNumbered(int number) const noexcept {
+    if (tools.size() == 1) return &tools.front();
+    const auto found = std::ranges::find(tools, number, &Tool::number);
+    return found == tools.end() ? nullptr : &*found;
 }
 
 Result<std::vector<Take>> takesOf(const Project& project, const StoredPath& path) {
@@ -132,6 +139,7 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
     context.part = &bench.part;
     context.tool = tool;
     context.conditions = *conditions;
+    context.advisedCoolant = advisedCoolant(material);
     context.machine = bench.machine;
     context.stock = bench.setup.stock;
     context.obstacles = solidsOf(bench.obstacles);
@@ -142,7 +150,12 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
         return std::move(embedded->workpiece);
     };
     if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
-    return evaluate(path.name, takes, path.edits, context, progress);
+    Result<EvaluatedPath> evaluated = evaluate(path.name, takes, path.edits, context, progress);
+    if (!evaluated) return evaluated;
+    Result<std::vector<MillingStretch>> sides = millingSides(evaluated->path, context);
+    if (!sides) return std::move(sides).error();
+    evaluated->sides = std::move(*sides);
+    return evaluated;
 }
 
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
@@ -150,18 +163,6 @@ Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench,
     const Result<std::vector<Take>> takes = takesOf(project, path);
     if (!takes) return takes.error();
     return evaluateStored(*takes, bench, path, progress);
-}
-
-ProgramPaths inOrder(ProgramPaths given, const std::vector<double>& allowances) {
-    std::vector<ToolPass> passes;
-    for (std::size_t i = 0; i < given.paths.size(); ++i) {
-        const auto tool = std::ranges::find(given.tools, given.paths[i].toolId, &Tool::id);
-        passes.push_back({given.paths[i].toolId, tool != given.tools.end() ? tool->cutter.diameter : 0.0,
-                          i < allowances.size() ? allowances[i] : 0.0});
-    }
-    ProgramPaths ordered{{}, std::move(given.tools)};
-    for (const OrderedPass& pass : orderPasses(passes)) ordered.paths.push_back(std::move(given.paths[pass.pass]));
-    return ordered;
 }
 
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
@@ -195,6 +196,7 @@ Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& 
     const auto lines = [](const std::string& all) { return std::ranges::count(all, '\n'); };
     const auto added = static_cast<std::uint32_t>(lines(*text) - lines(program.text));
     for (Finding& finding : program.report.findings) finding.line += added;
+    for (NearPass& pass : program.report.nearPasses) pass.line += added;
     for (MotionLoad& load : program.report.loads) load.line += added;
     for (LintMark& mark : program.lint) mark.line += added;
     program.text = std::move(*text);
@@ -216,17 +218,17 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     verification.obstacles = bench.obstacles;
     if (bench.travel.zero) // what is only the rule's guess refuses no program
         verification.travel = travelEnvelope(bench.machine, bench.travel, bench.setup.workOffset).tips;
-    verification.tool = bench.tool;
-    const bool several = toolsIn(*parsed) > 1;
-    if (several) verification.tools = request.tools;
+    CheckedProgram checked;
+    checked.tools = toolsMeant(*parsed, bench, request);
+    verification.tool = checked.tools.front();
+    if (checked.tools.size() > 1) verification.tools = checked.tools;
     verification.machine = bench.machine;
     verification.gougeTolerance = request.gougeTolerance;
     verification.exactSamples = request.exactSamples;
     verification.import = request.import;
-    CheckedProgram checked;
     Result<VerifyReport> report = verify(verification, progress, &checked.machined);
     if (!report) return std::move(report).error();
-    checked.lint = lint(text, {&control, &bench.machine, several ? nullptr : &bench.tool});
+    checked.lint = lint(text, {&control, &bench.machine, checked.tools.size() > 1 ? nullptr : &checked.tools.front()});
     checked.text = std::move(text);
     checked.dialect = request.dialect;
     checked.parsed = std::move(*parsed);

@@ -26,9 +26,6 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
                                      Progress& progress);
 
-/// A path of all takes with the edits of the main job. Errors: projectIncomplete (no take).
-Result<StoredPath> standardPath(const Project& project);
-
 struct ProgramRequest {
     std::string name; ///< of the program
     std::string dialect = "linuxcnc";
@@ -36,7 +33,8 @@ struct ProgramRequest {
     std::size_t exactSamples = 500;
     NcUnits units = NcUnits::millimetre; ///< of the program's text
     ImportOptions import;                ///< worker for the exact distances
-    /// Tools that a program with several of them may call by their numbers; a program of one tool is the bench's.
+    /// Tools that a program may call by their numbers; one: whatever it calls. The bench's where it calls none of them,
+    /// and for all of it where there are none.
     std::vector<Tool> tools;
     /// Why a program that its check refuses is wanted all the same, in the user's words; they and what was found stand
     /// in the program's header then. Empty: it is not wanted.
@@ -48,6 +46,7 @@ struct CheckedProgram {
     std::string text;
     std::string dialect;         ///< that it is read in
     ParsedProgram parsed;        ///< what the text says
+    std::vector<Tool> tools;     ///< that it may call by their numbers; one: whatever number it calls
     std::vector<LintMark> lint;  ///< what the control may not take
     std::vector<Moment> moments; ///< of the hand, behind each motion; empty where the text was not posted from a path
     VerifyReport report;
@@ -57,6 +56,7 @@ struct CheckedProgram {
     /// What the check found, and what the control would reject; warnings are not among them.
     std::size_t errorCount() const noexcept;
     bool passed() const noexcept { return errorCount() == 0; }
+    const Tool* toolNumbered(int number) const noexcept; ///< null: unknown
     /// It may leave the house.
     bool released() const noexcept { return passed() || overridden; }
 };
@@ -66,8 +66,6 @@ struct ProgramPaths {
     std::vector<Path> paths;
     std::vector<Tool> tools;
 };
-/// In a sensible order, by orderPasses. @param allowances mm, that each path leaves on the part
-ProgramPaths inOrder(ProgramPaths given, const std::vector<double>& allowances);
 
 /// Posts paths, reads the text back with Burin's own parser and re-simulates it. What is not `released` must not reach
 /// a machine. Errors: those of toProgram, the dialect, parseProgram and verify.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/machine/machine_profile.h"
+#include "core/nc/program.h"
 
 #include <string>
 
@@ -15,6 +16,7 @@ inline constexpr const char* firstMachine = "linuxcnc-mill";
 struct ProgramTarget {
     std::string machine = firstMachine; ///< id
     std::string dialect;                ///< id; empty: the one that the machine's control reads
+    NcUnits units = NcUnits::millimetre;
 
     const std::string& dialectFor(const MachineProfile& profile) const noexcept {
         return dialect.empty() ? profile.dialect : dialect;

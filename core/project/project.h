@@ -106,6 +106,9 @@ public:
     /// Machine and dialect of the programs; the first machine's where nothing was stored.
     Result<void> setProgramTarget(const ProgramTarget& target);
     Result<ProgramTarget> programTarget() const;
+    /// The text of a program that the user edits and that was not checked since. Empty: none.
+    Result<void> setProgramDraft(const std::string& text);
+    Result<std::string> programDraft() const;
     /// The guides of the hand; they replace the ones before. Errors: also those of checkGuide.
     Result<void> setGuides(const KeptGuides& guides);
     Result<KeptGuides> guides() const;

@@ -54,6 +54,13 @@ Result<ProgramTarget> Project::programTarget() const {
     return impl_->read(loadProgramTarget);
 }
 
+Result<void> Project::setProgramDraft(const std::string& text) {
+    return impl_->change([&](Database& database) { return storeProgramDraft(database, text); });
+}
+Result<std::string> Project::programDraft() const {
+    return impl_->read(loadProgramDraft);
+}
+
 Result<void> Project::setGuides(const KeptGuides& guides) {
     return impl_->change([&](Database& database) { return storeGuides(database, guides); });
 }

@@ -33,6 +33,8 @@ Result<void> storeTravelPlacement(Database& database, const TravelPlacement& pla
 Result<TravelPlacement> loadTravelPlacement(Database& database);
 Result<void> storeProgramTarget(Database& database, const ProgramTarget& target);
 Result<ProgramTarget> loadProgramTarget(Database& database);
+Result<void> storeProgramDraft(Database& database, const std::string& text);
+Result<std::string> loadProgramDraft(Database& database);
 Result<void> storeGuides(Database& database, const KeptGuides& kept); ///< those of checkGuide, argumentInvalid
 Result<KeptGuides> loadGuides(Database& database);
 

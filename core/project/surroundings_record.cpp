@@ -201,13 +201,28 @@ std::optional<TravelPlacement> travelPlacementFromJson(std::string_view text) tr
     return std::nullopt;
 }
 
+std::string programDraftToJson(const std::string& text) {
+    return textOf(text);
+}
+
+std::optional<std::string> programDraftFromJson(std::string_view text) try {
+    return json::parse(text).get<std::string>();
+} catch (const json::exception&) {
+    return std::nullopt;
+}
+
 std::string toJson(const ProgramTarget& target) {
-    return textOf({{"machine", target.machine}, {"dialect", target.dialect}});
+    return textOf({{"machine", target.machine}, {"dialect", target.dialect}, {"units", idOf(target.units)}});
 }
 
 std::optional<ProgramTarget> programTargetFromJson(std::string_view text) try {
     const json record = json::parse(text);
-    return ProgramTarget{record.at("machine").get<std::string>(), record.at("dialect").get<std::string>()};
+    ProgramTarget target{record.at("machine").get<std::string>(), record.at("dialect").get<std::string>(), {}};
+    // Projects from before there was a choice have none.
+    const auto units = ncUnitsFromId(record.value("units", std::string(idOf(NcUnits::millimetre))));
+    if (!units) return std::nullopt;
+    target.units = *units;
+    return target;
 } catch (const json::exception&) {
     return std::nullopt;
 }

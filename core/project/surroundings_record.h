@@ -40,5 +40,7 @@ std::optional<TravelPlacement> travelPlacementFromJson(std::string_view text);
 
 std::string toJson(const ProgramTarget& target);
 std::optional<ProgramTarget> programTargetFromJson(std::string_view text);
+std::string programDraftToJson(const std::string& text);
+std::optional<std::string> programDraftFromJson(std::string_view text);
 
 } // namespace burin

@@ -13,7 +13,7 @@ namespace {
 
 /// Rows of `milling_setting`.
 constexpr std::string_view axisMode = "axis_mode", travelPlacement = "travel", programTarget = "target",
-                           guideButton = "guide_step_button";
+                           programDraft = "program_draft", guideButton = "guide_step_button";
 
 std::optional<BlobView> unlessEmpty(const std::string& blob) {
     return blob.empty() ? std::nullopt : std::optional(BlobView{blob});
@@ -114,6 +114,13 @@ Result<TravelPlacement> loadTravelPlacement(Database& database) {
 
 Result<void> storeProgramTarget(Database& database, const ProgramTarget& target) {
     return storeSetting(database, programTarget, toJson(target));
+}
+
+Result<void> storeProgramDraft(Database& database, const std::string& text) {
+    return storeSetting(database, programDraft, programDraftToJson(text));
+}
+Result<std::string> loadProgramDraft(Database& database) {
+    return loadSettingAs<std::string>(database, programDraft, programDraftFromJson);
 }
 
 Result<ProgramTarget> loadProgramTarget(Database& database) {

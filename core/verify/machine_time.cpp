@@ -3,6 +3,7 @@
 #include "core/verify/machine_time.h"
 
 #include "core/base/units.h"
+#include "core/verify/speed_ramp.h"
 
 #include <algorithm>
 #include <array>
@@ -22,6 +23,7 @@ struct Block {
     double length = 0.0;              ///< mm, > 0
     double speed = 0.0;               ///< mm/s, greatest in it
     double acceleration = 0.0;        ///< mm/s² along it; infinite: without limit
+    double jerk = 0.0;                ///< mm/s³ along it; infinite: without limit
     glm::dvec3 first{0.0}, last{0.0}; ///< unit, of the way at both ends
     double entry = 0.0;               ///< mm²/s², square of the speed at its start
     bool startsAtRest = false;        ///< something else happens before it: a dwell, a tool change
@@ -40,22 +42,12 @@ double accelerationOf(const MachineProfile& machine, int axis) {
     const double acceleration = machine.axisAcceleration(axis);
     return acceleration > 0.0 ? acceleration : unlimited;
 }
+double jerkOf(const MachineProfile& machine, int axis) {
+    return machine.axisJerks[axis] > 0.0 ? machine.axisJerks[axis] : unlimited;
+}
 double rateOf(const MachineProfile& machine, int axis) { // mm/s
     const double rate = machine.axisRate(axis);
     return rate > 0.0 ? rate / secondsPerMinute : unlimited;
-}
-
-/// s that a stretch takes from one speed to another with a greatest one between.
-double trapezoid(double length, double fromSquare, double toSquare, double speed, double acceleration,
-                 double& peak) noexcept {
-    if (!std::isfinite(acceleration)) {
-        peak = speed;
-        return length / speed;
-    }
-    peak = std::min(speed, std::sqrt(acceleration * length + 0.5 * (fromSquare + toSquare)));
-    const double ramps = (2.0 * peak * peak - fromSquare - toSquare) / (2.0 * acceleration);
-    const double changing = (2.0 * peak - std::sqrt(fromSquare) - std::sqrt(toSquare)) / acceleration;
-    return changing + std::max(0.0, length - ramps) / peak;
 }
 
 class Planner {
@@ -71,11 +63,12 @@ public:
         std::vector<double> durations = alone_;
         for (std::size_t i = 0; i < blocks_.size(); ++i) {
             const Block& block = blocks_[i];
-            const double exit = exitOf(i);
-            MotionTime& motion = time_.motions[block.motion];
-            durations[block.motion] =
-                trapezoid(block.length, block.entry, exit, block.speed, block.acceleration, motion.peakSpeed);
+            const RampTime ramp =
+                trapezoid(block.length, std::sqrt(block.entry), std::sqrt(exitOf(i)), block.speed, block.acceleration);
+            durations[block.motion] = ramp.seconds;
+            time_.motions[block.motion].peakSpeed = ramp.peak;
         }
+        limitJerk(durations);
         double now = 0.0;
         for (std::size_t i = 0; i < durations.size(); ++i) {
             if (changesTool(i)) now += machine_.toolChangeSeconds;
@@ -120,11 +113,11 @@ private:
         for (int axis = 0; axis < 3; ++axis) {
             const double way = std::abs(motion.to[axis] - motion.from[axis]);
             if (!(way > 0.0) || !std::isfinite(rateOf(machine_, axis))) continue;
-            double peak = 0.0;
-            longest = std::max(longest,
-                               trapezoid(way, 0.0, 0.0, rateOf(machine_, axis), accelerationOf(machine_, axis), peak));
+            const RampTime ramp =
+                sCurve(way, 0.0, 0.0, rateOf(machine_, axis), accelerationOf(machine_, axis), jerkOf(machine_, axis));
+            longest = std::max(longest, ramp.seconds);
             atRates = std::max(atRates, way / rateOf(machine_, axis));
-            time_.motions[i].peakSpeed = std::hypot(time_.motions[i].peakSpeed, peak);
+            time_.motions[i].peakSpeed = std::hypot(time_.motions[i].peakSpeed, ramp.peak);
         }
         alone_[i] = longest;
         time_.withoutAcceleration += atRates;
@@ -145,6 +138,8 @@ private:
         else
             limitStraight(motion, block);
         block.speed = std::min(block.speed, asked);
+        if (machine_.blocksPerSecond > 0.0)
+            block.speed = std::min(block.speed, block.length * machine_.blocksPerSecond);
         if (!(block.speed > 0.0) || !std::isfinite(block.speed)) { // no feed, or no rate: nothing can be said
             atRest_ = true;
             return;
@@ -159,6 +154,7 @@ private:
         block.first = block.last = (motion.to - motion.from) / block.length;
         block.speed = along(block.first, [&](int axis) { return rateOf(machine_, axis); });
         block.acceleration = along(block.first, [&](int axis) { return accelerationOf(machine_, axis); });
+        block.jerk = along(block.first, [&](int axis) { return jerkOf(machine_, axis); });
     }
 
     /// An arc comes by directions of its plane: its axes' least figures count, whatever the part of a turn.
@@ -182,6 +178,7 @@ private:
         widest[axis] = rise;
         block.speed = along(widest, [&](int i) { return rateOf(machine_, i); });
         block.acceleration = along(widest, [&](int i) { return accelerationOf(machine_, i); });
+        block.jerk = along(widest, [&](int i) { return jerkOf(machine_, i); });
         const double centripetal = std::min(accelerationOf(machine_, u), accelerationOf(machine_, v));
         const double radius = std::min(turn.startRadius, turn.endRadius);
         if (std::isfinite(centripetal) && inPlane > 0.0)
@@ -191,18 +188,53 @@ private:
     /// Square of the speed that the machine's rule allows between two blocks.
     double junction(const Block& before, const Block& after) const {
         const glm::dvec3 change = after.first - before.last;
-        const double half = 0.5 * glm::length(change); // cosine of half of the inner angle
-        if (machine_.junctions == JunctionRule::exactStop) return 0.0;
+        const double half = 0.5 * glm::length(change);            // cosine of half of the inner angle
+        const NcMotion& motion = program_.motions[before.motion]; // a control rounds a block's end as it was told then
+        const bool stated = motion.pathMode != PathMode::machine;
+        const bool stops = motion.pathMode == PathMode::exactStop;
+        if (stops || (!stated && machine_.junctions == JunctionRule::exactStop)) return 0.0;
         if (half < straightOn) return unlimited;
+        if (motion.pathMode == PathMode::exactPath) return 0.0;
         const double acceleration =
             along(change / (2.0 * half), [&](int axis) { return accelerationOf(machine_, axis); });
         if (!std::isfinite(acceleration)) return unlimited;
-        if (machine_.junctions == JunctionRule::deviation) {
+        if (!stated && machine_.junctions == JunctionRule::deviation) {
             const double sine = std::sqrt(std::max(0.0, 1.0 - half * half)); // of half of the inner angle
             return acceleration * machine_.junctionTolerance * sine / (1.0 - sine);
         }
-        const double leg = std::min({2.0 * machine_.junctionTolerance / half, 0.5 * before.length, 0.5 * after.length});
+        const double tolerance = !stated                       ? machine_.junctionTolerance
+                                 : motion.blendTolerance > 0.0 ? motion.blendTolerance
+                                                               : unlimited;
+        const double leg = std::min({2.0 * tolerance / half, 0.5 * before.length, 0.5 * after.length});
         return acceleration * leg / half;
+    }
+
+    /// Between two places where the speed is least, all that jerk adds to one S-curve over the whole stretch is added,
+    /// shared out as the time is.
+    void limitJerk(std::vector<double>& durations) {
+        const auto peakOf = [&](std::size_t i) { return time_.motions[blocks_[i].motion].peakSpeed; };
+        for (std::size_t first = 0, end = 0; first < blocks_.size(); first = end) {
+            double length = 0.0, planned = 0.0, peak = 0.0, acceleration = unlimited, jerk = unlimited;
+            for (end = first; end < blocks_.size(); ++end) {
+                const double entry = std::sqrt(blocks_[end].entry) * (1.0 + 1e-9);
+                if (end > first && entry < peakOf(end - 1) && entry < peakOf(end)) break;
+                length += blocks_[end].length;
+                planned += durations[blocks_[end].motion];
+                peak = std::max(peak, peakOf(end));
+                acceleration = std::min(acceleration, blocks_[end].acceleration);
+                jerk = std::min(jerk, blocks_[end].jerk);
+            }
+            if (!std::isfinite(jerk) || !std::isfinite(acceleration)) continue;
+            const double from = std::sqrt(blocks_[first].entry), to = std::sqrt(exitOf(end - 1));
+            const RampTime ramp = sCurve(length, from, to, peak, acceleration, jerk);
+            const double added = ramp.seconds - trapezoid(length, from, to, peak, acceleration).seconds;
+            if (!(added > 0.0)) continue;
+            for (std::size_t i = first; i < end; ++i) {
+                durations[blocks_[i].motion] *= 1.0 + added / planned;
+                double& reached = time_.motions[blocks_[i].motion].peakSpeed;
+                reached = std::min(reached, ramp.peak);
+            }
+        }
     }
 
     void limitEntries() {
@@ -230,6 +262,16 @@ private:
 };
 
 } // namespace
+
+std::vector<StatedPathMode> statedPathModes(const ParsedProgram& program) {
+    std::vector<StatedPathMode> modes;
+    for (const NcMotion& motion : program.motions) {
+        const StatedPathMode mode{motion.line, motion.pathMode, motion.blendTolerance};
+        const StatedPathMode last = modes.empty() ? StatedPathMode{0, PathMode::machine, 0.0} : modes.back();
+        if (mode.mode != last.mode || mode.tolerance != last.tolerance) modes.push_back(mode);
+    }
+    return modes;
+}
 
 MachiningTime machiningTime(const ParsedProgram& program, const MachineProfile& machine) {
     return Planner(program, machine).plan();

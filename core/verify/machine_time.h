@@ -16,6 +16,15 @@ struct MotionTime {
     double peakSpeed = 0.0; ///< mm/s that the tip reaches in it
 };
 
+/// From a line on the program says how its control is to take corners.
+struct StatedPathMode {
+    std::uint32_t line = 0; ///< of the first motion that it holds for
+    PathMode mode = PathMode::blend;
+    double tolerance = 0.0; ///< mm, of blend; 0: without limit
+};
+/// All changes, in program order; empty where the machine's own rule holds throughout.
+std::vector<StatedPathMode> statedPathModes(const ParsedProgram& program);
+
 /// What a program takes on a machine.
 struct MachiningTime {
     std::vector<MotionTime> motions;  ///< by place in ParsedProgram::motions
@@ -24,10 +33,11 @@ struct MachiningTime {
     int toolChanges = 0;              ///< the first tool's included
 };
 
-/// Plans every motion as a control with unlimited look-ahead would: trapezoids of speed along each block, as fast at
-/// both ends as the machine's junction rule, the block's own length and the blocks around it allow; no axis beyond its
-/// rate or acceleration; arcs no faster than sqrt(a r). core/verify/README.md states the rules and what is left out.
-/// A motion from a place that the program has not set takes no time.
+/// Plans every motion as a control with unlimited look-ahead would: trapezoids of speed along each block, S-curves
+/// where the machine limits jerk, as fast at both ends as the junction rule of the program, else of the machine, the
+/// block's own length and the blocks around it allow; no axis beyond its rate or acceleration; arcs no faster than
+/// sqrt(a r); no more blocks a second than the control carries out. core/verify/README.md states the rules and what is
+/// left out. A motion from a place that the program has not set takes no time.
 MachiningTime machiningTime(const ParsedProgram& program, const MachineProfile& machine);
 
 } // namespace burin

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace burin {
@@ -66,10 +67,11 @@ private:
         if (!move.endKnown) return {};
         const glm::dvec3 from = inLineFrame(grid_, move.begin()), to = inLineFrame(grid_, move.to);
         const glm::dvec3 axis = inLineFrame(grid_, glm::dvec3(0.0, 0.0, 1.0));
-        const bool guards = std::min(from.z, to.z) + tool.guardBottom < top;
+        const bool guards = std::min(from.z, to.z) + tool.guardBottom - tool.near < top;
         Box reach;
         for (std::size_t i = 0; i < (guards ? tool.stack.size() : tool.fluteCount); ++i) {
-            const Box piece = SweptPiece(tool.stack[i], from, to, axis).bounds();
+            Box piece = SweptPiece(tool.stack[i], from, to, axis).bounds();
+            if (i >= tool.fluteCount) piece = piece.grown(tool.near);
             if (piece.low.z < top) reach.include(piece);
         }
         if (reach.empty()) return {};
@@ -126,13 +128,28 @@ void judgeContacts(const std::vector<RowResult>& rows, const std::vector<ToolMov
     }
 }
 
+/// Of each move the nearest over all rows; where a section touches something, its line has a finding.
+void tellPasses(const std::vector<RowResult>& rows, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                const Grid& grid, NearPasses& passes) {
+    std::set<std::pair<std::uint32_t, ToolSection>> touching;
+    for (const RowResult& row : rows)
+        for (const StepContact& contact : row.contacts)
+            touching.insert({contact.move, sectionOf(tools[moves[contact.move].tool].cutter, contact.piece)});
+    for (const RowResult& row : rows)
+        for (const StockPass& pass : row.passes)
+            if (!touching.contains({pass.move, pass.section}))
+                passes.add(
+                    {pass.section, NearTo::stock, moves[pass.move].line, pass.sum.centroid(grid), pass.distance});
+}
+
 } // namespace
 
 Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
-                                    RunVolume& workpiece, Findings& findings, Progress& progress) {
+                                    RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near) {
     const Grid& grid = workpiece.grid();
     std::vector<ReplayTool> replayTools;
-    for (const Tool& tool : tools) replayTools.emplace_back(tool.cutter, grid);
+    for (const Tool& tool : tools)
+        replayTools.emplace_back(tool.cutter, grid, near.passes != nullptr ? near.distance : 0.0);
     const Turns turns(moves, replayTools, workpiece);
     std::vector<RowResult> rows(turns.rowCount());
     std::atomic<std::size_t> done{0};
@@ -154,6 +171,7 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
     std::vector<MoveCut> cuts = sumsOf(rows, moves.size(), grid);
     for (std::size_t i = 0; i < moves.size(); ++i) judgeRemoval(moves[i], cuts[i], findings);
     judgeContacts(rows, moves, tools, grid, findings);
+    if (near.passes != nullptr) tellPasses(rows, moves, tools, grid, *near.passes);
     return cuts;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/verify/findings.h"
+#include "core/verify/near_pass.h"
 #include "core/verify/tool_moves.h"
 
 #include <span>
@@ -16,12 +17,18 @@ struct MoveCut {
     glm::dvec3 centroid{0.0}; ///< mm, setup frame; meaningless where the volume is 0
 };
 
+/// Who wants to know where shank or holder pass the stock that stands after a move without touching it.
+struct NearWatch {
+    double distance = 0.0;        ///< mm: nearer than this
+    NearPasses* passes = nullptr; ///< null: nobody
+};
+
 /// Cuts the moves, in order, into a workpiece, flutes before shank and holder, and reports what must not happen:
 /// removal by a rapid or with the spindle off, shank or holder in anything. All cores; the result does not depend on
 /// how many. What it takes is what the moves take one by one: each is swept exactly.
 /// @param tools those that ToolMove::tool counts
 /// @return by move. Errors: volumeOutOfMemory, cancelled.
 Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
-                                    RunVolume& workpiece, Findings& findings, Progress& progress);
+                                    RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near = {});
 
 } // namespace burin

@@ -24,6 +24,31 @@ const char* idOf(RapidMode mode) {
     return "unknown";
 }
 
+const char* idOf(PathMode mode) {
+    switch (mode) {
+    case PathMode::machine:
+        return "machine";
+    case PathMode::exactPath:
+        return "exact_path";
+    case PathMode::exactStop:
+        return "exact_stop";
+    case PathMode::blend:
+        return "blend";
+    }
+    return "unknown";
+}
+
+/// A tolerance of null: without limit.
+json modesOf(const std::vector<StatedPathMode>& modes) {
+    json list = json::array();
+    for (const StatedPathMode& mode : modes) {
+        json entry{{"line", mode.line}, {"mode", idOf(mode.mode)}};
+        if (mode.mode == PathMode::blend) entry["tolerance_mm"] = mode.tolerance > 0.0 ? json(mode.tolerance) : json();
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
 /// Null where nothing is removed.
 json peakOf(const VerifyReport& report) {
     const MotionLoad* const peak = peakLoad(report.loads);
@@ -45,6 +70,12 @@ std::string toJson(const VerifyReport& report) {
                             {"line", finding.line},
                             {"place_mm", json::array({finding.place.x, finding.place.y, finding.place.z})},
                             {"amount", finding.amount}});
+    json warnings = json::array();
+    for (const NearPass& pass : report.nearPasses)
+        warnings.push_back({{"kind", idOf(pass)},
+                            {"line", pass.line},
+                            {"place_mm", json::array({pass.place.x, pass.place.y, pass.place.z})},
+                            {"distance_mm", pass.distance}});
     return json{{"passed", report.passed()},
                 {"gouge_max_mm", report.gougeMax},
                 {"gouge_max_mesh_mm", report.gougeMaxMesh},
@@ -59,8 +90,10 @@ std::string toJson(const VerifyReport& report) {
                 {"machining_s", report.machiningSeconds},
                 {"machining_without_acceleration_s", report.secondsWithoutAcceleration},
                 {"rapids", idOf(report.rapids)},
+                {"path_modes", modesOf(report.pathModes)},
                 {"peak_load", peakOf(report)},
-                {"findings", findings}}
+                {"findings", findings},
+                {"warnings", warnings}}
         .dump();
 }
 

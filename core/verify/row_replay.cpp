@@ -3,6 +3,7 @@
 #include "core/verify/row_replay.h"
 
 #include "core/cutting/line_frame.h"
+#include "core/geometry/grown_pieces.h"
 
 #include <algorithm>
 #include <bit>
@@ -27,11 +28,12 @@ Span shareWithin(double from, double to, const Span& stretch) noexcept {
 
 } // namespace
 
-ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid)
+ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistance)
     : stack(pieces(cutter))
     , fluteCount(flutePieces(cutter).size())
     , guardBottom(std::numeric_limits<double>::infinity())
     , upright(grid.axis() == RunAxis::z)
+    , near(nearDistance)
     , filter(std::span(stack).first(fluteCount), grid) {
     const glm::dvec3 axis = inLineFrame(grid, toolAxis);
     for (std::size_t i = 0; i < stack.size(); ++i) {
@@ -39,6 +41,7 @@ ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid)
             fluteRadius = std::max(fluteRadius, stack[i].widestRadius());
             continue;
         }
+        if (sectionOf(cutter, i) == ToolSection::shank) ++shankCount;
         const double across = stack[i].widestRadius() * std::sqrt(std::max(0.0, 1.0 - axis.z * axis.z));
         guardBottom = std::min(guardBottom, std::min(stack[i].bottom * axis.z, stack[i].top * axis.z) - across);
     }
@@ -64,6 +67,7 @@ void RowReplay::make(std::uint32_t number) {
     const ReplayTool& tool = tools_[move.tool];
     const glm::dvec3 from = inLineFrame(grid_, move.begin()), to = inLineFrame(grid_, move.to);
     UnitSum removed;
+    const std::size_t contacts = result_.contacts.size();
     if (!mayTouch(tool, from, to)) {
         if (tool.upright)
             cutUpright(tool, from, to, removed);
@@ -80,6 +84,7 @@ void RowReplay::make(std::uint32_t number) {
         }
     }
     if (removed.units > 0) result_.cuts.push_back({number, removed});
+    if (tool.near > 0.0 && result_.contacts.size() == contacts) lookNear(tool, from, to, number);
 }
 
 void RowReplay::cutUpright(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed) {
@@ -162,6 +167,49 @@ bool RowReplay::touches(const SweptPiece& piece) const {
         return !found;
     });
     return found;
+}
+
+void RowReplay::lookNear(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, std::uint32_t number) {
+    const double lowest = std::min(from.z, to.z) + tool.guardBottom - tool.near - inLineFrame(grid_, grid_.low()).z;
+    if (lowest >= reach_ * grid_.edge() / unitsPerVoxel) return;
+    const auto guards = std::span(tool.stack).subspan(tool.fluteCount);
+    lookNear(guards.first(tool.shankCount), ToolSection::shank, tool.near, from, to, number);
+    lookNear(guards.subspan(tool.shankCount), ToolSection::holder, tool.near, from, to, number);
+}
+
+void RowReplay::lookNear(std::span<const RevolvedPiece> section, ToolSection which, double near, const glm::dvec3& from,
+                         const glm::dvec3& to, std::uint32_t number) {
+    UnitSum nearest;
+    if (section.empty() || !isNear(section, near, from, to, nearest)) return;
+    double clear = 0.0;
+    while (near - clear > passResolution) {
+        const double middle = 0.5 * (clear + near);
+        UnitSum sum;
+        if (isNear(section, middle, from, to, sum)) {
+            near = middle;
+            nearest = sum;
+        } else {
+            clear = middle;
+        }
+    }
+    result_.passes.push_back({number, which, clear, nearest});
+}
+
+/// Whether anything stands within a distance of what a section sweeps; adds it.
+bool RowReplay::isNear(std::span<const RevolvedPiece> section, double by, const glm::dvec3& from, const glm::dvec3& to,
+                       UnitSum& sum) const {
+    const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
+    for (const RevolvedPiece& piece : section)
+        for (const RevolvedPiece& grown : grownPieces(piece, by))
+            forEachSpanInRows(SweptPiece(grown, from, to, axis), grid_, rows(),
+                              [&](LineIndex line, RunPosition low, RunPosition high) {
+                                  UnitSum here;
+                                  if (static_cast<std::int32_t>(low) < stock_.brickReach(line.u / brickSide) &&
+                                      stock_.overlap(line, low, high, here) > tolerance)
+                                      sum.add(here);
+                                  return true;
+                              });
+    return sum.units > 0;
 }
 
 void RowReplay::lookAt(const ReplayTool& tool, const glm::dvec3& tip, std::uint32_t number, std::uint32_t step) {

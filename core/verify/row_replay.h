@@ -15,13 +15,16 @@ namespace burin {
 
 /// A tool, ready to be replayed among the lines of a grid.
 struct ReplayTool {
-    ReplayTool(const Cutter& cutter, const Grid& grid);
+    /// @param nearDistance mm: how near shank and holder may pass before it is told
+    ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistance = 0.0);
 
     std::vector<RevolvedPiece> stack; ///< pieces(cutter)
     std::size_t fluteCount = 0;       ///< so many of them, from the tip, cut
     double fluteRadius = 0.0;         ///< mm, widest
     double guardBottom = 0.0;         ///< mm along the runs from the tip: shank and holder reach no lower
     bool upright = true;              ///< the axis lies along the runs
+    std::size_t shankCount = 0;       ///< of the pieces behind the flutes
+    double near = 0.0;                ///< mm; 0: nobody asks
     CutFilter filter;
 };
 
@@ -35,10 +38,21 @@ struct StepContact {
     std::uint32_t move = 0, step = 0, piece = 0;
     UnitSum sum;
 };
+/// A section that passed what stood in one row of bricks after a move, without touching it.
+struct StockPass {
+    std::uint32_t move = 0;
+    ToolSection section = ToolSection::shank;
+    double distance = 0.0; ///< mm, rounded down by `passResolution` at most
+    UnitSum sum;           ///< what is that near
+};
 struct RowResult {
     std::vector<MoveUnits> cuts;
+    std::vector<StockPass> passes;
     std::vector<StepContact> contacts;
 };
+
+/// Distances to stock are told to so much, mm, beside what the runs themselves know it to.
+inline constexpr double passResolution = 1.0 / 32.0;
 
 /// Makes moves, in order, in one row of bricks. Lines do not know of each other, so that rows can be made in any order
 /// and by any number of threads, and their sums are those of the moves made one by one over the whole grid.
@@ -61,6 +75,11 @@ private:
     void cutBrick(std::int32_t brick, std::uint64_t lines, std::span<const SweptPiece> flutes, UnitSum& removed);
     bool mayTouch(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to) const;
     bool touches(const SweptPiece& piece) const;
+    void lookNear(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, std::uint32_t number);
+    void lookNear(std::span<const RevolvedPiece> section, ToolSection which, double near, const glm::dvec3& from,
+                  const glm::dvec3& to, std::uint32_t number);
+    bool isNear(std::span<const RevolvedPiece> section, double by, const glm::dvec3& from, const glm::dvec3& to,
+                UnitSum& sum) const;
     void lookAt(const ReplayTool& tool, const glm::dvec3& tip, std::uint32_t number, std::uint32_t step);
     LineRange rows() const noexcept { return {stock_.firstV(), stock_.firstV() + stock_.lineCountV() - 1}; }
 

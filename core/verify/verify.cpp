@@ -8,6 +8,7 @@
 #include "core/verify/gouge.h"
 #include "core/verify/limits.h"
 #include "core/verify/load_chart.h"
+#include "core/verify/near_pass.h"
 #include "core/verify/obstacles.h"
 #include "core/verify/outline.h"
 #include "core/verify/program_tools.h"
@@ -80,13 +81,18 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, request.travel, findings);
     if (Result<void> judged = judgeObstacles(moves, tools->tools, request, findings, progress); !judged)
         return std::move(judged).error();
+    NearPasses passes;
+    if (Result<void> judged = judgeNearPasses(moves, tools->tools, request, passes, progress); !judged)
+        return std::move(judged).error();
     const MachiningTime time = machiningTime(*request.program, request.machine);
     report.machiningSeconds = time.seconds;
     report.secondsWithoutAcceleration = time.withoutAcceleration;
     report.rapids = request.machine.rapids;
+    report.pathModes = statedPathModes(*request.program);
 
     progress.stage(0.05, 0.4);
-    const Result<std::vector<MoveCut>> cuts = replay(moves, tools->tools, workpiece, findings, progress);
+    const Result<std::vector<MoveCut>> cuts =
+        replay(moves, tools->tools, workpiece, findings, progress, {request.nearDistance, &passes});
     if (!cuts) return cuts.error();
     for (const MoveCut& cut : *cuts) report.removed += cut.volume;
     report.loads =
@@ -106,6 +112,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     summariseExcess(report);
 
     report.findings = findings.inProgramOrder();
+    report.nearPasses = passes.inProgramOrder();
     if (machined != nullptr) *machined = workpiece.snapshot();
     progress.report(1.0);
     return report;

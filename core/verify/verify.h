@@ -14,6 +14,7 @@
 #include "core/verify/load.h"
 #include "core/verify/machine_time.h"
 
+#include <string>
 #include <vector>
 
 namespace burin {
@@ -32,6 +33,7 @@ struct VerifyRequest {
     Box travel; ///< mm, setup frame: where the machine lets the tip go; empty: where its travel lies is not known
     double gougeTolerance = 0.02;   ///< mm
     double sampling = 0.1;          ///< mm along moves
+    double nearDistance = 1.0;      ///< mm: a shank or holder that passes nearer is told, but is no fault; 0: none
     std::size_t exactSamples = 500; ///< of the worst samples are judged on the exact B-rep; 0, or no B-rep: mesh only
     ImportOptions import;           ///< worker and limits for the exact distances
 };
@@ -60,6 +62,20 @@ struct Finding {
     double amount = 0.0;    ///< in the unit that the kind states
 };
 
+/// What shank or holder comes near to.
+enum class NearTo : std::uint8_t { stock, part, obstacle };
+
+/// Shank or holder passes something nearer than `VerifyRequest::nearDistance` without touching it: a warning, no fault.
+struct NearPass {
+    ToolSection section = ToolSection::holder;
+    NearTo to = NearTo::part;
+    std::uint32_t line = 0; ///< of the program's text, from 1
+    glm::dvec3 place{0.0};  ///< mm, setup frame: of what it comes near to
+    double distance = 0.0;  ///< mm; to the part or an obstacle exact on its mesh, to stock as its runs know it
+};
+/// Stable id, for JSON: "holder_near_part", "shank_near_stock", …
+std::string idOf(const NearPass& pass);
+
 /// Signed distance from the part's surface to what the program leaves there.
 struct DeviationSample {
     glm::dvec3 place{0.0}; ///< on the part, mm, setup frame
@@ -85,7 +101,9 @@ struct VerifyReport {
     std::vector<MotionTime> times;              ///< by place in ParsedProgram::motions
     std::vector<MotionLoad> loads;              ///< of what removes something, in program order
     RapidMode rapids = RapidMode::synchronised; ///< the way that rapids were judged on
+    std::vector<StatedPathMode> pathModes;      ///< what the program itself says of corners, and the time counts
     std::vector<Finding> findings;              ///< the worst of each kind on each line, in program order
+    std::vector<NearPass> nearPasses; ///< the nearest of each section and neighbour on each line, in program order
     std::vector<DeviationSample> deviations;
 
     /// True when nothing was found; a gouge within the tolerance is not a finding.

@@ -7,6 +7,8 @@
 #include "core/volume/surface_search.h"
 #include "core/volume/surface_simplification.h"
 
+#include <algorithm>
+
 namespace burin {
 
 void SurfaceMesh::clear() {
@@ -18,19 +20,19 @@ void SurfaceMesh::clear() {
 
 class SurfaceExtractor::Storage {
 public:
-    /// Adds the surface in one window.
+    /// Adds the surface in one window to the mesh that the net was started with.
     void add(const VolumeSnapshot& workpiece, const SurfaceWindow& window, SurfaceMesh& mesh) {
-        const std::size_t before = mesh.points.size();
+        const std::size_t before = net.pointCount();
         lines.read(workpiece, window);
-        net.make(window, lines, workpiece.grid(), before);
-        mesh.points.insert(mesh.points.end(), net.points().begin(), net.points().end());
-        mesh.normals.insert(mesh.normals.end(), net.normals().begin(), net.normals().end());
-        mesh.triangles.insert(mesh.triangles.end(), net.triangles().begin(), net.triangles().end());
+        net.add(window, lines, workpiece.grid());
+        const std::size_t count = net.pointCount() - before;
+        if (mesh.properties.size() < before + count) mesh.properties.resize(before + count);
         const PropertyIndex only = lines.onlyProperty();
-        mesh.properties.resize(mesh.points.size(), only);
-        if (only == airProperty)
-            materials.find(workpiece, window, lines, net.points(), net.normals().data(),
-                           mesh.properties.data() + before);
+        if (only != airProperty)
+            std::fill_n(mesh.properties.data() + before, count, only);
+        else
+            materials.find(workpiece, window, lines, std::span(mesh.points).subspan(before, count),
+                           mesh.normals.data() + before, mesh.properties.data() + before);
     }
 
     SurfaceSearch search;
@@ -47,17 +49,19 @@ SurfaceExtractor& SurfaceExtractor::operator=(SurfaceExtractor&&) noexcept = def
 
 void SurfaceExtractor::extract(const VolumeSnapshot& workpiece, SurfaceTile tile, const SurfaceDetail& detail,
                                SurfaceMesh& mesh) {
-    mesh.clear();
     const Grid& grid = workpiece.grid();
+    storage_->net.start(mesh);
     for (const int piece : storage_->search.pieces(workpiece, tile, detail.level))
         storage_->add(workpiece, SurfaceWindow::of(grid, tile, piece, detail.level), mesh);
+    storage_->net.finish();
     if (detail.tolerance > 0.0)
         storage_->simplifier.simplify(mesh, detail.tolerance, grid.edge() * (1 << detail.level));
 }
 
 void SurfaceExtractor::extractBrick(const VolumeSnapshot& workpiece, SurfaceBrick brick, SurfaceMesh& mesh) {
-    mesh.clear();
+    storage_->net.start(mesh);
     storage_->add(workpiece, SurfaceWindow::of(workpiece.grid(), {brick.u, brick.v}, brick.n, 0), mesh);
+    storage_->net.finish();
 }
 
 glm::ivec2 surfaceTiles(const Grid& grid) {

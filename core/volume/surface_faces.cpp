@@ -29,8 +29,7 @@ BURIN_INLINE FourWords longer(FourFloats first, FourFloats second) noexcept {
 } // namespace
 
 BURIN_VECTORISED void writeSurfaceFaces(std::span<const std::uint32_t> edges, const QuadrangleCorners& corners,
-                                        const glm::vec3* points, std::uint32_t first,
-                                        std::uint32_t* triangles) noexcept {
+                                        const glm::vec3* points, std::uint32_t* triangles) noexcept {
     const std::uint32_t* const turned[2]{corners[3], corners[1]}; // the second corner, if the edge's start is inside
     for (const std::uint32_t edge : edges) {
         const std::uint32_t start = SurfaceCrossings::startOf(edge), inside = SurfaceCrossings::startsInside(edge);
@@ -39,7 +38,7 @@ BURIN_VECTORISED void writeSurfaceFaces(std::span<const std::uint32_t> edges, co
         const FourWords turn = longer(four(points + a) - four(points + c), four(points + b) - four(points + d));
         const FourWords corner{a, b, c, d};
         const FourWords next = __builtin_shufflevector(corner, corner, 1, 2, 3, 0);
-        const FourWords chosen = (corner ^ ((corner ^ next) & turn)) + first;
+        const FourWords chosen = corner ^ ((corner ^ next) & turn);
         const FourWords three = __builtin_shufflevector(chosen, chosen, 0, 1, 2, 0);
         const FourWords rest = __builtin_shufflevector(chosen, chosen, 2, 3, 2, 3);
         __builtin_memcpy(triangles, &three, sizeof three);

@@ -17,9 +17,8 @@ using QuadrangleCorners = std::array<const std::uint32_t*, 4>;
 /// Two triangles for each crossed edge (`SurfaceCrossings`): the quadrangle around it, split along its shorter
 /// diagonal.
 /// @param points    mm; behind the last there is room for one more number
-/// @param first     what triangles call the first of them
 /// @param triangles room for six corners an edge
 void writeSurfaceFaces(std::span<const std::uint32_t> edges, const QuadrangleCorners& corners, const glm::vec3* points,
-                       std::uint32_t first, std::uint32_t* triangles) noexcept;
+                       std::uint32_t* triangles) noexcept;
 
 } // namespace burin

@@ -45,18 +45,26 @@ SurfaceFrame frameOf(const SurfaceWindow& window, const SurfaceBox& box, const G
     return frame;
 }
 
-/// Never takes back what is too much: that is written over.
 template <class Element>
 void makeRoom(std::vector<Element>& elements, std::size_t count) {
-    if (elements.size() < count) elements.resize(2 * count);
+    if (elements.size() < count) elements.resize(count);
 }
 
 } // namespace
 
-void SurfaceNet::make(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid,
-                      std::size_t firstPoint) {
+void SurfaceNet::start(SurfaceMesh& mesh) {
+    mesh_ = &mesh;
     pointCount_ = cornerCount_ = 0;
-    firstPoint_ = static_cast<std::uint32_t>(firstPoint);
+}
+
+void SurfaceNet::finish() {
+    mesh_->points.resize(pointCount_);
+    mesh_->normals.resize(pointCount_);
+    mesh_->properties.resize(pointCount_);
+    mesh_->triangles.resize(cornerCount_);
+}
+
+void SurfaceNet::add(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid) {
     const SurfaceBox& box = lines.box();
     if (box.empty()) return;
     const SurfaceCrossings::Owned owned = ownedOf(window, box);
@@ -80,9 +88,11 @@ void SurfaceNet::addPoints(int row) {
     std::uint32_t* const points = pointsOf(row).data();
     auto point = static_cast<std::uint32_t>(pointCount_);
     for (const std::uint32_t cube : cubes) points[SurfaceCrossings::placeOf(cube)] = point++;
-    makeRoom(points_, pointCount_ + cubes.size() + SurfaceFrame::spare);
-    makeRoom(normals_, pointCount_ + cubes.size() + SurfaceFrame::spare);
-    placeSurfacePoints(frame_, field_.rowPair(), cubes, points_.data() + pointCount_, normals_.data() + pointCount_);
+    const std::size_t room = pointCount_ + cubes.size() + SurfaceFrame::spare;
+    makeRoom(mesh_->points, room);
+    makeRoom(mesh_->normals, room);
+    placeSurfacePoints(frame_, field_.rowPair(), cubes, mesh_->points.data() + pointCount_,
+                       mesh_->normals.data() + pointCount_);
     pointCount_ += cubes.size();
 }
 
@@ -94,8 +104,8 @@ void SurfaceNet::addFaces(int row) {
                                                     {before - stride, before, here, here - stride}}};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::span<const std::uint32_t> edges = crossings_.edges(axis);
-        makeRoom(triangles_, cornerCount_ + 6 * edges.size());
-        writeSurfaceFaces(edges, corners[axis], points_.data(), firstPoint_, triangles_.data() + cornerCount_);
+        makeRoom(mesh_->triangles, cornerCount_ + 6 * edges.size());
+        writeSurfaceFaces(edges, corners[axis], mesh_->points.data(), mesh_->triangles.data() + cornerCount_);
         cornerCount_ += 6 * edges.size();
     }
 }

@@ -9,8 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 namespace burin {
 
@@ -19,16 +17,15 @@ namespace burin {
 /// nodes; the points beside its border come out alike in both windows.
 class SurfaceNet {
 public:
-    /// Works out what a window holds.
-    /// @param firstPoint what triangles call the first point
-    void make(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid, std::size_t firstPoint);
-
-    /// mm, setup frame. Behind the last `SurfaceFrame::spare` more may be read.
-    std::span<const glm::vec3> points() const { return {points_.data(), pointCount_}; }
-    std::span<const glm::vec3> normals() const { return {normals_.data(), pointCount_}; }
-    std::span<const std::uint32_t> triangles() const {
-        return {triangles_.data(), cornerCount_};
-    } ///< three corners each
+    /// Makes what is added from now on the first in a mesh, which must stay. What it holds is written over, and only
+    /// what is not enough added to: a mesh that is made again and again costs no room that is cleared first.
+    void start(SurfaceMesh& mesh);
+    /// Adds points, normals and triangles of a window. The mesh's vectors are longer than what is used of them then;
+    /// behind the last point `SurfaceFrame::spare` more may be read.
+    void add(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid);
+    std::size_t pointCount() const { return pointCount_; }
+    /// Leaves in the mesh what was added; of properties there is one a point then.
+    void finish();
 
 private:
     /// The points of a row, from 0 on, by the place of their cube; only those of cubes that are crossed are set.
@@ -46,11 +43,8 @@ private:
     SurfaceCrossings crossings_;
     SurfaceFrame frame_;
     std::array<PointRow, 2> pointRows_;
-    // Longer than what is used of them.
-    std::vector<glm::vec3> points_, normals_;
-    std::vector<std::uint32_t> triangles_;
+    SurfaceMesh* mesh_ = nullptr;
     std::size_t pointCount_ = 0, cornerCount_ = 0;
-    std::uint32_t firstPoint_ = 0;
 };
 
 } // namespace burin

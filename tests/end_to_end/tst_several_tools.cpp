@@ -39,13 +39,16 @@ void TestSeveralTools::initTestCase() {
     for (const auto& take : takes)
         byTool[take.toObject()["tool"].toString()].append(QString::number(take.toObject()["id"].toInteger()));
     QCOMPARE(byTool.keys(), (QStringList{"ball-3", "flat-10"}));
-    for (const QStringList& ids : byTool)
-        QCOMPARE(runBurin({"path", project_, "new", "--takes", ids.join(',')}).status, 0);
+    // The other tool's path is made by posting.
+    QCOMPARE(runBurin({"path", project_, "new", "--takes", byTool["ball-3"].join(',')}).status, 0);
+    const ProgramRun mixed =
+        runBurin({"path", project_, "new", "--takes", byTool["ball-3"].front() + "," + byTool["flat-10"].front()});
+    QVERIFY2(mixed.status == 2 && mixed.messages.contains("ball-3"), mixed.messages.constData());
 }
 
 void TestSeveralTools::largerToolsComeFirst() {
     const QString program = inFolder("two.ngc");
-    const ProgramRun run = runBurin({"post", project_, "-o", program, "--path", "1,2", "--json"});
+    const ProgramRun run = runBurin({"post", project_, "-o", program, "--json"});
     QVERIFY2(run.status == 0, run.messages + run.output);
     const QJsonArray tools = run.json()["tools"].toArray();
     QCOMPARE(tools.size(), 2);
@@ -78,7 +81,7 @@ void TestSeveralTools::theProgramIsVerifiedWithEachOfItsTools() {
 
 void TestSeveralTools::inchesSayTheSame() {
     const QString metric = inFolder("two.ngc"), inch = inFolder("inch.ngc");
-    const ProgramRun posted = runBurin({"post", project_, "-o", inch, "--path", "1,2", "--inch", "--json"});
+    const ProgramRun posted = runBurin({"post", project_, "-o", inch, "--path", "1,2", "--units", "inch", "--json"});
     QVERIFY2(posted.status == 0, posted.messages + posted.output);
     QVERIFY(contentOf(inch).contains("G20") && !contentOf(inch).contains("G21"));
     QVERIFY(contentOf(metric).contains("G21"));

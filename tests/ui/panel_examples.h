@@ -157,6 +157,8 @@ inline PathState path() {
     state.errorBudget = 0.0332;
     state.points = 12408;
     state.cuttingLength = 8421.7;
+    state.climbLength = 0.62 * state.cuttingLength;
+    state.conventionalLength = 0.31 * state.cuttingLength;
     return state;
 }
 
@@ -174,7 +176,7 @@ inline QString programText() {
 
 inline ProgramState program() {
     ProgramState state;
-    state.hasPath = true;
+    state.hasPath = state.upToDate = true;
     state.text = programText();
     state.blocks = 4812;
     VerifyReport report;

@@ -11,6 +11,7 @@
 #include "ui/panels/program_text.h"
 #include "ui/panels/program_words.h"
 #include "ui/panels/row_list.h"
+#include "ui/panels/texts.h"
 #include "ui/theme/theme.h"
 
 #include <QCheckBox>
@@ -52,6 +53,7 @@ private slots:
         QVERIFY(child<QLabel>(panel, "edit2Report").text().contains(QStringLiteral("0.018")));
         QVERIFY(!child<QLabel>(panel, "edit1Report").isVisible()); // there is no report of an edit that was off
         QCOMPARE(valueOf(panel, "pathErrorBudget"), QStringLiteral("0.033 mm"));
+        QCOMPARE(valueOf(panel, "pathSides"), QStringLiteral("62\u00a0% / 31\u00a0%"));
         QCOMPARE(valueOf(panel, "pathPoints"), QStringLiteral("12,408"));
     }
 
@@ -159,6 +161,26 @@ private slots:
         QVERIFY(refuses(state));
         QVERIFY(refuses(examples::failedProgram()));
         QVERIFY(refuses({}));
+    }
+
+    /// Warnings stand in the list and lead to their lines; the program passes all the same.
+    void nearPassesWarnAndLetThrough() {
+        ProgramPanel panel;
+        ProgramState state = examples::program();
+        auto report = std::make_shared<VerifyReport>(*state.report);
+        report->nearPasses = {{ToolSection::shank, NearTo::stock, 30, {}, 0.2},
+                              {ToolSection::holder, NearTo::part, 12, {}, 0.4}};
+        state.report = report;
+        panel.setState(state);
+        show(panel);
+        QSignalSpy exported(&panel, &ProgramPanel::exportRequested), line(&panel, &ProgramPanel::lineChosen);
+        click(panel, "exportButton");
+        QCOMPARE(exported.size(), 1);
+        QCOMPARE(child<Notice>(panel, "verdict").kind(), Notice::Kind::passed);
+        clickRow(panel, "findingList", 1);
+        QCOMPARE(line[0][0].toInt(), 30);
+        QCOMPARE(nearPassText(report->nearPasses[1], LengthUnit::millimetre),
+                 QStringLiteral("Holder passes the part at 0.400\u00a0mm"));
     }
 
     void findingsLeadToTheirLine() {

@@ -167,10 +167,21 @@ private slots:
 
     void theMovesOfAnEditedPathAreToldApart() {
         viewport_->clearLivePath();
-        viewport_->setPath(somePath());
-        const QImage image = viewport_->grabFramebuffer();
+        EvaluatedPath path;
+        path.path = somePath();
+        viewport_->setPath(path);
         const Palette palette = fixture::palette();
-        QVERIFY(countLike(image, image.rect(), palette.path, 3) > 200);
+        const QImage climbing = viewport_->grabFramebuffer();
+        const int cuts = countLike(climbing, climbing.rect(), palette.path, 3);
+        const int blue = countLike(climbing, climbing.rect(), palette.part, 3);
+        QVERIFY(cuts > 200);
+        // Half of it goes the other way.
+        const std::size_t last = path.path.points.size() - 1;
+        path.sides = {{1, last / 2, MillingSide::climb}, {last / 2 + 1, last, MillingSide::conventional}};
+        viewport_->setPath(path);
+        const QImage image = viewport_->grabFramebuffer();
+        QVERIFY(countLike(image, image.rect(), palette.path, 3) < 3 * cuts / 4);
+        QVERIFY(countLike(image, image.rect(), palette.part, 3) > blue + cuts / 4);
         QVERIFY(countLike(image, image.rect(), palette.text, 6) > 20);
         QVERIFY(bench_->save("viewport-path"));
         viewport_->setPathVisible(false);

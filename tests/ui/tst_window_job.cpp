@@ -78,7 +78,7 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QCOMPARE(removedSoFar(*again.bench.bench()), removed);
     QVERIFY(driver.waitFor([&] { return again.path.evaluated() != nullptr; }));
     QVERIFY(driver.settle());
-    QTest::qWait(500); // the window asks a moment after work on the project
+    QTest::qWait(500);                  // the window asks a moment after work on the project
     QVERIFY(!again.document.unsaved()); // it was only looked at
     QVERIFY(!driver.window().isWindowModified());
     driver.shoot("07-reopened");

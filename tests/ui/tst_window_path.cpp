@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_steps.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QPushButton>
 #include <QScrollArea>
@@ -17,11 +18,7 @@ namespace {
 /// Makes a path of one straight groove along X, 1 mm deep.
 bool makePath(WindowDriver& driver) {
     Workbench& bench = driver.window().workbench();
-    if (!makeReady(driver) || !driver.step(JobStep::mill) || !driver.clickOn("recordButton")) return false;
-    if (!driver.waitFor([&] { return bench.mill.recording(); }, 5000)) return false;
-    millLine(driver, {-15, 0}, {15, 0});
-    driver.key(Qt::Key_Escape);
-    return driver.waitFor([&] { return !bench.session.running(); }, 5000) && driver.step(JobStep::path) &&
+    return makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && driver.step(JobStep::path) &&
            driver.clickOn("newPathButton") && driver.waitFor([&] { return bench.path.evaluated() != nullptr; }) &&
            driver.settle();
 }
@@ -73,6 +70,7 @@ class TestWindowPath : public QObject {
     Q_OBJECT
 private slots:
     void placesAreDraggedStretchesDrawnAndEditsOrdered();
+    void anAreaIsDrawnAndEmptied();
 };
 
 void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
@@ -148,6 +146,52 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY(driver.waitFor([&] { return show(driver, remove); }, 3000));
     QVERIFY(driver.clickOn(qPrintable(remove)));
     QVERIFY(driver.waitFor([&] { return placeOf(bench, "replace-stretch") == bench.path.stored()->edits.size(); }));
+    QVERIFY(evaluatedAgain(driver));
+}
+
+void TestWindowPath::anAreaIsDrawnAndEmptied() {
+    WindowDriver driver;
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(makePath(driver));
+    auto* viewport = driver.visible<Viewport>("viewport");
+    QVERIFY(viewport != nullptr);
+    const double height = pointNear(bench, {0.0, 0.0}).tip.z;
+    const glm::dvec2 zero(bench.bench.bench()->setup.workOffset);
+
+    // The new edit asks for its outline at once: a loop round the groove's right half, not closed by the hand.
+    driver.window().findChild<QAction*>("add-remove-area")->trigger();
+    const std::string outline = QStringLiteral("edit%1_outline_mm").arg(placeOf(bench, "remove-area")).toStdString();
+    QVERIFY(driver.waitFor([&] {
+        auto* draw = driver.window().findChild<QAbstractButton*>(QString::fromStdString(outline + "_draw"));
+        return draw != nullptr && draw->isChecked();
+    }));
+    const std::vector<glm::dvec2> corners{{2.0, -6.0}, {20.0, -6.0}, {20.0, 6.0}, {2.0, 6.0}};
+    const auto at = [&](const glm::dvec2& corner) {
+        return viewport->project(glm::dvec3(zero + corner, height)).toPoint();
+    };
+    QTest::mousePress(viewport, Qt::LeftButton, {}, at(corners.front()));
+    for (std::size_t side = 0; side + 1 < corners.size(); ++side)
+        for (int i = 1; i <= 20; ++i)
+            QTest::mouseMove(viewport, at(glm::mix(corners[side], corners[side + 1], i / 20.0)), 5);
+    driver.shoot("27-area");
+    QTest::mouseRelease(viewport, Qt::LeftButton, {}, at(corners.back()));
+    QVERIFY(driver.waitFor([&] {
+        const auto& area = std::get<RemoveArea>(bench.path.stored()->edits[placeOf(bench, "remove-area")].parameters);
+        return area.outline.size() > 10;
+    }));
+    QVERIFY(evaluatedAgain(driver));
+    double farthest = -1e9, nearest = 1e9;
+    for (const PathPoint& point : bench.path.evaluated()->path.points)
+        if (point.kind == MoveKind::cut) {
+            farthest = std::max(farthest, point.tip.x - zero.x);
+            nearest = std::min(nearest, point.tip.x - zero.x);
+        }
+    QVERIFY2(farthest > 1.5 && farthest < 2.5, qPrintable(QString::number(farthest)));
+    QVERIFY(nearest < -14.0);
+    driver.shoot("28-area-emptied");
+    driver.key(Qt::Key_Z, Qt::ControlModifier); // the outline
+    driver.key(Qt::Key_Z, Qt::ControlModifier); // the edit
+    QVERIFY(driver.waitFor([&] { return placeOf(bench, "remove-area") == bench.path.stored()->edits.size(); }));
     QVERIFY(evaluatedAgain(driver));
 }
 

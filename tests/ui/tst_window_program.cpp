@@ -20,12 +20,7 @@ using namespace burin::testing;
 namespace {
 
 bool mill(WindowDriver& driver) {
-    Workbench& bench = driver.window().workbench();
-    if (!makeReady(driver) || !driver.step(JobStep::mill) || !driver.clickOn("recordButton")) return false;
-    if (!driver.waitFor([&] { return bench.mill.recording(); }, 5000)) return false;
-    millLine(driver, {-15, 0}, {15, 0});
-    driver.key(Qt::Key_Escape);
-    return driver.waitFor([&] { return !bench.session.running(); }, 5000);
+    return makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0});
 }
 
 bool post(WindowDriver& driver) {
@@ -35,7 +30,7 @@ bool post(WindowDriver& driver) {
     if (bench.path.stored() && bench.path.outdated() && !driver.clickOn("updatePathButton")) return false;
     if (!driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated() && !bench.path.busy(); }))
         return false;
-    return driver.step(JobStep::program) && driver.clickOn("postButton") && driver.settle() && bench.program.program();
+    return postProgram(driver);
 }
 
 /// The longest cutting move.
@@ -54,7 +49,33 @@ class TestWindowProgram : public QObject {
     Q_OBJECT
 private slots:
     void aMoveAndItsLineLeadToEachOther();
+    void textThatWasNotCheckedSurvivesAnEndFromOutside();
 };
+
+void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
+    WindowDriver driver;
+    QVERIFY(mill(driver));
+    QVERIFY(post(driver));
+    QVERIFY(driver.clickOn("editTextButton"));
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    QVERIFY(text != nullptr);
+    text->setFocus();
+    QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(text, "(half a thought)");
+    QTest::keyClick(text, Qt::Key_Return);
+    QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.edited(); }, 3000));
+    QVERIFY(driver.restart(true));
+    QVERIFY(driver.clickOn("recoverButton"));
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }));
+    QVERIFY(driver.settle());
+    QVERIFY(bench.program.edited() && !bench.program.exportable());
+    QVERIFY(bench.program.storedText().startsWith("(half a thought)\n"));
+    QVERIFY(driver.step(JobStep::program));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    QVERIFY(driver.clickOn("checkTextButton"));
+    QVERIFY(driver.waitFor([&] { return bench.program.exportable(); }));
+}
 
 void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     WindowDriver driver;

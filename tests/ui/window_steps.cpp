@@ -66,6 +66,22 @@ void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to
     QTest::qWait(200);
 }
 
+bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to) {
+    Workbench& bench = driver.window().workbench();
+    if (!driver.step(JobStep::mill) || !driver.clickOn("recordButton")) return false;
+    if (!driver.waitFor([&] { return bench.mill.recording(); }, 5000)) return false;
+    millLine(driver, from, to);
+    driver.key(Qt::Key_Escape);
+    return driver.waitFor([&] { return !bench.session.running(); }, 5000);
+}
+
+bool postProgram(WindowDriver& driver) {
+    const ProgramController& program = driver.window().workbench().program;
+    const auto before = program.program();
+    return driver.step(JobStep::program) && driver.clickOn("postButton") &&
+           driver.waitFor([&] { return program.program() != before && !program.busy(); });
+}
+
 void chooseFile(WindowDriver& driver, const QString& file) {
     driver.whenDialogStands([file](QWidget& dialog) {
         auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");

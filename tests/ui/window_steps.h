@@ -20,6 +20,10 @@ QString writeBlock(const WindowDriver& driver);
 bool makeReady(WindowDriver& driver);
 /// Draws a line on the stock's top with the left button down. Places in mm from the middle of the stock's top.
 void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to);
+/// Records a take of one such line, in mill mode and out of it again.
+bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to);
+/// Posts the program and waits for its check. False: nothing new came of it.
+bool postProgram(WindowDriver& driver);
 /// mm³ that the workpiece has lost.
 double removedSoFar(const Bench& bench);
 

@@ -36,10 +36,10 @@ void ActionStates::update() {
          {ActionId::clutch, ActionId::recentre, ActionId::alignHand, ActionId::finerHand, ActionId::coarserHand})
         enable(id, bench.hand.hasDevice());
     enable(ActionId::rateControl, bench.hand.canRate());
-    enable(ActionId::newPath, !bench.mill.takes().empty() && bench.bench.embedded());
-    enable(ActionId::evaluatePath, bench.path.stored().has_value() && bench.bench.embedded());
+    enable(ActionId::newPath, bench.path.hasTakes() && bench.bench.embedded());
+    enable(ActionId::evaluatePath, bench.path.stored() != nullptr && bench.bench.embedded());
     enable(ActionId::drawStretch, bench.path.selection().has_value());
-    enable(ActionId::post, bench.path.evaluated() != nullptr && !bench.path.outdated());
+    enable(ActionId::post, bench.program.postable());
     enable(ActionId::findInProgram, !bench.program.storedText().isEmpty());
     enable(ActionId::overrideCheck, bench.program.refused() && !bench.program.busy());
     updateUndo();

@@ -56,7 +56,7 @@ std::optional<glm::dvec3> dragged(const glm::dvec3& place, const Sight& from, co
 PathHand::PathHand(Appearance appearance, QObject* parent) : QObject(parent), appearance_(std::move(appearance)) {}
 
 void PathHand::setPlaces(std::vector<glm::dvec3> places, std::vector<bool> usable) {
-    giveUp(); // it was about a path that is no more
+    if (doing_ != Doing::drawing) giveUp(); // it was about a path that is no more
     places_ = std::move(places);
     usable_ = std::move(usable);
 }

@@ -67,6 +67,9 @@ void EditCard::addFields(const QString& name) {
             setField(edit_.parameters, key, value);
             emit edited(edit_);
         });
+        connect(field, &EditFieldEditor::drawingWanted, this, [this, key](bool wanted) {
+            emit drawingWanted(QLatin1String(key.data(), static_cast<qsizetype>(key.size())), wanted);
+        });
         fields_.push_back(field);
     }
 }
@@ -79,6 +82,11 @@ void EditCard::showEdit(const Edit& edit) {
         fields_[i]->showValue(fields[i].value);
         fields_[i]->setEnabled(edit.enabled);
     }
+}
+
+void EditCard::setDrawing(std::string_view key) {
+    const std::vector<EditField> fields = fieldsOf(edit_.parameters);
+    for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i]->setDrawing(fields[i].key == key);
 }
 
 void EditCard::setMovable(bool earlier, bool later) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/edit_field_editor.h"
 
+#include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/field_row.h"
@@ -9,6 +10,8 @@
 #include "ui/panels/length_field.h"
 
 #include <QCheckBox>
+#include <QHBoxLayout>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -29,6 +32,8 @@ EditFieldEditor::EditFieldEditor(const EditParameter& parameter, const QString& 
         addChoice(parameter, name);
     else if (std::holds_alternative<glm::dvec3>(value_))
         addPlace(parameter, name, accessible);
+    else if (std::holds_alternative<std::vector<glm::dvec3>>(value_))
+        addPlaces(parameter, name, accessible);
     else
         addText(parameter, name);
     showValue(value_);
@@ -82,6 +87,29 @@ void EditFieldEditor::addText(const EditParameter& parameter, const QString& nam
     text_->setObjectName(name);
     text_->setProperty("look", "small");
     layout()->addWidget(new FieldRow(parameter.label, text_, parameter.toolTip, this));
+}
+
+void EditFieldEditor::addPlaces(const EditParameter& parameter, const QString& name, const QString& accessible) {
+    auto* row = new QWidget(this);
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(4);
+    text_ = new ElidedLabel({}, row);
+    text_->setObjectName(name);
+    text_->setProperty("look", "small");
+    draw_ = makeIconButton(QStringLiteral("path"), tr("Draw it in the view; Esc leaves it as it is"),
+                           name + QStringLiteral("_draw"), row);
+    draw_->setCheckable(true);
+    draw_->setProperty("look", "toggle");
+    draw_->setAccessibleName(tr("Draw %1").arg(accessible));
+    line->addWidget(text_, 1);
+    line->addWidget(draw_);
+    layout()->addWidget(new FieldRow(parameter.label, row, parameter.toolTip, this));
+    connect(draw_, &QToolButton::clicked, this, &EditFieldEditor::drawingWanted);
+}
+
+void EditFieldEditor::setDrawing(bool drawing) {
+    if (draw_ != nullptr) draw_->setChecked(drawing); // `clicked` is the user's alone
 }
 
 void EditFieldEditor::showValue(const EditValue& value) {

@@ -10,6 +10,7 @@
 #include <array>
 
 class QCheckBox;
+class QToolButton;
 
 namespace burin {
 
@@ -18,7 +19,7 @@ class ElidedLabel;
 class QuantityField;
 
 /// One parameter of an edit: a field for a number, three for a place, a switch or a choice. What names a moment or a
-/// stretch of the hand, or places, is told and not typed.
+/// stretch of the hand is told and not typed; places are drawn in the view.
 class EditFieldEditor : public QWidget {
     Q_OBJECT
 public:
@@ -29,9 +30,11 @@ public:
 
     void showValue(const EditValue& value); ///< of the kind that it was made for; without a signal
     void setUnit(LengthUnit unit);
+    void setDrawing(bool drawing); ///< its places are being drawn
 
 signals:
     void edited(const burin::EditValue& value);
+    void drawingWanted(bool wanted);
 
 private:
     void addNumber(const EditParameter& parameter, const QString& name, const QString& accessible);
@@ -39,11 +42,13 @@ private:
     void addChoice(const EditParameter& parameter, const QString& name);
     void addPlace(const EditParameter& parameter, const QString& name, const QString& accessible);
     void addText(const EditParameter& parameter, const QString& name);
+    void addPlaces(const EditParameter& parameter, const QString& name, const QString& accessible);
 
     QuantityField* number_ = nullptr;
     QCheckBox* switch_ = nullptr;
     ChoiceBox* choice_ = nullptr;
     ElidedLabel* text_ = nullptr;
+    QToolButton* draw_ = nullptr;
     std::array<QuantityField*, 3> place_{};
     std::span<const std::string_view> choices_;
     EditValue value_;

@@ -139,20 +139,31 @@ struct HandState {
 /// What a drag of a place of the path changes.
 enum class DragChoice { level, x, y, z, surface };
 
+/// Places of an edit: which edit, in order, and the parameter's key.
+struct DrawnField {
+    std::size_t edit = 0;
+    std::string key;
+    friend bool operator==(const DrawnField&, const DrawnField&) = default;
+};
+
 struct PathState {
-    bool hasTakes = false;
+    bool hasTakes = false;      ///< of the tool in force
+    bool hasOtherTakes = false; ///< of any tool
     bool exists = false;
     StoredPath path;
     std::vector<EditReport> reports;   ///< of the newest evaluation, one for each enabled edit, in order
     std::optional<double> errorBudget; ///< mm
     std::size_t points = 0;
-    double cuttingLength = 0.0; ///< mm
-    bool outdated = false;      ///< takes or edits changed since
+    double cuttingLength = 0.0;                         ///< mm
+    double climbLength = 0.0, conventionalLength = 0.0; ///< mm of it; the rest cuts on both sides, or from above
+    std::optional<MillingSide> selectedSide;            ///< of what is chosen; nothing: not the same everywhere
+    bool outdated = false;                              ///< takes or edits changed since
     bool busy = false;
     bool waiting = false; ///< for the workpiece; then it is evaluated by itself
     std::optional<TakeStretch> selection;
     DragChoice drag = DragChoice::level;
-    bool drawing = false; ///< a stroke is being drawn in the selection's stead
+    bool drawing = false;                   ///< a stroke is being drawn in the selection's stead
+    std::optional<DrawnField> drawnField{}; ///< places of an edit that are being drawn
     QString problem;
 };
 
@@ -162,8 +173,19 @@ struct NamedChoice {
     QString name;
 };
 
+/// A path that may belong into a program.
+struct ProgramPathState {
+    std::int64_t id = 0;
+    QString name; ///< its tool's
+    bool included = true;
+};
+
 struct ProgramState {
-    bool hasPath = false;
+    bool hasPath = false;  ///< some path belongs into it
+    bool upToDate = false; ///< that of the tool in force is, or there is none
+    std::vector<ProgramPathState> paths;
+    QString withoutPath; ///< tools that milled and have no path yet; empty: none
+    NcUnits units = NcUnits::millimetre;
     std::vector<NamedChoice> machines, dialects;
     std::string machine, dialect; ///< ids of those in force
     QString text;                 ///< empty: not posted

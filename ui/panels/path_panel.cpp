@@ -34,6 +34,7 @@ private:
     void makeCard(std::size_t place);
     QMenu* editMenu();
     bool cardsFit() const;
+    QString withoutTakes() const;
     void tell();
 
     PathPanel* panel_;
@@ -43,7 +44,7 @@ private:
     Notice* notice_;
     QWidget* content_;
     SelectionCard* selection_;
-    ValueRow *takes_, *points_, *length_, *budget_;
+    ValueRow *takes_, *points_, *length_, *sides_, *budget_;
     QVBoxLayout* list_;
     std::vector<EditCard*> cards_;
 };
@@ -57,11 +58,15 @@ PathPanel::Fields::Fields(PathPanel* panel) : QObject(panel), panel_(panel), col
     for (auto [row, text, name] : {std::tuple{&takes_, PathPanel::tr("Takes"), "pathTakes"},
                                    {&points_, PathPanel::tr("Points"), "pathPoints"},
                                    {&length_, PathPanel::tr("Cutting length"), "pathLength"},
+                                   {&sides_, PathPanel::tr("Climb / conventional"), "pathSides"},
                                    {&budget_, PathPanel::tr("Error of all edits"), "pathErrorBudget"}}) {
         *row = new ValueRow(text, content_);
         (*row)->setObjectName(QLatin1String(name));
         inner->addWidget(*row);
     }
+    sides_->setToolTip(
+        PathPanel::tr("With a spindle that turns clockwise; conventional stretches are blue in the view. "
+                      "The rest cuts on both sides, or from above. Reverse turns strokes round"));
     budget_->setToolTip(PathPanel::tr("The path is at most this far from what the hand did"));
     selection_ = new SelectionCard(content_);
     connect(selection_, &SelectionCard::dragChosen, panel, &PathPanel::dragChosen);
@@ -106,8 +111,8 @@ void PathPanel::Fields::addHead() {
 void PathPanel::Fields::refreshButtons() {
     const QString busy = state.busy || state.waiting ? PathPanel::tr("Work is under way.") : QString();
     new_->setVisible(!state.exists);
-    enableUnless(new_, state.hasTakes ? busy : PathPanel::tr("Record a take first."),
-                 PathPanel::tr("Make a path of all takes, with the standard edits"));
+    enableUnless(new_, state.hasTakes ? busy : withoutTakes(),
+                 PathPanel::tr("Make a path of all takes of this tool, with the standard edits"));
     update_->setVisible(state.exists);
     const bool wanted = state.outdated || !state.problem.isEmpty();
     enableUnless(update_,
@@ -119,6 +124,11 @@ void PathPanel::Fields::refreshButtons() {
     eye_->setEnabled(state.exists);
 }
 
+QString PathPanel::Fields::withoutTakes() const {
+    return state.hasOtherTakes ? PathPanel::tr("Record a take with this tool first.")
+                               : PathPanel::tr("Record a take first.");
+}
+
 void PathPanel::Fields::tell() {
     if (state.busy)
         notice_->tell(Notice::Kind::information, PathPanel::tr("The edits are being applied…"));
@@ -128,7 +138,7 @@ void PathPanel::Fields::tell() {
         notice_->tell(Notice::Kind::information,
                       PathPanel::tr("The workpiece is being made; then the edits are applied…"));
     else if (!state.hasTakes)
-        notice_->tell(Notice::Kind::information, PathPanel::tr("Record a take first."));
+        notice_->tell(Notice::Kind::information, withoutTakes());
     else if (state.exists && state.outdated)
         notice_->tell(Notice::Kind::warning, PathPanel::tr("Takes or edits changed: update the path."));
     else
@@ -141,6 +151,10 @@ void PathPanel::Fields::refreshFigures() {
     takes_->setValue(countText(state.path.takes.size()));
     points_->setValue(evaluated ? countText(state.points) : none);
     length_->setValue(evaluated ? lengthText(state.cuttingLength, unit) : none);
+    const double length = std::max(state.cuttingLength, 1e-9);
+    sides_->setValue(evaluated ? shareText(state.climbLength / length) + QStringLiteral(" / ") +
+                                     shareText(state.conventionalLength / length)
+                               : none);
     budget_->setValue(state.errorBudget ? lengthText(*state.errorBudget, unit) : none);
 }
 
@@ -168,6 +182,9 @@ void PathPanel::Fields::makeCard(std::size_t place) {
     connect(card, &EditCard::moveRequested, this,
             [this, place](int by) { emit panel_->editMoved(place, by < 0 ? place - 1 : place + 1); });
     connect(card, &EditCard::removalRequested, this, [this, place] { emit panel_->editRemoved(place); });
+    connect(card, &EditCard::drawingWanted, this, [this, place](const QString& key, bool wanted) {
+        emit panel_->fieldDrawingWanted({place, key.toStdString()}, wanted);
+    });
     card->setMovable(place > 0, place + 1 < state.path.edits.size());
     list_->addWidget(card);
     cards_.push_back(card);
@@ -196,6 +213,8 @@ void PathPanel::Fields::refreshEdits() {
             edit.enabled && next < state.reports.size() && state.reports[next].edit == cards_[i]->kind();
         cards_[i]->showReport(reported ? &state.reports[next] : nullptr, unit);
         next += reported ? 1 : 0;
+        const bool drawn = state.drawnField && state.drawnField->edit == i;
+        cards_[i]->setDrawing(drawn ? std::string_view(state.drawnField->key) : std::string_view());
         cards_[i]->setEnabled(!state.busy);
     }
 }

@@ -25,7 +25,8 @@ signals:
     void editRemoved(std::size_t index);
     void editMoved(std::size_t from, std::size_t to);
     void dragChosen(burin::DragChoice drag);
-    void drawingWanted(bool wanted);
+    void drawingWanted(bool wanted); ///< in the selection's stead
+    void fieldDrawingWanted(const burin::DrawnField& field, bool wanted);
     void selectionCleared();
     void evaluateRequested();
     void visibilityToggled(bool shown);

@@ -8,6 +8,7 @@
 #include "ui/panels/field_row.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/load_chart.h"
+#include "ui/panels/named_switch.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/program_text.h"
@@ -51,12 +52,16 @@ public:
 
 private:
     void addTarget();
+    void addPaths();
+    void refreshPaths();
+    QString reasonAgainstPosting() const;
     void addFigures();
     void refreshVerdict();
     void refreshFigures();
     QString reasonAgainstExport() const;
     QString failure() const;
     void gather();
+    void gatherNearPasses(std::vector<NearPass> passes);
     std::vector<ListRow> rows() const;
     std::size_t errors() const;
 
@@ -64,7 +69,10 @@ private:
     QVBoxLayout* column_;
     LengthUnit unit_ = LengthUnit::millimetre;
     QPushButton *post_, *export_, *override_, *checkText_;
-    ChoiceBox *machine_, *dialect_;
+    ChoiceBox *machine_, *dialect_, *units_;
+    QWidget* paths_;
+    std::vector<NamedSwitch*> pathSwitches_;
+    Notice* withoutPath_;
     LengthField* tolerance_;
     Notice *verdict_, *notice_;
     RowList* findings_;
@@ -82,6 +90,7 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     buttons->addWidget(post_, 1);
     buttons->addWidget(export_, 1);
     column_->addLayout(buttons);
+    addPaths();
     addTarget();
     tolerance_ = new LengthField(panel);
     tolerance_->setObjectName(QStringLiteral("gougeToleranceField"));
@@ -146,10 +155,62 @@ void ProgramPanel::Fields::addTarget() {
     column_->addWidget(new FieldRow(ProgramPanel::tr("Dialect"), dialect_,
                                     ProgramPanel::tr("What the machine's control reads"), panel_,
                                     FieldRow::choiceWidth));
+    units_ = new ChoiceBox(panel_);
+    units_->setObjectName(QStringLiteral("programUnits"));
+    units_->addItems({ProgramPanel::tr("mm (G21)"), ProgramPanel::tr("inch (G20)")});
+    column_->addWidget(new FieldRow(ProgramPanel::tr("Units"), units_,
+                                    ProgramPanel::tr("Lengths and feeds in the program's text"), panel_,
+                                    FieldRow::choiceWidth));
+    connect(units_, &QComboBox::activated, this,
+            [this](int index) { emit panel_->unitsChosen(static_cast<NcUnits>(index)); });
     connect(machine_, &QComboBox::activated, this,
             [this](int index) { emit panel_->machineChosen(state.machines[static_cast<std::size_t>(index)].id); });
     connect(dialect_, &QComboBox::activated, this,
             [this](int index) { emit panel_->dialectChosen(state.dialects[static_cast<std::size_t>(index)].id); });
+}
+
+void ProgramPanel::Fields::addPaths() {
+    paths_ = new QWidget(panel_);
+    auto* list = new QVBoxLayout(paths_);
+    list->setContentsMargins(0, 0, 0, 0);
+    list->setSpacing(4);
+    list->addWidget(makeSectionTitle(ProgramPanel::tr("Tools of the program"), paths_));
+    column_->addWidget(paths_);
+    withoutPath_ = new Notice(panel_);
+    withoutPath_->setObjectName(QStringLiteral("withoutPathNotice"));
+    column_->addWidget(withoutPath_);
+}
+
+/// One tool needs no list.
+void ProgramPanel::Fields::refreshPaths() {
+    while (pathSwitches_.size() < state.paths.size()) {
+        const std::size_t place = pathSwitches_.size();
+        auto* path =
+            new NamedSwitch(QStringLiteral("programPath%1").arg(place),
+                            ProgramPanel::tr("What was milled with this tool belongs into the program"), paths_);
+        connect(path, &NamedSwitch::switched, this,
+                [this, place](bool on) { emit panel_->pathIncluded(state.paths[place].id, on); });
+        paths_->layout()->addWidget(path);
+        pathSwitches_.push_back(path);
+    }
+    for (std::size_t i = 0; i < pathSwitches_.size(); ++i) {
+        pathSwitches_[i]->setVisible(i < state.paths.size());
+        if (i < state.paths.size()) pathSwitches_[i]->show(state.paths[i].name, state.paths[i].included, {});
+    }
+    paths_->setVisible(state.paths.size() > 1);
+    if (state.withoutPath.isEmpty())
+        withoutPath_->clear();
+    else
+        withoutPath_->tell(
+            Notice::Kind::warning,
+            ProgramPanel::tr("What was milled with %1 has no path and is not in the program.").arg(state.withoutPath));
+}
+
+QString ProgramPanel::Fields::reasonAgainstPosting() const {
+    if (!state.hasPath) return ProgramPanel::tr("Make a path first.");
+    if (state.busy) return ProgramPanel::tr("Work is under way.");
+    if (!state.upToDate) return ProgramPanel::tr("Takes or edits changed: update the path first.");
+    return {};
 }
 
 void ProgramPanel::Fields::addFigures() {
@@ -189,6 +250,17 @@ void ProgramPanel::Fields::gather() {
         marks_.push_back({static_cast<int>(mark.line),
                           mark.severity == LintSeverity::error ? LineMark::Kind::error : LineMark::Kind::warning,
                           lintText(mark)});
+    if (state.report) gatherNearPasses(state.report->nearPasses);
+}
+
+/// The nearest ones: a holder may pass a wall near by on a thousand lines.
+void ProgramPanel::Fields::gatherNearPasses(std::vector<NearPass> passes) {
+    constexpr std::size_t most = 50;
+    std::ranges::stable_sort(passes, {}, &NearPass::distance);
+    if (passes.size() > most) passes.resize(most);
+    std::ranges::stable_sort(passes, {}, &NearPass::line);
+    for (const NearPass& pass : passes)
+        marks_.push_back({static_cast<int>(pass.line), LineMark::Kind::warning, nearPassText(pass, unit_)});
 }
 
 std::size_t ProgramPanel::Fields::errors() const {
@@ -260,14 +332,13 @@ void ProgramPanel::Fields::refreshFigures() {
 }
 
 void ProgramPanel::Fields::refresh() {
-    enableUnless(post_,
-                 !state.hasPath ? ProgramPanel::tr("Make a path first.")
-                 : state.busy   ? ProgramPanel::tr("Work is under way.")
-                                : QString(),
+    enableUnless(post_, reasonAgainstPosting(),
                  ProgramPanel::tr("Write the program, read it back and mill it again on a fresh workpiece"));
     enableUnless(export_, reasonAgainstExport(), ProgramPanel::tr("Write the program to a file for the machine"));
     showChoices(*machine_, state.machines, state.machine);
     showChoices(*dialect_, state.dialects, state.dialect);
+    units_->setCurrentIndex(static_cast<int>(state.units));
+    refreshPaths();
     tolerance_->showValue(state.gougeTolerance);
     gather();
     refreshVerdict();

@@ -35,6 +35,8 @@ signals:
     void gougeToleranceEdited(double millimetres);
     void machineChosen(const std::string& id);
     void dialectChosen(const std::string& id);
+    void unitsChosen(burin::NcUnits units);
+    void pathIncluded(std::int64_t path, bool wanted);
     void lineChosen(int line); ///< from 1
 
 private:

@@ -36,6 +36,7 @@ SelectionCard::SelectionCard(QWidget* parent)
     column->addWidget(new FieldRow(tr("Drag along"), drag_, tr("Where a place of the path goes that is dragged"), this,
                                    FieldRow::choiceWidth));
     draw_->setCheckable(true);
+    draw_->setProperty("look", "choice");
     column->addWidget(draw_);
     connect(drag_, &QComboBox::activated, this, [this](int index) { emit dragChosen(static_cast<DragChoice>(index)); });
     connect(draw_, &QPushButton::clicked, this, &SelectionCard::drawingWanted);
@@ -43,8 +44,11 @@ SelectionCard::SelectionCard(QWidget* parent)
 }
 
 void SelectionCard::setState(const PathState& state) {
-    chosen_->setText(state.selection ? tr("Chosen: %1").arg(stretchText(*state.selection))
-                                     : tr("Nothing of the path is chosen"));
+    QString chosen =
+        state.selection ? tr("Chosen: %1").arg(stretchText(*state.selection)) : tr("Nothing of the path is chosen");
+    if (state.selectedSide == MillingSide::climb) chosen += QStringLiteral(" · ") + tr("climb");
+    if (state.selectedSide == MillingSide::conventional) chosen += QStringLiteral(" · ") + tr("conventional");
+    chosen_->setText(chosen);
     clear_->setEnabled(state.selection.has_value());
     drag_->setCurrentIndex(static_cast<int>(state.drag));
     draw_->setChecked(state.drawing);

@@ -181,6 +181,25 @@ QString findingText(const Finding& finding, LengthUnit unit) {
     return {};
 }
 
+QString nearPassText(const NearPass& pass, LengthUnit unit) {
+    const bool shank = pass.section == ToolSection::shank;
+    const QString distance = lengthText(pass.distance, unit);
+    switch (pass.to) {
+    case NearTo::stock:
+        return (shank ? PanelTexts::tr("Shank passes the stock at %1")
+                      : PanelTexts::tr("Holder passes the stock at %1"))
+            .arg(distance);
+    case NearTo::part:
+        return (shank ? PanelTexts::tr("Shank passes the part at %1") : PanelTexts::tr("Holder passes the part at %1"))
+            .arg(distance);
+    case NearTo::obstacle:
+        return (shank ? PanelTexts::tr("Shank passes a fixture at %1")
+                      : PanelTexts::tr("Holder passes a fixture at %1"))
+            .arg(distance);
+    }
+    return {};
+}
+
 QString lintText(const LintMark& mark) {
     const QString text = Messages::text(textOf(mark.problem));
     return mark.words.empty() ? text : text + QStringLiteral(": ") + QString::fromStdString(mark.words);

@@ -31,6 +31,7 @@ QString rateText(double cubicMillimetresPerSecond, LengthUnit unit); ///< "412 m
 QString shareText(double share);                                     ///< "42 %", of 0.42
 QString durationText(double seconds);                                ///< "01:42", "1:02:07"
 
+QString nearPassText(const NearPass& pass, LengthUnit unit);  ///< "Shank passes the part at 0.4 mm"
 QString findingText(const Finding& finding, LengthUnit unit); ///< "Gouge of 0.034 mm"
 QString lintText(const LintMark& mark);                       ///< "decimal point is missing: …"
 

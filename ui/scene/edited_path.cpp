@@ -50,6 +50,7 @@ EditedPath::EditedPath(vtkRenderer& renderer) {
 
 void EditedPath::setPalette(const Palette& palette) {
     setColour(*actors_[indexOf(MoveKind::cut)], palette.path);
+    setColour(*actors_[conventional], palette.part);
     setColour(*actors_[indexOf(MoveKind::rapid)], palette.quietText);
     setColour(*actors_[indexOf(MoveKind::plunge)], palette.text);
     setColour(*actors_[indexOf(MoveKind::retract)], palette.quietText);
@@ -57,19 +58,25 @@ void EditedPath::setPalette(const Palette& palette) {
 
 void EditedPath::setLineWidth(double screenPixels) {
     for (std::size_t kind = 0; kind < kinds; ++kind)
-        actors_[kind]->GetProperty()->SetLineWidth(
-            static_cast<float>(kind == indexOf(MoveKind::cut) ? screenPixels : screenPixels * thinLine / pathLine));
+        actors_[kind]->GetProperty()->SetLineWidth(static_cast<float>(
+            kind == indexOf(MoveKind::cut) || kind == conventional ? screenPixels
+                                                                   : screenPixels * thinLine / pathLine));
 }
 
-void EditedPath::setPath(const Path& path) {
+void EditedPath::setPath(const EvaluatedPath& evaluated) {
+    const Path& path = evaluated.path;
     std::array<std::vector<LineEnds>, kinds> lines;
     box_ = {};
+    auto stretch = evaluated.sides.begin();
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const PathPoint& point = path.points[i];
+        while (stretch != evaluated.sides.end() && stretch->last < i) ++stretch;
+        const bool against = stretch != evaluated.sides.end() && stretch->first <= i &&
+                             stretch->side == MillingSide::conventional && point.kind == MoveKind::cut;
         box_.include(point.tip);
         if (i == 0) continue;
         const glm::dvec3& from = path.points[i - 1].tip;
-        std::vector<LineEnds>& kind = lines[indexOf(point.kind)];
+        std::vector<LineEnds>& kind = lines[against ? conventional : indexOf(point.kind)];
         if (point.kind == MoveKind::rapid)
             addDashes(kind, from, point.tip, rapidDash);
         else if (point.kind == MoveKind::plunge)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/geometry/box.h"
-#include "core/path/path.h"
+#include "core/path/evaluate.h"
 #include "ui/theme/theme.h"
 
 #include <vtkActor.h>
@@ -14,20 +14,20 @@
 
 namespace burin {
 
-/// What the machine shall do, told apart by colour and by stroke: cuts in the accent, rapids thin, grey and dashed,
-/// plunges in short light dashes, retracts in a thin unbroken grey.
+/// What the machine shall do, told apart by colour and by stroke: cuts in the accent, conventional ones in blue, rapids
+/// thin, grey and dashed, plunges in short light dashes, retracts in a thin unbroken grey.
 class EditedPath {
 public:
     explicit EditedPath(vtkRenderer& renderer);
     void setPalette(const Palette& palette);
     void setLineWidth(double screenPixels);
-    void setPath(const Path& path);
+    void setPath(const EvaluatedPath& path);
     void setVisible(bool visible);
     Box box() const noexcept { return box_; }
 
 private:
-    static constexpr std::size_t kinds = 4;
-    std::array<vtkSmartPointer<vtkActor>, kinds> actors_; ///< by MoveKind
+    static constexpr std::size_t kinds = 5, conventional = 4;
+    std::array<vtkSmartPointer<vtkActor>, kinds> actors_; ///< by MoveKind; then cuts the conventional way
     Box box_;
     bool visible_ = true, empty_ = true;
 };

@@ -49,6 +49,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , guides_(*films_, *marks_, std::move(surfaces))
     , ghost_(*marks_)
     , moveMark_(*marks_)
+    , outlines_(*marks_)
     , force_(*marks_)
     , cube_(window, 3) {
     window.SetNumberOfLayers(4);
@@ -81,7 +82,8 @@ void Scene::setPalette(const Palette& palette) {
     obstacles_.setPalette(palette);
     guides_.setPalette(palette);
     ghost_.setPalette(palette);
-    moveMark_.setPalette(palette);
+    moveMark_.setColour(palette.text);
+    outlines_.setColour(palette.quietText);
     force_.setPalette(palette);
     cube_.setPalette(palette);
 }
@@ -172,6 +174,7 @@ void Scene::setLineWidths(double ratio) {
     deviations_.setSize(deviationPoint * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
+    outlines_.setLineWidth(pathLine * ratio);
     obstacles_.setLineWidth(ratio);
     guides_.setLineWidth(thinLine * ratio);
     tool_.setLineWidth(pathLine * ratio);
@@ -190,7 +193,8 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     guides_.place(view, size, ratio);
     cube_.place(view, size, ratio);
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible());
-    marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible());
+    marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
+                    outlines_.visible());
 
     const CameraAxes axes = axesOf(view);
     vtkCamera* camera = bench_->GetActiveCamera();

@@ -9,7 +9,7 @@
 #include "ui/scene/ground_grid.h"
 #include "ui/scene/guide_actors.h"
 #include "ui/scene/live_path.h"
-#include "ui/scene/move_mark.h"
+#include "ui/scene/marked_lines.h"
 #include "ui/scene/obstacle_actors.h"
 #include "ui/scene/part_actors.h"
 #include "ui/scene/scale_bar.h"
@@ -54,7 +54,8 @@ public:
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
     DeviationPoints& deviations() noexcept { return deviations_; }
-    MoveMark& moveMark() noexcept { return moveMark_; }
+    MarkedLines& moveMark() noexcept { return moveMark_; }
+    MarkedLines& outlines() noexcept { return outlines_; }
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
@@ -88,7 +89,7 @@ private:
     ObstacleActors obstacles_;
     GuideActors guides_;
     StylusGhost ghost_;
-    MoveMark moveMark_;
+    MarkedLines moveMark_, outlines_;
     ForceArrow force_;
     ViewCube cube_;
 

@@ -144,7 +144,7 @@ void Viewport::clearLivePath() {
     impl_->refresh();
 }
 
-void Viewport::setPath(const Path& path) {
+void Viewport::setPath(const EvaluatedPath& path) {
     impl_->scene.editedPath().setPath(path);
     impl_->refresh();
 }
@@ -159,8 +159,13 @@ void Viewport::setDeviations(std::span<const DeviationSample> samples, const Dev
     impl_->refresh();
 }
 
-void Viewport::setMoveMark(std::span<const glm::dvec3> places) {
-    impl_->scene.moveMark().set(places);
+void Viewport::setOutlines(const PlaceChains& lines) {
+    impl_->scene.outlines().set(lines);
+    impl_->refresh();
+}
+
+void Viewport::setMoveMark(const PlaceChains& moves) {
+    impl_->scene.moveMark().set(moves);
     impl_->refresh();
 }
 

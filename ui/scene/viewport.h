@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
-#include "core/path/path.h"
+#include "core/path/evaluate.h"
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
 #include "core/verify/deviation_map.h"
@@ -11,6 +11,7 @@
 #include "ui/scene/guide_marks.h"
 #include "ui/scene/interactive_tool.h"
 #include "ui/scene/obstacle_mark.h"
+#include "ui/scene/place_chains.h"
 #include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
@@ -86,13 +87,15 @@ public:
     /// The path as it is recorded: tips, mm; a stroke begins where `newStroke`.
     void appendLivePath(std::span<const glm::vec3> tips, bool newStroke);
     void clearLivePath();
-    /// The edited path, colour by kind of move.
-    void setPath(const Path& path);
+    /// The edited path, colour by kind of move and by the side on which it mills.
+    void setPath(const EvaluatedPath& path);
     void setPathVisible(bool visible);
     /// What a program leaves on the part, or takes from it; no samples: nothing.
     void setDeviations(std::span<const DeviationSample> samples, const DeviationTolerance& tolerance);
-    /// A move that is looked at: places along it, mm, setup frame. Fewer than two: none.
-    void setMoveMark(std::span<const glm::dvec3> places);
+    /// What is chosen or looked at of a path.
+    void setMoveMark(const PlaceChains& moves);
+    /// What the user drew for the path: areas, guides.
+    void setOutlines(const PlaceChains& lines);
 
     void setStandardView(StandardView view);
     void fit();

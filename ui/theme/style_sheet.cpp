@@ -60,6 +60,10 @@ QPushButton[look="choice"]:checked:disabled { border-color: @border; }
 QToolButton[look="flat"] { background: transparent; border-color: transparent; padding: 4px; }
 QToolButton[look="flat"]:hover { background: @button; }
 QToolButton[look="flat"]:focus { border-color: @focus; }
+QToolButton[look="toggle"] { background: transparent; border-color: transparent; padding: 4px; }
+QToolButton[look="toggle"]:hover { background: @button; }
+QToolButton[look="toggle"]:checked { background: @accentFill; border-color: @accent; }
+QToolButton[look="toggle"]:focus { border-color: @focus; }
 QToolButton::menu-indicator { image: none; }
 
 QLineEdit, QAbstractSpinBox, QComboBox { background: @field; color: @text; border: 1px solid @border;

@@ -85,7 +85,7 @@ JobStepState JobPresenter::path() const {
 JobStepState JobPresenter::program() const {
     const ProgramController& program = workbench_.program;
     if (program.busy()) return {StepProgress::current, tr("checking")};
-    if (!workbench_.path.evaluated()) return {StepProgress::missing, tr("no path yet")};
+    if (workbench_.path.jobPaths().empty()) return {StepProgress::missing, tr("no path yet")};
     if (program.problem()) return {StepProgress::ready, tr("not possible")};
     if (!program.program()) return {StepProgress::ready, tr("not yet")};
     if (program.outdated()) return {StepProgress::ready, tr("out of date")};

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/path_presenters.h"
 
+#include "core/path/milling_side.h"
 #include "ui/messages/messages.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
+
+#include <algorithm>
 
 namespace burin {
 
@@ -15,8 +18,22 @@ double cuttingLength(const Path& path) {
     double length = 0.0;
     for (std::size_t i = 1; i < path.points.size(); ++i)
         if (path.points[i].kind == MoveKind::cut || path.points[i].kind == MoveKind::plunge)
-            length += glm::distance(path.points[i - 1].tip, path.points[i].tip);
+            length += lengthOf(path.points[i - 1].tip, path.points[i]);
     return length;
+}
+
+/// How all of a stretch of the hand is milled; nothing where that differs.
+std::optional<MillingSide> sideOf(const EvaluatedPath& path, const TakeStretch& chosen) {
+    std::optional<MillingSide> side;
+    for (const MillingStretch& stretch : path.sides)
+        for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+            const PathPoint& point = path.path.points[i];
+            if (point.kind != MoveKind::cut || point.sample < 0 || !chosen.contains({point.take, point.sample}))
+                continue;
+            if (side && *side != stretch.side) return std::nullopt;
+            side = stretch.side;
+        }
+    return side;
 }
 
 } // namespace
@@ -32,7 +49,8 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel), scene_(scene) {
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
-    connect(&panel, &PathPanel::editAdded, &workbench.path, &PathController::addEdit);
+    connect(&panel, &PathPanel::editAdded, &scene, &PathScenePresenter::addEdit);
+    connect(&panel, &PathPanel::fieldDrawingWanted, &scene, &PathScenePresenter::setFieldDrawing);
     connect(&panel, &PathPanel::editRemoved, &workbench.path, &PathController::removeEdit);
     connect(&panel, &PathPanel::editMoved, &workbench.path, &PathController::moveEdit);
     connect(&panel, &PathPanel::dragChosen, &scene, &PathScenePresenter::setDrag);
@@ -50,14 +68,19 @@ void PathPresenter::setUnit(LengthUnit unit) {
 void PathPresenter::present() {
     const PathController& path = workbench_.path;
     PathState state;
-    state.hasTakes = !workbench_.mill.takes().empty();
-    state.exists = path.stored().has_value();
+    state.hasTakes = path.hasTakes();
+    state.hasOtherTakes = !workbench_.mill.takes().empty();
+    state.exists = path.stored() != nullptr;
     if (path.stored()) state.path = *path.stored();
     if (path.evaluated()) {
         state.reports = path.evaluated()->reports;
         state.errorBudget = path.evaluated()->errorBudget;
         state.points = path.evaluated()->path.points.size();
         state.cuttingLength = cuttingLength(path.evaluated()->path);
+        const auto bySide = lengthsBySide(path.evaluated()->path, path.evaluated()->sides);
+        state.climbLength = bySide[static_cast<std::size_t>(MillingSide::climb)];
+        state.conventionalLength = bySide[static_cast<std::size_t>(MillingSide::conventional)];
+        if (path.selection()) state.selectedSide = sideOf(*path.evaluated(), *path.selection());
     }
     state.outdated = path.outdated();
     state.busy = path.busy();
@@ -66,13 +89,17 @@ void PathPresenter::present() {
     state.selection = path.selection();
     state.drag = scene_.drag();
     state.drawing = scene_.drawing();
+    state.drawnField = scene_.drawnField();
     panel_.setState(state);
 }
 
 ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.program, &workbench.path, &workbench.target}, parent), panel_(panel) {
+    : Presenter(workbench, {&workbench.program, &workbench.path, &workbench.target, &workbench.tool}, parent)
+    , panel_(panel) {
     connect(&panel, &ProgramPanel::machineChosen, &workbench.target, &TargetController::chooseMachine);
     connect(&panel, &ProgramPanel::dialectChosen, &workbench.target, &TargetController::chooseDialect);
+    connect(&panel, &ProgramPanel::unitsChosen, &workbench.target, &TargetController::chooseUnits);
+    connect(&panel, &ProgramPanel::pathIncluded, &workbench.program, &ProgramController::include);
     connect(&panel, &ProgramPanel::postRequested, this, [this] { workbench_.program.post(programName(workbench_)); });
     connect(&panel, &ProgramPanel::textEdited, &workbench.program, &ProgramController::editText);
     connect(&panel, &ProgramPanel::textCheckRequested, this,
@@ -85,10 +112,30 @@ void ProgramPresenter::setUnit(LengthUnit unit) {
     Presenter::setUnit(unit);
 }
 
+void ProgramPresenter::showPaths(ProgramState& state) const {
+    const PathController& path = workbench_.path;
+    for (const StoredPath& each : path.jobPaths()) {
+        state.paths.push_back({each.id, toolName(path.toolOf(each.id)), workbench_.program.includes(each.id)});
+        state.hasPath = state.hasPath || state.paths.back().included;
+    }
+    state.upToDate = path.stored() == nullptr || (path.evaluated() && !path.outdated());
+    QStringList without;
+    for (const std::string& tool : path.toolsWithoutPath()) without.append(toolName(tool));
+    // While nothing has a path, that is said elsewhere.
+    if (!state.paths.empty()) state.withoutPath = without.join(QStringLiteral(", "));
+}
+
+QString ProgramPresenter::toolName(const std::string& id) const {
+    const std::vector<Tool>& tools = workbench_.tool.tools();
+    const auto tool = std::ranges::find(tools, id, &Tool::id);
+    return tool == tools.end() ? QString::fromStdString(id)
+                               : QCoreApplication::translate("Resource", tool->name.c_str());
+}
+
 void ProgramPresenter::present() {
     const ProgramController& program = workbench_.program;
     ProgramState state;
-    state.hasPath = workbench_.path.evaluated() != nullptr;
+    showPaths(state);
     const TargetController& target = workbench_.target;
     for (const MachineProfile& machine : target.machines())
         state.machines.push_back({machine.id, QCoreApplication::translate("Resource", machine.name.c_str())});
@@ -96,6 +143,7 @@ void ProgramPresenter::present() {
         state.dialects.push_back({dialect.id, QString::fromStdString(dialect.name)});
     state.machine = target.machine().id;
     state.dialect = target.dialect();
+    state.units = target.target().units;
     state.text = program.storedText();
     state.edited = program.edited();
     state.lint = program.lint();

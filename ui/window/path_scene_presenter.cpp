@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/path_scene_presenter.h"
 
-#include "core/base/units.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace burin {
 
 namespace {
+
+constexpr std::string_view areaKey = "outline_mm";
+
+std::vector<glm::dvec3> closed(std::vector<glm::dvec3> outline) {
+    if (!outline.empty()) outline.push_back(outline.front());
+    return outline;
+}
 
 /// By the hand; what an edit made of nothing has no moment to be named by.
 bool isOfTheHand(const PathPoint& point) {
@@ -32,15 +36,14 @@ public:
 
 private:
     void follow(std::vector<glm::dvec3>& moved, int step) const {
-        const double reach = MovePoints{}.falloff;
+        const MovePoints edit;
         double way = 0.0;
-        for (std::size_t i = place_; way < reach;) {
+        for (std::size_t i = place_; way < edit.falloff;) {
             if ((step < 0 && i == 0) || (step > 0 && i + 1 == points_.size())) return;
             const std::size_t next = step < 0 ? i - 1 : i + 1;
             if (!isOfTheHand(points_[next]) || points_[next].take != points_[i].take) return;
             way += glm::distance(points_[next].tip, points_[i].tip);
-            const double share = way < reach ? 0.5 * (1.0 + std::cos(pi * way / reach)) : 0.0;
-            moved.push_back(points_[next].tip + share * by_);
+            moved.push_back(points_[next].tip + edit.shareAt(way) * by_);
             i = next;
         }
     }
@@ -61,10 +64,12 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
     });
     connect(&hand_, &PathHand::dragging, this, &PathScenePresenter::showDrag);
     connect(&hand_, &PathHand::dropped, this, &PathScenePresenter::drop);
-    connect(&hand_, &PathHand::drawing, this,
-            [this](const std::vector<glm::dvec3>& places) { viewport_.setMoveMark(places); });
+    connect(&hand_, &PathHand::drawing, this, &PathScenePresenter::showDrawing);
     connect(&hand_, &PathHand::drawn, this, &PathScenePresenter::finishDrawing);
-    connect(&hand_, &PathHand::givenUp, this, &PathScenePresenter::markSelection);
+    connect(&hand_, &PathHand::givenUp, this, [this] {
+        drawn_.clear();
+        markSelection();
+    });
     connect(&hand_, &PathHand::cleared, this,
             [this] { drawing_ ? setDrawing(false) : workbench_.path.clearSelection(); });
 }
@@ -81,9 +86,47 @@ void PathScenePresenter::setDrag(DragChoice drag) {
 }
 
 void PathScenePresenter::setDrawing(bool wanted) {
-    drawing_ = wanted && workbench_.path.selection();
-    hand_.setDrawing(drawing_ ? selectionHeight() : std::nullopt);
+    field_.reset();
+    startDrawing(wanted ? heightOf(workbench_.path.selection()) : std::nullopt);
+}
+
+void PathScenePresenter::setFieldDrawing(const DrawnField& field, bool wanted) {
+    const StoredPath* path = workbench_.path.stored();
+    if (!wanted || path == nullptr || field.edit >= path->edits.size()) {
+        setDrawing(false);
+        return;
+    }
+    field_ = field;
+    std::optional<TakeStretch> stretch;
+    for (const EditField& each : fieldsOf(path->edits[field.edit].parameters))
+        if (const auto* meant = std::get_if<TakeStretch>(&each.value)) stretch = *meant;
+    startDrawing(heightOf(stretch));
+}
+
+void PathScenePresenter::startDrawing(std::optional<double> height) {
+    drawing_ = height.has_value();
+    if (!drawing_) field_.reset();
+    drawn_.clear();
+    hand_.setDrawing(height);
     emit changed();
+}
+
+void PathScenePresenter::addEdit(const Edit& edit) {
+    const std::size_t place = workbench_.path.addEdit(withinStock(edit));
+    for (const EditField& field : fieldsOf(edit.parameters))
+        if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&field.value); places && places->empty())
+            setFieldDrawing({place, std::string(field.key)}, true);
+}
+
+/// An area reaches from the stock's bottom to where travel is free until its heights are said.
+Edit PathScenePresenter::withinStock(Edit edit) const {
+    const auto& bench = workbench_.bench.bench();
+    for (const EditField& field : fieldsOf(edit.parameters)) {
+        if (!bench || !std::holds_alternative<double>(field.value)) continue;
+        if (field.key == "low_mm") setField(edit.parameters, field.key, bench->setup.stock.low.z);
+        if (field.key == "high_mm") setField(edit.parameters, field.key, bench->safeHeight());
+    }
+    return edit;
 }
 
 void PathScenePresenter::present() {
@@ -95,7 +138,8 @@ void PathScenePresenter::present() {
         if (!active) viewport_.setMoveMark({});
     }
     takePath();
-    if (drawing_ && (!active || !workbench_.path.selection())) setDrawing(false);
+    if (drawing_ && (!active || (!field_ && !workbench_.path.selection()))) setDrawing(false);
+    showOutlines();
     if (active_) markSelection();
 }
 
@@ -114,17 +158,24 @@ void PathScenePresenter::takePath() {
 }
 
 void PathScenePresenter::markSelection() {
-    std::vector<glm::dvec3> places;
+    if (drawing_ && !drawn_.empty()) { // what is under way stays in sight, whatever is evaluated meanwhile
+        showDrawing(drawn_);
+        return;
+    }
+    PlaceChains chosen;
     const auto& selection = workbench_.path.selection();
-    if (path_ && selection)
-        for (std::size_t i = 0; i < path_->path.points.size(); ++i)
-            if (isOfTheHand(path_->path.points[i]) && selection->contains(momentOf(i)))
-                places.push_back(path_->path.points[i].tip);
-    viewport_.setMoveMark(places);
+    bool goesOn = false; // what lies between two chosen stretches is not chosen
+    for (std::size_t i = 0; path_ && selection && i < path_->path.points.size(); ++i) {
+        const bool here = isOfTheHand(path_->path.points[i]) && selection->contains(momentOf(i));
+        if (here && !goesOn) chosen.emplace_back();
+        if (here) chosen.back().push_back(path_->path.points[i].tip);
+        goesOn = here;
+    }
+    viewport_.setMoveMark(chosen);
 }
 
 void PathScenePresenter::showDrag(std::size_t place, const glm::dvec3& by) {
-    if (path_) viewport_.setMoveMark(Falloff(path_->path.points, place, by).places());
+    if (path_) viewport_.setMoveMark({Falloff(path_->path.points, place, by).places()});
 }
 
 void PathScenePresenter::drop(std::size_t place, const glm::dvec3& by) {
@@ -133,9 +184,38 @@ void PathScenePresenter::drop(std::size_t place, const glm::dvec3& by) {
                               drag_ == DragChoice::surface ? MovePoints::Along::surface : MovePoints::Along::free);
 }
 
+void PathScenePresenter::showDrawing(const std::vector<glm::dvec3>& places) {
+    drawn_ = places;
+    viewport_.setMoveMark({drawsArea() ? closed(places) : places});
+}
+
 void PathScenePresenter::finishDrawing(const std::vector<glm::dvec3>& places) {
+    const std::optional<DrawnField> field = field_;
     setDrawing(false);
-    workbench_.path.replaceSelection(places);
+    const StoredPath* path = workbench_.path.stored();
+    if (!field) {
+        workbench_.path.replaceSelection(places);
+    } else if (path != nullptr && field->edit < path->edits.size()) {
+        Edit edit = path->edits[field->edit];
+        setField(edit.parameters, field->key, places);
+        workbench_.path.changeEdit(field->edit, edit);
+    }
+}
+
+bool PathScenePresenter::drawsArea() const {
+    return field_ && field_->key == areaKey;
+}
+
+/// Where areas are, and the guides that were drawn.
+void PathScenePresenter::showOutlines() {
+    PlaceChains lines;
+    if (active_ && workbench_.path.stored() != nullptr)
+        for (const Edit& edit : workbench_.path.stored()->edits)
+            for (const EditField& field : fieldsOf(edit.parameters))
+                if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&field.value);
+                    places && edit.enabled && !std::holds_alternative<ReplaceStretch>(edit.parameters))
+                    lines.push_back(field.key == areaKey ? closed(*places) : *places);
+    viewport_.setOutlines(lines);
 }
 
 Moment PathScenePresenter::momentOf(std::size_t place) const {
@@ -143,12 +223,20 @@ Moment PathScenePresenter::momentOf(std::size_t place) const {
     return {point.take, point.sample};
 }
 
-std::optional<double> PathScenePresenter::selectionHeight() const {
-    const auto& selection = workbench_.path.selection();
-    if (!path_ || !selection) return std::nullopt;
-    for (std::size_t i = 0; i < path_->path.points.size(); ++i)
-        if (isOfTheHand(path_->path.points[i]) && selection->contains(momentOf(i))) return path_->path.points[i].tip.z;
-    return std::nullopt;
+/// Where a stretch of the path begins, or the middle height of all that cuts.
+std::optional<double> PathScenePresenter::heightOf(const std::optional<TakeStretch>& stretch) const {
+    if (!path_) return std::nullopt;
+    std::vector<double> heights;
+    for (std::size_t i = 0; i < path_->path.points.size(); ++i) {
+        const PathPoint& point = path_->path.points[i];
+        if (!isOfTheHand(point) || point.kind == MoveKind::rapid) continue;
+        if (stretch && stretch->take != 0 && stretch->contains(momentOf(i))) return point.tip.z;
+        heights.push_back(point.tip.z);
+    }
+    if (heights.empty()) return std::nullopt;
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::ranges::nth_element(heights, middle);
+    return *middle;
 }
 
 } // namespace burin

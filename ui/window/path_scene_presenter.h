@@ -18,9 +18,15 @@ public:
     void setShown(JobStep step);
 
     DragChoice drag() const noexcept { return drag_; }
-    bool drawing() const noexcept { return drawing_; }
+    /// A stroke in the selection's stead.
+    bool drawing() const noexcept { return drawing_ && !field_; }
+    /// Places of an edit.
+    const std::optional<DrawnField>& drawnField() const noexcept { return field_; }
     void setDrag(DragChoice drag);
     void setDrawing(bool wanted);
+    void setFieldDrawing(const DrawnField& field, bool wanted);
+    /// Adds an edit to the path; one that needs places has them drawn next.
+    void addEdit(const Edit& edit);
 
 signals:
     void changed(); ///< drag or drawing
@@ -29,16 +35,23 @@ private:
     void present() override;
     void takePath();
     void markSelection();
+    void startDrawing(std::optional<double> height);
+    void showDrawing(const std::vector<glm::dvec3>& places);
+    void showOutlines();
+    bool drawsArea() const;
+    Edit withinStock(Edit edit) const;
     void showDrag(std::size_t place, const glm::dvec3& by);
     void drop(std::size_t place, const glm::dvec3& by);
     void finishDrawing(const std::vector<glm::dvec3>& places);
     Moment momentOf(std::size_t place) const;
-    std::optional<double> selectionHeight() const;
+    std::optional<double> heightOf(const std::optional<TakeStretch>& stretch) const;
 
     Viewport& viewport_;
     PathHand hand_;
     std::shared_ptr<const EvaluatedPath> path_; ///< whose places the hand has; null while it is not active
     DragChoice drag_ = DragChoice::level;
+    std::vector<glm::dvec3> drawn_;   ///< of the stroke under way
+    std::optional<DrawnField> field_; ///< that is drawn; nothing: what is drawn is meant for the selection
     bool shown_ = false, active_ = false, drawing_ = false;
 };
 

@@ -96,8 +96,11 @@ void ProgramScenePresenter::showLine() {
             if (places.empty() && move.startKnown()) places.push_back(move.from + zero_);
             places.push_back(move.to + zero_);
         }
-    viewport_.setMoveMark(places);
-    scene_.showToolAt(motion != nullptr ? std::optional(motion->to + zero_) : std::nullopt);
+    viewport_.setMoveMark({places});
+    if (motion != nullptr)
+        scene_.showToolAt(motion->to + zero_, program_->toolNumbered(motion->tool));
+    else
+        scene_.parkTool();
     panel_.showMachineState(motion != nullptr ? stateText(*motion) : QString(),
                             motion != nullptr ? endOf(*motion) : std::nullopt);
 }

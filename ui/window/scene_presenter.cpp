@@ -21,7 +21,7 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
     connect(&workbench.path, &PathController::evaluatedAnew, this, [this] {
         const auto& evaluated = workbench_.path.evaluated();
         live_.clear(); // the edited path takes its place
-        viewport_.setPath(evaluated ? evaluated->path : Path{});
+        viewport_.setPath(evaluated ? *evaluated : EvaluatedPath{});
     });
     for (const ActionId id : {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool})
         connect(actions[id], &QAction::toggled, this, &Presenter::presentSoon);
@@ -40,13 +40,17 @@ void ScenePresenter::present() {
     const bool outline = workbench_.setup.usable() && !embedded;
     viewport_.setStockOutline(outline ? std::optional(workbench_.setup.setup().stock) : std::nullopt);
 
-    const Tool& tool = workbench_.bench.bench() ? workbench_.bench.bench()->tool : workbench_.tool.current();
-    if (tool.id != tool_) {
-        tool_ = tool.id;
-        viewport_.setTool(tool);
-    }
+    drawTool();
     viewport_.setToolVisible(embedded && actions_[ActionId::showTool]->isChecked());
     placeTool();
+}
+
+void ScenePresenter::drawTool() {
+    const Tool& inForce = workbench_.bench.bench() ? workbench_.bench.bench()->tool : workbench_.tool.current();
+    const Tool& tool = shownTool_ && !workbench_.session.running() ? *shownTool_ : inForce;
+    if (tool.id == tool_) return;
+    tool_ = tool.id;
+    viewport_.setTool(tool);
 }
 
 void ScenePresenter::placeTool() {
@@ -66,8 +70,17 @@ void ScenePresenter::showBarePart(bool bare) {
     presentSoon();
 }
 
-void ScenePresenter::showToolAt(const std::optional<glm::dvec3>& tip) {
+void ScenePresenter::showToolAt(const glm::dvec3& tip, const Tool* tool) {
     toolTip_ = tip;
+    shownTool_ = tool != nullptr ? std::optional(*tool) : std::nullopt;
+    drawTool();
+    placeTool();
+}
+
+void ScenePresenter::parkTool() {
+    toolTip_.reset();
+    shownTool_.reset();
+    drawTool();
     placeTool();
 }
 

@@ -17,8 +17,9 @@ public:
     ScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions, QObject* parent);
     /// The bare part in the workpiece's stead.
     void showBarePart(bool bare);
-    /// Where the tool stands while no session moves it, mm, setup frame. Nothing: parked over the stock.
-    void showToolAt(const std::optional<glm::dvec3>& tip);
+    /// Where a tool stands while no session moves it. @param tip mm, setup frame @param tool null: the one in force
+    void showToolAt(const glm::dvec3& tip, const Tool* tool);
+    void parkTool(); ///< the one in force, over the stock
 
 private:
     void present() override;
@@ -26,6 +27,7 @@ private:
     void showTrace(const std::vector<MillingSession::TracePoint>& points);
     void showWorkpiece();
     void placeTool();
+    void drawTool();
 
     Viewport& viewport_;
     LiveStrokes live_;
@@ -33,6 +35,7 @@ private:
     std::shared_ptr<const Model> part_; ///< that is drawn
     bool bare_ = false;
     std::optional<glm::dvec3> toolTip_;
+    std::optional<Tool> shownTool_; ///< in the stead of the one in force
     std::string tool_;              ///< id of the one that is drawn
     std::vector<glm::vec3> stroke_; ///< storage
 };

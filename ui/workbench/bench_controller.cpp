@@ -34,6 +34,7 @@ void BenchController::setWanted(std::shared_ptr<const Model> model, const Setup&
 void BenchController::setWanted(const WantedBounds& bounds) {
     const WantedBounds before = std::exchange(wanted_, bounds);
     if (!bench_) return;
+    if (before.obstacles != bounds.obstacles) emit obstaclesChanged();
     if (boundAlike(before, bounds)) {
         if (before.obstacles != bounds.obstacles) switchObstacles();
         return;
@@ -47,12 +48,13 @@ void BenchController::setWanted(const WantedBounds& bounds) {
     });
 }
 
-/// Nothing reads the bench in the background then; a session has layers of its own.
+/// A session has layers of its own.
 void BenchController::switchObstacles() {
-    desk_.tasks.whenIdle([this] {
+    stopReaders([this] {
         if (bench_ && bench_->obstacles.size() == wanted_.obstacles.size())
             for (std::size_t i = 0; i < wanted_.obstacles.size(); ++i)
                 bench_->obstacles[i].on = wanted_.obstacles[i].on;
+        emit readersGoOn();
     });
 }
 
@@ -60,6 +62,7 @@ void BenchController::setWanted(const MachineProfile& machine) {
     if (machine.id == machine_.id) return;
     machine_ = machine;
     if (!bench_) return;
+    emit machineChanged();
     desk_.tasks.abandon(TaskKind::field);
     letGo([this] {
         if (!bench_) return;
@@ -187,13 +190,17 @@ void BenchController::adoptBounds(const Tool& tool, const WantedBounds& wanted,
     emit changed();
 }
 
-void BenchController::letGo(std::function<void()> then) {
-    // What reads the bench in the background would read it while it changes.
+/// What reads the bench in the background would read it while it changes.
+void BenchController::stopReaders(std::function<void()> then) {
     emit readersStop();
     desk_.tasks.abandon(TaskKind::planning);
     desk_.tasks.abandon(TaskKind::path);
     desk_.tasks.abandon(TaskKind::program);
-    desk_.tasks.whenIdle([this, then = std::move(then)] {
+    desk_.tasks.whenIdle(std::move(then));
+}
+
+void BenchController::letGo(std::function<void()> then) {
+    stopReaders([this, then = std::move(then)] {
         const auto change = [this, then] {
             then();
             emit readersGoOn();

@@ -55,6 +55,8 @@ public:
 signals:
     void workpieceChanged(); ///< outside a session
     void toolChanged();      ///< the tool in force
+    void obstaclesChanged(); ///< those that are wanted
+    void machineChanged();   ///< the one that is wanted
     void readersStop();      ///< the bench is about to change: work in the background that reads it is abandoned
     void readersGoOn();      ///< it has changed: what was abandoned can be done again
     /// The workpiece was made anew with these recordings: how many strokes stand in each.
@@ -66,7 +68,8 @@ private:
     void buildBounds();
     void adoptBounds(const Tool& tool, const WantedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);
     void switchObstacles();
-    void letGo(std::function<void()> then);
+    void stopReaders(std::function<void()> then);
+    void letGo(std::function<void()> then); ///< of the bench, whoever mills it too
 
     std::shared_ptr<const Model> model_;
     Setup setup_;

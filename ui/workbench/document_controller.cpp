@@ -70,6 +70,9 @@ Result<ProjectContents> contentsOf(const Project& project) {
     Result<std::vector<StoredProgram>> programs = project.programs();
     if (!programs) return std::move(programs).error();
     contents.programs = std::move(*programs);
+    Result<std::string> draft = project.programDraft();
+    if (!draft) return std::move(draft).error();
+    contents.programDraft = std::move(*draft);
     return contents;
 }
 

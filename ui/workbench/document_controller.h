@@ -26,6 +26,7 @@ struct ProjectContents {
     std::vector<TakeInfo> takes;
     std::vector<StoredPath> paths;
     std::vector<StoredProgram> programs;
+    std::string programDraft; ///< text that was edited and not checked since; empty: none
 };
 
 /// The project as a document: new, open, save, close. A new one works on a file in a folder of the user's own until it

@@ -13,23 +13,17 @@ namespace burin {
 
 namespace {
 
-/// Recordings of one tool, and the stored path that has just these.
-struct PathMatter {
-    StoredPath path;
-    std::shared_ptr<const std::vector<Take>> takes;
-};
+std::vector<Edit> withEdit(const std::vector<Edit>& edits, std::size_t place, const Edit& edit) {
+    std::vector<Edit> more = edits;
+    more.insert(more.begin() + static_cast<std::ptrdiff_t>(place), edit);
+    return more;
+}
 
-/// The edits with one more, as late as their order allows it; at the end where no place is right, so that evaluation
-/// says what is wrong.
-std::vector<Edit> withEdit(const std::vector<Edit>& edits, const Edit& edit) {
-    for (std::size_t place = edits.size() + 1; place-- > 0;) {
-        std::vector<Edit> tried = edits;
-        tried.insert(tried.begin() + static_cast<std::ptrdiff_t>(place), edit);
-        if (checkOrder(tried)) return tried;
-    }
-    std::vector<Edit> appended = edits;
-    appended.push_back(edit);
-    return appended;
+/// As late as the order of edits allows it; at the end where no place is right, so that evaluation says what is wrong.
+std::size_t placeFor(const std::vector<Edit>& edits, const Edit& edit) {
+    for (std::size_t place = edits.size() + 1; place-- > 0;)
+        if (checkOrder(withEdit(edits, place, edit))) return place;
+    return edits.size();
 }
 
 /// An edit whose stretch and moments are those that were chosen.
@@ -63,25 +57,15 @@ Result<void> keep(Project& project, StoredPath& path) {
     return project.setPath(path);
 }
 
-/// A path has one tool: it takes the recordings that were made with it.
+/// The path of a tool, or a new one, with what it takes to evaluate it.
 Result<PathMatter> gather(Project& project, const std::optional<StoredPath>& stored, const std::string& toolId) {
-    const Result<std::vector<TakeInfo>> infos = project.takes();
-    if (!infos) return infos.error();
-    PathMatter matter;
-    matter.path = stored.value_or(StoredPath{0, "path 1", {}, standardEdits()});
-    matter.path.takes.clear();
-    std::vector<Take> takes;
-    for (const TakeInfo& info : *infos) {
-        if (info.toolId != toolId) continue;
-        Result<Take> take = project.take(info.id);
-        if (!take) return std::move(take).error();
-        matter.path.takes.push_back(info.id);
-        takes.push_back(std::move(*take));
-    }
-    if (takes.empty()) return Error{ErrorCode::projectIncomplete, "a recording", "burin mill", {}};
-    matter.takes = std::make_shared<const std::vector<Take>>(std::move(takes));
-    if (const Result<void> done = keep(project, matter.path); !done) return done.error();
-    return matter;
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    Result<StoredPath> path = stored ? Result<StoredPath>(*stored) : standardPath(project, toolId);
+    if (!path) return std::move(path).error();
+    addNewerTakes(*path, *takes);
+    if (const Result<void> done = keep(project, *path); !done) return done.error();
+    return matterOf(project, *path);
 }
 
 } // namespace
@@ -95,43 +79,115 @@ PathController::PathController(const Desk& desk, BenchController& bench, QObject
     });
 }
 
-void PathController::load(const std::vector<StoredPath>& paths) {
-    selection_.reset();
-    desk_.tasks.abandon(TaskKind::path);
-    stored_ = paths.empty() ? std::nullopt : std::optional(paths.front());
-    evaluated_.reset();
-    problem_.reset();
-    takes_.reset();
-    interrupted_ = false;
-    ++generation_;
-    outdated_ = true;
+void PathController::load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes) {
+    paths_ = paths;
+    recorded_ = takes;
+    forgetEvaluation();
+    countVersion();
     emit evaluatedAnew();
     emit changed();
 }
 
-void PathController::takesChanged() {
-    takes_.reset();
+/// Nothing stands of what was evaluated, nor of what was read for it.
+void PathController::forgetEvaluation() {
+    desk_.tasks.abandon(TaskKind::path);
+    selection_.reset();
+    evaluated_.reset();
+    problem_.reset();
+    matter_.reset();
+    interrupted_ = false;
     ++generation_;
     outdated_ = true;
+}
+
+void PathController::countVersion() {
+    ++version_;
+    emit versionChanged();
+}
+
+void PathController::useTool(const std::string& id) {
+    if (id == tool_) return;
+    tool_ = id;
+    forgetEvaluation();
+    emit evaluatedAnew();
+    emit changed();
+    if (stored() != nullptr) evaluate();
+}
+
+StoredPath* PathController::current() {
+    const auto found =
+        std::ranges::find_if(paths_, [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == tool_; });
+    return found == paths_.end() ? nullptr : &*found;
+}
+
+const StoredPath* PathController::stored() const noexcept {
+    return const_cast<PathController*>(this)->current();
+}
+
+std::vector<StoredPath> PathController::jobPaths() const {
+    std::vector<StoredPath> firsts;
+    for (const StoredPath& path : paths_)
+        if (!toolOf(path.id).empty() && isFirstOfItsTool(path, paths_, recorded_)) firsts.push_back(path);
+    return firsts;
+}
+
+std::string PathController::toolOf(std::int64_t path) const {
+    const auto found = std::ranges::find(paths_, path, &StoredPath::id);
+    return found == paths_.end() ? std::string() : burin::toolOf(*found, recorded_);
+}
+
+std::vector<std::string> PathController::toolsWithoutPath() const {
+    std::vector<std::string> tools;
+    for (const TakeInfo& take : recorded_) {
+        const bool known = std::ranges::find(tools, take.toolId) != tools.end();
+        const bool used = std::ranges::any_of(
+            paths_, [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == take.toolId; });
+        if (!known && !used) tools.push_back(take.toolId);
+    }
+    return tools;
+}
+
+bool PathController::hasTakes() const {
+    return std::ranges::find(recorded_, tool_, &TakeInfo::toolId) != recorded_.end();
+}
+
+void PathController::takesChanged(const std::vector<TakeInfo>& takes) {
+    recorded_ = takes;
+    matter_.reset();
+    ++generation_;
+    outdated_ = true;
+    countVersion();
+    emit changed();
+}
+
+void PathController::benchChanged() {
+    outdated_ = true;
+    countVersion();
+    if (stored() != nullptr) evaluate();
     emit changed();
 }
 
 void PathController::makeNew() {
-    if (stored_) stored_->edits = standardEdits();
+    if (StoredPath* path = current()) path->edits = standardEdits();
+    countVersion();
     evaluate();
 }
 
 void PathController::changeEdit(std::size_t index, const Edit& edit) {
-    if (!stored_ || index >= stored_->edits.size()) return;
-    std::vector<Edit> edits = stored_->edits;
+    const StoredPath* path = stored();
+    if (path == nullptr || index >= path->edits.size()) return;
+    std::vector<Edit> edits = path->edits;
     if (toJson(edits[index]) == toJson(edit)) return;
     edits[index] = edit;
     push(tr("change of an edit"), std::move(edits));
 }
 
-void PathController::addEdit(const Edit& edit) {
-    if (!stored_) return;
-    push(tr("new edit"), withEdit(stored_->edits, selection_ ? meantFor(edit, *selection_) : edit));
+std::size_t PathController::addEdit(const Edit& edit) {
+    const StoredPath* path = stored();
+    if (path == nullptr) return 0;
+    const std::size_t place = placeFor(path->edits, edit);
+    push(tr("new edit"), withEdit(path->edits, place, selection_ ? meantFor(edit, *selection_) : edit));
+    return place;
 }
 
 void PathController::select(const Moment& moment) {
@@ -156,9 +212,10 @@ void PathController::clearSelection() {
 }
 
 void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MovePoints::Along along) {
-    if (!stored_ || by == glm::dvec3(0.0)) return;
+    const StoredPath* path = stored();
+    if (path == nullptr || by == glm::dvec3(0.0)) return;
     const TakeStretch stretch{moment.take, moment.tick, moment.tick};
-    std::vector<Edit> edits = stored_->edits;
+    std::vector<Edit> edits = path->edits;
     const auto same = std::ranges::find_if(edits, [&](const Edit& edit) {
         const auto* moves = std::get_if<MovePoints>(&edit.parameters);
         return moves != nullptr && edit.enabled && moves->stretch == stretch && moves->along == along;
@@ -170,29 +227,32 @@ void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MoveP
         moves.stretch = stretch;
         moves.by = by;
         moves.along = along;
-        edits = withEdit(edits, {moves});
+        edits = withEdit(edits, placeFor(edits, {moves}), {moves});
     }
     push(tr("place of the path"), std::move(edits));
 }
 
 void PathController::replaceSelection(const std::vector<glm::dvec3>& places) {
-    if (!stored_ || !selection_ || places.size() < 2) return;
+    const StoredPath* path = stored();
+    if (path == nullptr || !selection_ || places.size() < 2) return;
     ReplaceStretch replaces;
     replaces.stretch = *selection_;
     replaces.places = places;
-    push(tr("drawn stroke"), withEdit(stored_->edits, {replaces}));
+    push(tr("drawn stroke"), withEdit(path->edits, placeFor(path->edits, {replaces}), {replaces}));
 }
 
 void PathController::removeEdit(std::size_t index) {
-    if (!stored_ || index >= stored_->edits.size()) return;
-    std::vector<Edit> edits = stored_->edits;
+    const StoredPath* path = stored();
+    if (path == nullptr || index >= path->edits.size()) return;
+    std::vector<Edit> edits = path->edits;
     edits.erase(edits.begin() + static_cast<std::ptrdiff_t>(index));
     push(tr("removal of an edit"), std::move(edits));
 }
 
 void PathController::moveEdit(std::size_t from, std::size_t to) {
-    if (!stored_ || from >= stored_->edits.size() || to >= stored_->edits.size() || from == to) return;
-    std::vector<Edit> edits = stored_->edits;
+    const StoredPath* path = stored();
+    if (path == nullptr || from >= path->edits.size() || to >= path->edits.size() || from == to) return;
+    std::vector<Edit> edits = path->edits;
     const Edit moved = edits[from];
     edits.erase(edits.begin() + static_cast<std::ptrdiff_t>(from));
     edits.insert(edits.begin() + static_cast<std::ptrdiff_t>(to), moved);
@@ -200,57 +260,71 @@ void PathController::moveEdit(std::size_t from, std::size_t to) {
 }
 
 void PathController::push(const QString& text, std::vector<Edit> edits) {
-    desk_.undo.push(new ValueCommand<std::vector<Edit>>(text, -1, stored_->edits, std::move(edits),
-                                                        [this](const std::vector<Edit>& value) { apply(value); }));
+    const StoredPath& path = *stored();
+    desk_.undo.push(new ValueCommand<std::vector<Edit>>(
+        text, -1, path.edits, std::move(edits),
+        [this, id = path.id](const std::vector<Edit>& value) { apply(id, value); }));
 }
 
-void PathController::apply(const std::vector<Edit>& edits) {
-    if (!stored_) return;
-    stored_->edits = edits;
-    store([path = *stored_](Project& project) { return project.setPath(path); });
+void PathController::apply(std::int64_t id, const std::vector<Edit>& edits) {
+    const auto path = std::ranges::find(paths_, id, &StoredPath::id);
+    if (path == paths_.end()) return;
+    path->edits = edits;
+    store([path = *path](Project& project) { return project.setPath(path); });
+    countVersion();
+    if (&*path != stored()) return;
     outdated_ = true;
     evaluate();
 }
 
 void PathController::evaluate() {
     if (!bench_.bench()) return;
-    if (takes_ && takesTool_ == bench_.bench()->tool.id)
-        evaluateTakes(takes_);
+    if (matter_)
+        evaluateMatter();
     else if (!reading_)
         readTakes();
 }
 
 void PathController::readTakes() {
     reading_ = true;
-    const std::string toolId = bench_.bench()->tool.id;
-    desk_.project.post([stored = stored_, toolId](Project& project) { return gather(project, stored, toolId); },
-                       [this, toolId, generation = generation_](Result<PathMatter> matter) {
+    const std::optional<StoredPath> path = stored() ? std::optional(*stored()) : std::nullopt;
+    desk_.project.post([path, tool = tool_](Project& project) { return gather(project, path, tool); },
+                       [this, tool = tool_, generation = generation_](Result<PathMatter> matter) {
                            reading_ = false;
-                           if (!matter) {
-                               problem_ = matter.error();
-                               emit changed();
+                           if (generation != generation_) { // recordings or tool changed while they were read
+                               if (tool == tool_ || stored() != nullptr) readTakes();
                                return;
                            }
-                           // Edits may have been changed meanwhile.
-                           if (stored_) matter->path.edits = stored_->edits;
-                           stored_ = std::move(matter->path);
-                           if (generation != generation_) { // recordings changed while they were read
-                               readTakes();
+                           if (matter) {
+                               take(std::move(*matter));
                                return;
                            }
-                           takes_ = std::move(matter->takes);
-                           takesTool_ = toolId;
-                           evaluateTakes(takes_);
+                           problem_ = matter.error();
+                           emit changed();
                        });
     emit changed();
 }
 
-void PathController::evaluateTakes(const Takes& takes) {
+void PathController::take(PathMatter matter) {
+    const auto same = std::ranges::find(paths_, matter.path.id, &StoredPath::id);
+    if (same == paths_.end()) {
+        paths_.push_back(std::move(matter.path));
+        countVersion();
+    } else {
+        same->takes = std::move(matter.path.takes); // its edits may have been changed meanwhile
+    }
+    matter_ = std::make_shared<const Recorded>(Recorded{std::move(matter.takes), std::move(matter.tool)});
+    evaluateMatter();
+}
+
+void PathController::evaluateMatter() {
     const std::shared_ptr<Bench> bench = bench_.bench();
-    if (!bench || !stored_) return;
+    if (!bench || stored() == nullptr) return;
     desk_.tasks.start(
         TaskKind::path, tr("Editing the path"),
-        [takes, bench, path = *stored_](Progress& progress) { return evaluateStored(*takes, *bench, path, progress); },
+        [matter = matter_, bench, path = *stored()](Progress& progress) {
+            return evaluateStored(matter->takes, *bench, matter->tool, path, progress);
+        },
         [this](Result<EvaluatedPath> outcome) { take(std::move(outcome)); });
     emit changed();
 }
@@ -259,7 +333,7 @@ void PathController::take(Result<EvaluatedPath> outcome) {
     if (outcome) {
         evaluated_ = std::make_shared<const EvaluatedPath>(std::move(*outcome));
         problem_.reset();
-        outdated_ = takes_ == nullptr;
+        outdated_ = matter_ == nullptr;
         emit evaluatedAnew();
     } else {
         problem_ = outcome.error();

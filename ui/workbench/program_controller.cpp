@@ -7,20 +7,47 @@
 #include "core/verify/report_json.h"
 #include "ui/workbench/value_command.h"
 
+#include <algorithm>
+#include <chrono>
+
 namespace burin {
 
 ProgramController::ProgramController(const Desk& desk, BenchController& bench, PathController& path,
                                      const TargetController& target, QObject* parent)
-    : Controller(desk, parent), bench_(bench), path_(path), target_(target) {}
+    : Controller(desk, parent), bench_(bench), path_(path), target_(target) {
+    draftDue_.setSingleShot(true);
+    draftDue_.setInterval(std::chrono::seconds(1));
+    connect(&draftDue_, &QTimer::timeout, this, &ProgramController::storeDraft);
+}
 
-void ProgramController::load(const std::vector<StoredProgram>& programs) {
+void ProgramController::storeDraft() {
+    store([draft = edited_ ? storedText_.toStdString() : std::string()](Project& project) {
+        return project.setProgramDraft(draft);
+    });
+}
+
+void ProgramController::keepDraft() {
+    if (!draftDue_.isActive()) return;
+    draftDue_.stop();
+    storeDraft();
+}
+
+void ProgramController::load(const std::vector<StoredProgram>& programs, const std::string& draft) {
+    draftDue_.stop();
     desk_.tasks.abandon(TaskKind::program);
     program_.reset();
     problem_.reset();
     outdated_ = true;
-    edited_ = false;
+    edited_ = reading_ = false;
+    ++generation_;
+    leftOut_.clear();
     lint_.clear();
     storedText_ = programs.empty() ? QString() : QString::fromStdString(programs.back().text);
+    if (!draft.empty()) {
+        storedText_ = QString::fromStdString(draft);
+        edited_ = true;
+        lintText();
+    }
     emit changed();
 }
 
@@ -49,27 +76,90 @@ ProgramRequest ProgramController::request(const QString& name) const {
     ProgramRequest request;
     request.name = name.toStdString();
     request.dialect = target_.dialect();
+    request.units = target_.target().units;
     request.gougeTolerance = gougeTolerance_;
     return request;
 }
 
+bool ProgramController::postable() const {
+    const bool upToDate = path_.stored() == nullptr || (path_.evaluated() && !path_.outdated());
+    return upToDate && !postedPaths().empty() && bench_.bench();
+}
+
+std::vector<StoredPath> ProgramController::postedPaths() const {
+    std::vector<StoredPath> paths = path_.jobPaths();
+    std::erase_if(paths, [this](const StoredPath& path) { return !includes(path.id); });
+    return paths;
+}
+
+StoredProgram ProgramController::stored(const ProgramRequest& request) const {
+    return {request.name, request.dialect, bench_.bench()->machine.id, {}, {}};
+}
+
+void ProgramController::include(std::int64_t path, bool wanted) {
+    if (wanted == includes(path)) return;
+    wanted ? static_cast<void>(leftOut_.erase(path)) : static_cast<void>(leftOut_.insert(path));
+    outdated_ = true;
+    emit changed();
+}
+
 void ProgramController::post(const QString& name) {
-    if (!bench_.bench() || !path_.evaluated()) return;
+    if (!postable() || busy()) return;
     const ProgramRequest wanted = request(name);
+    read(postedPaths(), [this, wanted](Matters matters) { postPaths(std::move(matters), wanted); });
+}
+
+void ProgramController::read(const std::vector<StoredPath>& paths, std::function<void(Matters)> then) {
+    reading_ = true;
+    desk_.project.ask(
+        [paths](Project& project) -> Result<Matters> {
+            const Result<std::vector<TakeInfo>> takes = project.takes();
+            if (!takes) return takes.error();
+            Matters matters;
+            for (StoredPath path : paths) {
+                addNewerTakes(path, *takes);
+                Result<PathMatter> matter = matterOf(project, path);
+                if (!matter) return std::move(matter).error();
+                matters.push_back(std::move(*matter));
+            }
+            return matters;
+        },
+        [this, then = std::move(then), generation = generation_](Result<Matters> matters) {
+            if (generation != generation_) return; // another project
+            reading_ = false;
+            if (matters && bench_.bench()) {
+                then(std::move(*matters));
+            } else if (!matters) {
+                problem_ = matters.error();
+            }
+            emit changed();
+        });
+    emit changed();
+}
+
+void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted) {
+    if (path_.stored() != nullptr && !path_.outdated()) { // what the view shows is evaluated already
+        const auto shown =
+            std::ranges::find(matters, path_.stored()->id, [](const PathMatter& m) { return m.path.id; });
+        if (shown != matters.end()) shown->evaluated = path_.evaluated();
+    }
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
-        [bench = bench_.bench(), path = path_.evaluated(), wanted](Progress& progress) {
-            return makeProgram(*bench, path->path, wanted, progress);
+        [bench = bench_.bench(), matters = std::move(matters), wanted](Progress& progress) -> Result<CheckedProgram> {
+            Result<EvaluatedPaths> paths = evaluateInOrder(*bench, matters, progress);
+            if (!paths) return std::move(paths).error();
+            return makeProgram(*bench, paths->program, wanted, progress);
         },
-        [this, posted = StoredProgram{wanted.name, wanted.dialect, bench_.bench()->machine.id, {}, {}}](
-            Result<CheckedProgram> outcome) { take(posted, std::move(outcome)); });
-    emit changed();
+        [this, posted = stored(wanted), version = path_.version()](Result<CheckedProgram> outcome) {
+            take(posted, version, std::move(outcome));
+        });
 }
 
 void ProgramController::editText(const QString& text) {
     if (text == storedText_) return;
     storedText_ = text;
     edited_ = true;
+    draftDue_.start();
     problem_.reset();
     lintText();
     emit changed();
@@ -77,24 +167,32 @@ void ProgramController::editText(const QString& text) {
 
 void ProgramController::lintText() {
     const auto& bench = bench_.bench();
-    lint_ = burin::lint(storedText_.toStdString(), {&controlOfDialect(target_.dialect()),
-                                                    bench ? &bench->machine : nullptr, bench ? &bench->tool : nullptr});
+    const bool oneTool = bench && path_.jobPaths().size() < 2;
+    lint_ =
+        burin::lint(storedText_.toStdString(), {&controlOfDialect(target_.dialect()), bench ? &bench->machine : nullptr,
+                                                oneTool ? &bench->tool : nullptr});
 }
 
 void ProgramController::checkText(const QString& name) {
-    if (!bench_.bench() || !edited_) return;
+    if (!bench_.bench() || !edited_ || busy()) return;
     const ProgramRequest wanted = request(name);
+    read(path_.jobPaths(), [this, wanted](const Matters& matters) { check(matters, wanted); });
+}
+
+/// The text may call every tool of the job.
+void ProgramController::check(const Matters& matters, ProgramRequest wanted) {
+    for (const PathMatter& matter : matters) wanted.tools.push_back(matter.tool);
     desk_.tasks.start(
         TaskKind::program, tr("Checking"),
         [bench = bench_.bench(), text = storedText_.toStdString(), wanted](Progress& progress) {
             return checkProgram(*bench, text, wanted.name, wanted, progress);
         },
-        [this, posted = StoredProgram{wanted.name, wanted.dialect, bench_.bench()->machine.id, {}, {}}](
-            Result<CheckedProgram> outcome) { take(posted, std::move(outcome)); });
-    emit changed();
+        [this, posted = stored(wanted), version = path_.version()](Result<CheckedProgram> outcome) {
+            take(posted, version, std::move(outcome));
+        });
 }
 
-void ProgramController::take(const StoredProgram& posted, Result<CheckedProgram> outcome) {
+void ProgramController::take(const StoredProgram& posted, quint64 version, Result<CheckedProgram> outcome) {
     if (!outcome) {
         problem_ = outcome.error();
         emit changed();
@@ -102,7 +200,7 @@ void ProgramController::take(const StoredProgram& posted, Result<CheckedProgram>
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*outcome));
     keep(posted, *program);
-    const Shown next{program, QString::fromStdString(program->text), false};
+    const Shown next{program, QString::fromStdString(program->text), false, version};
     edited_ ? change(next) : show(next); // what the user wrote is worth an undo
 }
 
@@ -115,8 +213,8 @@ void ProgramController::keep(const StoredProgram& posted, const CheckedProgram& 
 }
 
 void ProgramController::change(const Shown& next) {
-    desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1, {program_, storedText_, edited_}, next,
-                                            [this](const Shown& value) { show(value); }));
+    desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1, {program_, storedText_, edited_, version_},
+                                            next, [this](const Shown& value) { show(value); }));
 }
 
 void ProgramController::overrideCheck(const QString& name, const QString& reason) {
@@ -129,19 +227,21 @@ void ProgramController::overrideCheck(const QString& name, const QString& reason
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*wanted));
     keep({name.toStdString(), program->dialect, machine.id, {}, {}}, *program);
-    change({program, QString::fromStdString(program->text), false});
+    change({program, QString::fromStdString(program->text), false, version_});
 }
 
 void ProgramController::show(const Shown& shown) {
     problem_.reset();
     program_ = shown.program;
     storedText_ = shown.text;
+    if (edited_ || shown.edited) draftDue_.start();
     edited_ = shown.edited;
     if (edited_)
         lintText();
     else
         lint_ = program_->lint;
-    outdated_ = path_.outdated();
+    version_ = shown.version;
+    outdated_ = version_ != path_.version();
     emit changed();
 }
 

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/project/program_job.h"
+#include "core/project/job_paths.h"
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/target_controller.h"
 
+#include <QTimer>
+
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <set>
 
 namespace burin {
 
@@ -31,11 +35,16 @@ public:
     double gougeTolerance() const noexcept { return gougeTolerance_; } ///< mm
     const std::optional<Error>& problem() const noexcept { return problem_; }
     bool outdated() const noexcept { return outdated_; }
-    bool busy() const { return desk_.tasks.running(TaskKind::program); }
+    bool busy() const { return reading_ || desk_.tasks.running(TaskKind::program); }
+    /// A path of the job belongs into the program; all do until the user leaves one out.
+    bool includes(std::int64_t path) const { return !leftOut_.contains(path); }
     bool refused() const noexcept { return program_ && !program_->released() && !outdated_ && !edited_; }
     bool exportable() const noexcept { return program_ && program_->released() && !outdated_ && !edited_; }
 
-    void post(const QString& name); ///< @param name of the program
+    /// There is a path that belongs into it, and that of the tool in force is up to date.
+    bool postable() const;
+    void post(const QString& name); ///< all paths of the job that belong into it. @param name of the program
+    void include(std::int64_t path, bool wanted);
     /// Gives a refused program, posted or written by hand, the reason why it is wanted; an entry of the undo stack.
     void overrideCheck(const QString& name, const QString& reason);
     /// The text as the user wrote it; no program to be exported until it is checked. The editor has an undo of its own;
@@ -47,24 +56,35 @@ public:
     void pathChanged();   ///< what was posted is no longer the path
     void targetChanged(); ///< what was posted is for another machine or control
 
-    void load(const std::vector<StoredProgram>& programs);
+    void keepDraft(); ///< of what the user wrote and nobody checked: now, not in a moment
+
+    /// @param draft text that was edited and not checked; empty: none
+    void load(const std::vector<StoredProgram>& programs, const std::string& draft);
 
 signals:
     void exported(const QString& file);
 
 private:
-    void take(const StoredProgram& posted, Result<CheckedProgram> outcome);
+    void take(const StoredProgram& posted, quint64 version, Result<CheckedProgram> outcome);
     /// What the panel shows: a checked program, and the text, which may have been edited since.
     struct Shown {
         std::shared_ptr<const CheckedProgram> program;
         QString text;
         bool edited = false;
+        quint64 version = 0; ///< of the paths that it was made of
     };
+    std::vector<StoredPath> postedPaths() const;
+    using Matters = std::vector<PathMatter>;
     ProgramRequest request(const QString& name) const;
+    StoredProgram stored(const ProgramRequest& request) const;
+    void read(const std::vector<StoredPath>& paths, std::function<void(Matters)> then);
+    void postPaths(Matters matters, const ProgramRequest& wanted);
+    void check(const Matters& matters, ProgramRequest wanted);
     void show(const Shown& shown);
     void change(const Shown& next);
     void keep(const StoredProgram& posted, const CheckedProgram& program);
     void lintText();
+    void storeDraft();
     void becomeOutdated();
 
     BenchController& bench_;
@@ -73,7 +93,11 @@ private:
     std::shared_ptr<const CheckedProgram> program_;
     QString storedText_;
     std::vector<LintMark> lint_;
-    bool edited_ = false;
+    bool edited_ = false, reading_ = false;
+    quint64 version_ = 0;    ///< of the paths when the program in force was begun
+    quint64 generation_ = 0; ///< of the project
+    std::set<std::int64_t> leftOut_;
+    QTimer draftDue_; ///< the project follows the typing a moment later
     double gougeTolerance_ = 0.02;
     std::optional<Error> problem_;
     bool outdated_ = true;

@@ -11,22 +11,31 @@ namespace burin {
 
 namespace {
 
-std::vector<MachineProfile> library() {
+/// @param faults files that can't be read are added to them
+std::vector<MachineProfile> library(std::vector<Error>& faults) {
     std::vector<MachineProfile> machines;
-    for (const std::string& id : machineIds())
-        if (Result<MachineProfile> machine = loadMachine(id)) machines.push_back(std::move(*machine));
+    for (const std::string& id : machineIds()) {
+        if (Result<MachineProfile> machine = loadMachine(id))
+            machines.push_back(std::move(*machine));
+        else
+            faults.push_back(machine.error());
+    }
     return machines;
 }
 
 } // namespace
 
-TargetController::TargetController(const Desk& desk, QObject* parent) : Controller(desk, parent), machines_(library()) {
-    Result<std::vector<DialectDescription>> known = burin::dialects();
-    if (known)
-        dialects_ = std::move(*known);
-    else // nobody listens yet
+TargetController::TargetController(const Desk& desk, QObject* parent) : Controller(desk, parent) {
+    readLibraries();
+}
+
+void TargetController::readLibraries() {
+    DialectList list = burin::dialects();
+    dialects_ = std::move(list.known);
+    machines_ = library(list.faults);
+    for (const Error& fault : list.faults) // at the beginning nobody listens yet
         QMetaObject::invokeMethod(
-            this, [this, error = known.error()] { emit failed(error); }, Qt::QueuedConnection);
+            this, [this, fault] { emit failed(fault); }, Qt::QueuedConnection);
 }
 
 const MachineProfile& TargetController::machine() const noexcept {
@@ -38,11 +47,15 @@ const MachineProfile& TargetController::machine() const noexcept {
 }
 
 void TargetController::chooseMachine(const std::string& id) {
-    if (id != target_.machine) push(tr("machine"), {id, {}});
+    if (id != target_.machine) push(tr("machine"), {id, {}, target_.units});
 }
 
 void TargetController::chooseDialect(const std::string& dialect) {
-    if (dialect != this->dialect()) push(tr("dialect"), {target_.machine, dialect});
+    if (dialect != this->dialect()) push(tr("dialect"), {target_.machine, dialect, target_.units});
+}
+
+void TargetController::chooseUnits(NcUnits units) {
+    if (units != target_.units) push(tr("units of the program"), {target_.machine, target_.dialect, units});
 }
 
 void TargetController::push(const QString& text, const ProgramTarget& wanted) {
@@ -57,7 +70,7 @@ void TargetController::apply(const ProgramTarget& target) {
 }
 
 void TargetController::load(const ProgramTarget& target) {
-    machines_ = library();
+    readLibraries();
     target_ = target;
     emit changed();
 }

@@ -17,21 +17,23 @@ public:
     TargetController(const Desk& desk, QObject* parent);
 
     const ProgramTarget& target() const noexcept { return target_; }
-    /// Machines that can be chosen; those whose files are damaged are not among them.
+    /// Machines that can be chosen; those whose files are damaged are not among them, and told.
     const std::vector<MachineProfile>& machines() const noexcept { return machines_; }
     /// The one in force; another one stands for it where the project's is not known here.
     const MachineProfile& machine() const noexcept;
-    /// Dialects that can be chosen.
+    /// Dialects that can be chosen; the same holds.
     const std::vector<DialectDescription>& dialects() const noexcept { return dialects_; }
     const std::string& dialect() const noexcept { return target_.dialectFor(machine()); }
 
     // Entries of the undo stack.
     void chooseMachine(const std::string& id); ///< with the dialect of its control
     void chooseDialect(const std::string& dialect);
+    void chooseUnits(NcUnits units); ///< of the programs' texts
 
     void load(const ProgramTarget& target);
 
 private:
+    void readLibraries();
     void push(const QString& text, const ProgramTarget& wanted);
     void apply(const ProgramTarget& target);
 

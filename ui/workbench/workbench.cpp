@@ -43,12 +43,14 @@ void Workbench::wire() {
     connect(&model, &ModelController::imported, this, [this] {
         undo_.clear();
         bench.clear();
-        path.load({});
-        program.load({});
+        path.load({}, {});
+        program.load({}, {});
         setup.placeAround(model.model());
     });
     connect(&setup, &SetupController::changed, this, &Workbench::updateWanted);
     connect(&surroundings, &Controller::changed, this, [this] { bench.setWanted(surroundings.wanted()); });
+    connect(&bench, &BenchController::obstaclesChanged, &path, &PathController::benchChanged);
+    connect(&bench, &BenchController::machineChanged, &path, &PathController::benchChanged);
     connect(&tool, &ToolController::chosen, this, &Workbench::updateWanted);
     connect(&target, &Controller::changed, this, [this] {
         bench.setWanted(target.machine());
@@ -56,7 +58,7 @@ void Workbench::wire() {
     });
     connect(&mill, &MillController::takesChanged, this, [this] {
         setup.setLocked(mill.recording() || !mill.takes().empty());
-        path.takesChanged();
+        path.takesChanged(mill.takes());
     });
     connect(&session, &SessionRunner::recordingStarted, this, [this] {
         if (!setup.locked()) undo_.clear(); // what is locked now can't be undone any more
@@ -64,7 +66,7 @@ void Workbench::wire() {
     });
     connect(&bench, &Controller::failed, this, [this] { showWhenReady_ = false; });
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
-    connect(&path, &PathController::evaluatedAnew, &program, &ProgramController::pathChanged);
+    connect(&path, &PathController::versionChanged, &program, &ProgramController::pathChanged);
     connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
     connect(&bench, &BenchController::replayed, &mill, &MillController::setStrokes);
     connect(&bench, &BenchController::replayed, this, [this] { // a project that was opened shows its path
@@ -87,8 +89,8 @@ void Workbench::load(const ProjectContents& contents) {
     guides.load(contents.guides);
     mill.load(contents.takes);
     mill.setStrokes({});
-    path.load(contents.paths);
-    program.load(contents.programs);
+    path.load(contents.paths, contents.takes);
+    program.load(contents.programs, contents.programDraft);
     updateWanted();
     if (!contents.takes.empty()) bench.embed();
 }
@@ -99,6 +101,7 @@ void Workbench::clear() {
 
 void Workbench::updateWanted() {
     bench.setWanted(model.model(), setup.setup(), tool.current());
+    path.useTool(tool.current().id);
 }
 
 void Workbench::importPart(const std::filesystem::path& file, bool abandon) {
@@ -143,6 +146,7 @@ void Workbench::redoLast() {
 
 void Workbench::comeToRest(std::function<void()> then) {
     showWhenReady_ = false;
+    program.keepDraft();
     if (showMe.showing()) showMe.stop();
     session.end([then = std::move(then)](bool) { then(); });
 }

@@ -8,6 +8,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace burin::test {
 
@@ -44,6 +46,13 @@ inline bool hasNote(const Model& model, ImportNote::Kind kind) {
     for (const ImportNote& note : model.notes)
         if (note.kind == kind) return true;
     return false;
+}
+
+/// Exact signed distances from a model, mm; none where that failed.
+inline std::vector<double> distances(const Model& model, const std::vector<glm::dvec3>& points) {
+    Progress progress;
+    Result<std::vector<double>> result = exactSignedDistances(model.brep, points, options(), progress);
+    return result ? std::move(*result) : std::vector<double>{};
 }
 
 } // namespace burin::test

@@ -39,12 +39,6 @@ std::vector<glm::dvec3> pointsAround(const Box& box, double margin, std::size_t 
     return points;
 }
 
-std::vector<double> distances(const Model& model, const std::vector<glm::dvec3>& points) {
-    Progress progress;
-    Result<std::vector<double>> result = exactSignedDistances(model.brep, points, options(), progress);
-    return result ? std::move(*result) : std::vector<double>{};
-}
-
 } // namespace
 
 class ExactDistances : public QObject {

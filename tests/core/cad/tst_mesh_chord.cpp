@@ -23,12 +23,6 @@ std::vector<glm::dvec3> pointsOnMesh(const TriangleMesh& mesh, std::size_t count
     return points;
 }
 
-std::vector<double> distances(const Model& model, const std::vector<glm::dvec3>& points) {
-    Progress progress;
-    Result<std::vector<double>> result = exactSignedDistances(model.brep, points, options(), progress);
-    return result ? std::move(*result) : std::vector<double>{};
-}
-
 } // namespace
 
 class MeshChord : public QObject {

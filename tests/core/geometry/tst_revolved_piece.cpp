@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/geometry/grown_pieces.h"
 #include "core/geometry/revolved_piece.h"
 
 #include "tests/core/geometry/random_shapes.h"
@@ -73,6 +74,7 @@ private slots:
     void slopeIsASubgradient();
     void heightsAndRadiiAgreeWithTheDistance();
     void nothingOfThePieceIsFartherThanItsFarthest();
+    void aGrownPieceIsAllThatIsNear();
 };
 
 void RevolvedPieceTest::knownValues() {
@@ -154,6 +156,22 @@ void RevolvedPieceTest::nothingOfThePieceIsFartherThanItsFarthest() {
         RC_ASSERT(std::abs(signedDistance(piece, farthest.radius, farthest.height)) < 1e-7);
         for (const glm::dvec2& point : outline(piece))
             RC_ASSERT(point.x * radial + point.y * axial <= farthest.radius * radial + farthest.height * axial + 1e-9);
+    }));
+}
+
+void RevolvedPieceTest::aGrownPieceIsAllThatIsNear() {
+    QVERIFY(rc::check("a place is in the grown piece when it is no farther from the piece", [] {
+        const double bottom = random::number(-3.0, 3.0);
+        const RevolvedPiece piece{bottom, bottom + random::number(0.1, 10.0), random::number(0.0, 4.0),
+                                  random::number(0.1, 5.0), 0.0};
+        const double by = random::number(0.01, 2.0), radius = random::number(0.0, 8.0);
+        const double height = random::number(piece.bottom - 3.0, piece.top + 3.0);
+        const double distance = signedDistance(piece, radius, height);
+        if (std::abs(distance - by) < 1e-9) return;
+        bool in = false;
+        for (const RevolvedPiece& grown : grownPieces(piece, by))
+            in = in || signedDistance(grown, radius, height) <= 0.0;
+        RC_ASSERT(in == (distance < by));
     }));
 }
 

@@ -87,7 +87,6 @@ private slots:
     void awayGainsClearance();
     void changesNoFasterThanTheToolMoves();
     void askingOneAfterTheOtherIsTheSame();
-    void entersWhereItIsDeeperThanAllowed();
     void toleranceIsKept();
     void withinCaps();
     void emptyMeshIsFree();
@@ -279,23 +278,6 @@ void ToolClearanceTest::askingOneAfterTheOtherIsTheSame() {
             }
         }));
     }
-}
-
-void ToolClearanceTest::entersWhereItIsDeeperThanAllowed() {
-    const MeshDistance distance(shapes::torus(14.0, 6.0, 120, 60));
-    QVERIFY(rc::check("a yes or no is that of the clearance", [&] {
-        const std::vector<RevolvedPiece> tool = wholeTool(*rc::gen::arbitrary<bool>() ? ball(3.0) : flat(3.0));
-        const ToolPose pose{random::point(24.0), random::direction()};
-        const double depth = random::number(0.005, 0.5);
-        const ToolClearance found = distance.clearance(tool, pose);
-        // Depths of a point of the axis are told of tools that are thin beside the solid; there a point of the mesh
-        // decides all the same.
-        if (std::abs(found.clearance + depth) < 1e-6 || found.outward == glm::dvec3(0.0)) return;
-        RC_ASSERT(distance.enters(tool, pose, depth) == (found.clearance < -depth));
-    }));
-    const std::vector<RevolvedPiece> small{{0.0, 1.0, 0.5, 0.5, 0.0}};
-    QVERIFY(distance.enters(small, {{14.0, 0.0, -0.5}, {0.0, 0.0, 1.0}}, 0.1)); // wholly inside
-    QVERIFY(!distance.enters(small, {{0.0, 0.0, -0.5}, {0.0, 0.0, 1.0}}, 0.1)); // in the hole
 }
 
 void ToolClearanceTest::toleranceIsKept() {

@@ -64,6 +64,7 @@ private slots:
         QVERIFY(router->rapids == RapidMode::synchronised);
         QCOMPARE(router->maximumLineLength, 79);
         QVERIFY(router->arcs.radiusMismatch <= 0.005);
+        QVERIFY(router->has(Coolant::off) && !router->has(Coolant::mist) && !router->has(Coolant::flood));
         QVERIFY(router->sources.at("travel_mm").find("SHAPEOKO_3") != std::string::npos);
     }
 
@@ -72,14 +73,21 @@ private slots:
         for (const char* id : {"haas-mill", "fanuc-mill"}) QVERIFY(loadMachine(id)->rapids == RapidMode::independent);
     }
 
+    void aControlMayStateItsBlockRate() {
+        QCOMPARE(loadMachine("haas-mill")->blocksPerSecond, 1000.0);
+        QCOMPARE(loadMachine("fanuc-mill")->blocksPerSecond, 0.0);
+    }
+
     void whatAMachineDoesNotStateHasItsDefault() {
         const Result<MachineProfile> own = machineFromJson(shortProfile, "own.json");
         QVERIFY(own.hasValue());
         QCOMPARE(own->axisRate(1), 3000.0);
         QCOMPARE(own->axisAcceleration(2), 250.0);
         QCOMPARE(own->axisJerks, glm::dvec3(0.0));
+        QCOMPARE(own->blocksPerSecond, 0.0);
         QCOMPARE(own->arcs.largestSweep, 2.0 * pi);
         QCOMPARE(own->toolChangeSeconds, 0.0);
+        QVERIFY(own->has(Coolant::mist) && own->has(Coolant::flood)); // nobody said it hasn't
         QVERIFY(own->dialect.empty() && own->sources.empty());
     }
 

@@ -32,10 +32,10 @@ private slots:
     }
 
     void theShippedOnesAreRead() {
-        const auto all = dialects();
-        QVERIFY2(all, all ? "" : (all.error().subject + all.error().place + all.error().detail).c_str());
+        const DialectList all = dialects();
+        QVERIFY2(all.faults.empty(), all.faults.empty() ? "" : all.faults.front().subject.c_str());
         QStringList ids;
-        for (const DialectDescription& one : *all) {
+        for (const DialectDescription& one : all.known) {
             ids << QString::fromStdString(one.id);
             QVERIFY(one.library.empty() && one.control == one.id && &controlOfDialect(one.id) == findControl(one.id));
         }
@@ -108,15 +108,31 @@ private slots:
         const std::filesystem::path file = userResourceDirectory(dialectResource) / "my-router.json";
         std::filesystem::create_directories(file.parent_path());
         QVERIFY(writeFileAtomically(file, text.toStdString()));
-        const auto all = dialects();
+        const DialectList all = dialects();
         const auto written = posted("my-router", referenceJob(NcUnits::inch, 1));
         const Control& control = controlOfDialect("my-router");
         std::filesystem::remove(file);
-        QVERIFY(all);
-        QCOMPARE(all->size(), std::size_t{7});
+        QVERIFY(all.faults.empty());
+        QCOMPARE(all.known.size(), std::size_t{7});
         QVERIFY(written);
         QVERIFY(written->find("X-.1969 Y.4860") != std::string::npos);
         QVERIFY(&control == findControl("grbl"));
+    }
+
+    /// A figure that is broken in two would be another figure; and no line may begin as an order to the control does.
+    void longCommentsAreBrokenBetweenWords() {
+        NcProgram job = referenceJob(NcUnits::millimetre, 1);
+        job.header = {"Program zero in the frame of the model X5.000 Y5.000 Z14.000",
+                      "Whatever fills a line, the next one begins as DEBUG, #1 and is a comment all the same"};
+        MachineProfile machine = roomyMachine();
+        for (const char* dialect : {"haas", "grbl", "linuxcnc"})
+            for (machine.maximumLineLength = 50; machine.maximumLineLength < 80; ++machine.maximumLineLength) {
+                const auto text = posted(dialect, job, machine);
+                QVERIFY(text);
+                for (const char* figure : {"X5.000", "Y5.000", "Z14.000"})
+                    QVERIFY2(text->find(figure) != std::string::npos, text->c_str());
+                QVERIFY2(text->find("(DEBUG,") == std::string::npos, text->c_str());
+            }
     }
 
     void aUsersFaultyDialectIsNamed() {
@@ -124,7 +140,11 @@ private slots:
         std::filesystem::create_directories(file.parent_path());
         QVERIFY(writeFileAtomically(file, "{\"id\": \"broken\"}"));
         const auto post = loadDialect("broken");
+        const DialectList all = dialects();
         std::filesystem::remove(file);
+        QCOMPARE(all.known.size(), std::size_t{6}); // the others stay
+        QCOMPARE(all.faults.size(), std::size_t{1});
+        QCOMPARE(all.faults.front().subject, file.string());
         QVERIFY(!post);
         QCOMPARE(post.error().code, ErrorCode::resourceInvalid);
         QCOMPARE(post.error().subject, file.string());

@@ -41,13 +41,14 @@ private slots:
 
     void aPluginIsDescribedWithoutRunningIt() {
         install("trace", goodMetadata, "libburin_test_dialect.so");
-        const auto found = dialects(root());
-        QVERIFY(found);
-        QCOMPARE(found->size(), std::size_t{1});
-        QCOMPARE(QString::fromStdString(found->front().id), "trace");
-        QCOMPARE(QString::fromStdString(found->front().name), "Trace");
-        QCOMPARE(QString::fromStdString(found->front().fileSuffix), "nc");
-        QCOMPARE(found->front().interfaceVersion, 2);
+        const DialectList list = dialects(root());
+        QVERIFY(list.faults.empty());
+        const std::vector<DialectDescription>& found = list.known;
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(QString::fromStdString(found.front().id), "trace");
+        QCOMPARE(QString::fromStdString(found.front().name), "Trace");
+        QCOMPARE(QString::fromStdString(found.front().fileSuffix), "nc");
+        QCOMPARE(found.front().interfaceVersion, 2);
         QVERIFY(!QFile::exists(traceFile()));
     }
 
@@ -96,10 +97,11 @@ private slots:
         QByteArray metadata = goodMetadata;
         QVERIFY(metadata.contains(from));
         install("trace", metadata.replace(from, to), "libburin_test_dialect.so");
-        const auto found = dialects(root());
-        QVERIFY(!found);
-        QCOMPARE(found.error().code, ErrorCode::pluginInvalid);
-        QVERIFY(QString::fromStdString(found.error().subject).endsWith("trace/plugin.json"));
+        const DialectList found = dialects(root());
+        QVERIFY(found.known.empty());
+        QCOMPARE(found.faults.size(), std::size_t{1});
+        QCOMPARE(found.faults.front().code, ErrorCode::pluginInvalid);
+        QVERIFY(QString::fromStdString(found.faults.front().subject).endsWith("trace/plugin.json"));
         QVERIFY(!loadDialect("trace", root()));
         QVERIFY(!QFile::exists(traceFile()));
     }
@@ -134,15 +136,15 @@ private slots:
     void oneIdTwiceIsRefused() {
         install("trace", goodMetadata, {});
         install("copy", goodMetadata, {});
-        const auto found = dialects(root());
-        QVERIFY(!found);
-        QCOMPARE(found.error().code, ErrorCode::pluginInvalid);
+        const DialectList found = dialects(root());
+        QCOMPARE(found.faults.size(), std::size_t{1});
+        QCOMPARE(found.faults.front().code, ErrorCode::pluginInvalid);
     }
 
     void aMissingFolderIsAnError() {
-        const auto found = dialects(root() / "nowhere");
-        QVERIFY(!found);
-        QCOMPARE(found.error().code, ErrorCode::fileNotFound);
+        const DialectList found = dialects(root() / "nowhere");
+        QCOMPARE(found.faults.size(), std::size_t{1});
+        QCOMPARE(found.faults.front().code, ErrorCode::fileNotFound);
     }
 
 private:

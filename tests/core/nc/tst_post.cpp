@@ -129,12 +129,13 @@ private slots:
     void eachToolIsASection() {
         Path other = path();
         other.toolId = "flat-6";
+        other.coolant = Coolant::flood;
         const auto refused = toProgram({path(), other}, request(), machine());
         QVERIFY(!refused); // the request names one tool
         QCOMPARE(refused.error().code, ErrorCode::argumentInvalid);
         PostRequest both = request();
-        both.tools["ball-6"] = {1, "Ball", SpindleDirection::clockwise, Coolant::off};
-        both.tools["flat-6"] = {2, "Flat", SpindleDirection::clockwise, Coolant::flood};
+        both.tools["ball-6"] = {1, "Ball", SpindleDirection::clockwise};
+        both.tools["flat-6"] = {2, "Flat", SpindleDirection::clockwise};
         const auto program = toProgram({path(), path(), other}, both, machine());
         QVERIFY(program);
         QCOMPARE(program->sections.size(), std::size_t{2});

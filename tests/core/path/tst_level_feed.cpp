@@ -114,6 +114,18 @@ private slots:
         QVERIFY2(after.mean > 180.0 && after.mean < 206.0, qPrintable(QString::number(after.mean)));
     }
 
+    /// Power is the tangential force times the speed of the flutes.
+    void theSpindleIsNotOverloaded() {
+        LevelFeed edit;
+        edit.target = 400.0;
+        edit.largestChip = 5.0;
+        PathContext weak = barContext();
+        weak.machine.spindlePower = 150.0 * edgeSpeed / 1000.0; // W, at 150 N
+        const Variation free = variationOf(fed({{edit}}), forceAt), held = variationOf(fed({{edit}}, weak), forceAt);
+        QVERIFY2(free.mean > 250.0, qPrintable(QString::number(free.mean)));
+        QVERIFY2(held.mean > 130.0 && held.mean < 155.0, qPrintable(QString::number(held.mean)));
+    }
+
     void theRemovalRateIsLevel() {
         LevelFeed edit;
         edit.goal = LevelFeed::Goal::removal;

@@ -85,8 +85,10 @@ private slots:
             const Tool tool = stubbyTool(*rc::gen::element(CutterType::ball, CutterType::flat));
             std::vector<Edit> edits = linkedEdits;
             for (Edit& edit : edits)
-                if (Link* link = std::get_if<Link>(&edit.parameters))
-                    link->travel = *rc::gen::element(Link::Travel::safe, Link::Travel::lowest);
+                if (Link* link = std::get_if<Link>(&edit.parameters)) {
+                    link->travel = *rc::gen::element(Link::Travel::safe, Link::Travel::lowest, Link::Travel::around);
+                    link->rounding = *rc::gen::element(0.0, 0.7, 5.0);
+                }
             const auto path = run({takeOf(layeredStrokes())}, edits, contextOf(nothing_, tool, stock));
             RC_PRE(static_cast<bool>(path)); // strokes of no length give an empty path
             PointStock left(stock);
@@ -186,6 +188,72 @@ private slots:
         }
     }
 
+    void linksGoRoundAPost() {
+        // 40 mm straight across; the post, the tool's radius and the margin leave 5.5 mm either side of the middle.
+        const Box post{{-2, -2, -3}, {2, 2, 40}};
+        const auto safe = linkedAround({post}, {{-20, 0}, {20, 0}}, Link::Travel::safe, 0.0);
+        const auto around = linkedAround({post}, {{-20, 0}, {20, 0}}, Link::Travel::around, 0.0);
+        QVERIFY(safe && around);
+        const double level = levelLength(around->path.points);
+        QVERIFY2(level > 40.0 && level < 2.0 * std::hypot(14.5, 5.5) + 11.0 + 1.0, qPrintable(QString::number(level)));
+        QVERIFY(rapidLength(around->path.points) < rapidLength(safe->path.points) - 60.0);
+        // A wall right through leaves no way but over it.
+        const Box wall{{-2, -200, -3}, {2, 200, 40}};
+        const auto over = linkedAround({wall}, {{-20, 0}, {20, 0}}, Link::Travel::around, 0.0);
+        QVERIFY(over);
+        const double walled = levelLength(over->path.points);
+        QVERIFY(std::abs(walled - 40.0) < 1e-6 || walled > 400.0);
+        QVERIFY(leastClearance(over->path.points, {wall}) >= margin - 1e-3);
+    }
+
+    void noWayRoundComesTooNear() {
+        int shorter = 0;
+        QVERIFY(rc::check("links keep the margin, and are no longer than over everything", [&] {
+            std::vector<Box> posts;
+            const int count = *rc::gen::inRange(1, 5);
+            for (int i = 0; i < count; ++i) {
+                const glm::dvec3 at(*rc::gen::inRange(-9, 9), *rc::gen::inRange(-24, 24), -3.0);
+                posts.push_back(
+                    {at, at + glm::dvec3(*rc::gen::inRange(1, 5), *rc::gen::inRange(1, 15), *rc::gen::inRange(2, 45))});
+            }
+            const auto end = [] { return 1.0 * *rc::gen::inRange(-20, 20); };
+            const std::vector<glm::dvec2> ends{{-20, end()}, {20, end()}, {-20, end()}};
+            const auto safe = linkedAround(posts, ends, Link::Travel::safe, 0.0);
+            const auto around = linkedAround(posts, ends, Link::Travel::around, 0.0);
+            const auto smooth = linkedAround(posts, ends, Link::Travel::around, 4.0);
+            RC_ASSERT(safe && around && smooth);
+            RC_ASSERT(leastClearance(around->path.points, posts) >= margin - 1e-3);
+            RC_ASSERT(leastClearance(smooth->path.points, posts) >= margin - 1e-3);
+            RC_ASSERT(rapidLength(around->path.points) <= rapidLength(safe->path.points) + 1e-6);
+            RC_ASSERT(rapidLength(smooth->path.points) <= rapidLength(around->path.points) + 1e-6);
+            shorter += rapidLength(around->path.points) < rapidLength(safe->path.points) - 5.0 ? 1 : 0;
+        }));
+        QVERIFY2(shorter > 20, qPrintable(QString::number(shorter)));
+    }
+
+    void roundedLinksTurnLittleByLittle() {
+        const auto sharpest = [](const std::vector<PathPoint>& points) {
+            double most = 0.0;
+            for (std::size_t i = 2; i < points.size(); ++i) {
+                if (points[i].kind != MoveKind::rapid || points[i - 1].kind != MoveKind::rapid) continue;
+                const glm::dvec3 before = points[i - 1].tip - points[i - 2].tip, on = points[i].tip - points[i - 1].tip;
+                if (glm::length(before) < 1e-6 || glm::length(on) < 1e-6) continue;
+                const double cosine = glm::dot(glm::normalize(before), glm::normalize(on));
+                most = std::max(most, std::acos(std::clamp(cosine, -1.0, 1.0)));
+            }
+            return most;
+        };
+        const std::vector<glm::dvec2> ends{{-20, 0}, {20, 10}};
+        const auto between = [&](double rounding) {
+            auto path = linkedAround({}, ends, Link::Travel::safe, rounding);
+            auto& points = path->path.points; // the first way down begins nowhere
+            points.erase(points.begin(), std::ranges::find(points, MoveKind::retract, &PathPoint::kind));
+            return points;
+        };
+        QVERIFY(sharpest(between(0.0)) > 1.5);
+        QVERIFY(sharpest(between(2.0)) < 0.35);
+    }
+
     void aClearedPlaceIsReachedRapidly() {
         // The same slot twice: the second time there is nothing left to plunge into.
         std::vector<Tick> ticks = along({{-10, 0, -4}, {10, 0, -4}}, 40.0);
@@ -230,6 +298,58 @@ private:
         append(ticks, along({{10, 0, z}, {10, 0, 4}, {10, apart, 4}, {10, apart, z}}, 40.0, false));
         append(ticks, along({{10, apart, z}, {-10, apart, z}}, 40.0));
         return ticks;
+    }
+    static constexpr double margin = 0.5, radius = 3.0;
+
+    /// Short strokes at some places, one after the other, with posts between them.
+    static Result<EvaluatedPath> linkedAround(const std::vector<Box>& posts, const std::vector<glm::dvec2>& ends,
+                                              Link::Travel travel, double rounding) {
+        static const MeshDistance nothing{TriangleMesh{}};
+        std::vector<Obstacle> obstacles;
+        for (const Box& post : posts) {
+            Obstacle obstacle;
+            obstacle.shape = post;
+            obstacle.margin = margin;
+            obstacles.push_back(obstacle);
+        }
+        PathContext context = contextOf(nothing, ballTool(2.0 * radius), {{-30, -30, -20}, {30, 30, 0}});
+        context.obstacles = solidsOf(obstacles);
+        std::vector<Tick> ticks;
+        for (const glm::dvec2& end : ends) {
+            const glm::dvec3 from(end, -1.0), to = from + glm::dvec3(end.x < 0.0 ? -4.0 : 4.0, 0.0, 0.0);
+            append(ticks, along({from, to}, 100.0));
+            append(ticks, along({to, from}, 100.0));
+            append(ticks, along({from, from + glm::dvec3(0.0, 0.0, 60.0)}, 400.0, false));
+        }
+        Link link;
+        link.travel = travel;
+        link.rounding = rounding;
+        return run({takeOf(ticks)}, {{DropAirCuts{}}, {Simplify{}}, {link}}, context);
+    }
+    static double rapidLength(const std::vector<PathPoint>& points) {
+        double length = 0.0;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (points[i].kind == MoveKind::rapid) length += glm::distance(points[i - 1].tip, points[i].tip);
+        return length;
+    }
+    /// Of the rapids, in plan.
+    static double levelLength(const std::vector<PathPoint>& points) {
+        double length = 0.0;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (points[i].kind == MoveKind::rapid)
+                length += glm::distance(glm::dvec2(points[i - 1].tip), glm::dvec2(points[i].tip));
+        return length;
+    }
+    /// Of all moves: the tool is a ball with a shaft as wide, its holder is above everything.
+    static double leastClearance(const std::vector<PathPoint>& points, const std::vector<Box>& posts) {
+        double least = 1e9;
+        walk(points, 0.25, [&](const PathPoint&, const glm::dvec3& tip) {
+            for (const Box& post : posts) {
+                const glm::dvec3 from(tip.x, tip.y, std::max(tip.z + radius, post.low.z)); // nearest of the axis
+                least = std::min(least, glm::distance(from, glm::clamp(from, post.low, post.high)) - radius);
+            }
+        });
+        return least;
     }
     const MeshDistance nothing_{TriangleMesh{}};
 };

@@ -248,4 +248,15 @@ bool identical(const Model& one, const Model& other) {
            });
 }
 
+Model modelNamed(const std::string& name) {
+    Model named = model();
+    named.bodies.front().name = name;
+    return named;
+}
+
+std::string nameIn(const Project& project) {
+    const Result<Model> held = project.model();
+    return held ? held->bodies.front().name : "none: " + held.error().detail;
+}
+
 } // namespace burin::fixture

@@ -16,6 +16,10 @@ std::vector<Sample> handSamples(std::size_t first, std::size_t count);
 TakeInfo takeInfo(const char* name);
 /// Two bodies, one without a colour, with notes and bytes that pose as a B-rep.
 Model model();
+/// The same, told from others by the name of its first body.
+Model modelNamed(const std::string& name);
+/// That name in a project; "none" and why, where there is no model.
+std::string nameIn(const Project& project);
 Setup setup();
 std::vector<Property> materials();
 Tool tool();

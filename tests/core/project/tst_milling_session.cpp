@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/project/job_paths.h"
 #include "core/project/milling.h"
 #include "core/project/milling_session.h"
-#include "core/project/program_job.h"
 #include "tests/core/project/session_stage.h"
 
 #include <QTemporaryDir>
@@ -110,7 +110,7 @@ private slots:
         QVERIFY(hovering >= std::size_t{3 * StrokeHand::backTicks});
         // No place of it gets into a path.
         Progress progress;
-        StoredPath stored = *standardPath(stage.project);
+        StoredPath stored = *standardPath(stage.project, stage.bench.tool.id);
         stored.edits.clear();
         const Result<EvaluatedPath> path = evaluateStored(stage.project, stage.bench, stored, progress);
         QVERIFY(path);
@@ -332,7 +332,8 @@ private slots:
         QVERIFY(session->newestView(view) && linesOf(view.workpiece) == seen);
     }
 
-    /// When the volume's memory runs out, old strokes are packed and milling goes on; all of them can still be taken back.
+    /// When the volume's memory runs out, old strokes are packed and milling goes on; all of them can still be taken
+    /// back.
     void oldStrokesMakeRoomForNewCuts() {
         const QTemporaryDir folder;
         Stage stage(fileIn(folder));

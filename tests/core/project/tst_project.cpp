@@ -194,6 +194,22 @@ private slots:
         QCOMPARE(texts(*project->tools()), texts(std::vector{longer}));
     }
 
+    void whatProgramsAreForComesBack() {
+        const QTemporaryDir folder;
+        const ProgramTarget wanted{"haas-mill", "fanuc", NcUnits::inch};
+        const std::string draft = "G21\n(\"Gr\xc3\xbc\xc3\x9f\" \\ 100 %)\nM2\n";
+        {
+            Result<Project> project = Project::create(fileIn(folder));
+            QVERIFY(project->programTarget()->units == NcUnits::millimetre && project->programDraft()->empty());
+            QVERIFY(project->setProgramTarget(wanted) && project->setProgramDraft(draft) && project->save());
+        }
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(*project->programTarget() == wanted);
+        QCOMPARE(*project->programDraft(), draft);
+        QVERIFY(project->setProgramDraft({}));
+        QVERIFY(project->programDraft()->empty());
+    }
+
     void pathsKnowTheirTakes() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));

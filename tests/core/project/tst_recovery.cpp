@@ -14,23 +14,13 @@
 
 using namespace burin;
 namespace fs = std::filesystem;
+using fixture::modelNamed, fixture::nameIn;
 
 namespace {
 
-Model modelNamed(const std::string& name) {
-    Model model = fixture::model();
-    model.bodies.front().name = name;
-    return model;
-}
-
-std::string nameIn(const Project& project) {
-    const Result<Model> model = project.model();
-    return model ? model->bodies.front().name : std::string("none");
-}
-
 std::string nameInFile(const fs::path& file) {
     Result<Project> project = Project::open(file);
-    return project ? nameIn(*project) : std::string("none");
+    return project ? nameIn(*project) : std::string("not opened");
 }
 
 bool saveAs(const fs::path& file, const std::string& name) {

@@ -9,20 +9,13 @@
 
 using namespace burin;
 namespace fs = std::filesystem;
+using fixture::modelNamed;
 
 namespace {
 
-Model modelNamed(const std::string& name) {
-    Model model = fixture::model();
-    model.bodies.front().name = name;
-    return model;
-}
-
 std::string nameIn(const fs::path& file) {
     const Result<Project> project = Project::open(file);
-    if (!project) return "not opened";
-    const Result<Model> model = project->model();
-    return model ? model->bodies.front().name : "no model";
+    return project ? fixture::nameIn(*project) : "not opened";
 }
 
 QStringList filesIn(const QTemporaryDir& folder) {

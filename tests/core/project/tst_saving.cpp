@@ -15,6 +15,7 @@
 using namespace burin;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
+using fixture::modelNamed, fixture::nameIn;
 
 namespace {
 
@@ -24,17 +25,6 @@ Outcome outcomeOf(const Result<void>& result) {
     if (result) return saved;
     if (result.error().code == ErrorCode::diskFull) return fullDisk;
     return result.error().code == ErrorCode::fileNotWritable ? noRights : other;
-}
-
-Model modelNamed(const std::string& name) {
-    Model model = fixture::model();
-    model.bodies.front().name = name;
-    return model;
-}
-
-std::string nameIn(const Project& project) {
-    const Result<Model> model = project.model();
-    return model ? model->bodies.front().name : std::string("none: ") + model.error().detail;
 }
 
 /// A saved project whose model is "old", closed again.

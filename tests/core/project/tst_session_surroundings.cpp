@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/project/job_paths.h"
 #include "core/project/milling_session.h"
-#include "core/project/program_job.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/core/project/part_bench.h"
 #include "tests/core/project/session_stage.h"
@@ -291,7 +291,7 @@ private slots:
         request.takeName = "leaning";
         const auto session = stage.begin(request);
         QVERIFY(session && await([&] { return session->ended(); }) && session->end());
-        const Result<StoredPath> path = standardPath(stage.project);
+        const Result<StoredPath> path = standardPath(stage.project, stage.bench.tool.id);
         Progress progress;
         const Result<EvaluatedPath> evaluated = evaluateStored(stage.project, stage.bench, *path, progress);
         QVERIFY(!evaluated);

@@ -92,6 +92,10 @@ private slots:
     void dwellsAndToolChangesCount();
     void nothingIsFasterThanWithoutAcceleration();
     void feedsMayBeTimesOrTurns();
+    void theProgramSaysHowCornersAreTaken();
+    void jerkRoundsARamp();
+    void jerkCostsTimeAndNoneWithoutLimit();
+    void aControlCarriesOutSoManyBlocks();
 };
 
 void MachineTimeTest::aMoveIsATrapezoid() {
@@ -235,6 +239,94 @@ void MachineTimeTest::feedsMayBeTimesOrTurns() {
     machine.acceleration = 0.0;                                                                 // without limit
     QVERIFY(near(secondsFrom(read(begin + "G93\nG1 X30 F10\n"), firstLine + 1, machine), 6.0)); // a tenth of a minute
     QVERIFY(near(secondsFrom(read(begin + "G95\nG1 X30 F0.003\n"), firstLine + 1, machine), 60.0)); // 10,000 turns
+}
+
+/// Under LinuxCNC the program's own words count, whatever the machine is set to.
+void MachineTimeTest::theProgramSaysHowCornersAreTaken() {
+    const std::string corner = begin + "G1 X20 F3000\nY20\n", bend = begin + "G1 X20 F3000\nX40\nY20\n";
+    const auto seconds = [](const std::string& text, const MachineProfile& machine) {
+        return secondsFrom(read(text), firstLine + 1, machine);
+    };
+    MachineProfile fine = mill(JunctionRule::blend), coarse = fine;
+    coarse.junctionTolerance = 0.2;
+    for (const JunctionRule rule : {JunctionRule::blend, JunctionRule::deviation, JunctionRule::exactStop}) {
+        QVERIFY(near(seconds("G64 P0.2\n" + corner, mill(rule)), seconds("F1\n" + corner, coarse)));
+        QVERIFY(near(seconds("G64 P0.01\n" + corner, mill(rule)), seconds("F1\n" + corner, fine)));
+        QVERIFY(near(seconds("G61.1\n" + bend, mill(rule)), seconds("F1\n" + bend, mill(JunctionRule::exactStop))));
+    }
+    QVERIFY(near(secondsFrom(read("G20 G64 P0.01\nG21\n" + corner), firstLine + 2, fine),
+                 secondsFrom(read("G21\nG64 P0.254\n" + corner), firstLine + 2, fine)));
+    // G61 stops where the way bends and goes on where it does not.
+    const double v = 50.0, twenty = 20.0 / v + v / a, forty = 40.0 / v + v / a;
+    QVERIFY(near(seconds("G61\n" + corner, fine), 2.0 * twenty));
+    QVERIFY(near(seconds("G61\n" + bend, fine), forty + twenty));
+    const std::vector<StatedPathMode> stated =
+        statedPathModes(read("G64 P0.2\n" + begin + "G1 X5 F300\nG61.1\nX6\nG64\nX7\nX8\n"));
+    QCOMPARE(stated.size(), std::size_t{3});
+    QVERIFY(stated[0].mode == PathMode::blend && stated[0].tolerance == 0.2 && stated[0].line == 5);
+    QVERIFY(stated[1].mode == PathMode::exactStop && stated[1].line == 8);
+    QVERIFY(stated[2].mode == PathMode::blend && stated[2].tolerance == 0.0 && stated[2].line == 10);
+    QVERIFY(statedPathModes(read(corner)).empty());
+    // Without P it leaves the path as far as half of a block: as with a tolerance of many millimetres.
+    coarse.junctionTolerance = 100.0;
+    QVERIFY(near(seconds("G64\n" + corner, fine), seconds("F1\n" + corner, coarse)));
+}
+
+/// One move from rest to rest: L / v + v / a + a / j where both limits are reached, else by the ramps' own formulas.
+void MachineTimeTest::jerkRoundsARamp() {
+    const double j = 10000.0;
+    MachineProfile machine = mill();
+    machine.axisJerks = glm::dvec3(j);
+    const auto seconds = [&](const std::string& move) { return secondsFrom(read(begin + move), firstLine, machine); };
+    // a²/j = 25 mm/s: at 50 mm/s the acceleration is reached, at 20 it is not.
+    QVERIFY(near(seconds("G1 X100 F3000\n"), 100.0 / 50.0 + 50.0 / a + a / j));
+    QVERIFY(near(seconds("G1 X100 F1200\n"), 100.0 / 20.0 + 2.0 * std::sqrt(20.0 / j)));
+    // Too short for its feed and for its acceleration: four equal stretches of jerk, L = 2 j (t / 4)³.
+    QVERIFY(near(seconds("G1 X0.5 F6000\n"), 4.0 * std::cbrt(0.5 / (2.0 * j))));
+    // Divided into blocks in line it is the same move.
+    std::string blocks = "G1 F3000\n";
+    for (int i = 1; i <= 400; ++i) blocks += "X" + std::to_string(0.25 * i) + "\n";
+    QVERIFY(near(secondsFrom(read(begin + blocks), firstLine + 1, machine), 100.0 / 50.0 + 50.0 / a + a / j));
+    // Rapids of independent axes are S-curves of their own; 3 : 4 : 5 has 5/4 of the jerk of its longer axis.
+    machine.rapids = RapidMode::independent;
+    QVERIFY(near(seconds("G0 X100 Y20\n"), 100.0 / 100.0 + 100.0 / a + a / j));
+    machine.axisJerks = {4.0 * j, j, j};
+    QVERIFY(near(seconds("G1 X60 Y80 F3000\n"), 100.0 / 50.0 + 50.0 / (1.25 * a) + a / j));
+}
+
+void MachineTimeTest::jerkCostsTimeAndNoneWithoutLimit() {
+    const bool holds = rc::check("the less jerk, the more time", [] {
+        std::string text = begin + "G1 F3000\n";
+        const int count = *rc::gen::inRange(1, 20);
+        for (int i = 0; i < count; ++i) {
+            const auto place = [] { return std::to_string(*rc::gen::inRange(-3000, 3000) / 100.0); };
+            text += "X" + place() + " Y" + place() + " Z" + place() + "\n";
+        }
+        const ParsedProgram program = read(text);
+        const double without = machiningTime(program, mill()).seconds;
+        double last = without;
+        for (const double jerk : {1e12, 1e6, 1e5, 1e4}) {
+            MachineProfile machine = mill();
+            machine.axisJerks = glm::dvec3(jerk);
+            const MachiningTime time = machiningTime(program, machine);
+            RC_ASSERT(time.seconds >= last - 1e-9);
+            if (jerk == 1e12) RC_ASSERT(time.seconds <= without + 1e-3);
+            last = time.seconds;
+            for (std::size_t i = 1; i < time.motions.size(); ++i)
+                RC_ASSERT(time.motions[i].start >= time.motions[i - 1].start + time.motions[i - 1].duration - 1e-9);
+        }
+    });
+    QVERIFY(holds);
+}
+
+void MachineTimeTest::aControlCarriesOutSoManyBlocks() {
+    MachineProfile machine = mill();
+    machine.acceleration = 0.0; // without limit
+    machine.blocksPerSecond = 500.0;
+    std::string blocks = "G1 F6000\n"; // 100 mm/s would be 2000 blocks a second
+    for (int i = 1; i <= 1000; ++i) blocks += "X" + std::to_string(0.05 * i) + "\n";
+    QVERIFY(near(secondsFrom(read(begin + blocks), firstLine + 1, machine), 1000.0 / 500.0));
+    QVERIFY(near(secondsFrom(read(begin + "G1 X50 F6000\n"), firstLine, machine), 0.5)); // one block, long enough
 }
 
 QTEST_APPLESS_MAIN(MachineTimeTest)

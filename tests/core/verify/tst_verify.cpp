@@ -104,6 +104,9 @@ private slots:
     void shankInADeepGrooveIsFound();
     void aToolInAFixtureIsFound_data();
     void aToolInAFixtureIsFound();
+    void aHolderThatPassesNearIsToldAndIsNoFault_data();
+    void aHolderThatPassesNearIsToldAndIsNoFault();
+    void aShankBesideAWallOfStockIsTold();
     void limitsAreFound();
     void theEndOfTheTravelIsFoundWhereItIsKnown();
     void feedFromNowhereIsFound();
@@ -220,6 +223,71 @@ void VerifyTest::aToolInAFixtureIsFound() {
         QVERIFY(std::abs(report.findings.front().amount - depth) < 1e-6);
         QVERIFY(std::abs(report.findings.front().place.x + 10.0) < 1e-6);
     }
+}
+
+/// The stock is the part, 10 mm high. The tool goes down beside it until its holder, 30 mm above the tip and 10 mm wide
+/// all round, is so far above the part's top; and in another run beside a fixture of the same height.
+void VerifyTest::aHolderThatPassesNearIsToldAndIsNoFault_data() {
+    QTest::addColumn<double>("gap");
+    QTest::addColumn<bool>("told");
+    QTest::newRow("well above") << 1.2 << false;
+    QTest::newRow("near") << 0.7 << true;
+    QTest::newRow("nearly touching") << 0.05 << true;
+    QTest::newRow("in it") << -0.5 << false; // that is a finding
+}
+
+void VerifyTest::aHolderThatPassesNearIsToldAndIsNoFault() {
+    QFETCH(double, gap);
+    QFETCH(bool, told);
+    Case job;
+    Setup setup;
+    setup.voxel = 0.25;
+    job.request.setup = placeStock(job.model, setup).value(); // program zero: (15, 10, 10)
+    Obstacle clamp;
+    clamp.shape = Box{{-40.0, 0.0, 0.0}, {-20.0, 20.0, 10.0 - 2.0 * gap}};
+    job.request.obstacles = {clamp};
+    // Over x = -6: 9 mm of stock and part lie under the holder, and none of the clamp; over x = -14 it is the other
+    // way.
+    const std::string depth = std::to_string(gap - 30.0), deeper = std::to_string(-gap - 30.0);
+    const VerifyReport report =
+        job.judge(start + "G0 Z50\nG0 X-21 Y0\nG1 Z" + depth + " F300\nG0 Z50\nX-29\nG1 Z" + deeper + "\nG0 Z50\n");
+    const auto passOf = [&](const std::string& id) {
+        return std::find_if(report.nearPasses.begin(), report.nearPasses.end(),
+                            [&](const NearPass& pass) { return pass.line == 6 && idOf(pass) == id; });
+    };
+    const auto part = passOf("holder_near_part"), stock = passOf("holder_near_stock");
+    QCOMPARE(part != report.nearPasses.end(), told);
+    QCOMPARE(stock != report.nearPasses.end(), told);
+    QCOMPARE(report.passed(), gap > 0.0);
+    if (!told) return;
+    QVERIFY(std::abs(part->distance - gap) < 1e-6);
+    QVERIFY(std::abs(part->place.z - 10.0) < 1e-6 && part->place.x >= -1e-6 && part->place.x <= 4.0 + 1e-6);
+    QVERIFY(stock->distance <= gap + 1e-6 && stock->distance >= gap - 1.0 / 32.0 - 0.25 / 256.0 - 1e-6);
+    QVERIFY(std::abs(stock->place.x - 2.0) < 2.0 && stock->place.z < 10.0);
+    const auto clampPass = std::find_if(report.nearPasses.begin(), report.nearPasses.end(),
+                                        [](const NearPass& pass) { return pass.to == NearTo::obstacle; });
+    QVERIFY(clampPass != report.nearPasses.end());
+    QCOMPARE(clampPass->line, 9U);
+    QVERIFY(std::abs(clampPass->distance - gap) < 1e-6);
+}
+
+/// A slot deeper than the flutes, milled in two passes: the shank, half a millimetre thinner all round, passes its
+/// walls.
+void VerifyTest::aShankBesideAWallOfStockIsTold() {
+    Case job;
+    job.request.tool.cutter.shankDiameter = 5.0;
+    const std::string moves = "G0 Z5\nG0 X-25 Y0\nG1 Z-6 F300\nX25 F600\nZ-12 F300\nX-25 F600\nG0 Z5\n";
+    const VerifyReport report = job.judge(start + moves);
+    QVERIFY(report.passed());
+    const auto pass = std::find_if(report.nearPasses.begin(), report.nearPasses.end(), [](const NearPass& one) {
+        return one.to == NearTo::stock && one.section == ToolSection::shank && one.line == 9;
+    });
+    QVERIFY(pass != report.nearPasses.end());
+    QVERIFY2(std::abs(pass->distance - 0.5) <= 0.25, qPrintable(QString::number(pass->distance))); // to a voxel
+    QVERIFY(std::none_of(report.nearPasses.begin(), report.nearPasses.end(),
+                         [](const NearPass& one) { return one.line < 8; })); // the first pass keeps 2 mm
+    job.request.nearDistance = 0.0;
+    QVERIFY(job.judge(start + moves).nearPasses.empty());
 }
 
 void VerifyTest::limitsAreFound() {

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cutting/coolant_advice.h"
+
+namespace burin {
+
+Coolant advisedCoolant(const Property& material) {
+    if (material.valueOr(floodCoolant, 0.0) > 0.0) return Coolant::flood;
+    if (material.valueOr(mistCoolant, 0.0) > 0.0) return Coolant::mist;
+    return Coolant::off;
+}
+
+} // namespace burin

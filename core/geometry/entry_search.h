@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/geometry/piece_minimum.h"
+#include "core/geometry/triangle_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// A place of a tool's tip that is asked for.
+struct AskedTip {
+    glm::dvec3 tip{0.0};
+    std::uint32_t number = 0;
+};
+
+/// Which of many tips have a point of the mesh deeper in a piece of the tool than allowed. Tips are divided again and
+/// again, and so is what of the mesh may concern them: a plane under the (convex) signed distance rules out a part of
+/// the mesh for all tips of a group at once, and what is left is handed on to the group's parts. Two planes are tried:
+/// one laid in the middle of both, and the one that all tools of a group touch whose tips lie in a plane. (Dual-tree
+/// search: A. Gray, A. Moore, N-body problems in statistical learning, 2000.) One thread.
+class EntrySearch {
+public:
+    /// @param piece  of a tool that stands along `axis`, a unit vector  @param depth  mm, > 0
+    EntrySearch(const TriangleTree& tree, const RevolvedPiece& piece, const glm::dvec3& axis, double depth);
+
+    /// Sets entered[number] of the tips that enter, leaves the others. Reorders the tips.
+    void run(std::span<AskedTip> tips, std::span<std::uint8_t> entered);
+
+private:
+    /// Tips of a group: they lie in a box, and between two planes no farther than `radius` from its centre.
+    struct Group {
+        glm::dvec3 centre{0.0}, half{0.0}, normal{0.0, 0.0, 1.0};
+        double below = 0.0, above = 0.0, radius = 0.0;
+        double beneath = 0.0, over = 0.0; ///< mm from the centre along the normal: no tool of the group goes beyond
+
+        /// How much farther than the centre a tip may lie along a slope.
+        double rise(const glm::dvec3& slope) const noexcept {
+            const double along = glm::dot(slope, normal);
+            const double across = std::sqrt(std::max(0.0, glm::dot(slope, slope) - along * along));
+            const double overPlate = across * radius + along * (along > 0.0 ? above : below);
+            return std::min(glm::dot(glm::abs(slope), half), overPlate);
+        }
+    };
+    /// What of the mesh may concern a group: all that is below a node of the tree, one leaf, or one triangle.
+    struct Part {
+        std::uint32_t number = 0;   ///< of the node, or the triangle's slot
+        std::uint32_t child = node; ///< of the node, where it is a leaf
+        static constexpr std::uint32_t node = TreeNode::width, triangle = node + 1;
+    };
+    enum class Verdict : std::uint8_t { open, allEnter };
+
+    Group groupOf(std::span<const AskedTip> tips) const noexcept;
+    void judge(std::span<AskedTip> tips, std::size_t first, std::size_t end);
+    void divide(std::span<AskedTip> tips, int times, std::size_t first, std::size_t end);
+    bool enters(const glm::dvec3& tip, std::size_t first, std::size_t end);
+    Verdict consider(const PlacedPiece& placed, const Group& group, std::size_t first, std::size_t end);
+    void considerNode(const PlacedPiece& placed, const Group& group, const std::array<AbovePlane, 2>& planes,
+                      std::uint32_t number);
+    void considerChild(const PlacedPiece& placed, const Group& group, std::uint32_t number, std::uint32_t child);
+    Verdict considerTriangle(const PlacedPiece& placed, const Group& group, Part part);
+
+    const TriangleTree& tree_;
+    RevolvedPiece piece_;
+    glm::dvec3 axis_;
+    double depth_;
+    std::span<std::uint8_t> entered_;
+    std::vector<Part> parts_;       ///< a stack: what concerns a group, and above it what concerns its half
+    std::vector<Part> open_;        ///< to be looked at
+    std::uint32_t lastMet_ = none_; ///< slot of the triangle that was entered last
+    static constexpr std::uint32_t none_ = std::numeric_limits<std::uint32_t>::max();
+};
+
+/// For each of many tips, whether a point of the mesh lies deeper than `depth` in a piece of the tool, 0 or 1; all
+/// cores. Once cancelled, what is not known yet is 0.
+std::vector<std::uint8_t> enteredTips(const TriangleTree& tree, std::span<const RevolvedPiece> tool,
+                                      const glm::dvec3& axis, std::span<const glm::dvec3> tips, double depth,
+                                      const Progress& progress);
+
+} // namespace burin

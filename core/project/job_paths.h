@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/project/program_job.h"
+
+#include <memory>
+
+namespace burin {
+
+/// The tool that a path's takes were made with, by id. Empty: none of them is among `takes`.
+std::string toolOf(const StoredPath& path, const std::vector<TakeInfo>& takes);
+
+/// Whether a path is the one that the job mills with its tool: the first of that tool. Others are variants of it.
+bool isFirstOfItsTool(const StoredPath& path, const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes);
+
+/// Adds the recordings of its tool that are newer than all of its own. Older ones that it lacks were left out on
+/// purpose.
+void addNewerTakes(StoredPath& path, const std::vector<TakeInfo>& takes);
+
+/// A path of all takes of one tool with the edits of the main job; no id yet.
+/// Errors: projectIncomplete (no take of that tool).
+Result<StoredPath> standardPath(const Project& project, const std::string& toolId);
+
+/// What the job mills with: the first path of each tool, in the order of the tools' first takes. A tool that no path is
+/// of yet gets a new one, which the project keeps. Errors: projectIncomplete (no take), those of Project::addPath.
+Result<std::vector<StoredPath>> jobPaths(Project& project);
+
+/// A stored path with what it takes to evaluate it.
+struct PathMatter {
+    StoredPath path;
+    std::vector<Take> takes;
+    Tool tool;
+    std::shared_ptr<const EvaluatedPath> evaluated; ///< just this path; null: still to be done
+};
+/// Errors: projectIncomplete (a path without takes), those of Project::take and toolFor.
+Result<PathMatter> matterOf(const Project& project, const StoredPath& path);
+
+/// Paths of one job in the order in which they are milled, and what their edits did.
+struct EvaluatedPaths {
+    ProgramPaths program;
+    std::vector<EditReport> reports;
+    double errorBudget = 0.0; ///< mm, of the worst path
+};
+/// Evaluates each and puts them in order by orderPasses. Errors: those of evaluateStored.
+Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, const std::vector<PathMatter>& matters, Progress& progress);
+
+} // namespace burin
