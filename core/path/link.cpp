@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/path/cleared_heights.h"
 #include "core/path/part_guard.h"
+#include "core/path/round_corner.h"
 #include "core/path/way_round.h"
 
 #include <algorithm>
@@ -71,9 +72,10 @@ public:
         const bool joined = !points.empty() && canJoin(start, std::min(lastRequired_, stroke.required));
         if (!joined) {
             const bool first = !goBack();
-            const glm::dvec3& entry = stroke.points[access.entry].tip;
-            travel(first ? Way{safeHeight_, {}} : wayTo(points.back().tip, entry), entry);
-            enter(stroke, access);
+            if (!first) swingOut();
+            const std::vector<glm::dvec3> swing = swingIn(stroke, access.entry);
+            travel(first ? Way{safeHeight_, {}} : wayTo(points.back().tip, swing.front()), swing.front());
+            enter(stroke, access, swing);
         }
         if (joined) cut(stroke, 0, {});
         for (std::size_t i = 1; i < stroke.points.size(); ++i) cut(stroke, i, stroke.points[i].arc);
@@ -84,6 +86,7 @@ public:
     /// Up to where nothing stands.
     void leave() {
         if (!goBack()) return;
+        swingOut();
         const glm::dvec3 tip = points.back().tip;
         go(lift(safeHeight_), MoveKind::retract);
         if (points.back().tip.z < safeHeight_) go({tip.x, tip.y, safeHeight_}, MoveKind::rapid);
@@ -100,6 +103,54 @@ private:
         for (const auto& [stroke, index] : back_) cut(*stroke, index, reversed(stroke->points[index + 1].arc));
         back_.clear();
         return true;
+    }
+
+    /// The largest quarter of a circle up that keeps what the stroke keeps from the part, the margin of obstacles,
+    /// shank and holder in empty space, and a free way up from its end; the tip alone where there is none or the stroke
+    /// is not level.
+    std::vector<glm::dvec3> swing(const glm::dvec3& tip, const glm::dvec3& move, double required) const {
+        const double level = std::hypot(move.x, move.y);
+        if (!(rounding_ > 0.0) || level < 1e-6 || std::abs(move.z) > 0.1 * level) return {tip};
+        const glm::dvec3 direction(move.x / level, move.y / level, 0.0);
+        double radius = std::min(rounding_, safeHeight_ - tip.z);
+        for (int halving = 0; halving < 4 && radius > 0.1; ++halving, radius *= 0.5) {
+            std::vector<glm::dvec3> places = quarterUp(tip, direction, radius);
+            if (mayCut(places, required) && isClearAbove(places.back(), safeHeight_)) return places;
+        }
+        return {tip};
+    }
+    bool mayCut(const std::vector<glm::dvec3>& places, double required) const {
+        const auto keeps = [&](const PartGuard& guard, double distance) {
+            const double own = guard.clearance(places.front(), distance + 1.0).clearance;
+            for (std::size_t i = 1; i < places.size(); ++i)
+                if (!guard.isClear(places[i - 1], places[i], std::min(distance, own) - touchTolerance, defaultSampling))
+                    return false;
+            return true;
+        };
+        return std::ranges::all_of(places, [&](const glm::dvec3& place) { return cleared_.shankIsFree(place); }) &&
+               keeps(guard_, required) && std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
+                   return keeps(obstacle.first, obstacle.second);
+               });
+    }
+
+    /// On from the end of a stroke and up, at the feed.
+    void swingOut() {
+        if (points.size() < 2 || points.back().kind != MoveKind::cut || points.back().arc) return;
+        const glm::dvec3 tip = points.back().tip;
+        const std::vector<glm::dvec3> places = swing(tip, tip - points[points.size() - 2].tip, lastRequired_);
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            cleared_.cut(places[i - 1], places[i]);
+            go(places[i], MoveKind::retract);
+        }
+    }
+
+    /// From above to where a stroke is entered; that place alone where it is entered straight down.
+    std::vector<glm::dvec3> swingIn(const PathStroke& stroke, std::size_t entry) const {
+        const glm::dvec3& tip = stroke.points[entry].tip;
+        if (entry != 0 || stroke.points.size() < 2 || stroke.points[1].arc) return {tip};
+        std::vector<glm::dvec3> places = swing(tip, tip - stroke.points[1].tip, stroke.required);
+        std::reverse(places.begin(), places.end());
+        return places;
     }
 
     /// A level way from over one place to over another: straight, or by corners.
@@ -152,27 +203,6 @@ private:
             smooth.insert(smooth.end(), arc.begin(), arc.end());
         }
         return smooth;
-    }
-
-    /// Places of the arc that touches both legs of a corner so far from it, in chords; the corner where it is straight.
-    static std::vector<glm::dvec3> cornerArc(const glm::dvec3& corner, const glm::dvec3& back, const glm::dvec3& on,
-                                             double leg) {
-        constexpr double chord = 0.02; // mm
-        if (!(leg > 1e-6)) return {corner};
-        const glm::dvec3 u = glm::normalize(back), v = glm::normalize(on);
-        const double half = 0.5 * std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0)); // of the inner angle
-        const double radius = leg * std::tan(half), turn = pi - 2.0 * half;
-        if (turn < 1e-3 || half < 1e-3) return {corner};
-        const glm::dvec3 centre = corner + leg / std::cos(half) * glm::normalize(u + v);
-        const glm::dvec3 from = corner + leg * u - centre;
-        const auto steps = static_cast<int>(
-            std::clamp(std::ceil(turn / (2.0 * std::sqrt(2.0 * std::min(1.0, chord / radius)))), 2.0, 64.0));
-        std::vector<glm::dvec3> places;
-        for (int k = 0; k <= steps; ++k) {
-            const double angle = turn * k / steps;
-            places.push_back(centre + std::cos(angle) * from - std::sin(angle) * radius * u);
-        }
-        return places;
     }
 
     /// Rapids from place to place that stay above what is left, and clear of part and obstacles.
@@ -275,11 +305,12 @@ private:
     }
 
     /// To the stroke's first point at the plunge feed.
-    void enter(const PathStroke& stroke, const Access& access) {
+    void enter(const PathStroke& stroke, const Access& access, const std::vector<glm::dvec3>& swing) {
         const StrokePoint& entry = stroke.points[access.entry];
-        const glm::dvec3& tip = entry.tip;
-        cleared_.cut(points.back().tip, tip);
-        points.push_back({tip, MoveKind::plunge, 0.0, stroke.take, entry.sample});
+        for (const glm::dvec3& tip : swing) {
+            cleared_.cut(points.back().tip, tip);
+            points.push_back({tip, MoveKind::plunge, 0.0, stroke.take, entry.sample});
+        }
         for (std::size_t i = access.entry; i > 0; --i) cut(stroke, i - 1, reversed(stroke.points[i].arc));
     }
 

@@ -17,13 +17,14 @@ namespace burin {
 /// whose axes run independently goes askew over everything all the same. Where the straight way is not clear so low, it
 /// may go round what stands there, at the height and on the way that are shortest of some that were looked at, where
 /// that is shorter than over everything. Corners between rapid moves may be rounded, inside, by arcs in chords, as far
-/// as what is inside stays clear in the same way.
+/// as what is inside stays clear in the same way; and level strokes are then left, and entered, tangent to them by a
+/// quarter of a circle at the feed, where that keeps what the stroke keeps.
 struct Link {
     enum class Travel { safe, lowest, around };
     double clearanceAbove = 5.0; ///< mm
     double approach = 1.0;       ///< mm
     Travel travel = Travel::safe;
-    double rounding = 0.0; ///< mm of either move that a rounded corner takes at most; 0: sharp
+    double rounding = 0.0; ///< mm of either move that a rounded corner takes, and radius of quarters, at most; 0: sharp
 };
 
 /// Feed, plunge feed, spindle speed and coolant from tool, material and machine. Plunges, and moves that go down by

@@ -205,7 +205,7 @@ bool RowReplay::isNear(std::span<const RevolvedPiece> section, double by, const 
                               [&](LineIndex line, RunPosition low, RunPosition high) {
                                   UnitSum here;
                                   if (static_cast<std::int32_t>(low) < stock_.brickReach(line.u / brickSide) &&
-                                      stock_.overlap(line, low, high, here) > tolerance)
+                                      stock_.overlap(line, low, high, here) > 0)
                                       sum.add(here);
                                   return true;
                               });

@@ -252,6 +252,19 @@ private slots:
         };
         QVERIFY(sharpest(between(0.0)) > 1.5);
         QVERIFY(sharpest(between(2.0)) < 0.35);
+        // And the feed moves before and behind them: the stroke is left, and entered, along its own direction.
+        const auto points = linkedAround({}, ends, Link::Travel::safe, 2.0)->path.points;
+        int turns = 0;
+        for (std::size_t i = 2; i < points.size(); ++i) {
+            const bool out = points[i].kind == MoveKind::retract && points[i - 1].kind == MoveKind::cut;
+            const bool in = points[i].kind == MoveKind::cut && points[i - 1].kind == MoveKind::plunge;
+            if (!out && !in) continue;
+            const glm::dvec3 before = glm::normalize(points[i - 1].tip - points[i - 2].tip);
+            const glm::dvec3 on = glm::normalize(points[i].tip - points[i - 1].tip);
+            QVERIFY2(glm::dot(before, on) > 0.97, qPrintable(QString::number(glm::dot(before, on))));
+            ++turns;
+        }
+        QCOMPARE(turns, 4);
     }
 
     void aClearedPlaceIsReachedRapidly() {

@@ -190,7 +190,10 @@ private slots:
         QVERIFY(rc::check("an order is refused, or what comes of it does not enter the part", [&] {
             std::vector<Edit> edits = randomEdits(false);
             for (const Edit& edit : randomEdits(true)) edits.push_back(edit);
-            for (const Edit& edit : std::vector<Edit>{{HoldOut{}}, {FitArcs{}}, {Link{}}, {SetFeed{}}})
+            Link link;
+            link.travel = *rc::gen::element(Link::Travel::safe, Link::Travel::lowest, Link::Travel::around);
+            link.rounding = *rc::gen::element(0.0, 2.0);
+            for (const Edit& edit : std::vector<Edit>{{HoldOut{}}, {FitArcs{}}, {link}, {SetFeed{}}})
                 edits.push_back(edit);
             const auto from = *rc::gen::inRange<std::size_t>(0, edits.size());
             const auto to = *rc::gen::inRange<std::size_t>(0, edits.size());

@@ -242,6 +242,7 @@ void VerifyTest::aHolderThatPassesNearIsToldAndIsNoFault() {
     Case job;
     Setup setup;
     setup.voxel = 0.25;
+    setup.marginLow = setup.marginHigh = glm::dvec3(0.0);
     job.request.setup = placeStock(job.model, setup).value(); // program zero: (15, 10, 10)
     Obstacle clamp;
     clamp.shape = Box{{-40.0, 0.0, 0.0}, {-20.0, 20.0, 10.0 - 2.0 * gap}};
