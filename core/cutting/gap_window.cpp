@@ -23,12 +23,6 @@ double sumOf(const Lanes& values) noexcept {
     return sum;
 }
 
-std::size_t firstEndingAfter(std::span<const Segment> line, RunPosition position) noexcept {
-    std::size_t i = 0;
-    while (i < line.size() && line[i].end() <= position) ++i;
-    return i;
-}
-
 } // namespace
 
 GapWindow::GapWindow(const Grid& grid, double reach) : lineCountU_(grid.lineCountU()), lineCountV_(grid.lineCountV()) {
@@ -79,6 +73,7 @@ bool GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t 
             if (brick.queued) unqueue(brick);
             workpiece.giveBack(brick.room);
             claim(brick, u, v);
+            if (u * 8 < lineCountU_ && v * 8 < lineCountV_) workpiece.fetch({u * 8, v * 8});
         }
     coveredFirstRow_ = first;
     coveredLastRow_ = last;
@@ -212,10 +207,13 @@ int GapWindow::takeOpen(RunVolume& workpiece, std::span<const RowSpans> rows, st
     int read = 0;
     for (const Open& one : open) {
         const RowSpans& row = rows[one.row];
+        const std::int32_t group = row.firstGroup + one.group;
+        Brick& brick = bricks_[brickAt(group, row.v >> 3)];
+        Gap& gap = gaps_[gapAt(row.v, group)];
         for (std::uint32_t left = one.lanesOf; left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
-            const LineIndex line{(row.firstGroup + one.group) * lanes + lane, row.v};
-            if (!widen(workpiece, line, row.low[one.group][lane], row.high[one.group][lane], removed)) {
+            const LineIndex line{group * lanes + lane, row.v};
+            if (!widen(workpiece, line, brick, gap, {row.low[one.group][lane], row.high[one.group][lane]}, removed)) {
                 removed.outOfMemory = true;
                 return read;
             }
@@ -244,53 +242,56 @@ void GapWindow::collect(RemovedUnits& removed) noexcept {
     sums_.rows = 0;
 }
 
-/// Looks from a stretch in which nothing is left, `around`, as far as `low` and `high` and on to the next machinable
+/// Looks from a stretch in which nothing is left, `around`, as far as `span` goes and on to the next machinable
 /// segments. What the volume shows within it may be gone already; what it shows beyond is there, and is counted as
-/// taken up to `low` and `high`.
-GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, std::int32_t low,
-                                       std::int32_t high, RemovedUnits& removed) noexcept {
+/// taken as far as `span` goes.
+GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, Bounds span,
+                                       RemovedUnits& removed) noexcept {
     const PropertyList& properties = workpiece.properties();
     const std::span<const Segment> segments = workpiece.line(line);
-    const auto machinable = [&](Segment s) {
-        return s.property() != airProperty && !properties.isProtected(s.property());
+    const auto machinable = [&](PropertyIndex property) {
+        return property != airProperty && !properties.isProtected(property);
     };
     Found found{around.low, around.high, 0, 0, 0};
     const auto take = [&](PropertyIndex property, std::int32_t from, std::int32_t to) {
-        if (from >= to) return;
-        const auto units = static_cast<std::uint64_t>(to - from);
-        removed.byProperty[property] += units;
-        removed.momentAlong += 0.5 * (to - from) * (static_cast<double>(to) + from);
-        found.taken += units;
+        const std::int32_t units = std::max(to - from, 0);
+        removed.byProperty[property] += static_cast<std::uint64_t>(units);
+        removed.momentAlong += 0.5 * units * (static_cast<double>(to) + from);
+        found.taken += static_cast<std::uint64_t>(units);
     };
-    const std::size_t holdsHigh = firstEndingAfter(segments, static_cast<RunPosition>(around.high));
-    for (std::size_t i = holdsHigh; i < segments.size(); ++i) {
-        const auto end = static_cast<std::int32_t>(segments[i].end());
-        const bool stays = machinable(segments[i]) && end > high;
-        const std::int32_t reached = stays ? std::max(found.high, high) : end;
-        if (machinable(segments[i])) take(segments[i].property(), found.high, reached);
-        found.high = reached;
-        if (!stays || reached == end) continue;
-        found.right = segments[i].end() << 8 | segments[i].property();
-        break;
+    const Segment *const first = segments.data(), *const last = first + segments.size();
+    const Segment* holdsHigh = first;
+    while (holdsHigh != last && static_cast<std::int32_t>(holdsHigh->end()) <= around.high) ++holdsHigh;
+    for (const Segment* segment = holdsHigh; segment != last; ++segment) {
+        const auto end = static_cast<std::int32_t>(segment->end());
+        if (const PropertyIndex property = segment->property(); machinable(property)) {
+            const std::int32_t reached = end > span.high ? std::max(found.high, span.high) : end;
+            take(property, found.high, reached);
+            found.high = reached;
+            if (reached == end) continue;
+            found.right = static_cast<std::uint32_t>(end) << 8 | property;
+            break;
+        }
+        found.high = end;
     }
-    for (std::size_t i = std::min(holdsHigh + 1, segments.size()); i > 0; --i) {
-        const Segment segment = segments[i - 1];
-        const std::int32_t start = i == 1 ? 0 : static_cast<std::int32_t>(segments[i - 2].end());
+    for (const Segment* segment = holdsHigh == last ? last : holdsHigh + 1; segment != first;) {
+        --segment;
+        const std::int32_t start = segment == first ? 0 : static_cast<std::int32_t>(segment[-1].end());
         if (start >= found.low) continue;
-        const bool stays = machinable(segment) && start < low;
-        const std::int32_t reached = stays ? std::min(found.low, low) : start;
-        if (machinable(segment)) take(segment.property(), reached, found.low);
-        found.low = reached;
-        if (!stays || reached == start) continue;
-        found.left = static_cast<std::uint32_t>(start) << 8 | segment.property();
-        break;
+        if (const PropertyIndex property = segment->property(); machinable(property)) {
+            const std::int32_t reached = start < span.low ? std::min(found.low, span.low) : start;
+            take(property, reached, found.low);
+            found.low = reached;
+            if (reached == start) continue;
+            found.left = static_cast<std::uint32_t>(start) << 8 | property;
+            break;
+        }
+        found.low = start;
     }
     return found;
 }
 
-void GapWindow::keep(LineIndex line, const Found& found) noexcept {
-    Gap& gap = gaps_[gapAt(line.v, line.u >> 3)];
-    const int lane = line.u & 7;
+void GapWindow::keep(Gap& gap, int lane, const Found& found) noexcept {
     gap.low[lane] = found.low;
     gap.high[lane] = found.high;
     gap.left[lane] = found.left;
@@ -299,18 +300,17 @@ void GapWindow::keep(LineIndex line, const Found& found) noexcept {
 
 /// Takes a span that its neighbours do not hold: over the border of two materials, apart from the gap, or of a line
 /// that was not known.
-bool GapWindow::widen(RunVolume& workpiece, LineIndex line, std::int32_t low, std::int32_t high,
+bool GapWindow::widen(RunVolume& workpiece, LineIndex line, Brick& brick, Gap& gap, Bounds span,
                       RemovedUnits& removed) noexcept {
-    Brick& brick = bricks_[brickAt(line.u >> 3, line.v >> 3)];
-    const Gap& gap = gaps_[gapAt(line.v, line.u >> 3)];
-    Bounds around{gap.low[line.u & 7], gap.high[line.u & 7]};
-    if (around.low > around.high || low > around.high || high < around.low) {
+    const int lane = line.u & 7;
+    Bounds around{gap.low[lane], gap.high[lane]};
+    if (around.low > around.high || span.low > around.high || span.high < around.low) {
         if ((brick.owing >> bitOf(line) & 1) != 0 && !write(workpiece, brick)) return false;
-        around = {low, low};
+        around = {span.low, span.low};
     }
     if (!brick.ready && !expectCuts(workpiece, brick)) return false;
-    const Found found = lookAround(workpiece, line, around, low, high, removed);
-    keep(line, found);
+    const Found found = lookAround(workpiece, line, around, span, removed);
+    keep(gap, lane, found);
     if (found.taken == 0) return true;
     removed.total += found.taken;
     removed.momentU += static_cast<double>(found.taken) * line.u;
@@ -324,13 +324,13 @@ int GapWindow::look(const RunVolume& workpiece, const RowSpans& row) noexcept {
     RemovedUnits nothing;
     for (std::int32_t group = 0; group < row.groups; ++group) {
         const EightIntegers &low = row.low[group], &high = row.high[group];
-        const Gap& gap = gaps_[gapAt(row.v, row.firstGroup + group)];
+        Gap& gap = gaps_[gapAt(row.v, row.firstGroup + group)];
         std::uint32_t unknown = bitsOf((load(gap.low) > load(gap.high)) & (load(low) < load(high)));
         for (; unknown != 0; unknown &= unknown - 1, ++read) {
             const int lane = std::countr_zero(unknown);
             const std::int32_t middle = low[lane] + (high[lane] - low[lane]) / 2;
             const LineIndex line{(row.firstGroup + group) * lanes + lane, row.v};
-            keep(line, lookAround(workpiece, line, {middle, middle}, middle, middle, nothing));
+            keep(gap, lane, lookAround(workpiece, line, {middle, middle}, {middle, middle}, nothing));
         }
     }
     return read;

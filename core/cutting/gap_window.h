@@ -148,11 +148,11 @@ private:
     void unqueue(Brick& brick) noexcept;
     bool write(RunVolume& workpiece, Brick& brick) noexcept;
     bool writeNext(RunVolume& workpiece) noexcept;
-    bool widen(RunVolume& workpiece, LineIndex line, std::int32_t low, std::int32_t high,
+    bool widen(RunVolume& workpiece, LineIndex line, Brick& brick, Gap& gap, Bounds span,
                RemovedUnits& removed) noexcept;
-    static Found lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, std::int32_t low,
-                            std::int32_t high, RemovedUnits& removed) noexcept;
-    void keep(LineIndex line, const Found& found) noexcept;
+    static Found lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, Bounds span,
+                            RemovedUnits& removed) noexcept;
+    static void keep(Gap& gap, int lane, const Found& found) noexcept;
 
     std::int32_t lineCountU_, lineCountV_;
     std::size_t side_ = 0;                ///< bricks

@@ -53,12 +53,56 @@ BURIN_INLINE void prefetch(const GapWindow::Gap& gap) noexcept {
     __builtin_prefetch(&gap.left);
 }
 
-/// Goes on with a row. @return the first group that it did not come to
+/// Eight lines of which some spans reach out of their gaps.
+struct Grown {
+    Floats units;       ///< that were taken
+    std::uint32_t open; ///< bits of the lines that need the volume
+};
+
+/// Grows gaps downwards. @param hits lines whose spans begin below their gaps; `high` lies beyond none of these
+BURIN_INLINE Grown growDown(GapWindow::Gap& gap, Integers low, Integers high, Integers oldLow, Mask hits,
+                            Integers alongOrigin, GapWindow::Sums& sums, Lost& lost) noexcept {
+    const Words left = load(gap.left);
+    const Mask apart = greater(oldLow, high) | greater(least(oldLow, reinterpret_cast<Integers>(left >> 8)), low);
+    const Integers newLow = select(hits & ~apart, low, oldLow);
+    store(newLow, gap.low);
+    return {addSide(oldLow - newLow, left, oldLow + newLow - alongOrigin, sums, lost.below), bitsOf(hits & apart)};
+}
+
+/// And upwards.
+BURIN_INLINE Grown growUp(GapWindow::Gap& gap, Integers low, Integers high, Integers oldHigh, Mask hits,
+                          Integers alongOrigin, GapWindow::Sums& sums, Lost& lost) noexcept {
+    const Words right = load(gap.right);
+    const Mask apart = greater(low, oldHigh) | greater(high, most(oldHigh, reinterpret_cast<Integers>(right >> 8)));
+    const Integers newHigh = select(hits & ~apart, high, oldHigh);
+    store(newHigh, gap.high);
+    return {addSide(newHigh - oldHigh, right, oldHigh + newHigh - alongOrigin, sums, lost.above), bitsOf(hits & apart)};
+}
+
+BURIN_INLINE Grown growBothWays(GapWindow::Gap& gap, Integers low, Integers high, Integers oldLow, Integers oldHigh,
+                                Mask hits, Integers alongOrigin, GapWindow::Sums& sums, Lost& lost) noexcept {
+    const Words left = load(gap.left), right = load(gap.right);
+    const Mask apart = greater(low, oldHigh) | greater(oldLow, high) |
+                       greater(high, most(oldHigh, reinterpret_cast<Integers>(right >> 8))) |
+                       greater(least(oldLow, reinterpret_cast<Integers>(left >> 8)), low);
+    const Mask grows = hits & ~apart;
+    const Integers newLow = select(grows, least(low, oldLow), oldLow);
+    const Integers newHigh = select(grows, most(high, oldHigh), oldHigh);
+    store(newLow, gap.low);
+    store(newHigh, gap.high);
+    return {addSide(oldLow - newLow, left, oldLow + newLow - alongOrigin, sums, lost.below) +
+                addSide(newHigh - oldHigh, right, oldHigh + newHigh - alongOrigin, sums, lost.above),
+            bitsOf(hits & apart)};
+}
+
+/// Goes on with a row. Most spans reach out of their gaps on one side alone. @return the first group that it did not
+/// come to
 BURIN_INLINE std::int32_t growRow(const GapWindow::Rows& rows, const RowSpans& row, GapWindow::Sums& sums, Lost& lost,
                                   Growth& growth) noexcept {
     // What the stores below can't change, as far as the compiler knows.
     const EightIntegers *const lows = row.low, *const highs = row.high;
-    GapWindow::Gap* const gaps = rows.gaps + rows.rowPitch * static_cast<std::size_t>(row.v & 7);
+    const std::size_t rowPitch = rows.rowPitch;
+    GapWindow::Gap* const gaps = rows.gaps + rowPitch * static_cast<std::size_t>(row.v & 7);
     GapWindow::Brick* const bricks = rows.bricks;
     const std::uint32_t firstGroup = static_cast<std::uint32_t>(row.firstGroup), mask = rows.mask;
     const std::int32_t groups = row.groups, originU = row.firstGroup * lanes - sums.originU;
@@ -69,32 +113,25 @@ BURIN_INLINE std::int32_t growRow(const GapWindow::Rows& rows, const RowSpans& r
     for (; group < groups; ++group) {
         const std::uint32_t place = (firstGroup + static_cast<std::uint32_t>(group)) & mask;
         GapWindow::Gap& gap = gaps[place];
-        prefetch(gaps[place + rows.rowPitch]);
+        prefetch((&gap)[rowPitch]);
         const Integers low = load(lows[group]), high = load(highs[group]);
         const Integers oldLow = load(gap.low), oldHigh = load(gap.high);
-        const Mask hit = (greater(oldLow, low) | greater(high, oldHigh)) & greater(high, low);
-        const std::uint32_t hits = bitsOf(hit);
-        if (hits == 0) continue;
+        const Mask there = greater(high, low), below = greater(oldLow, low) & there,
+                   above = greater(high, oldHigh) & there;
+        const std::uint32_t down = bitsOf(below), up = bitsOf(above);
+        if ((down | up) == 0) continue;
         GapWindow::Brick& brick = bricks[place];
         if (!brick.ready) break;
-        const Words left = load(gap.left), right = load(gap.right);
-        const Mask apart = greater(low, oldHigh) | greater(oldLow, high) |
-                           greater(high, most(oldHigh, reinterpret_cast<Integers>(right >> 8))) |
-                           greater(least(oldLow, reinterpret_cast<Integers>(left >> 8)), low);
-        const Mask grows = hit & ~apart;
-        const Integers newLow = select(grows, least(low, oldLow), oldLow);
-        const Integers newHigh = select(grows, most(high, oldHigh), oldHigh);
-        store(newLow, gap.low);
-        store(newHigh, gap.high);
-        const Floats units = addSide(oldLow - newLow, left, oldLow + newLow - alongOrigin, sums, lost.below) +
-                             addSide(newHigh - oldHigh, right, oldHigh + newHigh - alongOrigin, sums, lost.above);
-        rowUnits += units;
-        lost.momentU += units * static_cast<float>(group * lanes + originU);
-        const std::uint32_t open = bitsOf(hit & apart);
-        brick.owing |= static_cast<std::uint64_t>(hits & ~open) << shift;
-        if (open != 0)
+        const Grown grown = up == 0 ? growDown(gap, low, high, oldLow, below, alongOrigin, sums, lost)
+                            : down == 0
+                                ? growUp(gap, low, high, oldHigh, above, alongOrigin, sums, lost)
+                                : growBothWays(gap, low, high, oldLow, oldHigh, below | above, alongOrigin, sums, lost);
+        rowUnits += grown.units;
+        lost.momentU += grown.units * static_cast<float>(group * lanes + originU);
+        brick.owing |= static_cast<std::uint64_t>((down | up) & ~grown.open) << shift;
+        if (grown.open != 0)
             growth.open[growth.openCount++] = {static_cast<std::uint16_t>(growth.row),
-                                               static_cast<std::uint16_t>(group), open};
+                                               static_cast<std::uint16_t>(group), grown.open};
     }
     lost.units += rowUnits;
     lost.momentV += rowUnits * static_cast<float>(row.v - sums.originV);

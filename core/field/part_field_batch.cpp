@@ -81,7 +81,7 @@ BURIN_INLINE void store(const Lanes& values, void* to) noexcept {
 }
 
 /// @return whether all of them are in the box of the layers; if not, the chunk is of no use
-BURIN_VECTORISED bool placeAll(const glm::dvec3* points, const Frame& frame, Chunk& chunk) noexcept {
+BURIN_VECTORISED_TO_AVX512 bool placeAll(const glm::dvec3* points, const Frame& frame, Chunk& chunk) noexcept {
     static_assert(sizeof(glm::dvec3) == 3 * sizeof(double));
     auto inside = FourDoubles{} == FourDoubles{};
     for (std::size_t from = 0; from < chunkPoints; from += lanes) {
@@ -216,7 +216,7 @@ struct Groups {
     std::uint32_t mixed = 0; ///< it is of several bricks
 };
 
-BURIN_VECTORISED void computeAll(const Chunk& chunk, const Groups& groups, float perVoxel,
+BURIN_VECTORISED_TO_AVX512 void computeAll(const Chunk& chunk, const Groups& groups, float perVoxel,
                                  PartDistance* answers) noexcept {
     const Floats scale = floats(perVoxel);
     for (std::size_t from = 0; from < chunkPoints; from += lanes) {

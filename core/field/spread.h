@@ -13,10 +13,11 @@
 namespace burin {
 
 /// Spreads `count` pieces of work over the processors, reported from `from` to `to`; what is left is skipped when the
-/// work is cancelled. @param work  takes the first and the end of a stretch of numbers, at most 16 of them
+/// work is cancelled. @param work  takes the first and the end of a stretch of numbers  @param length  of a stretch, at
+/// most
 template <class Work>
-void spreadStretches(std::size_t count, double from, double to, Progress& progress, const Work& work) {
-    constexpr std::size_t length = 16;
+void spreadStretches(std::size_t count, double from, double to, Progress& progress, const Work& work,
+                     std::size_t length = 16) {
     std::atomic<std::size_t> done{0};
     const std::thread::id caller = std::this_thread::get_id(); // Progress has one writer
     const std::size_t stretches = (count + length - 1) / length;

@@ -27,12 +27,14 @@ std::vector<std::size_t> SurfaceCheck::contradicted(Progress& progress) const {
     const std::vector<std::uint32_t> doubtful = findDoubtful(progress);
     std::vector<std::uint8_t> wrong(candidates_.size(), 0);
     const std::span<const Triangle> triangles = part_.triangles();
-    spreadStretches(triangles.size(), 0.85, 0.92, progress, [&](std::size_t first, std::size_t end) {
+    const auto checkStretch = [&](std::size_t first, std::size_t end) {
         SurfacePoints points;
         for (std::size_t i = first; i < end; ++i)
             points.of(triangles[i], pointSpacing * layers_.request.voxel,
                       [&](const glm::dvec3& point) { check(point, doubtful, wrong); });
-    });
+    };
+    // The longer the stretch, the fewer corners are met in two.
+    spreadStretches(triangles.size(), 0.85, 0.92, progress, checkStretch, 1024);
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < wrong.size(); ++i)
         if (wrong[i] != 0) numbers.push_back(i);

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace burin {
 
@@ -22,16 +24,6 @@ std::vector<std::uint32_t> finiteTriangles(const TriangleMesh& mesh) {
         if (isFinite(mesh.vertices[a]) && isFinite(mesh.vertices[b]) && isFinite(mesh.vertices[c])) places.push_back(i);
     }
     return places;
-}
-
-std::vector<Triangle> trianglesOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& places) {
-    std::vector<Triangle> triangles;
-    triangles.reserve(places.size());
-    for (const std::uint32_t i : places) {
-        const auto& [a, b, c] = mesh.triangles[i];
-        triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
-    }
-    return triangles;
 }
 
 } // namespace
@@ -59,13 +51,12 @@ glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) noexcept {
 
 class MeshDistance::Tree {
 public:
-    explicit Tree(const TriangleMesh& mesh)
-        : places_(finiteTriangles(mesh)), tree_(trianglesOf(mesh, places_)), normals_(mesh, meshOrder()) {}
+    explicit Tree(const TriangleMesh& mesh) : Tree(mesh, Beginning(mesh)) {}
 
     const Box& bounds() const noexcept { return tree_.bounds(); }
     bool empty() const noexcept { return tree_.empty(); }
     std::span<const Triangle> triangles() const noexcept { return tree_.triangles(); }
-    std::size_t triangleOf(std::size_t slot) const noexcept { return places_[tree_.order()[slot]]; }
+    std::size_t triangleOf(std::size_t slot) const noexcept { return tree_.order()[slot]; }
 
     /// @param passed  takes a distance: but for what was found nothing is nearer
     Found nearest(const glm::dvec3& point, double within, double* passed = nullptr) const noexcept {
@@ -174,12 +165,21 @@ public:
     }
 
 private:
-    std::vector<std::uint32_t> meshOrder() const {
-        std::vector<std::uint32_t> order;
-        order.reserve(places_.size());
-        for (const std::uint32_t place : tree_.order()) order.push_back(places_[place]);
-        return order;
-    }
+    /// What can be made of a mesh at the same time.
+    struct Beginning {
+        std::optional<TriangleTree> tree;
+        std::vector<std::uint32_t> merged;
+        explicit Beginning(const TriangleMesh& mesh) {
+            parallelFor(0, 2, [&](int part) {
+                if (part == 0)
+                    tree.emplace(mesh, finiteTriangles(mesh));
+                else
+                    merged = firstAtSamePlace(mesh);
+            });
+        }
+    };
+    Tree(const TriangleMesh& mesh, Beginning beginning)
+        : tree_(std::move(*beginning.tree)), normals_(mesh, beginning.merged, tree_.order()) {}
 
     ClosestPoint answerTo(const Found& found, const glm::dvec3& point, double within) const noexcept {
         return found.any ? signedAnswer(found, point) : ClosestPoint{point, within, within, 0, glm::dvec3(0.0)};
@@ -321,7 +321,6 @@ private:
                 point.piece, glm::dvec3(0.0)};
     }
 
-    std::vector<std::uint32_t> places_; ///< the mesh's triangles that are in the tree
     TriangleTree tree_;
     SurfaceNormals normals_;
 };

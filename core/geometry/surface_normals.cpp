@@ -18,39 +18,68 @@ double cornerAngle(const Triangle& t, std::size_t corner) noexcept {
 
 constexpr std::uint32_t none = SurfaceNormals::none;
 
-/// The triangles around each vertex, one list after the other.
+using Corners = std::vector<std::array<std::uint32_t, 3>>;
+
+constexpr std::size_t grain = 4096;
+
+/// The triangles around each vertex, one list after the other, each in the order of the slots. One that has a vertex
+/// twice is in its list twice.
 struct Fans {
     std::vector<std::uint32_t> begin; ///< per vertex, and one more
     std::vector<std::uint32_t> slots;
 
-    Fans(const std::vector<std::array<std::uint32_t, 3>>& corners, std::size_t vertexCount) : begin(vertexCount + 1) {
-        for (const auto& triangle : corners)
-            for (const std::uint32_t vertex : triangle) ++begin[vertex + 1];
+    /// Each core goes through all triangles and counts some of the vertices: the order does not depend on how many do.
+    Fans(const Corners& corners, std::size_t vertexCount) : begin(vertexCount + 1) {
+        constexpr std::size_t parts = 4;
+        const auto shareOf = [&](std::size_t part, const auto& visit) {
+            const auto first = static_cast<std::uint32_t>(vertexCount * part / parts),
+                       end = static_cast<std::uint32_t>(vertexCount * (part + 1) / parts);
+            for (std::uint32_t slot = 0; slot < corners.size(); ++slot)
+                for (const std::uint32_t vertex : corners[slot])
+                    if (vertex - first < end - first) visit(vertex, slot);
+        };
+        parallelFor(std::size_t{0}, parts, [&](std::size_t part) {
+            shareOf(part, [&](std::uint32_t vertex, std::uint32_t) { ++begin[vertex + 1]; });
+        });
         for (std::size_t i = 0; i < vertexCount; ++i) begin[i + 1] += begin[i];
         std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
         slots.resize(begin.back());
-        for (std::uint32_t slot = 0; slot < corners.size(); ++slot)
-            for (const std::uint32_t vertex : corners[slot]) slots[next[vertex]++] = slot;
+        parallelFor(std::size_t{0}, parts, [&](std::size_t part) {
+            shareOf(part, [&](std::uint32_t vertex, std::uint32_t slot) { slots[next[vertex]++] = slot; });
+        });
     }
 
     std::span<const std::uint32_t> around(std::size_t vertex) const noexcept {
         return std::span(slots).subspan(begin[vertex], begin[vertex + 1] - begin[vertex]);
     }
-
-    /// The triangle that has an edge the other way round; none unless exactly two triangles share the edge.
-    std::uint32_t beyond(const std::vector<std::array<std::uint32_t, 3>>& corners, std::uint32_t from,
-                         std::uint32_t to) const noexcept {
-        std::uint32_t found = none;
-        std::size_t sharing = 0; // whichever way round
-        for (const std::uint32_t slot : around(from))
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t first = corners[slot][k], second = corners[slot][(k + 1) % 3];
-                if (first == to && second == from) found = slot;
-                if ((first == to && second == from) || (first == from && second == to)) ++sharing;
-            }
-        return sharing == 2 ? found : none;
-    }
 };
+
+/// A corner of a triangle at the vertex that is looked at: edges lead from there to `next` and from `last` to there.
+struct FanCorner {
+    std::uint32_t slot, next, last;
+    std::size_t corner;
+};
+
+void cornersAround(const Corners& corners, std::span<const std::uint32_t> fan, std::uint32_t vertex,
+                   std::vector<FanCorner>& found) {
+    found.clear();
+    for (const std::uint32_t slot : fan)
+        for (std::size_t i = 0; i < 3; ++i)
+            if (corners[slot][i] == vertex)
+                found.push_back({slot, corners[slot][(i + 1) % 3], corners[slot][(i + 2) % 3], i});
+}
+
+/// The triangle beyond the edge from the vertex to another one, which it has the other way round; none unless exactly
+/// two triangles share the edge.
+std::uint32_t beyond(const std::vector<FanCorner>& around, std::uint32_t to) noexcept {
+    std::uint32_t found = none;
+    int sharing = 0; // whichever way round
+    for (const FanCorner& other : around) {
+        if (other.last == to) found = other.slot;
+        sharing += (other.last == to ? 1 : 0) + (other.next == to ? 1 : 0);
+    }
+    return sharing == 2 ? found : none;
+}
 
 } // namespace
 
@@ -73,46 +102,48 @@ double surroundingAngle(const Triangle& triangle, TriangleFeature feature) noexc
     }
 }
 
-SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::uint32_t> order)
-    : neighbours_(order.size(), {none, none, none}), vertexNormals_(mesh.vertices.size(), glm::dvec3(0.0)) {
-    constexpr std::size_t grain = 4096;
-    std::vector<std::uint8_t> doubtful(mesh.vertices.size(), 0);
-    const std::vector<std::uint32_t> merged = firstAtSamePlace(mesh);
-    corners_.reserve(order.size());
-    for (const std::uint32_t triangle : order) {
-        const auto& [a, b, c] = mesh.triangles[triangle];
-        corners_.push_back({merged[a], merged[b], merged[c]});
-    }
+SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::uint32_t> merged,
+                               std::span<const std::uint32_t> order)
+    : corners_(order.size())
+    , neighbours_(order.size(), {none, none, none})
+    , vertexNormals_(mesh.vertices.size(), glm::dvec3(0.0)) {
+    std::vector<glm::dvec3> normals(order.size()); // zero: a triangle without area
     const auto triangleAt = [&](std::size_t slot) {
         const auto& [a, b, c] = corners_[slot];
         return Triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
     };
+    parallelStretches(std::size_t{0}, order.size(), grain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t slot = from; slot < to; ++slot) {
+            const auto& [a, b, c] = mesh.triangles[order[slot]];
+            corners_[slot] = {merged[a], merged[b], merged[c]};
+            normals[slot] = unitNormal(triangleAt(slot));
+        }
+    });
     const Fans fans(corners_, mesh.vertices.size());
-    std::vector<glm::dvec3> normals(corners_.size()); // zero: a triangle without area
-    parallelStretches(std::size_t{0}, corners_.size(), grain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t slot = from; slot < to; ++slot) normals[slot] = unitNormal(triangleAt(slot));
-    });
-    const auto ordinary = [&](std::size_t slot, std::uint32_t beyond) {
-        return normals[slot] != glm::dvec3(0.0) && beyond != none && normals[beyond] != glm::dvec3(0.0);
-    };
-    parallelStretches(std::size_t{0}, corners_.size(), grain, [&](std::size_t first, std::size_t end) {
-        for (std::size_t slot = first; slot < end; ++slot)
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::uint32_t beyond = fans.beyond(corners_, corners_[slot][i], corners_[slot][(i + 1) % 3]);
-                if (ordinary(slot, beyond)) neighbours_[slot][i] = beyond;
+    // A triangle's edges belong to the vertices that they begin at, so that no two write the same.
+    parallelStretches(std::size_t{0}, mesh.vertices.size(), grain, [&](std::size_t first, std::size_t end) {
+        std::vector<FanCorner> around;
+        for (std::size_t vertex = first; vertex < end; ++vertex) {
+            cornersAround(corners_, fans.around(vertex), static_cast<std::uint32_t>(vertex), around);
+            for (const FanCorner& own : around) {
+                const std::uint32_t other = beyond(around, own.next);
+                if (other != none && normals[own.slot] != glm::dvec3(0.0) && normals[other] != glm::dvec3(0.0))
+                    neighbours_[own.slot][own.corner] = other;
             }
+        }
     });
-    parallelStretches(std::size_t{0}, vertexNormals_.size(), grain, [&](std::size_t first, std::size_t end) {
-        for (std::size_t vertex = first; vertex < end; ++vertex)
+    parallelStretches(std::size_t{0}, mesh.vertices.size(), grain, [&](std::size_t first, std::size_t end) {
+        for (std::size_t vertex = first; vertex < end; ++vertex) {
+            bool doubtful = false;
             for (const std::uint32_t slot : fans.around(vertex))
                 for (std::size_t i = 0; i < 3; ++i) {
                     if (corners_[slot][i] != vertex) continue;
-                    if (neighbours_[slot][i] == none || neighbours_[slot][(i + 2) % 3] == none) doubtful[vertex] = 1;
+                    doubtful = doubtful || neighbours_[slot][i] == none || neighbours_[slot][(i + 2) % 3] == none;
                     vertexNormals_[vertex] += cornerAngle(triangleAt(slot), i) * normals[slot];
                 }
+            if (doubtful) vertexNormals_[vertex] = glm::dvec3(0.0);
+        }
     });
-    for (std::size_t vertex = 0; vertex < doubtful.size(); ++vertex)
-        if (doubtful[vertex] != 0) vertexNormals_[vertex] = glm::dvec3(0.0);
 }
 
 std::optional<glm::dvec3> SurfaceNormals::at(std::span<const Triangle> triangles, std::size_t slot,

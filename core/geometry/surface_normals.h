@@ -17,8 +17,10 @@ namespace burin {
 /// the angle weighted pseudonormal, IEEE TVCG 11, 2005).
 class SurfaceNormals {
 public:
+    /// @param merged `firstAtSamePlace` of the mesh
     /// @param order the triangles of `mesh` in the order that slots are counted in
-    SurfaceNormals(const TriangleMesh& mesh, std::span<const std::uint32_t> order);
+    SurfaceNormals(const TriangleMesh& mesh, std::span<const std::uint32_t> merged,
+                   std::span<const std::uint32_t> order);
 
     /// Pseudo-normal, not of unit length, at a feature of the triangle in a slot. None where the mesh around it is not
     /// an ordinary closed surface (an open edge, an edge of more than two triangles, a triangle without area).

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 namespace burin {
 
@@ -53,6 +54,11 @@ FloatBox boxOf(const Triangle& t, const glm::dvec3& origin) noexcept {
     return box;
 }
 
+Triangle triangleAt(const TriangleMesh& mesh, std::uint32_t place) noexcept {
+    const auto& [a, b, c] = mesh.triangles[place];
+    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
+
 /// What building looks at of a triangle, moved about as one: its box, and its number in the fourth place, as an
 /// ordinary float's bits, since others are slow to add.
 struct Entry {
@@ -77,8 +83,8 @@ struct Range {
 
 class Builder {
 public:
-    Builder(const std::vector<Triangle>& source, const glm::dvec3& origin, std::vector<Entry>& entries)
-        : source_(source), origin_(origin), entries_(entries) {}
+    Builder(const TriangleMesh& mesh, const glm::dvec3& origin, std::vector<Entry>& entries)
+        : mesh_(mesh), origin_(origin), entries_(entries) {}
 
     Range whole() const { return boxed(0, static_cast<std::uint32_t>(entries_.size())); }
 
@@ -111,13 +117,14 @@ public:
     }
 
 private:
-    static constexpr std::size_t binCount = 16;
+    static constexpr std::size_t mostBins = 16, fewBins = 8;
     static constexpr int deepest = 40; ///< beyond it ranges are halved, so that the stack of a walk stays bounded
     static constexpr std::uint32_t shared = 8192;        ///< larger ranges are worth another core
     static constexpr std::uint32_t branch = 0xFFFFFFFFU; ///< a child that is a node yet to come
     static constexpr std::uint32_t few =
         32; ///< a larger range is cut across its longest side, without a look at the others
-    static constexpr std::uint32_t bent = 512; ///< the surface of larger ranges is no plate: their box will do
+    static constexpr std::uint32_t fewest = 12; ///< smaller ranges than this have not the bins of others
+    static constexpr std::uint32_t bent = 512;  ///< the surface of larger ranges is no plate: their box will do
 
     struct Bin {
         FloatBox box, centres;
@@ -134,10 +141,10 @@ private:
             count += other.count;
         }
     };
-    using Bins = std::array<Bin, binCount>;
     struct Cut {
         float cost = infinity;
         int axis = 0;
+        std::size_t bins = 0;
         std::size_t bin = 0; ///< the last one of the lower half
         Bin below, above;    ///< the halves
     };
@@ -162,7 +169,7 @@ private:
     void setPlate(TreeNode& node, std::size_t child, const Range& range) const noexcept {
         glm::dvec3 sum(0.0);
         if (range.count() <= bent)
-            for (std::uint32_t i = range.begin; i < range.end; ++i) sum += areaNormal(source_[entries_[i].triangle()]);
+            for (std::uint32_t i = range.begin; i < range.end; ++i) sum += areaNormal(triangle(i));
         const double length = glm::length(sum);
         const glm::vec3 normal(length > 0.0 ? sum / length : glm::dvec3(0.0, 0.0, 1.0));
         const auto point = [](const FourFloats& v) { return glm::dvec3(v[0], v[1], v[2]); };
@@ -179,7 +186,7 @@ private:
             include(high - centre);
         } else {
             for (std::uint32_t i = range.begin; i < range.end; ++i)
-                for (const glm::dvec3& corner : source_[entries_[i].triangle()]) include(corner - origin_ - centre);
+                for (const glm::dvec3& corner : triangle(i)) include(corner - origin_ - centre);
         }
         node.below[child] = roundedDown(below);
         node.above[child] = roundedUp(above);
@@ -189,6 +196,7 @@ private:
 
     /// Splits the range whose walk costs most until there are four or only leaves are left.
     std::size_t divide(const Range& range, int depth, std::array<Range, TreeNode::width>& parts) {
+        if (range.count() > shared) return divideShared(range, depth, parts);
         parts[0] = range;
         std::size_t count = 1;
         while (count < TreeNode::width) {
@@ -202,11 +210,31 @@ private:
                 }
             }
             if (worst == count) break;
-            const std::array<Range, 2> halves =
-                depth < deepest ? splitByArea(parts[worst]) : splitInHalves(parts[worst]);
+            const std::array<Range, 2> halves = split(parts[worst], depth);
             parts[worst] = halves[0];
             parts[count++] = halves[1];
         }
+        return count;
+    }
+
+    std::array<Range, 2> split(const Range& range, int depth) {
+        return depth < deepest ? splitByArea(range) : splitInHalves(range);
+    }
+
+    /// A large range in halves, and those in halves at the same time.
+    std::size_t divideShared(const Range& range, int depth, std::array<Range, TreeNode::width>& parts) {
+        const std::array<Range, 2> halves = split(range, depth);
+        std::array<std::array<Range, 2>, 2> quarters;
+        parallelFor(std::size_t{0}, halves.size(), [&](std::size_t i) {
+            if (halves[i].count() > TriangleTree::trianglesPerLeaf)
+                quarters[i] = split(halves[i], depth);
+            else
+                quarters[i][0] = halves[i];
+        });
+        std::size_t count = 0;
+        for (const auto& [low, high] : quarters)
+            for (const Range& part : {low, high})
+                if (part.count() > 0) parts[count++] = part;
         return count;
     }
 
@@ -230,29 +258,36 @@ private:
         return {boxed(range.begin, middle), boxed(middle, range.end)};
     }
 
+    static std::size_t binOf(const Entry& entry, const Range& range, int axis, std::size_t bins) noexcept {
+        const float low = range.centres.low[axis], size = range.centres.high[axis] - low;
+        const float place = (entry.centre(axis) - low) / size;
+        return std::min(static_cast<std::size_t>(place * static_cast<float>(bins)), bins - 1);
+    }
+
     std::array<Range, 2> splitByArea(const Range& range) {
         const FourFloats size = range.centres.size();
-        const auto binOf = [&](const Entry& entry, int axis) {
-            const float place = (entry.centre(axis) - range.centres.low[axis]) / size[axis];
-            return std::min(static_cast<std::size_t>(place * static_cast<float>(binCount)), binCount - 1);
-        };
         const float longest = std::max({size[0], size[1], size[2]});
         Cut best;
         for (int axis = 0; axis < 3; ++axis) {
             if (!(size[axis] > 0.0F) || (range.count() > few && size[axis] != longest)) continue;
-            Bins bins;
-            for (std::uint32_t i = range.begin; i < range.end; ++i) bins[binOf(entries_[i], axis)].include(entries_[i]);
-            improve(best, axis, bins);
+            if (range.count() < fewest)
+                improve<fewBins>(best, range, axis);
+            else
+                improve<mostBins>(best, range, axis);
         }
         if (best.cost == infinity) return splitInHalves(range);
         std::partition(at(range.begin), at(range.end),
-                       [&](const Entry& entry) { return binOf(entry, best.axis) <= best.bin; });
+                       [&](const Entry& entry) { return binOf(entry, range, best.axis, best.bins) <= best.bin; });
         const std::uint32_t middle = range.begin + best.below.count;
         return {Range{range.begin, middle, best.below.box, best.below.centres},
                 Range{middle, range.end, best.above.box, best.above.centres}};
     }
 
-    static void improve(Cut& best, int axis, const Bins& bins) {
+    template <std::size_t binCount>
+    void improve(Cut& best, const Range& range, int axis) const {
+        std::array<Bin, binCount> bins;
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            bins[binOf(entries_[i], range, axis, binCount)].include(entries_[i]);
         std::array<float, binCount> upper{}; // cost of everything above each cut
         FloatBox box;
         std::uint32_t count = 0;
@@ -272,6 +307,7 @@ private:
             if (!(cost < best.cost)) continue;
             best.cost = cost;
             best.axis = axis;
+            best.bins = binCount;
             best.bin = i;
         }
         if (!(best.cost < before)) return;
@@ -279,31 +315,39 @@ private:
         for (std::size_t i = 0; i < binCount; ++i) (i <= best.bin ? best.below : best.above).include(bins[i]);
     }
 
-    const std::vector<Triangle>& source_;
+    Triangle triangle(std::uint32_t entry) const noexcept { return triangleAt(mesh_, entries_[entry].triangle()); }
+
+    const TriangleMesh& mesh_;
     const glm::dvec3& origin_;
     std::vector<Entry>& entries_;
 };
 
 } // namespace
 
-TriangleTree::TriangleTree(std::vector<Triangle> source) : order_(source.size()) {
-    if (source.empty()) return;
-    for (const Triangle& triangle : source)
-        for (const glm::dvec3& corner : triangle) bounds_.include(corner);
-    origin_ = bounds_.centre();
+TriangleTree::TriangleTree(const TriangleMesh& mesh, std::span<const std::uint32_t> places) : order_(places.size()) {
+    if (places.empty()) return;
     constexpr std::size_t grain = 4096;
-    std::vector<Entry> entries(source.size());
-    parallelStretches(std::size_t{0}, source.size(), grain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) entries[i] = {boxOf(source[i], origin_), i};
+    std::mutex mutex;
+    parallelStretches(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
+        Box box;
+        for (std::size_t i = from; i < to; ++i)
+            for (const glm::dvec3& corner : triangleAt(mesh, places[i])) box.include(corner);
+        const std::lock_guard lock(mutex);
+        bounds_.include(box);
     });
-    Builder builder(source, origin_, entries);
+    origin_ = bounds_.centre();
+    std::vector<Entry> entries(places.size());
+    parallelStretches(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) entries[i] = {boxOf(triangleAt(mesh, places[i]), origin_), places[i]};
+    });
+    Builder builder(mesh, origin_, entries);
     builder.build(builder.whole(), 0, nodes_);
 
-    triangles_.resize(source.size());
-    parallelStretches(std::size_t{0}, source.size(), grain, [&](std::size_t from, std::size_t to) {
+    triangles_ = std::make_unique_for_overwrite<Triangle[]>(places.size());
+    parallelStretches(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             order_[i] = entries[i].triangle();
-            triangles_[i] = source[entries[i].triangle()];
+            triangles_[i] = triangleAt(mesh, order_[i]);
         }
     });
 }

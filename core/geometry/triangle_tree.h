@@ -4,10 +4,12 @@
 
 #include "core/geometry/box.h"
 #include "core/geometry/triangle.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,19 +39,20 @@ public:
     /// Entries that a depth-first walk can have open at once.
     static constexpr std::size_t stackSize = 256;
 
-    /// @param source kept in an order of the tree's own; `order()[slot]` is the place of `triangles()[slot]` in it.
-    explicit TriangleTree(std::vector<Triangle> source);
+    /// @param places  of the triangles that count, in the mesh. They are kept in an order of the tree's own:
+    /// `order()[slot]` is the place of `triangles()[slot]` in the mesh.
+    TriangleTree(const TriangleMesh& mesh, std::span<const std::uint32_t> places);
 
-    bool empty() const noexcept { return triangles_.empty(); }
+    bool empty() const noexcept { return order_.empty(); }
     std::span<const TreeNode> nodes() const noexcept { return nodes_; } ///< the root is the first
-    std::span<const Triangle> triangles() const noexcept { return triangles_; }
+    std::span<const Triangle> triangles() const noexcept { return {triangles_.get(), order_.size()}; }
     std::span<const std::uint32_t> order() const noexcept { return order_; }
     const glm::dvec3& origin() const noexcept { return origin_; }
     const Box& bounds() const noexcept { return bounds_; }
 
 private:
     std::vector<TreeNode> nodes_;
-    std::vector<Triangle> triangles_;
+    std::unique_ptr<Triangle[]> triangles_; ///< no vector, which would be cleared first, on one core
     std::vector<std::uint32_t> order_;
     glm::dvec3 origin_{0.0};
     Box bounds_;

@@ -17,6 +17,13 @@ namespace burin {
 /// Lower bound of a walk for each child of a node; infinity where the child needs no visit.
 using ChildBounds = std::array<float, TreeNode::width>;
 
+/// Has what a child refers to brought near while others are looked at: trees of large meshes are in no cache.
+inline void bringNear(const TriangleTree& tree, std::uint32_t first, std::uint32_t count) noexcept {
+    const void* const there = count > 0 ? static_cast<const void*>(tree.triangles().data() + first)
+                                        : static_cast<const void*>(tree.nodes().data() + first);
+    for (int line = 0; line < 4; ++line) __builtin_prefetch(static_cast<const char*>(there) + 64 * line);
+}
+
 /// Depth-first, nearest child first. @param bounds  has `of(node)` and `stillBelow(bound)`, and may become stricter
 /// while triangles are met. @param meet  takes the slot of a triangle. No allocation. @return the least bound of what
 /// was not visited
@@ -52,6 +59,7 @@ float walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noe
             std::size_t place = open++;
             for (; place > base && stack[place - 1].bound < of[child]; --place) stack[place] = stack[place - 1];
             stack[place] = {of[child], node.first[child], node.count[child]};
+            bringNear(tree, node.first[child], node.count[child]);
         }
     }
     return passed;

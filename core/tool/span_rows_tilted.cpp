@@ -122,9 +122,20 @@ struct Cover {
     /// What the piece covers at the end of its way.
     BURIN_INLINE void end() const noexcept {
         const RowsPiece standing(piece, piece.to, rows.first);
-        for (const RowSpans& stretch : stretches)
-            forEachGroup(Row(standing, rowOf(stretch)), linesFrom(piece.to, stretch), {0, stretch.groups},
-                         KeepEnd(piece, piece.to, stretch));
+        for (const RowSpans& stretch : stretches) {
+            const Row row(standing, rowOf(stretch));
+            const Floats lines = linesFrom(piece.to, stretch);
+            const KeepEnd keep(piece, piece.to, stretch);
+            if constexpr (rounding == Rounding::ball) {
+                const Groups simple = within(stretch, rows.ballToFaceBegin, rows.ballToFaceEnd);
+                forEachGroup(row, lines, {0, simple.begin}, keep);
+                Floats u = lines + static_cast<float>(simple.begin * lanes);
+                for (std::int32_t i = simple.begin; i < simple.end; ++i, u += lanes) keep(row.ballToFaceAt(u), u, i);
+                forEachGroup(row, lines, {simple.end, stretch.groups}, keep);
+            } else {
+                forEachGroup(row, lines, {0, stretch.groups}, keep);
+            }
+        }
     }
     /// What it covers at the start and on the way, everywhere.
     BURIN_INLINE void way() const noexcept {

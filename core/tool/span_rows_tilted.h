@@ -53,6 +53,7 @@ struct TiltedPiece {
     // A ball: its middle from the tip. A bull nose: the middle of its rounding's circle.
     float middleZ = 0.0F; ///< run units
     double middleX = 0.0, middleY = 0.0;
+    float middleHeight = 0.0F, topHeight = 0.0F; ///< voxels along the axis, of that and of the upper face
     Linear equator, face; ///< of a ball: where it goes over into the straight part, and the upper face
     bool rises = true;    ///< that part lies above, not below
     float radius = 0.0F, flatRadius = 0.0F, cornerRadius = 0.0F; ///< voxels
@@ -75,6 +76,9 @@ struct TiltedRows {
     };
     std::int32_t first = 0;   ///< row
     EightIntegers begin, end; ///< groups that the piece can meet
+    /// Groups whose lines all pass a ball's equator and its upper face at the end of the way, roundings or not: one end
+    /// of each lies on the ball, the other on the face.
+    EightIntegers ballToFaceBegin, ballToFaceEnd;
     std::array<RimGroups, 2> rims;
 };
 

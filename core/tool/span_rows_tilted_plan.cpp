@@ -66,27 +66,70 @@ BURIN_INLINE void findShadow(const TiltedShadow& shadow, float margin, Floats y,
     store(meets ? end : begin, rows.end);
 }
 
-/// Lines that meet a face's plane so near to its rim. On the plane the rows are chords of a disc, seen aslant.
+/// How rows of lines pass the plane of a disc about the axis: as chords of it, seen aslant.
+struct DiscRows {
+    Floats middle; ///< of the chords, voxels from the line that places are counted from
+    Floats gone;   ///< square distances of the chords from the disc's middle, scaled by `square`
+    float square;  ///< that scale
+    float halfOf;  ///< half a chord's length for the root of what is left of the radius' square
+    BURIN_INLINE DiscRows(const TiltedPiece& piece, float height, Floats y, float part) noexcept
+        : square(1.0F - piece.axisY * piece.axisY) {
+        const float steep = piece.axisZ < 0.0F ? -piece.axisZ : piece.axisZ, perSquare = 1.0F / square;
+        middle = (height - piece.axisY * y) * (piece.axisX * perSquare) + part;
+        const Floats dy = y - piece.axisY * height;
+        gone = dy * dy;
+        halfOf = steep * perSquare;
+    }
+    /// Square of a half chord, up to a scale, of a disc with such a square of its radius.
+    BURIN_INLINE Floats left(float radiusSquare) const noexcept { return square * radiusSquare - gone; }
+};
+
+/// Groups within a chord, the ones that hold its ends left out.
+struct Within {
+    Integers begin, end;
+    Integers any; ///< rows that have some: all bits or none
+    BURIN_INLINE Within(const DiscRows& disc, Floats left, std::int32_t whole) noexcept {
+        const Floats half = rootsOf(left) * disc.halfOf - slack;
+        begin = groupsOf(disc.middle - half, whole) + 1;
+        end = groupsOf(disc.middle + half, whole);
+        any = (left > Floats{}) & (half > Floats{}) & (begin < end);
+    }
+};
+
+/// Lines that meet a face's plane so near to its rim.
 BURIN_INLINE void findRim(const TiltedPiece& piece, float height, Floats y, std::int32_t whole, float part,
                           TiltedRows::RimGroups& groups) noexcept {
-    const float steep = piece.axisZ < 0.0F ? -piece.axisZ : piece.axisZ;
-    const float square = 1.0F - piece.axisY * piece.axisY, perSquare = 1.0F / square;
-    const Floats middle = (height - piece.axisY * y) * (piece.axisX * perSquare) + part;
-    const Floats dy = y - piece.axisY * height, gone = dy * dy;
+    const DiscRows disc(piece, height, y, part);
     const float radius = piece.radius * piece.radius;
-    const Floats outer = square * (radius + piece.rimReach) - gone, inner = square * (radius - piece.rimReach) - gone;
-    const Floats outerHalf = rootsOf(outer) * (steep * perSquare) + slack;
-    const Floats innerHalf = rootsOf(inner) * (steep * perSquare) - slack;
+    const Floats outer = disc.left(radius + piece.rimReach);
+    const Floats outerHalf = rootsOf(outer) * disc.halfOf + slack;
     // A row that passes beside the disc by next to nothing is one that touches it.
     const Integers meets = outer > floats(-slack * piece.radius);
-    const Integers hollow = (inner > Floats{}) & (innerHalf > Floats{});
-    const Integers begin = groupsOf(middle - outerHalf, whole), end = groupsOf(middle + outerHalf, whole) + 1;
+    const Integers begin = groupsOf(disc.middle - outerHalf, whole), end = groupsOf(disc.middle + outerHalf, whole) + 1;
     store(begin, groups.outerBegin);
     store(meets ? end : begin, groups.outerEnd);
-    const Integers innerBegin = groupsOf(middle - innerHalf, whole) + 1, innerEnd = groupsOf(middle + innerHalf, whole);
-    const Integers parted = hollow & (innerBegin < innerEnd);
-    store(parted ? innerBegin : begin, groups.innerBegin);
-    store(parted ? innerEnd : begin, groups.innerEnd);
+    const Within inner(disc, disc.left(radius - piece.rimReach), whole);
+    store(inner.any ? inner.begin : begin, groups.innerBegin);
+    store(inner.any ? inner.end : begin, groups.innerEnd);
+}
+
+/// Lines that pass a ball's equator and its upper face, neither of them near its edge.
+BURIN_INLINE void findBallToFace(const TiltedPiece& piece, Floats y, std::int32_t whole, float part,
+                                 TiltedRows& rows) noexcept {
+    // Far above what roundings make of a height: where planes are steep, that could be more.
+    constexpr float leastSteep = 1.0F / 64.0F;
+    const float edge = 1.0F / 16.0F + (piece.topHeight + piece.radius) / 16384.0F; // voxels
+    const float square = piece.radius * (piece.radius - 2.0F * edge);
+    const float steep = piece.axisZ < 0.0F ? -piece.axisZ : piece.axisZ;
+    store(integers(0), rows.ballToFaceBegin);
+    store(integers(0), rows.ballToFaceEnd);
+    if (piece.rounding != TiltedPiece::Rounding::ball || steep < leastSteep) return;
+    const DiscRows equator(piece, piece.middleHeight, y, part), face(piece, piece.topHeight, y, part);
+    const Within one(equator, equator.left(square), whole), other(face, face.left(square), whole);
+    const Integers begin = most(one.begin, other.begin), end = least(one.end, other.end);
+    const Integers any = one.any & other.any & (begin < end);
+    store(any ? begin : integers(0), rows.ballToFaceBegin);
+    store(any ? end : integers(0), rows.ballToFaceEnd);
 }
 
 } // namespace
@@ -99,6 +142,7 @@ BURIN_VECTORISED_TO_AVX512 void planTiltedRows(const TiltedPiece& piece, const T
     const std::int32_t whole = piece.to.wholeX;
     const float part = static_cast<float>(piece.to.x - whole);
     findShadow(shadow, margin, y, whole, part, rows);
+    findBallToFace(piece, y, whole, part, rows);
     if (!piece.moves || piece.withStart || piece.rimsEverywhere) return;
     for (std::size_t i = piece.rounding == TiltedPiece::Rounding::none ? 0 : 1; i < 2; ++i)
         findRim(piece, piece.rims[i].height, y, whole, part, rows.rims[i]);

@@ -131,6 +131,14 @@ struct RowPiece {
         else
             return standing.at(x);
     }
+    /// The same of a ball's lines that pass its equator and its upper face.
+    BURIN_INLINE Heights ballToFaceAt(Floats x) const noexcept {
+        const Floats off = x - middleX, half = unitsAVoxel * rootsOf(square - off * off), end = face.at(x);
+        if constexpr (rises)
+            return {middleZ - half, end};
+        else
+            return {end, middleZ + half};
+    }
     /// An end in the corner that a bull nose's rounding takes off lies below its circle and out from it.
     BURIN_INLINE Integers offRounding(Floats x, Floats z) const noexcept {
         const Floats along = x * piece.axisX + y * piece.axisY + z * piece.axisZ;

@@ -128,6 +128,8 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     tilted.middleX = middle.x;
     tilted.middleY = middle.y;
     tilted.middleZ = static_cast<float>(middle.z * unitsAVoxel);
+    tilted.middleHeight = static_cast<float>(piece.bottom + corner);
+    tilted.topHeight = static_cast<float>(piece.top);
     tilted.axisX = static_cast<float>(axis.x);
     tilted.axisY = static_cast<float>(axis.y);
     tilted.axisZ = static_cast<float>(axis.z);

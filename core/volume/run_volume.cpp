@@ -67,6 +67,9 @@ std::span<const Segment> RunVolume::line(LineIndex line) const noexcept {
 std::span<const Segment> RunVolume::brick(LineIndex line) const noexcept {
     return impl_->brick(line);
 }
+void RunVolume::fetch(LineIndex line) const noexcept {
+    impl_->fetch(line);
+}
 const RunAmounts& RunVolume::amounts() const noexcept {
     return impl_->amounts();
 }

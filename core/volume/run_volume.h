@@ -44,7 +44,8 @@ struct RunAmounts {
     friend bool operator==(const RunAmounts&, const RunAmounts&) = default;
 };
 
-/// What is to be removed from a brick of 8 × 8 scanlines. Line i lies at u = i % 8, v = i / 8 of the brick.
+/// What is to be removed from a brick of 8 × 8 scanlines: stretches with from < to that lie within the line. Line i lies
+/// at u = i % 8, v = i / 8 of the brick.
 struct BrickSpans {
     std::uint64_t lines = 0; ///< bit i: line i has a stretch
     std::array<RunPosition, 64> from{}, to{};
@@ -126,6 +127,9 @@ public:
     std::span<const Segment> brick(LineIndex line) const noexcept;
 
     // ---- Scanlines. No allocation, no exception: fit for the haptic loop.
+
+    /// Fetches what is shown of the brick of a line from memory, for whoever is going to read it soon.
+    void fetch(LineIndex line) const noexcept;
 
     /// Turns the machinable runs between `from` and `to` to air; protected runs stay.
     /// @param removed what was taken is added to it.

@@ -19,6 +19,8 @@ public:
     std::span<const Segment> line(LineIndex index) const noexcept { return store_->line(pages_, index); }
     std::span<const Segment> brick(LineIndex index) const noexcept { return store_->tileAt(pages_, index).all(); }
 
+    void fetch(LineIndex index) const noexcept;
+
     Removal removeSpan(LineIndex index, RunPosition from, RunPosition to, RunAmounts& removed) noexcept;
     bool fillSpan(LineIndex index, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
@@ -66,8 +68,6 @@ private:
     void count(std::span<const Segment> line, bool add) noexcept;
     void count(LineIndex corner, const Tile& tile, bool add) noexcept;
     bool sparePage(std::size_t page) noexcept;
-    void writeCleared(const Tile& present, const BrickSpans& spans, const Tile& tile) noexcept;
-    Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition to, Segment* place) noexcept;
 
     std::shared_ptr<VolumeStore> store_;
     std::array<bool, 256> machinable_{}; ///< by property

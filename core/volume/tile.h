@@ -23,6 +23,9 @@ inline constexpr std::uint32_t narrowLimit = 0xffff;
 /// The scanlines of a tile for reading, line 8 v + u; views into what somebody else owns.
 using TileView = std::array<std::span<const Segment>, linesPerTile>;
 
+/// Where the segments of each line begin, and the end of the last, counted from the first line's.
+using TileOffsets = std::array<std::uint32_t, linesPerTile + 1>;
+
 /// Access to the content of a tile's block; owns nothing.
 class Tile {
 public:
@@ -92,6 +95,19 @@ public:
                 setOffset(later, offset(later) + added - removed);
         }
         return place;
+    }
+    void readOffsets(TileOffsets& offsets) const noexcept {
+        if (header_->wide)
+            std::copy_n(wideOffsets(), offsets.size(), offsets.begin());
+        else
+            std::copy_n(narrowOffsets(), offsets.size(), offsets.begin());
+    }
+    void writeOffsets(const TileOffsets& offsets) const noexcept {
+        if (header_->wide)
+            std::ranges::copy(offsets, wideOffsets());
+        else
+            std::ranges::transform(offsets, narrowOffsets(),
+                                   [](std::uint32_t offset) { return static_cast<std::uint16_t>(offset); });
     }
     void setOffset(int line, std::uint32_t value) const noexcept {
         if (header_->wide)

@@ -49,14 +49,20 @@ struct TileTable {
         return static_cast<std::size_t>(pagesU) * static_cast<std::size_t>(pagesV);
     }
     std::size_t pageOf(LineIndex line) const noexcept {
-        return static_cast<std::size_t>(line.v / (tileSide * pageSide)) * static_cast<std::size_t>(pagesU) +
-               static_cast<std::size_t>(line.u / (tileSide * pageSide));
+        constexpr auto side = static_cast<std::size_t>(tileSide * pageSide);
+        return at(line.v) / side * static_cast<std::size_t>(pagesU) + at(line.u) / side;
     }
     static int entryOf(LineIndex line) noexcept {
-        return (line.v / tileSide % pageSide) * pageSide + line.u / tileSide % pageSide;
+        return static_cast<int>(at(line.v) / tileSide % pageSide * pageSide + at(line.u) / tileSide % pageSide);
     }
-    static int lineInTile(LineIndex line) noexcept { return (line.v % tileSide) * tileSide + line.u % tileSide; }
+    static int lineInTile(LineIndex line) noexcept {
+        return static_cast<int>(at(line.v) % tileSide * tileSide + at(line.u) % tileSide);
+    }
     static std::size_t pageBytes() noexcept { return sizeof(BlockHeader) + tilesPerPage * sizeof(BlockIndex); }
+
+private:
+    /// Lines are never below 0: a division by a power of two is a shift.
+    static std::size_t at(std::int32_t line) noexcept { return static_cast<std::size_t>(line); }
 };
 
 /// What a volume and its snapshots share: the grid, the property list, the memory, and the account of which block is

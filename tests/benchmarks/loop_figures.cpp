@@ -7,6 +7,7 @@
 #include "tests/benchmarks/scenes/tool_paths.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <ctime>
 #include <pthread.h>
 #include <thread>
@@ -15,14 +16,18 @@ namespace burin::benchmarks {
 
 namespace {
 
-constexpr std::size_t ticks = 10'000, ticksAtOnce = 1000; // the empty loop runs in turn with the other
+constexpr std::size_t ticks = 10'000, ticksAtOnce = 1000; // the other loops run in turn with it
 constexpr long period = 1'000'000;                        // ns
 constexpr double periodMicroseconds = 1e-3 * period;
 
-/// Calls `work(i)` at absolute times a period apart. What it took, µs, goes to `spent`. @return ticks that were not
-/// over when the next one was due
+/// What each tick took, µs: on the wall's clock, and of the processor's time.
+struct Spent {
+    std::vector<double> wall = std::vector<double>(ticks), processor = std::vector<double>(ticks);
+};
+
+/// Calls `work(i)` at absolute times a period apart. @return ticks that were not over when the next one was due
 template <class Work>
-std::size_t atEachPeriod(std::size_t first, std::size_t count, const Work& work, std::vector<double>& spent) {
+std::size_t atEachPeriod(std::size_t first, std::size_t count, const Work& work, Spent& spent) {
     std::size_t missed = 0;
     timespec due{};
     ::clock_gettime(CLOCK_MONOTONIC, &due);
@@ -38,9 +43,11 @@ std::size_t atEachPeriod(std::size_t first, std::size_t count, const Work& work,
         due = later(due);
         while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
         }
+        const double processor = processorMicroseconds();
         const Clock::time_point start = Clock::now();
         work(i);
-        spent[i] = microseconds(Clock::now() - start);
+        spent.wall[i] = microseconds(Clock::now() - start);
+        spent.processor[i] = processorMicroseconds() - processor;
         timespec now{};
         ::clock_gettime(CLOCK_MONOTONIC, &now);
         const double since =
@@ -60,9 +67,18 @@ void touchStack() {
     (void)stack[0];
 }
 
+/// Arithmetic that is always the same and needs no memory, about as long as a tick: what it takes longer at times, the
+/// machine took.
+void calculate() noexcept {
+    std::uint64_t number = 1;
+    for (int i = 0; i < 50'000; ++i) number = number * 6364136223846793005U + 1442695040888963407U;
+    volatile std::uint64_t kept = number;
+    (void)kept;
+}
+
 /// Runs on a thread of its own, real-time where the system allows it.
 struct Loop {
-    std::vector<double> work = std::vector<double>(ticks), empty = std::vector<double>(ticks);
+    Spent work, empty, steady;
     std::size_t missed = 0, missedEmpty = 0;
     bool realTime = false;
     bool cancelled = false;
@@ -76,6 +92,8 @@ struct Loop {
             missed += atEachPeriod(first, ticksAtOnce, tick, work);
             missedEmpty += atEachPeriod(
                 first, ticksAtOnce, [](std::size_t) {}, empty);
+            (void)atEachPeriod(
+                first, ticksAtOnce, [](std::size_t) { calculate(); }, steady);
             cancelled = Session::cancelled();
         }
     }
@@ -86,7 +104,7 @@ struct Loop {
 void loopFigures(Session& session) {
     const std::string name = "loop.r100.2048";
     if (!session.wants(name)) return;
-    session.stage(name + " (20 s)");
+    session.stage(name + " (30 s)");
     constexpr double side = 2048.0, radius = 100.0;
     RunVolume workpiece = halfBlock(static_cast<std::int32_t>(side));
     const std::vector<ToolPose> path = upright(walkFromAbove(side, radius, 1.0, ticks));
@@ -134,9 +152,14 @@ void loopFigures(Session& session) {
         session.note("The system allows no real-time thread (SCHED_FIFO): loop figures are of a normal one.");
 
     const double beyond = static_cast<double>(loop.missed) - static_cast<double>(loop.missedEmpty);
-    session.add(figure(name + ".p50", percentile(loop.work, 0.5), "us"));
-    session.add(figure(name + ".p999", percentile(loop.work, 0.999), "us", 200.0));
-    session.add(figure(name + ".worst", percentile(loop.work, 1.0), "us", 400.0));
+    session.add(figure(name + ".p50", percentile(loop.work.wall, 0.5), "us"));
+    session.add(figure(name + ".p999", percentile(loop.work.wall, 0.999), "us", 200.0));
+    session.add(figure(name + ".worst", percentile(loop.work.wall, 1.0), "us", 400.0));
+    session.add(figure(name + ".cpu_p999", percentile(loop.work.processor, 0.999), "us", 200.0));
+    session.add(figure(name + ".cpu_worst", percentile(loop.work.processor, 1.0), "us", 400.0));
+    session.add(figure(name + ".steady_p50", percentile(loop.steady.wall, 0.5), "us"));
+    session.add(figure(name + ".steady_p999", percentile(loop.steady.wall, 0.999), "us"));
+    session.add(figure(name + ".steady_worst", percentile(loop.steady.wall, 1.0), "us"));
     session.add(against(figure(name + ".misses", static_cast<double>(loop.missed), "ticks"), "empty loop, in turn",
                         static_cast<double>(loop.missedEmpty)));
     session.add(figure(name + ".misses_beyond_empty", std::max(0.0, beyond), "ticks", 0.0));

@@ -10,7 +10,6 @@
 #include "tests/oracles/system_watch.h"
 
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <limits>
 #include <unistd.h>
@@ -60,12 +59,6 @@ struct Beside {
     std::optional<Recorder> recorder;
     MeshingView view;
 };
-
-double processorMicroseconds() noexcept {
-    timespec now{};
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
 
 struct TickCosts {
     std::vector<double> microseconds = std::vector<double>(ticks, std::numeric_limits<double>::infinity());

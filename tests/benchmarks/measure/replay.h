@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <limits>
 #include <vector>
 
@@ -23,6 +24,13 @@ inline double milliseconds(Clock::duration time) noexcept {
 }
 inline double seconds(Clock::duration time) noexcept {
     return 1e-6 * microseconds(time);
+}
+
+/// Processor time of the calling thread since it began: what others do on its processor does not count.
+inline double processorMicroseconds() noexcept {
+    std::timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
 /// Nearest rank: the least value that at least `share` of all are not above.

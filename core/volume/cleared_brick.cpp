@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/volume/cleared_brick.h"
+
+#include "core/base/vectorised.h"
+
+#include <algorithm>
+
+namespace burin::kernels {
+
+namespace {
+
+using Machinable = std::array<bool, 256>;
+
+/// Eight segments at once, whatever they are.
+BURIN_INLINE void copyFew(const Segment* from, Segment* to) noexcept {
+    static_assert(sizeof(Segment) == sizeof(std::uint32_t));
+    Words values;
+    __builtin_memcpy(&values, from, sizeof values);
+    __builtin_memcpy(static_cast<void*>(to), &values, sizeof values);
+}
+
+/// A line of any length, any properties.
+Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition to, const Machinable& machinable,
+                   Segment* place, RunAmounts& amounts) noexcept {
+    const Segment* const begin = place;
+    const auto append = [&](RunPosition end, PropertyIndex property) {
+        if (place != begin && place[-1].property() == property) --place;
+        *place++ = Segment(end, property);
+    };
+    RunPosition start = 0;
+    const Segment* next = line.data();
+    const Segment* const last = next + line.size();
+    for (; next != last && next->end() <= from; ++next) {
+        *place++ = *next;
+        start = next->end();
+    }
+    for (; next != last && start < to; ++next) {
+        const RunPosition end = next->end();
+        const PropertyIndex property = next->property();
+        if (!machinable[property]) {
+            append(end, property);
+        } else {
+            const RunPosition low = std::max(start, from), high = std::min(end, to);
+            if (start < low) append(low, property);
+            append(high, airProperty);
+            if (high < end) append(end, property);
+            amounts.units[property] -= high - low;
+            amounts.units[airProperty] += high - low;
+        }
+        start = end;
+    }
+    if (next != last) append(next->end(), next->property()), ++next;
+    return std::copy(next, last, place);
+}
+
+/// A line whose air is widened within the runs on either side, as most are: two ends move, no more.
+/// @param copy of the line, which is changed
+/// @return whether it is one; otherwise the copy is as it was
+BURIN_INLINE bool widenAir(const Segment* line, const Segment* lineEnd, RunPosition from, RunPosition to,
+                           const Machinable& machinable, Segment* copy, RunAmounts& amounts) noexcept {
+    const Segment* air = line;
+    RunPosition start = 0;
+    for (; air->end() <= from; ++air) start = air->end();
+    RunPosition below = 0, above = 0;
+    PropertyIndex left = airProperty, right = airProperty;
+    if (air->property() != airProperty) {
+        left = air->property();
+        if (!machinable[left] || start == from || ++air == lineEnd || air->property() != airProperty) return false;
+        below = air[-1].end() - from;
+    }
+    if (air->end() != to) {
+        if (air->end() > to || air + 1 == lineEnd || to >= air[1].end()) return false;
+        right = air[1].property();
+        if (!machinable[right]) return false;
+        above = to - air->end();
+    }
+    amounts.units[left] -= below;
+    amounts.units[right] -= above;
+    amounts.units[airProperty] += below + above;
+    Segment* const place = copy + (air - line);
+    if (below > 0) place[-1] = Segment(from, left);
+    *place = Segment(to, airProperty);
+    return true;
+}
+
+/// Lines of so few segments, nearly all, are copied at once.
+constexpr std::uint32_t few = lanes;
+
+} // namespace
+
+BURIN_VECTORISED void writeCleared(const Tile& present, const BrickSpans& spans, const Machinable& machinable,
+                                   const Tile& cleared, RunAmounts& amounts) noexcept {
+    TileOffsets before, after;
+    present.readOffsets(before);
+    const Segment* const segments = present.segments();
+    Segment* const begin = cleared.segments();
+    Segment* place = begin;
+    // Up to where eight segments can be read, and written whatever the lines before became.
+    const std::uint32_t readable = present.header().capacity, writable = cleared.header().capacity;
+    std::uint64_t left = spans.lines;
+    for (std::size_t line = 0; line < linesPerTile; ++line, left >>= 1) {
+        const std::uint32_t first = before[line], end = before[line + 1], count = end - first;
+        const Segment* const from = segments + first;
+        const auto at = static_cast<std::uint32_t>(place - begin);
+        after[line] = at;
+        const bool copied = count <= few && first + few <= readable && at + few <= writable;
+        if (copied)
+            copyFew(from, place);
+        else if ((left & 1) == 0)
+            std::copy(from, segments + end, place);
+        if ((left & 1) == 0 ||
+            (copied && widenAir(from, segments + end, spans.from[line], spans.to[line], machinable, place, amounts)))
+            place += count;
+        else
+            place = clearLine({from, count}, spans.from[line], spans.to[line], machinable, place, amounts);
+    }
+    after[linesPerTile] = static_cast<std::uint32_t>(place - begin);
+    cleared.writeOffsets(after);
+}
+
+} // namespace burin::kernels
