@@ -3709,6 +3709,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>order of edits</source>
         <translation>Reihenfolge der Bearbeitungen</translation>
     </message>
+    <message>
+        <source>new path</source>
+        <translation>neue Bahn</translation>
+    </message>
 </context>
 <context>
     <name>burin::PathPanel</name>

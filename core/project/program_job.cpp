@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -88,17 +89,21 @@ Result<std::string> post(const Bench& bench, const ProgramPaths& paths, const Pr
     return writeProgram(*program, bench.machine, **dialect, progress);
 }
 
-/// What the program's T numbers mean: one tool for all of them, or several to look up.
-std::vector<Tool> toolsMeant(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
+/// What the program's T numbers mean: one tool for all of them, or several to look up. Errors: argumentInvalid (a
+/// number that several tools have).
+Result<std::vector<Tool>> toolsMeant(const ParsedProgram& program, const Bench& bench, const ProgramRequest& request) {
     if (request.tools.size() == 1) return request.tools;
     std::set<int> numbers;
-    for (const NcMotion& motion : program.motions) numbers.insert(motion.tool);
-    if (numbers.size() > 1 && !request.tools.empty()) return request.tools;
-    if (numbers.size() == 1 && *numbers.begin() != bench.tool.number)
-        if (const auto found = std::ranges::find(request.tools, *numbers.begin(), &Tool::number);
-            found != request.tools.end())
-            return {*found};
-    return {bench.tool};
+    for (const NcMotion& motion : program.motions)
+        if (motion.tool != 0) numbers.insert(motion.tool);
+    if (request.tools.empty() || numbers.empty()) return std::vector{bench.tool};
+    std::vector<Tool> called;
+    for (const int number : numbers)
+        std::ranges::copy_if(request.tools, std::back_inserter(called),
+                             [number](const Tool& tool) { return tool.number == number; });
+    if (Result<void> numbered = checkNumbers(called); !numbered) return numbered.error();
+    // With a number that nobody has, all are named beside it.
+    return called.size() < numbers.size() ? request.tools : called;
 }
 
 } // namespace
@@ -218,8 +223,10 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     verification.obstacles = bench.obstacles;
     if (bench.travel.zero) // what is only the rule's guess refuses no program
         verification.travel = travelEnvelope(bench.machine, bench.travel, bench.setup.workOffset).tips;
+    Result<std::vector<Tool>> tools = toolsMeant(*parsed, bench, request);
+    if (!tools) return std::move(tools).error();
     CheckedProgram checked;
-    checked.tools = toolsMeant(*parsed, bench, request);
+    checked.tools = std::move(*tools);
     verification.tool = checked.tools.front();
     if (checked.tools.size() > 1) verification.tools = checked.tools;
     verification.machine = bench.machine;
@@ -231,6 +238,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     checked.lint = lint(text, {&control, &bench.machine, checked.tools.size() > 1 ? nullptr : &checked.tools.front()});
     checked.text = std::move(text);
     checked.dialect = request.dialect;
+    checked.gougeTolerance = request.gougeTolerance;
     checked.parsed = std::move(*parsed);
     checked.report = std::move(*report);
     return checked;

@@ -33,8 +33,8 @@ struct ProgramRequest {
     std::size_t exactSamples = 500;
     NcUnits units = NcUnits::millimetre; ///< of the program's text
     ImportOptions import;                ///< worker for the exact distances
-    /// Tools that a program may call by their numbers; one: whatever it calls. The bench's where it calls none of them,
-    /// and for all of it where there are none.
+    /// Tools that a program may call by their numbers; one: whatever it calls. The bench's where it calls none, or
+    /// where there are none.
     std::vector<Tool> tools;
     /// Why a program that its check refuses is wanted all the same, in the user's words; they and what was found stand
     /// in the program's header then. Empty: it is not wanted.
@@ -47,6 +47,7 @@ struct CheckedProgram {
     std::string dialect;         ///< that it is read in
     ParsedProgram parsed;        ///< what the text says
     std::vector<Tool> tools;     ///< that it may call by their numbers; one: whatever number it calls
+    double gougeTolerance = 0.0; ///< mm, that it was judged by
     std::vector<LintMark> lint;  ///< what the control may not take
     std::vector<Moment> moments; ///< of the hand, behind each motion; empty where the text was not posted from a path
     VerifyReport report;

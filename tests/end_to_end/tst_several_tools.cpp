@@ -77,6 +77,15 @@ void TestSeveralTools::theProgramIsVerifiedWithEachOfItsTools() {
     const ProgramRun refused = runBurin({"verify", strange.fileName(), "--project", project_});
     QCOMPARE(refused.status, 2);
     QVERIFY2(refused.messages.contains("77") && refused.messages.count('\n') == 1, refused.messages.constData());
+    // Nor is one that is alone: which of the project's tools should it be?
+    text.replace(QRegularExpression("^T\\d+ M6", QRegularExpression::MultilineOption), "T77 M6");
+    QFile alone(inFolder("alone.ngc"));
+    QVERIFY(alone.open(QIODevice::WriteOnly));
+    alone.write(text.toUtf8());
+    alone.close();
+    const ProgramRun unknown = runBurin({"verify", alone.fileName(), "--project", project_});
+    QVERIFY2(unknown.status == 2 && unknown.messages.contains("77"), unknown.messages.constData());
+    QVERIFY(runBurin({"verify", alone.fileName(), "--project", project_, "--tool", "ball-3"}).status != 2);
 }
 
 void TestSeveralTools::inchesSayTheSame() {

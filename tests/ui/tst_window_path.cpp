@@ -147,6 +147,16 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY(driver.clickOn(qPrintable(remove)));
     QVERIFY(driver.waitFor([&] { return placeOf(bench, "replace-stretch") == bench.path.stored()->edits.size(); }));
     QVERIFY(evaluatedAgain(driver));
+
+    // A new path takes no edit away for good.
+    const std::vector<std::string> kept = editsOf(bench);
+    QVERIFY(kept != before);
+    bench.path.makeNew();
+    QVERIFY(driver.waitFor([&] { return editsOf(bench) == before; }));
+    QVERIFY(evaluatedAgain(driver));
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(driver.waitFor([&] { return editsOf(bench) == kept; }));
+    QVERIFY(evaluatedAgain(driver));
 }
 
 void TestWindowPath::anAreaIsDrawnAndEmptied() {

@@ -80,6 +80,20 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     QVERIFY(bench.program.exportable());
     QVERIFY(driver.clickOn("programPath1Switch"));
 
+    // What is changed while it is posted makes it out of date when it comes; taken back, it is what is wanted again.
+    const auto before = bench.program.program();
+    QVERIFY(driver.clickOn("postButton"));
+    bench.target.chooseUnits(NcUnits::inch);
+    QVERIFY(driver.waitFor([&] { return bench.program.program() != before && !bench.program.busy(); }));
+    QVERIFY(bench.program.outdated() && !bench.program.exportable());
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY(bench.program.exportable());
+    const double tolerance = bench.program.gougeTolerance();
+    bench.program.setGougeTolerance(0.5 * tolerance);
+    QVERIFY(!bench.program.exportable());
+    bench.program.setGougeTolerance(tolerance);
+    QVERIFY(bench.program.exportable());
+
     // Inches, and back.
     QVERIFY(driver.waitFor([&] { return driver.visible<QComboBox>("programUnits") != nullptr; }, 3000));
     auto* units = driver.visible<QComboBox>("programUnits");

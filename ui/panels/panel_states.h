@@ -194,7 +194,8 @@ struct ProgramState {
     std::shared_ptr<const VerifyReport> report; ///< null: not checked; large, so that it is shared
     std::vector<LintMark> lint;                 ///< of the program that the report is about
     bool released = false;                      ///< it passed, or its header says why it is wanted all the same
-    double gougeTolerance = 0.02;               ///< mm
+    double gougeTolerance = 0.02;               ///< mm, for the next check
+    double judgedTolerance = 0.02;              ///< mm, that the report was judged by
     bool outdated = false;
     bool busy = false;
     QString problem;

@@ -305,7 +305,7 @@ void ProgramPanel::Fields::refreshVerdict() {
     else if (errors() == 0)
         verdict_->tell(Notice::Kind::passed,
                        ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")
-                           .arg(lengthText(state.report->gougeMax, unit_), lengthText(state.gougeTolerance, unit_)));
+                           .arg(lengthText(state.report->gougeMax, unit_), lengthText(state.judgedTolerance, unit_)));
     else if (state.released)
         verdict_->tell(Notice::Kind::warning, failure() + QLatin1Char(' ') +
                                                   ProgramPanel::tr("Its header says why it is wanted all the same."));
@@ -386,6 +386,10 @@ void ProgramPanel::showMachineState(const QString& state, std::optional<double> 
 
 DeviationCard& ProgramPanel::deviation() const {
     return *fields_->deviation;
+}
+
+void ProgramPanel::tellTextNow() {
+    fields_->program->tellNow();
 }
 
 void ProgramPanel::startSearch() {

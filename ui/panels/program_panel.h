@@ -24,6 +24,7 @@ public:
     /// When the chosen line is done: the machine's state, and the time; nothing: no line is looked at.
     void showMachineState(const QString& state, std::optional<double> seconds);
     void startSearch();
+    void tellTextNow();               ///< what was typed and not told yet
     DeviationCard& deviation() const; ///< the part of the panel that tells what is left on the part
 
 signals:

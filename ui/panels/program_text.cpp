@@ -69,10 +69,7 @@ ProgramText::ProgramText(QWidget* parent)
         if (editable) view_->setFocus();
     });
     connect(view_, &ProgramView::edited, &settled_, qOverload<>(&QTimer::start));
-    connect(&settled_, &QTimer::timeout, this, [this] {
-        told();
-        emit textEdited(view_->program());
-    });
+    connect(&settled_, &QTimer::timeout, this, &ProgramText::tell);
     showState({});
     told();
 }
@@ -99,6 +96,17 @@ void ProgramText::showProgram(const QString& text) {
     if (settled_.isActive()) return; // what the user writes is newer
     view_->showProgram(text);
     told();
+}
+
+void ProgramText::tellNow() {
+    if (!settled_.isActive()) return;
+    settled_.stop();
+    tell();
+}
+
+void ProgramText::tell() {
+    told();
+    emit textEdited(view_->program());
 }
 
 void ProgramText::showLine(int line) {

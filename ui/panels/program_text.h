@@ -25,6 +25,7 @@ public:
     /// @param state of the machine when the chosen line is done; empty: there is nothing to tell
     void showState(const QString& state);
     bool editable() const;
+    void tellNow(); ///< what was typed and not told yet
     /// The keyboard goes to the search, what stood there is chosen.
     void startSearch();
 
@@ -37,6 +38,7 @@ signals:
 
 private:
     void search(bool backward);
+    void tell();
     void told();
 
     QLineEdit* wanted_;

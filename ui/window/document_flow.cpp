@@ -130,6 +130,7 @@ void DocumentFlow::saveAs() {
 
 void DocumentFlow::saveThen(std::function<void()> then) {
     if (!workbench_.document.isOpen()) return;
+    workbench_.collectText();
     if (workbench_.document.isUnnamed() || workbench_.document.readOnly()) {
         saveAsThen(std::move(then));
         return;
@@ -143,6 +144,7 @@ void DocumentFlow::saveThen(std::function<void()> then) {
 
 void DocumentFlow::saveAsThen(std::function<void()> then) {
     if (!workbench_.document.isOpen()) return;
+    workbench_.collectText();
     QString name = workbench_.document.title();
     if (workbench_.document.isUnnamed()) name = QFileInfo(programName(workbench_)).completeBaseName();
     const QString file = askProjectToSave(&window_, folder(), name + QStringLiteral(".burin"));
@@ -169,6 +171,7 @@ void DocumentFlow::noteSaved() {
 }
 
 void DocumentFlow::exportProgram() {
+    workbench_.collectText(); // what is being typed is not what was checked
     if (!workbench_.program.exportable()) return;
     const QString file = askProgramToExport(&window_, folder(), programName(workbench_));
     if (file.isEmpty()) return;
@@ -178,7 +181,8 @@ void DocumentFlow::exportProgram() {
 
 void DocumentFlow::settle(std::function<void(bool)> then) {
     if (asking_) return;
-    if (!workbench_.document.isOpen() || (!workbench_.document.unsaved() && !workbench_.mill.recording())) {
+    const bool typed = workbench_.collectText();
+    if (!workbench_.document.isOpen() || (!workbench_.document.unsaved() && !typed && !workbench_.mill.recording())) {
         then(false);
         return;
     }

@@ -102,6 +102,7 @@ ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QO
     connect(&panel, &ProgramPanel::pathIncluded, &workbench.program, &ProgramController::include);
     connect(&panel, &ProgramPanel::postRequested, this, [this] { workbench_.program.post(programName(workbench_)); });
     connect(&panel, &ProgramPanel::textEdited, &workbench.program, &ProgramController::editText);
+    connect(&workbench, &Workbench::textWanted, &panel, &ProgramPanel::tellTextNow);
     connect(&panel, &ProgramPanel::textCheckRequested, this,
             [this] { workbench_.program.checkText(programName(workbench_)); });
     connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);
@@ -151,6 +152,7 @@ void ProgramPresenter::present() {
         state.blocks = program.program()->parsed.blocks;
         state.report = {program.program(), &program.program()->report}; // it lives with the program
         state.released = program.program()->released();
+        state.judgedTolerance = program.program()->gougeTolerance;
     }
     state.gougeTolerance = program.gougeTolerance();
     state.outdated = program.outdated();

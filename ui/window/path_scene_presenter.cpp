@@ -15,6 +15,11 @@ std::vector<glm::dvec3> closed(std::vector<glm::dvec3> outline) {
     return outline;
 }
 
+/// An edit of a path, told from all others as long as nobody changes it.
+std::string keyOf(const StoredPath& path, std::size_t edit) {
+    return std::to_string(path.id) + ' ' + std::to_string(edit) + ' ' + toJson(path.edits[edit]);
+}
+
 /// By the hand; what an edit made of nothing has no moment to be named by.
 bool isOfTheHand(const PathPoint& point) {
     return point.take != 0 && point.sample >= 0;
@@ -97,6 +102,7 @@ void PathScenePresenter::setFieldDrawing(const DrawnField& field, bool wanted) {
         return;
     }
     field_ = field;
+    drawnFor_ = keyOf(*path, field.edit);
     std::optional<TakeStretch> stretch;
     for (const EditField& each : fieldsOf(path->edits[field.edit].parameters))
         if (const auto* meant = std::get_if<TakeStretch>(&each.value)) stretch = *meant;
@@ -129,6 +135,13 @@ Edit PathScenePresenter::withinStock(Edit edit) const {
     return edit;
 }
 
+/// Whether what is being drawn has still the place that it was begun for.
+bool PathScenePresenter::stillMeant() const {
+    if (!field_) return workbench_.path.selection().has_value();
+    const StoredPath* path = workbench_.path.stored();
+    return path != nullptr && field_->edit < path->edits.size() && keyOf(*path, field_->edit) == drawnFor_;
+}
+
 void PathScenePresenter::present() {
     const bool active = shown_ && workbench_.path.evaluated() && !workbench_.mill.active();
     if (active != active_) {
@@ -138,7 +151,7 @@ void PathScenePresenter::present() {
         if (!active) viewport_.setMoveMark({});
     }
     takePath();
-    if (drawing_ && (!active || (!field_ && !workbench_.path.selection()))) setDrawing(false);
+    if (drawing_ && (!active || !stillMeant())) setDrawing(false);
     showOutlines();
     if (active_) markSelection();
 }
@@ -190,8 +203,10 @@ void PathScenePresenter::showDrawing(const std::vector<glm::dvec3>& places) {
 }
 
 void PathScenePresenter::finishDrawing(const std::vector<glm::dvec3>& places) {
-    const std::optional<DrawnField> field = field_;
+    const std::optional<DrawnField> field = stillMeant() ? field_ : std::nullopt;
+    const bool lost = field_ && !field;
     setDrawing(false);
+    if (lost) return;
     const StoredPath* path = workbench_.path.stored();
     if (!field) {
         workbench_.path.replaceSelection(places);

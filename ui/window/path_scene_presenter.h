@@ -39,6 +39,7 @@ private:
     void showDrawing(const std::vector<glm::dvec3>& places);
     void showOutlines();
     bool drawsArea() const;
+    bool stillMeant() const;
     Edit withinStock(Edit edit) const;
     void showDrag(std::size_t place, const glm::dvec3& by);
     void drop(std::size_t place, const glm::dvec3& by);
@@ -51,6 +52,7 @@ private:
     std::shared_ptr<const EvaluatedPath> path_; ///< whose places the hand has; null while it is not active
     DragChoice drag_ = DragChoice::level;
     std::vector<glm::dvec3> drawn_;   ///< of the stroke under way
+    std::string drawnFor_;            ///< the edit that `field_` is of, as it was
     std::optional<DrawnField> field_; ///< that is drawn; nothing: what is drawn is meant for the selection
     bool shown_ = false, active_ = false, drawing_ = false;
 };

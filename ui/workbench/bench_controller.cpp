@@ -34,7 +34,7 @@ void BenchController::setWanted(std::shared_ptr<const Model> model, const Setup&
 void BenchController::setWanted(const WantedBounds& bounds) {
     const WantedBounds before = std::exchange(wanted_, bounds);
     if (!bench_) return;
-    if (before.obstacles != bounds.obstacles) emit obstaclesChanged();
+    if (before.obstacles != bounds.obstacles || before.travel.zero != bounds.travel.zero) emit surroundingsChanged();
     if (boundAlike(before, bounds)) {
         if (before.obstacles != bounds.obstacles) switchObstacles();
         return;
@@ -44,6 +44,7 @@ void BenchController::setWanted(const WantedBounds& bounds) {
     letGo([this] {
         if (!bench_) return;
         bench_->obstacles = obstaclesOf(wanted_.obstacles);
+        bench_->travel = wanted_.travel;
         buildBounds();
     });
 }
@@ -54,7 +55,7 @@ void BenchController::switchObstacles() {
         if (bench_ && bench_->obstacles.size() == wanted_.obstacles.size())
             for (std::size_t i = 0; i < wanted_.obstacles.size(); ++i)
                 bench_->obstacles[i].on = wanted_.obstacles[i].on;
-        emit readersGoOn();
+        goOn();
     });
 }
 
@@ -110,7 +111,7 @@ void BenchController::embed() {
 }
 
 void BenchController::embedWith(std::vector<TakeWithTool> takes) {
-    BenchRequest request{model_, setup_, tool_, machine_.id, {}, obstaclesOf(wanted_.obstacles)};
+    BenchRequest request{model_, setup_, tool_, machine_.id, {}, obstaclesOf(wanted_.obstacles), wanted_.travel};
     desk_.tasks.start(
         TaskKind::embedding, tr("Embedding the part"),
         [request = std::move(request), takes = std::move(takes)](Progress& progress) -> Result<ReplayedBench> {
@@ -143,6 +144,7 @@ void BenchController::adopt(std::shared_ptr<Bench> bench) {
     emit workpieceChanged();
     emit toolChanged();
     bench_->obstacles = obstaclesOf(wanted_.obstacles);
+    bench_->travel = wanted_.travel;
     buildBounds();
     emit changed();
 }
@@ -192,6 +194,7 @@ void BenchController::adoptBounds(const Tool& tool, const WantedBounds& wanted,
 
 /// What reads the bench in the background would read it while it changes.
 void BenchController::stopReaders(std::function<void()> then) {
+    ++changes_;
     emit readersStop();
     desk_.tasks.abandon(TaskKind::planning);
     desk_.tasks.abandon(TaskKind::path);
@@ -199,11 +202,16 @@ void BenchController::stopReaders(std::function<void()> then) {
     desk_.tasks.whenIdle(std::move(then));
 }
 
+void BenchController::goOn() {
+    --changes_;
+    emit readersGoOn();
+}
+
 void BenchController::letGo(std::function<void()> then) {
     stopReaders([this, then = std::move(then)] {
         const auto change = [this, then] {
             then();
-            emit readersGoOn();
+            goOn();
         };
         if (guard_)
             guard_(change);

@@ -36,6 +36,9 @@ public:
     bool fieldBusy() const { return desk_.tasks.running(TaskKind::field); }
     bool ready() const; ///< it can be milled: workpiece and bounds are there
 
+    /// It is about to change: nothing may begin to read it.
+    bool changing() const noexcept { return changes_ > 0; }
+
     /// Makes the workpiece anew: embeds, then replays the project's recordings.
     void embed();
     void clear();
@@ -53,12 +56,12 @@ public:
     void setGuard(std::function<void(std::function<void()>)> guard) { guard_ = std::move(guard); }
 
 signals:
-    void workpieceChanged(); ///< outside a session
-    void toolChanged();      ///< the tool in force
-    void obstaclesChanged(); ///< those that are wanted
-    void machineChanged();   ///< the one that is wanted
-    void readersStop();      ///< the bench is about to change: work in the background that reads it is abandoned
-    void readersGoOn();      ///< it has changed: what was abandoned can be done again
+    void workpieceChanged();    ///< outside a session
+    void toolChanged();         ///< the tool in force
+    void surroundingsChanged(); ///< obstacles or the place of the travel that are wanted
+    void machineChanged();      ///< the one that is wanted
+    void readersStop();         ///< the bench is about to change: work in the background that reads it is abandoned
+    void readersGoOn();         ///< it has changed: what was abandoned can be done again
     /// The workpiece was made anew with these recordings: how many strokes stand in each.
     void replayed(const std::map<std::int64_t, std::size_t>& strokes);
 
@@ -68,7 +71,8 @@ private:
     void buildBounds();
     void adoptBounds(const Tool& tool, const WantedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);
     void switchObstacles();
-    void stopReaders(std::function<void()> then);
+    void stopReaders(std::function<void()> then); ///< `then` ends with `goOn`
+    void goOn();
     void letGo(std::function<void()> then); ///< of the bench, whoever mills it too
 
     std::shared_ptr<const Model> model_;
@@ -80,6 +84,7 @@ private:
     WantedBounds wanted_, bound_;
     StrokeHistory strokes_;
     std::function<void(std::function<void()>)> guard_;
+    int changes_ = 0;      ///< that are about to come
     bool reading_ = false; ///< the takes are being read
 };
 

@@ -75,13 +75,14 @@ PathController::PathController(const Desk& desk, BenchController& bench, QObject
     connect(&bench_, &BenchController::readersStop, this,
             [this] { interrupted_ = interrupted_ || desk_.tasks.running(TaskKind::path); });
     connect(&bench_, &BenchController::readersGoOn, this, [this] {
-        if (std::exchange(interrupted_, false)) evaluate();
+        if (!bench_.changing() && std::exchange(interrupted_, false)) evaluate();
     });
 }
 
 void PathController::load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes) {
     paths_ = paths;
     recorded_ = takes;
+    ++loads_;
     forgetEvaluation();
     countVersion();
     emit evaluatedAnew();
@@ -168,9 +169,10 @@ void PathController::benchChanged() {
 }
 
 void PathController::makeNew() {
-    if (StoredPath* path = current()) path->edits = standardEdits();
-    countVersion();
-    evaluate();
+    if (stored() != nullptr)
+        push(tr("new path"), standardEdits());
+    else if (bench_.bench() && !reading_)
+        readTakes();
 }
 
 void PathController::changeEdit(std::size_t index, const Edit& edit) {
@@ -281,7 +283,7 @@ void PathController::evaluate() {
     if (!bench_.bench()) return;
     if (matter_)
         evaluateMatter();
-    else if (!reading_)
+    else if (!reading_ && stored() != nullptr)
         readTakes();
 }
 
@@ -289,8 +291,9 @@ void PathController::readTakes() {
     reading_ = true;
     const std::optional<StoredPath> path = stored() ? std::optional(*stored()) : std::nullopt;
     desk_.project.post([path, tool = tool_](Project& project) { return gather(project, path, tool); },
-                       [this, tool = tool_, generation = generation_](Result<PathMatter> matter) {
+                       [this, tool = tool_, project = loads_, generation = generation_](Result<PathMatter> matter) {
                            reading_ = false;
+                           if (matter && project == loads_) keepKnown(matter->path);
                            if (generation != generation_) { // recordings or tool changed while they were read
                                if (tool == tool_ || stored() != nullptr) readTakes();
                                return;
@@ -305,14 +308,18 @@ void PathController::readTakes() {
     emit changed();
 }
 
-void PathController::take(PathMatter matter) {
-    const auto same = std::ranges::find(paths_, matter.path.id, &StoredPath::id);
+/// The project has it, whatever became of the wish for it.
+void PathController::keepKnown(const StoredPath& path) {
+    const auto same = std::ranges::find(paths_, path.id, &StoredPath::id);
     if (same == paths_.end()) {
-        paths_.push_back(std::move(matter.path));
+        paths_.push_back(path);
         countVersion();
     } else {
-        same->takes = std::move(matter.path.takes); // its edits may have been changed meanwhile
+        same->takes = path.takes; // its edits may have been changed meanwhile
     }
+}
+
+void PathController::take(PathMatter matter) {
     matter_ = std::make_shared<const Recorded>(Recorded{std::move(matter.takes), std::move(matter.tool)});
     evaluateMatter();
 }
@@ -320,6 +327,10 @@ void PathController::take(PathMatter matter) {
 void PathController::evaluateMatter() {
     const std::shared_ptr<Bench> bench = bench_.bench();
     if (!bench || stored() == nullptr) return;
+    if (bench_.changing()) { // evaluated when it has changed
+        interrupted_ = true;
+        return;
+    }
     desk_.tasks.start(
         TaskKind::path, tr("Editing the path"),
         [matter = matter_, bench, path = *stored()](Progress& progress) {

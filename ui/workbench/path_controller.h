@@ -37,7 +37,7 @@ public:
     /// Counts changes of edits, takes and what stands around, of any path: what was posted before is out of date.
     quint64 version() const noexcept { return version_; }
 
-    void makeNew();                                       ///< with the edits of the main job; evaluates it
+    void makeNew();                                       ///< the edits of the main job; undone where there was a path
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
     /// Entries of the undo stack; each evaluates the path. A new edit comes as late as the order of edits allows.
     /// @return its place
@@ -76,6 +76,7 @@ private:
     void countVersion();
     void forgetEvaluation();
     void readTakes();
+    void keepKnown(const StoredPath& path);
     void take(PathMatter matter);
     void evaluateMatter();
     void take(Result<EvaluatedPath> outcome);
@@ -90,6 +91,7 @@ private:
     std::shared_ptr<const Recorded> matter_; ///< of the path in force; null: to be read again
     quint64 generation_ = 0;                 ///< of the recordings and the tool in force
     quint64 version_ = 0;
+    quint64 loads_ = 0; ///< of projects
     bool outdated_ = true, reading_ = false;
     bool interrupted_ = false; ///< an evaluation was abandoned, as the bench changes
 };

@@ -18,6 +18,9 @@ ProgramController::ProgramController(const Desk& desk, BenchController& bench, P
     draftDue_.setSingleShot(true);
     draftDue_.setInterval(std::chrono::seconds(1));
     connect(&draftDue_, &QTimer::timeout, this, &ProgramController::storeDraft);
+    connect(&bench_, &BenchController::readersStop, this, &ProgramController::stop);
+    connect(&path_, &PathController::versionChanged, this, &Controller::changed);
+    connect(&target_, &Controller::changed, this, &Controller::changed);
 }
 
 void ProgramController::storeDraft() {
@@ -26,10 +29,11 @@ void ProgramController::storeDraft() {
     });
 }
 
-void ProgramController::keepDraft() {
-    if (!draftDue_.isActive()) return;
+bool ProgramController::keepDraft() {
+    if (!draftDue_.isActive()) return false;
     draftDue_.stop();
     storeDraft();
+    return true;
 }
 
 void ProgramController::load(const std::vector<StoredProgram>& programs, const std::string& draft) {
@@ -37,7 +41,6 @@ void ProgramController::load(const std::vector<StoredProgram>& programs, const s
     desk_.tasks.abandon(TaskKind::program);
     program_.reset();
     problem_.reset();
-    outdated_ = true;
     edited_ = reading_ = false;
     ++generation_;
     leftOut_.clear();
@@ -51,24 +54,23 @@ void ProgramController::load(const std::vector<StoredProgram>& programs, const s
     emit changed();
 }
 
-void ProgramController::pathChanged() {
-    becomeOutdated();
-}
-
-void ProgramController::targetChanged() {
-    becomeOutdated();
-}
-
-void ProgramController::becomeOutdated() {
-    if (outdated_) return;
-    outdated_ = true;
-    emit changed();
-}
-
 void ProgramController::setGougeTolerance(double millimetres) {
     if (millimetres == gougeTolerance_) return;
     gougeTolerance_ = millimetres;
-    outdated_ = true;
+    emit changed();
+}
+
+ProgramController::Basis ProgramController::basis() const {
+    return {path_.version(), target_.dialect(), target_.target().units, gougeTolerance_, leftOut_};
+}
+
+/// The bench is about to change: what is made for it as it was is abandoned, and the user told.
+void ProgramController::stop() {
+    if (!busy()) return;
+    reading_ = false;
+    ++generation_;
+    desk_.tasks.abandon(TaskKind::program);
+    problem_ = Error{ErrorCode::cancelled, "program", {}, {}};
     emit changed();
 }
 
@@ -83,7 +85,7 @@ ProgramRequest ProgramController::request(const QString& name) const {
 
 bool ProgramController::postable() const {
     const bool upToDate = path_.stored() == nullptr || (path_.evaluated() && !path_.outdated());
-    return upToDate && !postedPaths().empty() && bench_.bench();
+    return upToDate && !postedPaths().empty() && bench_.bench() && !bench_.changing();
 }
 
 std::vector<StoredPath> ProgramController::postedPaths() const {
@@ -98,15 +100,18 @@ StoredProgram ProgramController::stored(const ProgramRequest& request) const {
 
 void ProgramController::include(std::int64_t path, bool wanted) {
     if (wanted == includes(path)) return;
-    wanted ? static_cast<void>(leftOut_.erase(path)) : static_cast<void>(leftOut_.insert(path));
-    outdated_ = true;
+    if (wanted)
+        leftOut_.erase(path);
+    else
+        leftOut_.insert(path);
     emit changed();
 }
 
 void ProgramController::post(const QString& name) {
     if (!postable() || busy()) return;
     const ProgramRequest wanted = request(name);
-    read(postedPaths(), [this, wanted](Matters matters) { postPaths(std::move(matters), wanted); });
+    read(postedPaths(),
+         [this, wanted, basis = basis()](Matters matters) { postPaths(std::move(matters), wanted, basis); });
 }
 
 void ProgramController::read(const std::vector<StoredPath>& paths, std::function<void(Matters)> then) {
@@ -137,8 +142,8 @@ void ProgramController::read(const std::vector<StoredPath>& paths, std::function
     emit changed();
 }
 
-void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted) {
-    if (path_.stored() != nullptr && !path_.outdated()) { // what the view shows is evaluated already
+void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted, const Basis& basis) {
+    if (path_.stored() != nullptr && !path_.outdated() && basis.paths == path_.version()) { // as the view shows it
         const auto shown =
             std::ranges::find(matters, path_.stored()->id, [](const PathMatter& m) { return m.path.id; });
         if (shown != matters.end()) shown->evaluated = path_.evaluated();
@@ -150,8 +155,8 @@ void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted)
             if (!paths) return std::move(paths).error();
             return makeProgram(*bench, paths->program, wanted, progress);
         },
-        [this, posted = stored(wanted), version = path_.version()](Result<CheckedProgram> outcome) {
-            take(posted, version, std::move(outcome));
+        [this, posted = stored(wanted), basis](Result<CheckedProgram> outcome) {
+            take(posted, basis, std::move(outcome));
         });
 }
 
@@ -174,25 +179,25 @@ void ProgramController::lintText() {
 }
 
 void ProgramController::checkText(const QString& name) {
-    if (!bench_.bench() || !edited_ || busy()) return;
+    if (!bench_.bench() || bench_.changing() || !edited_ || busy()) return;
     const ProgramRequest wanted = request(name);
-    read(path_.jobPaths(), [this, wanted](const Matters& matters) { check(matters, wanted); });
+    read(path_.jobPaths(), [this, wanted, basis = basis()](const Matters& matters) { check(matters, wanted, basis); });
 }
 
 /// The text may call every tool of the job.
-void ProgramController::check(const Matters& matters, ProgramRequest wanted) {
+void ProgramController::check(const Matters& matters, ProgramRequest wanted, const Basis& basis) {
     for (const PathMatter& matter : matters) wanted.tools.push_back(matter.tool);
     desk_.tasks.start(
         TaskKind::program, tr("Checking"),
         [bench = bench_.bench(), text = storedText_.toStdString(), wanted](Progress& progress) {
             return checkProgram(*bench, text, wanted.name, wanted, progress);
         },
-        [this, posted = stored(wanted), version = path_.version()](Result<CheckedProgram> outcome) {
-            take(posted, version, std::move(outcome));
+        [this, posted = stored(wanted), basis](Result<CheckedProgram> outcome) {
+            take(posted, basis, std::move(outcome));
         });
 }
 
-void ProgramController::take(const StoredProgram& posted, quint64 version, Result<CheckedProgram> outcome) {
+void ProgramController::take(const StoredProgram& posted, const Basis& basis, Result<CheckedProgram> outcome) {
     if (!outcome) {
         problem_ = outcome.error();
         emit changed();
@@ -200,7 +205,7 @@ void ProgramController::take(const StoredProgram& posted, quint64 version, Resul
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*outcome));
     keep(posted, *program);
-    const Shown next{program, QString::fromStdString(program->text), false, version};
+    const Shown next{program, QString::fromStdString(program->text), false, basis};
     edited_ ? change(next) : show(next); // what the user wrote is worth an undo
 }
 
@@ -213,7 +218,7 @@ void ProgramController::keep(const StoredProgram& posted, const CheckedProgram& 
 }
 
 void ProgramController::change(const Shown& next) {
-    desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1, {program_, storedText_, edited_, version_},
+    desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1, {program_, storedText_, edited_, basis_},
                                             next, [this](const Shown& value) { show(value); }));
 }
 
@@ -227,7 +232,7 @@ void ProgramController::overrideCheck(const QString& name, const QString& reason
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*wanted));
     keep({name.toStdString(), program->dialect, machine.id, {}, {}}, *program);
-    change({program, QString::fromStdString(program->text), false, version_});
+    change({program, QString::fromStdString(program->text), false, basis_});
 }
 
 void ProgramController::show(const Shown& shown) {
@@ -240,8 +245,7 @@ void ProgramController::show(const Shown& shown) {
         lintText();
     else
         lint_ = program_->lint;
-    version_ = shown.version;
-    outdated_ = version_ != path_.version();
+    basis_ = shown.basis;
     emit changed();
 }
 

@@ -34,12 +34,13 @@ public:
     const std::vector<LintMark>& lint() const noexcept { return lint_; }
     double gougeTolerance() const noexcept { return gougeTolerance_; } ///< mm
     const std::optional<Error>& problem() const noexcept { return problem_; }
-    bool outdated() const noexcept { return outdated_; }
+    /// There is none, or something that it was made of is not as it was.
+    bool outdated() const { return !program_ || basis_ != basis(); }
     bool busy() const { return reading_ || desk_.tasks.running(TaskKind::program); }
     /// A path of the job belongs into the program; all do until the user leaves one out.
     bool includes(std::int64_t path) const { return !leftOut_.contains(path); }
-    bool refused() const noexcept { return program_ && !program_->released() && !outdated_ && !edited_; }
-    bool exportable() const noexcept { return program_ && program_->released() && !outdated_ && !edited_; }
+    bool refused() const noexcept { return program_ && !program_->released() && !outdated() && !edited_; }
+    bool exportable() const noexcept { return program_ && program_->released() && !outdated() && !edited_; }
 
     /// There is a path that belongs into it, and that of the tool in force is up to date.
     bool postable() const;
@@ -53,10 +54,9 @@ public:
     void checkText(const QString& name); ///< @param name of the program
     void setGougeTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
-    void pathChanged();   ///< what was posted is no longer the path
-    void targetChanged(); ///< what was posted is for another machine or control
 
-    void keepDraft(); ///< of what the user wrote and nobody checked: now, not in a moment
+    /// @return whether there was something to keep
+    bool keepDraft(); ///< of what the user wrote and nobody checked: now, not in a moment
 
     /// @param draft text that was edited and not checked; empty: none
     void load(const std::vector<StoredProgram>& programs, const std::string& draft);
@@ -65,27 +65,37 @@ signals:
     void exported(const QString& file);
 
 private:
-    void take(const StoredProgram& posted, quint64 version, Result<CheckedProgram> outcome);
+    /// What a program is made of, besides its text: with anything else it would be another one.
+    struct Basis {
+        quint64 paths = 0; ///< version of paths and bench
+        std::string dialect;
+        NcUnits units = NcUnits::millimetre;
+        double gougeTolerance = 0.0; ///< mm
+        std::set<std::int64_t> leftOut;
+        bool operator==(const Basis&) const = default;
+    };
+    Basis basis() const;
+    void take(const StoredProgram& posted, const Basis& basis, Result<CheckedProgram> outcome);
     /// What the panel shows: a checked program, and the text, which may have been edited since.
     struct Shown {
         std::shared_ptr<const CheckedProgram> program;
         QString text;
         bool edited = false;
-        quint64 version = 0; ///< of the paths that it was made of
+        Basis basis;
     };
     std::vector<StoredPath> postedPaths() const;
     using Matters = std::vector<PathMatter>;
     ProgramRequest request(const QString& name) const;
     StoredProgram stored(const ProgramRequest& request) const;
     void read(const std::vector<StoredPath>& paths, std::function<void(Matters)> then);
-    void postPaths(Matters matters, const ProgramRequest& wanted);
-    void check(const Matters& matters, ProgramRequest wanted);
+    void postPaths(Matters matters, const ProgramRequest& wanted, const Basis& basis);
+    void check(const Matters& matters, ProgramRequest wanted, const Basis& basis);
     void show(const Shown& shown);
     void change(const Shown& next);
     void keep(const StoredProgram& posted, const CheckedProgram& program);
     void lintText();
     void storeDraft();
-    void becomeOutdated();
+    void stop();
 
     BenchController& bench_;
     PathController& path_;
@@ -94,13 +104,12 @@ private:
     QString storedText_;
     std::vector<LintMark> lint_;
     bool edited_ = false, reading_ = false;
-    quint64 version_ = 0;    ///< of the paths when the program in force was begun
-    quint64 generation_ = 0; ///< of the project
+    Basis basis_;            ///< of the program in force
+    quint64 generation_ = 0; ///< of what is read for a program
     std::set<std::int64_t> leftOut_;
     QTimer draftDue_; ///< the project follows the typing a moment later
     double gougeTolerance_ = 0.02;
     std::optional<Error> problem_;
-    bool outdated_ = true;
 };
 
 } // namespace burin

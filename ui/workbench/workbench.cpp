@@ -49,13 +49,10 @@ void Workbench::wire() {
     });
     connect(&setup, &SetupController::changed, this, &Workbench::updateWanted);
     connect(&surroundings, &Controller::changed, this, [this] { bench.setWanted(surroundings.wanted()); });
-    connect(&bench, &BenchController::obstaclesChanged, &path, &PathController::benchChanged);
+    connect(&bench, &BenchController::surroundingsChanged, &path, &PathController::benchChanged);
     connect(&bench, &BenchController::machineChanged, &path, &PathController::benchChanged);
     connect(&tool, &ToolController::chosen, this, &Workbench::updateWanted);
-    connect(&target, &Controller::changed, this, [this] {
-        bench.setWanted(target.machine());
-        program.targetChanged();
-    });
+    connect(&target, &Controller::changed, this, [this] { bench.setWanted(target.machine()); });
     connect(&mill, &MillController::takesChanged, this, [this] {
         setup.setLocked(mill.recording() || !mill.takes().empty());
         path.takesChanged(mill.takes());
@@ -66,7 +63,6 @@ void Workbench::wire() {
     });
     connect(&bench, &Controller::failed, this, [this] { showWhenReady_ = false; });
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
-    connect(&path, &PathController::versionChanged, &program, &ProgramController::pathChanged);
     connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
     connect(&bench, &BenchController::replayed, &mill, &MillController::setStrokes);
     connect(&bench, &BenchController::replayed, this, [this] { // a project that was opened shows its path
@@ -144,9 +140,14 @@ void Workbench::redoLast() {
     if (canUndoNow()) undo_.redo();
 }
 
+bool Workbench::collectText() {
+    emit textWanted();
+    return program.keepDraft();
+}
+
 void Workbench::comeToRest(std::function<void()> then) {
     showWhenReady_ = false;
-    program.keepDraft();
+    collectText();
     if (showMe.showing()) showMe.stop();
     session.end([then = std::move(then)](bool) { then(); });
 }

@@ -63,10 +63,13 @@ public:
     void undoLast();
     void redoLast();
     bool canUndoNow() const;
+    /// Takes over what is still being typed. @return whether the project got something of it
+    bool collectText();
     /// Ends recording and session, then calls `then`.
     void comeToRest(std::function<void()> then);
 
 signals:
+    void textWanted(); ///< who has text that was not told yet tells it now
     void failed(const burin::Error& error);
 
 private:
