@@ -53,7 +53,7 @@ private slots:
         QVERIFY(child<QLabel>(panel, "edit2Report").text().contains(QStringLiteral("0.018")));
         QVERIFY(!child<QLabel>(panel, "edit1Report").isVisible()); // there is no report of an edit that was off
         QCOMPARE(valueOf(panel, "pathErrorBudget"), QStringLiteral("0.033 mm"));
-        QCOMPARE(valueOf(panel, "pathSides"), QStringLiteral("62\u00a0% / 31\u00a0%"));
+        QCOMPARE(valueOf(panel, "pathSides"), QStringLiteral("62 % / 31 %"));
         QCOMPARE(valueOf(panel, "pathPoints"), QStringLiteral("12,408"));
     }
 

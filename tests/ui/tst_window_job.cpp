@@ -49,9 +49,7 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QVERIFY(driver.clickOn("newPathButton"));
     QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
     driver.shoot("04-path");
-    QVERIFY(driver.step(JobStep::program));
-    QVERIFY(driver.clickOn("postButton"));
-    QVERIFY(driver.settle());
+    QVERIFY(postProgram(driver));
     QVERIFY2(!bench.program.problem(),
              bench.program.problem() ? qPrintable(Messages::sentence(*bench.program.problem())) : "");
     QVERIFY(bench.program.program() != nullptr);
