@@ -97,6 +97,7 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     // Inches, and back.
     QVERIFY(driver.waitFor([&] { return driver.visible<QComboBox>("programUnits") != nullptr; }, 3000));
     auto* units = driver.visible<QComboBox>("programUnits");
+    QTRY_COMPARE(units->currentIndex(), 0); // panels follow a moment later
     units->setFocus();
     QTest::keyClick(units, Qt::Key_Down);
     QTRY_VERIFY(bench.target.target().units == NcUnits::inch);
