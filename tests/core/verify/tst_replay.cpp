@@ -60,7 +60,8 @@ Tool toolOf(CutterType type) {
     return tool;
 }
 
-/// Moves in and around the stock, some from nowhere, some rapid, some with a spindle that stands.
+/// Moves in and around the stock, some from nowhere, some rapid, some with a spindle that stands. None has an axis on a
+/// scanline: others would lie exactly on the tool's wall then (3, 4, 5 voxels), and the last bit decides of them.
 std::vector<ToolMove> someMoves(std::size_t tools) {
     std::vector<ToolMove> moves;
     glm::dvec3 tip(5.0, 5.0, 20.0);
@@ -69,7 +70,7 @@ std::vector<ToolMove> someMoves(std::size_t tools) {
         ToolMove move;
         move.from = tip;
         const auto place = [](double low, double length) { return low + length * *rc::gen::inRange(0, 101) / 100.0; };
-        move.to = {place(-3.0, 22.0), place(0.0, 18.0), place(5.0, 9.0)};
+        move.to = {place(-2.9863, 22.0), place(0.0171, 18.0), place(5.0, 9.0)};
         if (*rc::gen::inRange(0, 4) == 0) move.to.z = tip.z;                   // level
         if (*rc::gen::inRange(0, 5) == 0) move.to = {tip.x, tip.y, move.to.z}; // straight down or up
         move.rapid = *rc::gen::inRange(0, 3) == 0;
