@@ -115,14 +115,10 @@ void PathController::useTool(const std::string& id) {
     if (stored() != nullptr) evaluate();
 }
 
-StoredPath* PathController::current() {
+const StoredPath* PathController::stored() const {
     const auto found =
         std::ranges::find_if(paths_, [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == tool_; });
     return found == paths_.end() ? nullptr : &*found;
-}
-
-const StoredPath* PathController::stored() const noexcept {
-    return const_cast<PathController*>(this)->current();
 }
 
 std::vector<StoredPath> PathController::jobPaths() const {

@@ -18,7 +18,7 @@ public:
     PathController(const Desk& desk, BenchController& bench, QObject* parent);
 
     /// Of the tool in force; null: it has none yet.
-    const StoredPath* stored() const noexcept;
+    const StoredPath* stored() const;
     /// What the job mills with, a path for each tool, in the order in which they were made.
     std::vector<StoredPath> jobPaths() const;
     /// The tool of one of them, by id; empty: it is none.
@@ -70,7 +70,6 @@ private:
         std::vector<Take> takes;
         Tool tool;
     };
-    StoredPath* current();
     void push(const QString& text, std::vector<Edit> edits);
     void apply(std::int64_t path, const std::vector<Edit>& edits);
     void countVersion();

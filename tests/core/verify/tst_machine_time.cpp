@@ -76,6 +76,17 @@ double bruteForce(const std::vector<glm::dvec2>& places, double speed, double ac
     return seconds;
 }
 
+/// Up to 20 straight moves to any places.
+std::string anyLines() {
+    std::string text = begin + "G1 F3000\n";
+    const int count = *rc::gen::inRange(1, 20);
+    for (int i = 0; i < count; ++i) {
+        const auto place = [] { return std::to_string(*rc::gen::inRange(-3000, 3000) / 100.0); };
+        text += "X" + place() + " Y" + place() + " Z" + place() + "\n";
+    }
+    return text;
+}
+
 } // namespace
 
 class MachineTimeTest : public QObject {
@@ -213,13 +224,7 @@ void MachineTimeTest::dwellsAndToolChangesCount() {
 
 void MachineTimeTest::nothingIsFasterThanWithoutAcceleration() {
     const bool holds = rc::check("acceleration and corners only cost time, more of them less", [] {
-        std::string text = begin + "G1 F3000\n";
-        const int count = *rc::gen::inRange(1, 20);
-        for (int i = 0; i < count; ++i) {
-            const auto place = [] { return std::to_string(*rc::gen::inRange(-3000, 3000) / 100.0); };
-            text += "X" + place() + " Y" + place() + " Z" + place() + "\n";
-        }
-        const ParsedProgram program = read(text);
+        const ParsedProgram program = read(anyLines());
         double last = std::numeric_limits<double>::infinity();
         for (const double tolerance : {0.001, 0.01, 0.1}) {
             MachineProfile machine = mill(JunctionRule::blend);
@@ -296,13 +301,7 @@ void MachineTimeTest::jerkRoundsARamp() {
 
 void MachineTimeTest::jerkCostsTimeAndNoneWithoutLimit() {
     const bool holds = rc::check("the less jerk, the more time", [] {
-        std::string text = begin + "G1 F3000\n";
-        const int count = *rc::gen::inRange(1, 20);
-        for (int i = 0; i < count; ++i) {
-            const auto place = [] { return std::to_string(*rc::gen::inRange(-3000, 3000) / 100.0); };
-            text += "X" + place() + " Y" + place() + " Z" + place() + "\n";
-        }
-        const ParsedProgram program = read(text);
+        const ParsedProgram program = read(anyLines());
         const double without = machiningTime(program, mill()).seconds;
         double last = without;
         for (const double jerk : {1e12, 1e6, 1e5, 1e4}) {
