@@ -92,8 +92,7 @@ function(burin_test place name)
     string(REPLACE "." "_" target "tst_${place}_${name}")
     add_executable(${target} tst_${name}.cpp)
     target_link_libraries(${target} PRIVATE burin_options burin_warnings Qt6::Test ${arg_USES})
-    target_compile_definitions(${target} PRIVATE BURIN_BUILD_DIRECTORY="${CMAKE_BINARY_DIR}"
-        BURIN_SOURCE_DIRECTORY="${CMAKE_SOURCE_DIR}" BURIN_FIXTURES="${CMAKE_SOURCE_DIR}/tests/fixtures")
+    target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR}) # tests/places.h
     # Not in tests: that is a build folder, and its "plugins" would be taken for Burin's.
     set_target_properties(${target} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test-programs)
     if(arg_AFTER)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/architecture/include_rules.h"
+#include "tests/places.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

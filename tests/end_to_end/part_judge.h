@@ -8,6 +8,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
+#include "tests/places.h"
 
 #include <algorithm>
 #include <cmath>

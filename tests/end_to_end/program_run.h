@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tests/places.h"
+
 #include <QByteArray>
 #include <QFile>
 #include <QJsonDocument>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
 
+#include "tests/places.h"
+
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -68,8 +70,8 @@ void CommandLineTest::initTestCase() {
 
 void CommandLineTest::helpsWithEachCommand_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command :
-         {"import", "embed", "setup", "mill", "path", "post", "verify", "info", "calibrate", "demo", "devices", "bench"})
+    for (const char* command : {"import", "embed", "setup", "mill", "path", "post", "verify", "info", "calibrate",
+                                "demo", "devices", "bench"})
         QTest::newRow(command) << QString(command);
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/project/project.h"
 #include "core/tool/tool.h"
+#include "tests/places.h"
 
 #include <QFileInfo>
 #include <QJsonArray>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/end_to_end/program_run.h"
+#include "tests/places.h"
 
 #include <QFile>
 #include <QJsonArray>

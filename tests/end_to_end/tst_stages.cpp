@@ -3,6 +3,8 @@
 #include "canonical_moves.h"
 #include "program_run.h"
 
+#include "tests/places.h"
+
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>

@@ -6,6 +6,7 @@
 #include "core/project/bench.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/oracles/tool_depth.h"
+#include "tests/places.h"
 
 #include <QFile>
 #include <QJsonArray>

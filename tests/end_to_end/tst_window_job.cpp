@@ -3,6 +3,7 @@
 #include "part_judge.h"
 
 #include "core/project/project.h"
+#include "tests/places.h"
 #include "tests/ui/window_steps.h"
 
 #include <QFile>

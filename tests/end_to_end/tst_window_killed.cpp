@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program_run.h"
 
+#include "tests/places.h"
+
 #include <QDirIterator>
 #include <QElapsedTimer>
 #include <QFileInfo>

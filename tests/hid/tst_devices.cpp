@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The device plugins against a real kernel: hidapi, hidraw and the HID core of Debian's kernel, in a virtual machine in
 // which a program (guest.cpp) plugs devices in and out. It needs no rights, no KVM and no hardware.
+#include "tests/places.h"
+
 #include <QProcess>
 #include <QRegularExpression>
 #include <QtTest>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/open_stylus/reports.h"
+#include "tests/places.h"
 #include "tests/plugins/board.h"
 
 #include <QRegularExpression>

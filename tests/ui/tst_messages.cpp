@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/device/device_fault.h"
+#include "tests/places.h"
 #include "ui/messages/messages.h"
 
 #include <QDir>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/places.h"
 #include "tests/ui/panel_examples.h"
 #include "ui/panels/allowance_panel.h"
 #include "ui/panels/bounds_panel.h"

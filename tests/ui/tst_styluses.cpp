@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/device/desktop_stylus.h"
 #include "tests/core/haptics/own_stylus.h"
+#include "tests/places.h"
 #include "ui/workbench/workbench.h"
 
 #include <QSignalSpy>

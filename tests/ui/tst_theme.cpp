@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/places.h"
 #include "ui/theme/colour.h"
 #include "ui/theme/icon.h"
 #include "ui/theme/length_unit.h"

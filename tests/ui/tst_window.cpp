@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/places.h"
 #include "tests/ui/window_steps.h"
 
 #include <QComboBox>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "tests/places.h"
 #include "tests/ui/bench_fixture.h"
 #include "ui/scene/viewport.h"
 

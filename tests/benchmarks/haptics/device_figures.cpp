@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/haptics/haptic_groups.h"
+#include "tests/places.h"
 
 #include <array>
 #include <cstdio>

@@ -4,6 +4,7 @@
 #include "tests/benchmarks/haptics/haptic_groups.h"
 #include "tests/benchmarks/measure/replay.h"
 #include "tests/oracles/push_back_scenes.h"
+#include "tests/places.h"
 
 namespace burin::benchmarks {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/import.h"
+#include "tests/places.h"
 
 #include <QString>
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cad_test.h"
 
+#include "tests/places.h"
+
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>

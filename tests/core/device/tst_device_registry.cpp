@@ -3,6 +3,7 @@
 #include "core/device/device_registry.h"
 #include "core/device/device_watch.h"
 #include "core/device/simulated_stylus.h"
+#include "tests/places.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/import.h"
 #include "tests/oracles/push_back_scenes.h"
+#include "tests/places.h"
 
 #include <QtTest>
 

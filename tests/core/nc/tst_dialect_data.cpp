@@ -4,6 +4,7 @@
 #include "core/base/resource_folder.h"
 #include "core/nc/dialect_data.h"
 #include "tests/core/nc/dialect_jobs.h"
+#include "tests/places.h"
 
 #include <QTemporaryDir>
 #include <QTest>

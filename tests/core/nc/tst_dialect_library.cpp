@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/dialect_library.h"
 #include "core/nc/post.h"
+#include "tests/places.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -7,6 +7,7 @@
 #include "tests/core/nc/dialect_jobs.h"
 #include "tests/oracles/canonical_program.h"
 #include "tests/oracles/grbl_rules.h"
+#include "tests/places.h"
 
 #include <rapidcheck.h>
 

@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/nc/parser.h"
+#include "tests/places.h"
 
 #include <rapidcheck.h>
 

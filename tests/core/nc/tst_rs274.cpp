@@ -5,6 +5,7 @@
 #include "core/nc/parser.h"
 #include "tests/core/nc/random_program.h"
 #include "tests/oracles/canonical_program.h"
+#include "tests/places.h"
 
 #include <rapidcheck.h>
 

@@ -3,6 +3,7 @@
 #include "core/cad/import.h"
 #include "part_oracle.h"
 #include "random_edits.h"
+#include "tests/places.h"
 
 #include <QTest>
 

@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/setup_record.h"
 #include "tests/core/project/sample_project.h"
+#include "tests/places.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

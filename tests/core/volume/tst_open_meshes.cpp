@@ -4,6 +4,7 @@
 #include "core/volume/voxelisation.h"
 #include "tests/core/volume/shapes.h"
 #include "tests/core/volume/voxelised.h"
+#include "tests/places.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
