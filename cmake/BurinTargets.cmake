@@ -7,8 +7,10 @@ option(BURIN_FUZZ "Build the fuzzers; needs clang" OFF)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
-    set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+    # Else it gives up on precompiled headers.
+    set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+    set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
 endif()
 
 add_library(burin_warnings INTERFACE)
@@ -36,13 +38,16 @@ if(BURIN_SANITIZE)
 endif()
 
 # burin_library(NAME [SOURCES ...] [PUBLIC ...] [PRIVATE ...] [SYSTEM_INCLUDES ...])
-# One folder, one library burin::NAME. Without SOURCES it is header-only.
+# One folder, one library burin::NAME. Without SOURCES it is header-only. The variable BURIN_PRECOMPILED_SET of a folder
+# names the precompiled headers of its libraries.
+set(BURIN_PRECOMPILED_SET standard)
 function(burin_library name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE;SYSTEM_INCLUDES")
     if(arg_SOURCES)
         add_library(burin_${name} STATIC ${arg_SOURCES})
         target_link_libraries(burin_${name} PUBLIC burin_options ${arg_PUBLIC} PRIVATE burin_warnings ${arg_PRIVATE})
         target_include_directories(burin_${name} SYSTEM PRIVATE ${arg_SYSTEM_INCLUDES})
+        burin_precompile(burin_${name} ${BURIN_PRECOMPILED_SET})
     else()
         add_library(burin_${name} INTERFACE)
         target_link_libraries(burin_${name} INTERFACE burin_options ${arg_PUBLIC})
@@ -54,7 +59,8 @@ endfunction()
 # Sources with BURIN_VECTORISED functions (core/base/vectorised.h): square roots that report no errno and comparisons
 # that raise no flags, so that lanes stay side by side. Results are the same.
 function(burin_vectorised)
-    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math;-Wno-psabi")
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "-fno-math-errno;-fno-trapping-math;-Wno-psabi"
+        SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
 # burin_program(NAME SOURCES ... USES ...)
@@ -93,6 +99,7 @@ function(burin_test place name)
     add_executable(${target} tst_${name}.cpp)
     target_link_libraries(${target} PRIVATE burin_options burin_warnings Qt6::Test ${arg_USES})
     target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR}) # tests/places.h
+    burin_precompile(${target} qt)
     # Not in tests: that is a build folder, and its "plugins" would be taken for Burin's.
     set_target_properties(${target} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test-programs)
     if(arg_AFTER)
