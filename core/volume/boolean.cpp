@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/boolean.h"
 
+#include "core/volume/alike_merge.h"
 #include "core/volume/assembly.h"
 #include "core/volume/brick_merge.h"
 #include "core/volume/stretches.h"
@@ -170,10 +171,26 @@ public:
 private:
     void merge(const Tile& tileA, const Tile& tileB) {
         const Segment *const a = a_.segments(tileA, roomA_), *const b = b_.segments(tileB, roomB_);
-        lines_.writeAll(tileA.segmentCount() + tileB.segmentCount(), [&](Segment* segments, std::uint32_t* offsets) {
-            BrickMerge<Operation>::run(a, b, tileA, tileB, lineEnd_, segments, offsets);
-        });
+        lines_.writeAll(tileA.segmentCount() + tileB.segmentCount() + spare,
+                        [&](Segment* segments, std::uint32_t* offsets) {
+                            if (!mergeAlike(a, b, tileA, tileB, segments, offsets))
+                                BrickMerge<Operation>::run(a, b, tileA, tileB, lineEnd_, segments, offsets);
+                        });
     }
+#ifdef BURIN_AVX512
+    static constexpr std::size_t spare = AlikeMerge<Operation>::spare;
+    template <class... Arguments>
+    bool mergeAlike(Arguments... arguments) {
+        return hasAvx512 && alike_.run(arguments...);
+    }
+    AlikeMerge<Operation> alike_;
+#else
+    static constexpr std::size_t spare = 0;
+    template <class... Arguments>
+    bool mergeAlike(Arguments...) {
+        return false;
+    }
+#endif
 
     const Operand &a_, &b_;
     RunPosition lineEnd_;

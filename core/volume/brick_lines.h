@@ -82,8 +82,9 @@ public:
         lineBegin_ = count_;
     }
 
-    /// For what works on a whole brick at once. `write(Segment* segments, std::uint32_t* offsets)` gets room for so many
-    /// segments and for 65 offsets (where each line begins, and the end), fills them and keeps the rules by itself.
+    /// For what works on a whole brick at once. `write(Segment* segments, std::uint32_t* offsets)` gets room for so
+    /// many segments and for 65 offsets (where each line begins, and the end), fills them and keeps the rules by
+    /// itself.
     template <class Write>
     void writeAll(std::size_t atMost, Write&& write) {
         if (segments_.size() < atMost) segments_.resize(atMost);
@@ -104,6 +105,7 @@ public:
     std::uint32_t segmentCount() const noexcept { return count_; }
     /// Place of a line's first segment; of line 64, where the last line ends.
     std::uint32_t offset(int line) const noexcept { return offsets_[static_cast<std::size_t>(line)]; }
+    std::span<const std::uint32_t, linesPerBrick + 1> offsets() const noexcept { return offsets_; }
     std::span<const Segment> segments() const noexcept { return std::span(segments_).first(count_); }
     std::span<const Segment> line(int line) const noexcept {
         return segments().subspan(offset(line), offset(line + 1) - offset(line));

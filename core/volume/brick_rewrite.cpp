@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/parallel.h"
+#include "core/volume/line_count.h"
 #include "core/volume/run_volume_impl.h"
 
 #include <algorithm>
@@ -24,39 +25,6 @@ struct ContentOrder {
     static std::uint64_t key(Segment segment) noexcept {
         return std::uint64_t{segment.end()} << 8 | segment.property();
     }
-};
-
-void addCount(std::span<const Segment> line, RunAmounts& amounts) noexcept {
-    RunPosition start = 0;
-    for (const Segment segment : line) {
-        amounts.units[segment.property()] += segment.end() - start;
-        start = segment.end();
-    }
-}
-
-/// Counts whole lines, one after the other. Each sum is kept in several parts, as the same few materials come again and
-/// again and an addition would have to wait for the one before.
-class LineCount {
-public:
-    void add(std::span<const Segment> lines, RunPosition lineEnd) noexcept {
-        RunPosition start = 0;
-        const auto addTo = [&](RunAmounts& part, Segment segment) {
-            const RunPosition end = segment.end();
-            part.units[segment.property()] += end - start;
-            start = end & (end == lineEnd ? 0U : ~0U);
-        };
-        std::size_t i = 0;
-        for (; i + parts_.size() <= lines.size(); i += parts_.size())
-            for (std::size_t k = 0; k < parts_.size(); ++k) addTo(parts_[k], lines[i + k]);
-        for (; i < lines.size(); ++i) addTo(parts_[0], lines[i]);
-    }
-    void moveTo(RunAmounts& amounts) noexcept {
-        for (RunAmounts& part : parts_)
-            for (std::size_t i = 0; i < amounts.units.size(); ++i) amounts.units[i] += std::exchange(part.units[i], 0);
-    }
-
-private:
-    std::array<RunAmounts, 4> parts_;
 };
 
 void sum(RunAmounts& amounts, const RunAmounts& change) noexcept {
@@ -129,10 +97,7 @@ private:
             all_.fresh_[all_.placeOf(low)] = block;
             count(low, present, tile, lines);
         }
-        void finish() noexcept {
-            subtractReplaced();
-            written_.moveTo(result_.change);
-        }
+        void finish() noexcept { subtractReplaced(); }
 
     private:
         void subtractReplaced() noexcept {
@@ -149,15 +114,15 @@ private:
                     for (int u = 0; u < width; ++u) visit(v * tileSide + u);
             };
             if (width == tileSide && height == tileSide)
-                written_.add(lines.segments(), grid.lineEnd());
+                addLines(lines.segments(), lines.offsets(), result_.change);
             else
-                eachLine([&](int line) { addCount(lines.line(line), result_.change); });
+                eachLine([&](int line) { addLine(lines.line(line), result_.change); });
             // Neighbours often share what they were before: air, or the stock's inside.
             if (present != counted_ || width * height != countedLines_) {
                 subtractReplaced();
                 counted_ = present;
                 countedLines_ = width * height;
-                eachLine([&](int line) { addCount(tile.line(line), replaced_); });
+                eachLine([&](int line) { addLine(tile.line(line), replaced_); });
             }
             ++replacedBricks_;
         }
@@ -165,7 +130,6 @@ private:
         RowResult& result_;
         BlockIndex counted_ = noBlock;
         int countedLines_ = 0;
-        LineCount written_;
         RunAmounts replaced_; ///< in brick `counted_`
         std::uint64_t replacedBricks_ = 0;
     };

@@ -77,7 +77,7 @@ public:
         else
             for (int line = 0; line <= linesPerTile; ++line)
                 narrowOffsets()[line] = static_cast<std::uint16_t>(lines.offset(line));
-        std::ranges::copy(lines.segments(), segments());
+        std::memcpy(segments(), lines.segments().data(), lines.segmentCount() * sizeof(Segment));
     }
     bool operator==(const BrickLines& lines) const noexcept {
         return segmentCount() == lines.segmentCount() &&

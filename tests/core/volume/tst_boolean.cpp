@@ -7,6 +7,8 @@
 #include <QtTest>
 #include <rapidcheck.h>
 
+#include <random>
+
 using namespace burin;
 using namespace burin::test;
 using burin::oracles::DenseGrid;
@@ -73,6 +75,26 @@ void scatter(Pair& pair) {
     }
 }
 
+/// Leaning layers: neighbouring lines are mostly alike, but ends meet and pass each other here and there, and now and
+/// then a line is ragged.
+void layer(Pair& pair) {
+    const int layers = *rc::gen::inRange(1, 10);
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    const int raggedInThousand = *rc::gen::element(0, 0, 20, 500);
+    const auto between = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
+    for (int i = 0; i < layers; ++i) {
+        const int from = between(-20, 500), to = from + between(1, 120), perU = between(-3, 3), perV = between(-3, 3);
+        const auto property = static_cast<PropertyIndex>(between(0, 3));
+        for (LineIndex line; line.v < grid().lineCountV(); ++line.v)
+            for (line.u = 0; line.u < grid().lineCountU(); ++line.u) {
+                const int off =
+                    line.u * perU + line.v * perV + (between(0, 999) < raggedInThousand ? between(-9, 9) : 0);
+                const auto at = [&](int end) { return static_cast<RunPosition>(std::clamp(end + off, 0, 512)); };
+                pair.fill(line, {line.u + 1, line.v + 1}, at(from), at(to), property);
+            }
+    }
+}
+
 DenseGrid expected(Operation operation, const DenseGrid& a, const DenseGrid& b) {
     DenseGrid result(grid());
     for (LineIndex line; line.v < grid().lineCountV(); ++line.v)
@@ -113,6 +135,19 @@ private slots:
             RC_ASSERT(dense.equals(*result));
             RC_ASSERT(result->amounts() == dense.amounts());
             RC_ASSERT(a.dense.equals(a.volume) && b.dense.equals(b.volume));
+        }));
+    }
+
+    void linesThatAreNearlyAlike() {
+        QVERIFY(rc::check("leaning layers against a dense grid", [] {
+            Pair a, b;
+            layer(a);
+            layer(b);
+            const Operation operation = anyOperation();
+            const Result<RunVolume> result = combined(operation, a.volume.snapshot(), b.volume.snapshot());
+            const DenseGrid dense = expected(operation, a.dense, b.dense);
+            RC_ASSERT(dense.equals(*result));
+            RC_ASSERT(result->amounts() == dense.amounts());
         }));
     }
 
