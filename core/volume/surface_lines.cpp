@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface_lines.h"
 
+#include "core/volume/alike_rows.h"
 #include "core/volume/volume_access.h"
 
 #include <algorithm>
@@ -85,28 +86,39 @@ private:
     }
     /// The lines low.u … high.u - 1, low.v … high.v - 1 of a brick.
     void addFrom(const Tile& tile, LineIndex low, LineIndex high) {
-        InBrick last;
-        last.segments = tile.segments();
+        last_.segments = tile.segments();
+        TileOffsets offsets;
+        tile.readOffsets(offsets);
         for (std::int32_t v = low.v; v < high.v; ++v) {
             const std::int32_t row = v - (window_.firstV << level_), place = low.u - (window_.firstU << level_);
             const std::size_t at = static_cast<std::size_t>(row) * lines_.step_ + static_cast<std::size_t>(place);
             const auto count = static_cast<std::size_t>(high.u - low.u);
-            const int first = TileTable::lineInTile({low.u, v});
-            for (std::size_t i = 0; i <= count; ++i) last.offsets[i] = tile.offset(first + static_cast<int>(i));
-            addRow(last, count, &lines_.lines_[at], &lines_.firstSegments_[at], {row >> level_, place, {}});
+            last_.offsets = offsets.data() + TileTable::lineInTile({low.u, v});
+            addRow(last_, count, &lines_.lines_[at], &lines_.firstSegments_[at], {row >> level_, place, {}});
         }
     }
-    /// What is kept from line to line of a brick: mostly the next is like the last.
-    struct InBrick {
-        const Segment* segments = nullptr;
-        std::array<std::uint32_t, tileSide + 1> offsets{}; ///< of the lines of one row
-        std::ptrdiff_t skipped = 0;                        ///< segments before the window
-        unsigned properties = ~0U;                         ///< of the two segments that it may see
-        bool changes = false, solid = false;               ///< one of them alone is air; the first is not
-        SurfaceLine line;                                  ///< if both are alike
+    /// What is kept from line to line: mostly the next is like the last.
+    struct LastLine {
+        const Segment* segments = nullptr;      ///< of the brick
+        const std::uint32_t* offsets = nullptr; ///< of the lines of one row
+        std::ptrdiff_t skipped = 0;             ///< segments before the window
+        unsigned properties = ~0U;              ///< of the two segments that it may see
+        bool changes = false, solid = false;    ///< one of them alone is air; the first is not
+        SurfaceLine line;                       ///< if both are alike
     };
+    void addRow(LastLine& last, std::size_t count, SurfaceLine* lines, const Segment** firstSegments, Further where) {
+        const AlikeRow row{last.segments, last.offsets, count,    static_cast<std::uint32_t>(last.skipped),
+                           packedLow_,    packedHigh_,  low_ < 0, rounding_,
+                           level_};
+        if (const std::optional<AlikeEnds> ends = readAlikeRow(row, lines, firstSegments, seen_)) {
+            changes_.atBegin |= stateBit(ends->solidAtBegin);
+            changes_.atEnd |= stateBit(ends->solidAtEnd);
+        } else {
+            addEach(last, count, lines, firstSegments, where);
+        }
+    }
     /// Hardly any line has more than one end within a window.
-    void addRow(InBrick& last, std::size_t count, SurfaceLine* lines, const Segment** firstSegments, Further where) {
+    void addEach(LastLine& last, std::size_t count, SurfaceLine* lines, const Segment** firstSegments, Further where) {
         const std::uint32_t low = packedLow_, high = packedHigh_;
         std::ptrdiff_t skipped = last.skipped;
         for (std::size_t i = 0; i < count; ++i) {
@@ -189,6 +201,7 @@ private:
     const std::uint32_t packedLow_, packedHigh_; ///< a segment ends behind low if above, before high if below
     SurfaceLines& lines_;
     std::uint8_t* const seen_;
+    LastLine last_;
     SurfaceChanges changes_;
 };
 
