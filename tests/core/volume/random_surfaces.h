@@ -16,11 +16,22 @@ inline Grid randomlyTurnedGrid(glm::ivec3 count) {
     return *Grid::make({-3.0, 5.0, 1.0}, surfaceVoxel, count, static_cast<RunAxis>(*rc::gen::inRange(0, 3)));
 }
 
-/// Stock with splinters, and balls of any material or none.
+/// Stock with slots beside bosses, splinters, and balls of any material or none.
 inline void fillAtRandom(RunVolume& volume) {
     const Grid& grid = volume.grid();
     RC_ASSERT(volume.fillBlock({0, 0}, {grid.lineCountU(), grid.lineCountV()}, *rc::gen::inRange<RunPosition>(0, 9000),
                                grid.lineEnd(), wax));
+    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+        const LineIndex low{*rc::gen::inRange(0, grid.lineCountU()), *rc::gen::inRange(0, grid.lineCountV())};
+        const std::int32_t middle = low.u + *rc::gen::inRange(1, 8), highU = middle + *rc::gen::inRange(1, 20),
+                           highV = low.v + *rc::gen::inRange(1, 20);
+        const auto begin = *rc::gen::inRange<RunPosition>(0, grid.lineEnd()),
+                   end = *rc::gen::element(grid.lineEnd(), begin + *rc::gen::inRange<RunPosition>(1, 2000));
+        const auto fill = [&](std::int32_t from, std::int32_t to) {
+            return volume.fillBlock({from, low.v}, {to, highV}, begin, end, *rc::gen::inRange<PropertyIndex>(0, 4));
+        };
+        RC_ASSERT(fill(low.u, middle) && fill(middle, highU));
+    }
     RunAmounts removed;
     for (int i = *rc::gen::inRange(0, 40); i > 0; --i) {
         const LineIndex line{*rc::gen::inRange(0, grid.lineCountU()), *rc::gen::inRange(0, grid.lineCountV())};
