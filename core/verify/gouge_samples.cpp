@@ -139,6 +139,7 @@ public:
             stretch.clearance = asking.ask(middle.tip, stretch.reach);
             if (!asking.isFar(middle.tip, stretch.reach)) batch.near.push_back(stretch);
         }
+        if (batch.near.empty()) batch.places = {};
         return batch;
     }
 
@@ -152,6 +153,7 @@ public:
             else
                 judgeEach(batch, stretch.first, stretch.end, asking);
         }
+        batch.places = {}; // long programs have many
     }
 
 private:
