@@ -4,6 +4,7 @@
 
 #include "core/geometry/mesh_distance.h"
 #include "core/geometry/piece_search.h"
+#include "core/geometry/way_search.h"
 
 #include <algorithm>
 #include <array>
@@ -48,13 +49,20 @@ struct PieceBound {
     }
 };
 
+/// A piece's spheres, and what was asked of the mesh for the lower one's centre last.
+struct PieceInside {
+    EndSpheres spheres;
+    AxisPoint centre;
+};
+
 /// What a ClearanceAsker keeps of its last answers.
 struct ClearanceMemory {
     std::array<Found, 4> met{}; ///< the last, of as many pieces
     std::vector<AxisPoint> axis;
     std::vector<PieceBound> pieces;
-    bool axisFirst = false; ///< the last answer was the depth of a point of the axis
-    std::uint64_t work = 0; ///< ClearanceAsker::work
+    std::vector<PieceInside> insides; ///< by piece
+    bool axisFirst = false;           ///< the last answer was the depth of a point of the axis
+    std::uint64_t work = 0;           ///< ClearanceAsker::work
 };
 
 } // namespace burin

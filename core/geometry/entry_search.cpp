@@ -55,7 +55,12 @@ private:
 } // namespace
 
 EntrySearch::EntrySearch(const TriangleTree& tree, const RevolvedPiece& piece, const glm::dvec3& axis, double depth)
-    : tree_(tree), piece_(piece), axis_(axis), depth_(depth) {}
+    : tree_(tree)
+    , piece_(piece)
+    , axis_(axis)
+    , depth_(depth)
+    , ball_(PlacedPiece(piece, {glm::dvec3(0.0), axis}).ballEnd() &&
+            piece.top >= piece.bottom + 2.0 * piece.cornerRadius) {}
 
 void EntrySearch::run(std::span<AskedTip> tips, std::span<std::uint8_t> entered) {
     if (tips.empty() || tree_.empty()) return;
@@ -175,17 +180,21 @@ bool EntrySearch::enters(const glm::dvec3& tip, const glm::dvec3& normal, std::s
 /// @param first @param end  of the parts that are looked at
 EntrySearch::Verdict EntrySearch::consider(const PlacedPiece& placed, const Group& group, std::size_t first,
                                            std::size_t end) {
-    const std::array<AbovePlane, 2> planes{AbovePlane(tree_, {group.centre, -group.over, group.normal}),
-                                           AbovePlane(tree_, {group.centre, group.beneath, -group.normal})};
+    Bounds bounds{{AbovePlane(tree_, {group.centre, -group.over, group.normal}),
+                   AbovePlane(tree_, {group.centre, group.beneath, -group.normal})},
+                  std::nullopt};
+    if (ball_)
+        bounds.balls.emplace(tree_, group.centre + (piece_.bottom + piece_.cornerRadius) * axis_, piece_.cornerRadius,
+                             group, axis_, -group.rise(-axis_));
     for (std::size_t i = first; i != end; ++i) {
         open_.assign(1, parts_[i]);
         while (!open_.empty()) {
             const Part part = open_.back();
             open_.pop_back();
             if (part.child == Part::node)
-                considerNode(placed, group, planes, part.number);
+                considerNode(placed, group, bounds, part.number);
             else if (part.child != Part::triangle)
-                considerChild(placed, group, part.number, part.child);
+                considerLeaf(placed, group, bounds, part.number, part.child);
             else if (considerTriangle(placed, group, part) == Verdict::allEnter)
                 return Verdict::allEnter;
         }
@@ -193,25 +202,47 @@ EntrySearch::Verdict EntrySearch::consider(const PlacedPiece& placed, const Grou
     return Verdict::open;
 }
 
-void EntrySearch::considerNode(const PlacedPiece& placed, const Group& group, const std::array<AbovePlane, 2>& planes,
+void EntrySearch::considerNode(const PlacedPiece& placed, const Group& group, const Bounds& bounds,
                                std::uint32_t number) {
     const TreeNode& node = tree_.nodes()[number];
-    ChildBounds bounds;
-    put(greater(planes[0].of(node), planes[1].of(node)), bounds.data());
-    for (std::uint32_t child = 0; child < TreeNode::width; ++child)
-        if (static_cast<double>(bounds[child]) < -depth_) considerChild(placed, group, number, child);
+    FourFloats bound = greater(bounds.planes[0].of(node), bounds.planes[1].of(node));
+    const float unknown = -std::numeric_limits<float>::infinity();
+    const FourFloats balls = bounds.balls ? bounds.balls->of(node) : FourFloats{} + unknown;
+    bound = greater(bound, balls);
+    for (std::uint32_t child = 0; child < TreeNode::width; ++child) {
+        const bool used = node.low[0][child] <= node.high[0][child];
+        if (!used || !(static_cast<double>(bound[child]) < -depth_)) continue;
+        if (balls[child] == unknown)
+            considerChild(placed, group, number, child);
+        else
+            takeChild(group, number, child);
+    }
+}
+
+/// One that was left over for a greater group.
+void EntrySearch::considerLeaf(const PlacedPiece& placed, const Group& group, const Bounds& bounds,
+                               std::uint32_t number, std::uint32_t child) {
+    const float unknown = -std::numeric_limits<float>::infinity();
+    const float bound = bounds.balls ? bounds.balls->of(tree_.nodes()[number])[child] : unknown;
+    if (bound == unknown)
+        considerChild(placed, group, number, child);
+    else if (static_cast<double>(bound) < -depth_)
+        takeChild(group, number, child);
 }
 
 void EntrySearch::considerChild(const PlacedPiece& placed, const Group& group, std::uint32_t number,
                                 std::uint32_t child) {
     const TreeNode& node = tree_.nodes()[number];
-    if (!(node.low[0][child] <= node.high[0][child])) return; // unused
     const glm::dvec3 centre = boxCentre(node, child);
     const glm::dvec3 half = glm::dvec3(node.high[0][child], node.high[1][child], node.high[2][child]) - centre;
     const PlacedPiece::Value value = placed.at(centre + tree_.origin());
     const double fall = std::min(glm::dot(glm::abs(value.gradient), half), fallOverPlate(node, child, value.gradient));
     const double least = value.distance - fall - group.rise(value.gradient);
-    if (least - 1e-9 - 1.2e-7 * std::abs(least) >= -depth_) return;
+    if (least - 1e-9 - 1.2e-7 * std::abs(least) < -depth_) takeChild(group, number, child);
+}
+
+void EntrySearch::takeChild(const Group& group, std::uint32_t number, std::uint32_t child) {
+    const TreeNode& node = tree_.nodes()[number];
     const std::uint32_t first = node.first[child], count = node.count[child];
     if (static_cast<double>(node.radius[child]) <= wideNode * group.radius)
         parts_.push_back(count == 0 ? Part{first, Part::node} : Part{number, child});

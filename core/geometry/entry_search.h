@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/geometry/ball_group.h"
 #include "core/geometry/piece_minimum.h"
 #include "core/geometry/triangle_walk.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,9 +39,8 @@ public:
 
 private:
     /// Tips of a group: they lie in a box, and between two planes no farther than `radius` from its centre.
-    struct Group {
-        glm::dvec3 centre{0.0}, half{0.0}, normal{0.0, 0.0, 1.0};
-        double below = 0.0, above = 0.0, radius = 0.0;
+    struct Group : BallGroup::Spread {
+        glm::dvec3 centre{0.0};
         double beneath = 0.0, over = 0.0; ///< mm from the centre along the normal: no tool of the group goes beyond
 
         /// How much farther than the centre a tip may lie along a slope.
@@ -56,6 +57,11 @@ private:
         std::uint32_t child = node; ///< of the node, where it is a leaf
         static constexpr std::uint32_t node = TreeNode::width, triangle = node + 1;
     };
+    /// What rules out four children of a node at once.
+    struct Bounds {
+        std::array<AbovePlane, 2> planes;
+        std::optional<BallGroup> balls;
+    };
     enum class Verdict : std::uint8_t { open, allEnter };
 
     Group groupOf(std::span<const AskedTip> tips, const glm::dvec3& normal) const noexcept;
@@ -64,15 +70,18 @@ private:
     void divide(std::span<AskedTip> tips, int times, const glm::dvec3& normal, std::size_t first, std::size_t end);
     bool enters(const glm::dvec3& tip, const glm::dvec3& normal, std::size_t first, std::size_t end);
     Verdict consider(const PlacedPiece& placed, const Group& group, std::size_t first, std::size_t end);
-    void considerNode(const PlacedPiece& placed, const Group& group, const std::array<AbovePlane, 2>& planes,
-                      std::uint32_t number);
+    void considerNode(const PlacedPiece& placed, const Group& group, const Bounds& bounds, std::uint32_t number);
+    void considerLeaf(const PlacedPiece& placed, const Group& group, const Bounds& bounds, std::uint32_t number,
+                      std::uint32_t child);
     void considerChild(const PlacedPiece& placed, const Group& group, std::uint32_t number, std::uint32_t child);
+    void takeChild(const Group& group, std::uint32_t number, std::uint32_t child);
     Verdict considerTriangle(const PlacedPiece& placed, const Group& group, Part part);
 
     const TriangleTree& tree_;
     RevolvedPiece piece_;
     glm::dvec3 axis_;
     double depth_;
+    bool ball_; ///< the piece's lower end is one, whole
     std::span<std::uint8_t> entered_;
     std::vector<Part> parts_;       ///< a stack: what concerns a group, and above it what concerns its half
     std::vector<Part> open_;        ///< to be looked at

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #ifdef __SSE2__
@@ -35,6 +36,17 @@ inline FourFloats rootsOf(const FourFloats& a) noexcept {
 #else
     return FourFloats{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 #endif
+}
+/// Length of what is left of four vectors beside their parts along unit vectors; by parts, as one less a square would
+/// lose half of the digits.
+inline FourFloats partAcross(const std::array<FourFloats, 3>& of, const std::array<FourFloats, 3>& unit,
+                             const FourFloats& along) noexcept {
+    FourFloats square{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const FourFloats across = of[i] - along * unit[i];
+        square += across * across;
+    }
+    return rootsOf(square) + 1e-6F;
 }
 inline float greatest(const FourFloats& a) noexcept {
     return std::max(std::max(a[0], a[1]), std::max(a[2], a[3]));

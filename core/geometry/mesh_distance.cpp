@@ -151,6 +151,19 @@ public:
         return answer.clearance < within ? answer : free;
     }
 
+    bool keeps(std::span<const RevolvedPiece> tool, glm::dvec3 axis, const glm::dvec3& from, const glm::dvec3& to,
+               double clearance, ClearanceMemory& memory) const noexcept {
+        if (empty() || tool.empty() || !isFinite(from) || !isFinite(to) || !isFinite(axis)) return false;
+        axis = unitOr(axis, {0.0, 0.0, 1.0});
+        for (std::size_t i = 0; i < tool.size(); ++i)
+            if (!(memory.insides[i].spheres.leastRadius > -clearance) ||
+                !keepsFromMesh(tree_, tool[i], axis, from, to, clearance))
+                return false;
+        return std::ranges::all_of(memory.insides, [&](PieceInside& inside) {
+            return isOutside(0.5 * (from + to) + inside.spheres.height * axis, inside.centre);
+        });
+    }
+
     std::vector<std::uint8_t> entered(std::span<const RevolvedPiece> tool, glm::dvec3 axis,
                                       std::span<const glm::dvec3> tips, double depth, const Progress& progress) const {
         if (empty() || tool.empty() || !isFinite(axis)) return std::vector<std::uint8_t>(tips.size());
@@ -211,6 +224,14 @@ private:
             sum += surroundingAngle(triangle, candidate.feature) * unitNormal(triangle);
         });
         return sum;
+    }
+
+    bool isOutside(const glm::dvec3& place, AxisPoint& last) const noexcept {
+        if (last.any && last.nearest.signedDistance > glm::length(place - last.place)) return true;
+        last.nearest = closest(place, std::numeric_limits<double>::infinity());
+        last.place = place;
+        last.any = true;
+        return last.nearest.signedDistance > 0.0;
     }
 
     /// The point of the mesh where the signed distance to a piece is least, below `within`.
@@ -365,11 +386,16 @@ ClearanceAsker::ClearanceAsker(const MeshDistance& part, std::span<const Revolve
     : part_(part), tool_(tool), axis_(axis), memory_(std::make_unique<ClearanceMemory>()) {
     visitAxis(tool, [&](double height, std::size_t piece) { memory_->axis.push_back({height, piece, {}, {}, false}); });
     memory_->pieces.resize(tool.size());
+    for (const RevolvedPiece& piece : tool) memory_->insides.push_back({endSpheres(piece), {}});
 }
 ClearanceAsker::~ClearanceAsker() = default;
 
 std::uint64_t ClearanceAsker::work() const noexcept {
     return memory_->work;
+}
+
+bool ClearanceAsker::keeps(const glm::dvec3& from, const glm::dvec3& to, double clearance) noexcept {
+    return part_.tree_->keeps(tool_, axis_, from, to, clearance, *memory_);
 }
 
 ToolClearance ClearanceAsker::ask(const ToolPose& pose, double within, const ClearanceTolerance& tolerance) noexcept {

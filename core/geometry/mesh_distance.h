@@ -117,6 +117,10 @@ public:
     }
     /// The axis may turn from pose to pose. No allocation.
     ToolClearance ask(const ToolPose& pose, double within, const ClearanceTolerance& tolerance) noexcept;
+    /// Whether the tool, moving straight from one tip to another, certainly keeps a clearance all the way: then `ask`
+    /// answers nothing less on it, but for 1e-8 mm. False: it does not, or it could not be shown. Costs little more
+    /// than one `ask`. No allocation. @param clearance  mm; negative: the tool may enter by so much
+    bool keeps(const glm::dvec3& from, const glm::dvec3& to, double clearance) noexcept;
     /// What all answers took together: looks at a triangle (60 to 120 ns each beside a fine mesh, measured with
     /// other work running). The same poses take the same.
     std::uint64_t work() const noexcept;

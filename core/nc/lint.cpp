@@ -56,16 +56,15 @@ private:
         mark.severity = severity;
         mark.problem = fault.problem;
         mark.text = std::string(wordingOf(fault.problem));
-        mark.words = std::string(more.empty() ? written(mark) : more);
+        mark.words = more.empty() ? written(mark) : std::string(more);
         if (!mark.words.empty()) mark.text += ": " + mark.words;
         marks_.push_back(std::move(mark));
     }
 
     /// What stands there; of what is missing, nothing.
-    std::string_view written(const LintMark& mark) const {
-        constexpr std::uint32_t most = 40;
-        if (mark.problem == ProgramProblem::endMissing || mark.column > content_.size()) return {};
-        return content_.substr(mark.column - 1, std::min(mark.length, most));
+    std::string written(const LintMark& mark) const {
+        if (mark.problem == ProgramProblem::endMissing) return {};
+        return shownWords(content_, mark.column - 1, mark.length);
     }
 
     /// To the end of the word that begins in a column: its letter and what is not the next one's.

@@ -13,9 +13,8 @@ namespace {
 
 Error syntaxError(const std::string& origin, std::uint32_t line, std::string_view text, const BlockFault& fault) {
     std::string detail(wordingOf(fault.problem));
-    const std::size_t from = std::min<std::size_t>(fault.column - 1, text.size());
-    const std::string_view words = text.substr(from, std::min<std::size_t>(fault.length, 40));
-    if (fault.length > 1 && !words.empty()) detail += ": " + std::string(words);
+    const std::string words = fault.length > 1 ? shownWords(text, fault.column - 1, fault.length) : std::string();
+    if (!words.empty()) detail += ": " + words;
     return Error{ErrorCode::programSyntax, origin,
                  "line " + std::to_string(line) + ", column " + std::to_string(fault.column), std::move(detail)};
 }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/problem.h"
 
+#include "core/base/csv.h"
+
+#include <algorithm>
 #include <array>
 
 namespace burin {
@@ -87,6 +90,36 @@ constexpr std::array<Wording, static_cast<std::size_t>(ProgramProblem::count)> w
 // A problem that was added without its wording has an empty one.
 static_assert(!wordings.back().id.empty());
 
+constexpr std::size_t longestShown = 40; // characters
+
+/// The UTF-8 character at a place; empty where there is none.
+std::string_view characterAt(std::string_view text, std::size_t at) noexcept {
+    for (std::size_t bytes = 1; bytes <= std::min<std::size_t>(4, text.size() - at); ++bytes)
+        if (isUtf8(text.substr(at, bytes))) return text.substr(at, bytes);
+    return {};
+}
+
+/// Control characters, and what turns, breaks or hides text: they would be obeyed, not shown.
+bool isObeyed(std::string_view character) noexcept {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(character[i]); };
+    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7F;
+    if (character.size() == 2) return byte(0) == 0xC2 && byte(1) < 0xA0; // U+0080 … U+009F
+    if (character.size() != 3) return false;
+    const std::uint32_t point = (byte(0) & 0x0FU) << 12 | (byte(1) & 0x3FU) << 6 | (byte(2) & 0x3FU);
+    return (point >= 0x200B && point <= 0x200F) || (point >= 0x2028 && point <= 0x202E) ||
+           (point >= 0x2060 && point <= 0x206F) || point == 0xFEFF;
+}
+
+std::string escaped(std::string_view bytes) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string shown;
+    for (const char c : bytes) {
+        const auto byte = static_cast<std::uint8_t>(c);
+        shown += {'\\', 'x', digits[byte >> 4], digits[byte & 0x0FU]};
+    }
+    return shown;
+}
+
 } // namespace
 
 std::string_view idOf(ProgramProblem problem) noexcept {
@@ -99,6 +132,23 @@ std::string_view wordingOf(ProgramProblem problem) noexcept {
 
 TextId textOf(ProgramProblem problem) noexcept {
     return wordings[static_cast<std::size_t>(problem)].text;
+}
+
+std::string shownWords(std::string_view line, std::size_t from, std::size_t length) {
+    std::string shown;
+    std::size_t characters = 0;
+    const std::size_t end = std::min(line.size(), from + std::min(length, line.size()));
+    for (std::size_t at = from; at < end;) {
+        std::string_view bytes = characterAt(line, at);
+        const bool plain = !bytes.empty() && !isObeyed(bytes);
+        if (bytes.empty()) bytes = line.substr(at, 1);
+        const std::string next = plain ? std::string(bytes) : escaped(bytes);
+        characters += plain ? 1 : next.size();
+        if (characters > longestShown) return shown + "…";
+        shown += next;
+        at += bytes.size();
+    }
+    return shown;
 }
 
 } // namespace burin

@@ -4,7 +4,9 @@
 
 #include "core/base/text.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace burin {
@@ -91,5 +93,11 @@ std::string_view idOf(ProgramProblem problem) noexcept;
 std::string_view wordingOf(ProgramProblem problem) noexcept;
 /// The same, to be translated.
 TextId textOf(ProgramProblem problem) noexcept;
+
+/// Words of a program's line as a message may repeat them on a terminal, whatever bytes the program is of: UTF-8
+/// without a byte that a terminal or a text view obeys. Such bytes, and those that are no UTF-8, stand as "\x1b". What
+/// is longer than 40 characters is cut and ends in "…".
+/// @param from @param length  bytes of the line; a character that begins within them is shown whole
+std::string shownWords(std::string_view line, std::size_t from, std::size_t length);
 
 } // namespace burin

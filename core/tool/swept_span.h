@@ -35,6 +35,12 @@ public:
         if (const UprightSweep* const upright = std::get_if<UprightSweep>(&sweep_)) return upright->along(x, y);
         return std::get_if<TiltedSweep>(&sweep_)->along(x, y);
     }
+    /// Where `along` begins, mm, for whom its end is no matter: quicker upright.
+    std::optional<double> bottomAlong(double x, double y) const noexcept {
+        if (const UprightSweep* const upright = std::get_if<UprightSweep>(&sweep_)) return upright->bottomAlong(x, y);
+        const std::optional<Span> span = along(x, y);
+        return span ? std::optional(span->low) : std::nullopt;
+    }
     /// Stretch of x that the solid covers at this y, mm: its shadow along Z. Nothing where it has none.
     std::optional<Span> shadow(double y) const noexcept;
     /// Box of the swept solid, mm.

@@ -165,7 +165,7 @@ double UprightSweep::bestOffsetOnCorner(const Face& face, const Line& line, doub
     return std::clamp(restingOffset({face.flatRadius, face.cornerRadius, line.aside, reach_, rise}), low, high);
 }
 
-std::optional<Span> UprightSweep::along(double x, double y) const noexcept {
+std::optional<UprightSweep::Line> UprightSweep::lineAt(double x, double y) const noexcept {
     const glm::dvec2 first(x - from_.x, y - from_.y), last(x - to_.x, y - to_.y);
     Line line;
     line.squareAtFrom = first.x * first.x + first.y * first.y;
@@ -178,9 +178,21 @@ std::optional<Span> UprightSweep::along(double x, double y) const noexcept {
         line.passes = line.ahead > 0.0 && line.ahead < reach_ && line.aside < outline_;
     }
     if (!line.insideAtFrom && !line.insideAtTo && !line.passes) return std::nullopt;
-    const Span span{least(lower_, line), -least(upper_, line)};
+    return line;
+}
+
+std::optional<Span> UprightSweep::along(double x, double y) const noexcept {
+    const std::optional<Line> line = lineAt(x, y);
+    if (!line) return std::nullopt;
+    const Span span{least(lower_, *line), -least(upper_, *line)};
     if (!(span.low < span.high)) return std::nullopt;
     return span;
+}
+
+std::optional<double> UprightSweep::bottomAlong(double x, double y) const noexcept {
+    const std::optional<Line> line = lineAt(x, y);
+    if (!line) return std::nullopt;
+    return least(lower_, *line);
 }
 
 std::optional<Span> UprightSweep::shadow(double y) const noexcept {

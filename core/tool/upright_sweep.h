@@ -19,6 +19,8 @@ public:
     UprightSweep(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
 
     std::optional<Span> along(double x, double y) const noexcept;
+    /// Where the line enters, mm, of a solid that does not end below what the line is asked for; half the cost.
+    std::optional<double> bottomAlong(double x, double y) const noexcept;
     std::optional<Span> shadow(double y) const noexcept;
     Box bounds() const noexcept;
 
@@ -41,6 +43,7 @@ private:
         double ahead = 0.0;                            ///< mm, along the way in the plane, from the first axis
         double aside = 0.0;                            ///< mm, across it, >= 0
     };
+    std::optional<Line> lineAt(double x, double y) const noexcept;
     double heightAt(const Face& face, double square) const noexcept;
     double least(const Face& face, const Line& line) const noexcept;
     double leastBetween(const Face& face, const Line& line) const noexcept;

@@ -80,14 +80,18 @@ std::vector<Covered> measureStock(const RunVolume& workpiece, const SurfacePlace
 /// Marks what a tool reaches of the places; keeps the rest.
 void markReached(const VerifyRequest& request, const TouchingTool& tool, double lowest, std::vector<Covered>& covered,
                  std::vector<DeviationSample>& samples, const Progress& progress) {
+    std::vector<glm::dvec3> tips(covered.size());
+    parallelStretches(std::size_t{0}, covered.size(), 4096, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i != to; ++i)
+            tips[i] = touchingTip(tool.flutes, samples[covered[i].sample].place, covered[i].normal);
+    });
     std::vector<std::size_t> asked;
-    std::vector<glm::dvec3> tips;
     for (std::size_t i = 0; i < covered.size(); ++i) {
-        const glm::dvec3 tip = touchingTip(tool.flutes, samples[covered[i].sample].place, covered[i].normal);
-        if (tip.z < lowest - 1e-6) continue;
+        if (tips[i].z < lowest - 1e-6) continue;
+        tips[asked.size()] = tips[i];
         asked.push_back(i);
-        tips.push_back(tip);
     }
+    tips.resize(asked.size());
     const std::vector<std::uint8_t> entered =
         request.part->entered(tool.stack, {0.0, 0.0, 1.0}, tips, reachableDepth, progress);
     for (std::size_t i = 0; i < asked.size(); ++i)

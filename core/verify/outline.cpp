@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/outline.h"
 
+#include "core/base/parallel.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace burin {
 
 namespace {
 
-std::vector<bool> linesThatHoldThePart(const RunVolume& workpiece) {
-    const Grid& grid = workpiece.grid();
-    std::vector<bool> held(static_cast<std::size_t>(grid.lineCountU()) * static_cast<std::size_t>(grid.lineCountV()));
-    std::size_t place = 0;
-    for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
-        for (std::int32_t u = 0; u < grid.lineCountU(); ++u, ++place)
-            for (const Segment segment : workpiece.line({u, v}))
-                if (workpiece.properties().isProtected(segment.property())) held[place] = true;
-    return held;
+constexpr std::size_t grain = 16; // rows or columns that are worth another core
+
+bool holdsThePart(const RunVolume& workpiece, LineIndex line) {
+    for (const Segment segment : workpiece.line(line))
+        if (workpiece.properties().isProtected(segment.property())) return true;
+    return false;
 }
 
 /// Squares of the distances, in lines, to the nearest line outside, after Felzenszwalb & Huttenlocher (2012): one
@@ -62,26 +62,30 @@ void envelope(std::vector<double>& values) {
 ShrunkOutline::ShrunkOutline(const RunVolume& workpiece, double distance) : grid_(workpiece.grid()) {
     const auto width = static_cast<std::size_t>(grid_.lineCountU()),
                height = static_cast<std::size_t>(grid_.lineCountV());
-    const std::vector<bool> held = linesThatHoldThePart(workpiece);
     constexpr double far = 1e12;
     std::vector<double> squares((width + 2) * (height + 2), 0.0); // a rim of outside around the grid
-    for (std::size_t v = 0; v < height; ++v)
-        for (std::size_t u = 0; u < width; ++u)
-            squares[(v + 1) * (width + 2) + u + 1] = held[v * width + u] ? far : 0.0;
-    std::vector<double> row(width + 2), column(height + 2);
-    for (std::size_t v = 0; v < height + 2; ++v) {
-        for (std::size_t u = 0; u < width + 2; ++u) row[u] = squares[v * (width + 2) + u];
-        envelope(row);
-        for (std::size_t u = 0; u < width + 2; ++u) squares[v * (width + 2) + u] = row[u];
-    }
+    parallelStretches(std::size_t{1}, height + 1, grain, [&](std::size_t from, std::size_t to) {
+        std::vector<double> row(width + 2);
+        for (std::size_t v = from; v != to; ++v) {
+            for (std::size_t u = 1; u <= width; ++u)
+                row[u] = holdsThePart(workpiece, {static_cast<std::int32_t>(u - 1), static_cast<std::int32_t>(v - 1)})
+                             ? far
+                             : 0.0;
+            row.front() = row.back() = 0.0;
+            envelope(row);
+            std::copy(row.begin(), row.end(), squares.begin() + static_cast<std::ptrdiff_t>(v * (width + 2)));
+        }
+    });
     const double limit = distance / grid_.edge();
     inside_.resize(width * height);
-    for (std::size_t u = 0; u < width + 2; ++u) {
-        for (std::size_t v = 0; v < height + 2; ++v) column[v] = squares[v * (width + 2) + u];
-        envelope(column);
-        if (u == 0 || u == width + 1) continue;
-        for (std::size_t v = 1; v <= height; ++v) inside_[(v - 1) * width + u - 1] = column[v] > limit * limit;
-    }
+    parallelStretches(std::size_t{1}, width + 1, grain, [&](std::size_t from, std::size_t to) {
+        std::vector<double> column(height + 2);
+        for (std::size_t u = from; u != to; ++u) {
+            for (std::size_t v = 0; v < height + 2; ++v) column[v] = squares[v * (width + 2) + u];
+            envelope(column);
+            for (std::size_t v = 1; v <= height; ++v) inside_[(v - 1) * width + u - 1] = column[v] > limit * limit;
+        }
+    });
 }
 
 bool ShrunkOutline::contains(double x, double y) const noexcept {
@@ -90,7 +94,7 @@ bool ShrunkOutline::contains(double x, double y) const noexcept {
                          static_cast<std::int32_t>(std::floor(place.y))};
     if (!grid_.contains(line)) return false;
     return inside_[static_cast<std::size_t>(line.v) * static_cast<std::size_t>(grid_.lineCountU()) +
-                   static_cast<std::size_t>(line.u)];
+                   static_cast<std::size_t>(line.u)] != 0;
 }
 
 } // namespace burin

@@ -4,6 +4,7 @@
 
 #include "core/volume/run_volume.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace burin {
@@ -17,7 +18,7 @@ public:
 
 private:
     Grid grid_;
-    std::vector<bool> inside_; ///< by v, then u
+    std::vector<std::uint8_t> inside_; ///< by v, then u; bytes, so that columns may be written at the same time
 };
 
 } // namespace burin

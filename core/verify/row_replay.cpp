@@ -108,24 +108,37 @@ void RowReplay::cutUpright(const ReplayTool& tool, const glm::dvec3& from, const
         const std::uint64_t lines = tool.filter.mayCut(way, corner, stock_.tops(corner.v) + corner.u, stride);
         if (lines == 0) continue;
         if (flutes_.empty())
-            for (std::size_t i = 0; i < tool.fluteCount; ++i) flutes_.emplace_back(tool.stack[i], from, to);
-        cutBrick(brick, lines, flutes_, removed);
+            for (const RevolvedPiece& piece : std::span(tool.stack).first(tool.fluteCount))
+                flutes_.push_back({SweptPiece(piece, from, to), piece.topRadius == piece.widestRadius() &&
+                                                                    std::min(from.z, to.z) + piece.top >= box.high.z});
+        cutBrick(brick, lines, removed);
     }
 }
 
-void RowReplay::cutBrick(std::int32_t brick, std::uint64_t lines, std::span<const SweptPiece> flutes,
-                         UnitSum& removed) {
+void RowReplay::cutBrick(std::int32_t brick, std::uint64_t lines, UnitSum& removed) {
     const Box box = inLineFrame(grid_, grid_.box());
     const std::uint64_t before = removed.units;
+    const auto positionOf = [&](double height) {
+        return height <= box.low.z    ? RunPosition{0}
+               : height >= box.high.z ? grid_.lineEnd()
+                                      : grid_.toRunPosition(height);
+    };
     for (; lines != 0; lines &= lines - 1) {
         const int place = std::countr_zero(lines);
         const LineIndex line{brick * brickSide + place % brickSide, stock_.firstV() + place / brickSide};
         const glm::dvec2 centre = grid_.lineCentre(line);
-        for (const SweptPiece& piece : flutes) {
-            const std::optional<Span> span = piece.along(centre.x, centre.y);
-            if (!span) continue;
-            const RunPosition from = span->low <= box.low.z ? 0 : grid_.toRunPosition(span->low);
-            const RunPosition to = span->high >= box.high.z ? grid_.lineEnd() : grid_.toRunPosition(span->high);
+        for (const Flute& flute : flutes_) {
+            RunPosition from = 0, to = grid_.lineEnd();
+            if (flute.throughTop) {
+                const std::optional<double> bottom = flute.swept.bottomAlong(centre.x, centre.y);
+                if (!bottom) continue;
+                from = positionOf(*bottom);
+            } else {
+                const std::optional<Span> span = flute.swept.along(centre.x, centre.y);
+                if (!span) continue;
+                from = positionOf(span->low);
+                to = positionOf(span->high);
+            }
             if (from < to) stock_.cut(line, from, to, removed);
         }
     }

@@ -69,10 +69,14 @@ public:
     RowResult run(std::span<const std::uint32_t> turns, const Progress& progress);
 
 private:
+    struct Flute {
+        SweptPiece swept;
+        bool throughTop; ///< above all of the way its lines end over the grid
+    };
     void make(std::uint32_t number);
     void cutUpright(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
     void cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
-    void cutBrick(std::int32_t brick, std::uint64_t lines, std::span<const SweptPiece> flutes, UnitSum& removed);
+    void cutBrick(std::int32_t brick, std::uint64_t lines, UnitSum& removed);
     bool mayTouch(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to) const;
     bool touches(const SweptPiece& piece) const;
     void lookNear(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, std::uint32_t number);
@@ -87,8 +91,8 @@ private:
     const Grid& grid_;
     std::span<const ToolMove> moves_;
     std::span<const ReplayTool> tools_;
-    std::int32_t reach_; ///< run units, of all that the row holds
-    std::vector<SweptPiece> flutes_;
+    std::int32_t reach_;        ///< run units, of all that the row holds
+    std::vector<Flute> flutes_; ///< of the move
     RowResult result_;
 };
 

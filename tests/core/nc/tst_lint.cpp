@@ -198,6 +198,60 @@ private slots:
         }));
     }
 
+    void whatATerminalWouldObeyIsShownByItsBytes_data() {
+        QTest::addColumn<QByteArray>("written");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("escape") << QByteArray("\x1b[2J") << "\\x1b";
+        QTest::newRow("no UTF-8") << QByteArray("\xff\xfe") << "\\xff";
+        QTest::newRow("half a letter") << QByteArray("\xc3") << "\\xc3";
+        QTest::newRow("a letter") << QByteArray("\xc3\xa4") << QString(QChar(0xE4));
+        QTest::newRow("control sequence introducer") << QByteArray("\xc2\x9b") << "\\xc2\\x9b";
+        QTest::newRow("written from the right") << QByteArray("\xe2\x80\xae") << "\\xe2\\x80\\xae";
+        QTest::newRow("delete") << QByteArray("\x7f") << "\\x7f";
+    }
+    void whatATerminalWouldObeyIsShownByItsBytes() {
+        QFETCH(QByteArray, written);
+        QFETCH(QString, shown);
+        const std::vector<LintMark> marks = lint("G21 G54\nG0 X1 " + written.toStdString() + "\nM2\n", {});
+        QCOMPARE(marks.size(), std::size_t{1});
+        QCOMPARE(QString::fromStdString(marks.front().words), shown);
+        QVERIFY(QString::fromStdString(marks.front().text).endsWith(": " + shown));
+    }
+
+    void longWordsAreCut() {
+        const std::string digits(300, '1');
+        QCOMPARE(QString::fromStdString(shownWords("X" + digits, 1, 40)), QString(40, '1'));
+        QCOMPARE(QString::fromStdString(shownWords("X" + digits, 1, 300)), QString(40, '1') + QChar(0x2026));
+        QCOMPARE(QString::fromStdString(shownWords(std::string(300, '\a'), 0, 300)),
+                 QString("\\x07").repeated(10) + QChar(0x2026));
+        QCOMPARE(QString::fromStdString(shownWords("X1", 2, 5)), QString());
+        QCOMPARE(QString::fromStdString(shownWords("X1", 7, 5)), QString());
+    }
+
+    void anyMessageCanBePrinted() {
+        const auto isPrintable = [](const std::string& text) {
+            const QString read = QString::fromStdString(text);
+            if (read.toStdString() != text || read.size() > 160) return false; // was no UTF-8, or is no message
+            return std::ranges::all_of(read.toUcs4(), [](uint point) {
+                const QChar::Category kind = QChar::category(point);
+                return kind != QChar::Other_Control && kind != QChar::Separator_Line &&
+                       kind != QChar::Separator_Paragraph && !(point >= 0x202A && point <= 0x202E);
+            });
+        };
+        QVERIFY(rc::check("any bytes, some where words are expected", [&] {
+            const auto bytes = *rc::gen::container<std::vector<std::uint8_t>>(rc::gen::arbitrary<std::uint8_t>());
+            std::string text = *rc::gen::element<std::string>("", "G0 X[", "G0 X1(", "#", "G", "N1 ", "G0 X#<");
+            for (const std::uint8_t byte : bytes) text += static_cast<char>(byte);
+            text += *rc::gen::element<std::string>("", "]", std::string(400, '['), std::string(400, '\x1b'));
+            for (const Control& control : controls()) {
+                for (const LintMark& mark : lint(text, {&control, nullptr, nullptr}))
+                    RC_ASSERT(isPrintable(mark.text) && isPrintable(mark.words));
+                const auto program = parseProgram(text, "job", control);
+                if (!program) RC_ASSERT(isPrintable(program.error().detail));
+            }
+        }));
+    }
+
     void noTextBringsItDown() {
         QVERIFY(rc::check("marks lie in the text", [](const std::string& text) {
             const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;

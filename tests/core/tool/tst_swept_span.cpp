@@ -40,6 +40,7 @@ private slots:
                 if (!found) continue;
                 RC_ASSERT(near(found->low, expected.low, 1e-6));
                 RC_ASSERT(near(found->high, expected.high, 1e-6));
+                RC_ASSERT(swept.bottomAlong(x, y) == std::optional(found->low));
                 RC_ASSERT(found->low >= box.low.z - 1e-12 && found->high <= box.high.z + 1e-12);
             }
         });

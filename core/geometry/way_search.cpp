@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/geometry/way_search.h"
+
+#include "core/geometry/convex_minimum.h"
+#include "core/geometry/piece_minimum.h"
+#include "core/geometry/triangle_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burin {
+
+namespace {
+
+/// Lower bounds of the distance from a straight way to boxes and plates: by its tangent at the middle of each box.
+class NearWay {
+public:
+    /// @param distance  only what is nearer counts, mm
+    NearWay(const TriangleTree& tree, const glm::dvec3& from, const glm::dvec3& to, double distance) noexcept
+        : distance_(static_cast<float>(distance) * (1.0F + 1e-6F)) {
+        const glm::dvec3 start = from - tree.origin(), end = to - tree.origin(), way = end - start;
+        const double length = glm::length(way);
+        length_ = FourFloats{} + static_cast<float>(length);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto place = static_cast<std::size_t>(axis);
+            at_[place] = FourFloats{} + static_cast<float>(start[axis]);
+            along_[place] = FourFloats{} + static_cast<float>(length > 0.0 ? way[axis] / length : 0.0);
+            low_[place] = FourFloats{} + static_cast<float>(std::min(start[axis], end[axis]) - distance);
+            high_[place] = FourFloats{} + static_cast<float>(std::max(start[axis], end[axis]) + distance);
+        }
+        // Single precision keeps places to a few units of the seventh place of the greatest of them.
+        const glm::dvec3 far = glm::max(glm::abs(start), glm::abs(end));
+        slack_ = 1e-6F * static_cast<float>(std::max({far.x, far.y, far.z}) + length + distance);
+    }
+    bool stillBelow(float bound) const noexcept { return bound < distance_; }
+    /// Nothing counts any more.
+    void stop() noexcept { distance_ = -std::numeric_limits<float>::infinity(); }
+
+    ChildBounds of(const TreeNode& node) const noexcept {
+        const FourFloats zero{};
+        FourFloats gap = zero - 1.0F, share{};
+        std::array<FourFloats, 3> way, half;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const FourFloats low = fourAt(node.low[axis].data()), high = fourAt(node.high[axis].data());
+            gap = greater(gap, greater(low - high_[axis], low_[axis] - high));
+            half[axis] = 0.5F * (high - low);
+            way[axis] = 0.5F * (low + high) - at_[axis];
+            share += way[axis] * along_[axis];
+        }
+        share = greater(share, zero);
+        share = share < length_ ? share : length_;
+        FourFloats squared{}, overBox{}, along{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            way[axis] -= share * along_[axis];
+            squared += way[axis] * way[axis];
+            overBox += absolute(way[axis]) * half[axis];
+            along += way[axis] * fourAt(node.normal[axis].data());
+        }
+        const FourFloats distance = rootsOf(squared);
+        const FourFloats one = zero + 1.0F, nearly = distance > 1e-6F ? distance : zero + 1e-6F;
+        overBox /= nearly;
+        along /= nearly;
+        const FourFloats radius = fourAt(node.radius.data());
+        const FourFloats across = rootsOf(greater(one - along * along, zero) + 1e-6F);
+        const FourFloats thickness = along > 0.0F ? fourAt(node.below.data()) : fourAt(node.above.data());
+        const FourFloats overPlate = across * radius - along * thickness;
+        // The nearest place of the way is known to `slack_`, and moves no farther than the point.
+        const FourFloats bound =
+            distance - (overBox < overPlate ? overBox : overPlate) - slack_ * (one + radius / nearly) - 1e-6F * radius;
+        const FourFloats infinite = zero + std::numeric_limits<float>::infinity();
+        ChildBounds bounds;
+        put(gap > slack_ ? infinite : bound, bounds.data());
+        return bounds;
+    }
+
+private:
+    std::array<FourFloats, 3> at_, along_, low_, high_;
+    FourFloats length_;
+    float distance_, slack_ = 0.0F;
+};
+
+/// The distance of a triangle from a straight way is convex along it: the least one, or some that is not below
+/// `cutoff`.
+double distanceOfWay(const Triangle& triangle, const glm::dvec3& from, const glm::dvec3& to, double cutoff) noexcept {
+    const glm::dvec3 way = to - from;
+    const auto at = [&](double share) noexcept -> LineValue {
+        const glm::dvec3 place = from + share * way;
+        const glm::dvec3 apart = place - closestOnTriangle(triangle, place).point;
+        const double distance = glm::length(apart);
+        return {distance, distance > 0.0 ? glm::dot(apart, way) / distance : 0.0};
+    };
+    return minimumOnLine(at, 0.0, 1.0, cutoff, 2e-9).value;
+}
+
+bool ballKeepsFromMesh(const TriangleTree& tree, const glm::dvec3& from, const glm::dvec3& to,
+                       double distance) noexcept {
+    if (!(distance > 0.0)) return true;
+    NearWay near(tree, from, to, distance);
+    bool keeps = true;
+    walk(tree, near, [&](std::size_t slot) noexcept {
+        if (!keeps || distanceOfWay(tree.triangles()[slot], from, to, distance) >= distance) return;
+        keeps = false;
+        near.stop();
+    });
+    return keeps;
+}
+
+/// A piece on its way. Asked for what lies above a height over the tip only.
+class MovingPiece {
+public:
+    MovingPiece(const RevolvedPiece& piece, const glm::dvec3& axis, const glm::dvec3& from, const glm::dvec3& to,
+                double floor) noexcept
+        : piece_(piece)
+        , axis_(axis)
+        , from_(from)
+        , way_(to - from)
+        , square_(glm::dot(way_, way_))
+        , floor_(floor > piece.bottom ? floor + std::min(0.0, glm::dot(way_, axis))
+                                      : -std::numeric_limits<double>::infinity())
+        , lowest_(piece.bulges() ? std::clamp(piece.bulgeCentreHeight, piece.bottom, piece.top)
+                                 : piece.bottom + piece.cornerRadius) {}
+
+    /// About where the piece comes nearest to a point.
+    PlacedPiece nearestTo(const glm::dvec3& point) const noexcept {
+        return PlacedPiece(piece_, {from_ + shareNear(point) * way_, axis_});
+    }
+    /// A plane that the signed distance at all places of the way stays above.
+    PlacedPiece::Value tangentAt(const glm::dvec3& point) const noexcept {
+        const double share = shareNear(point);
+        double slope = 0.0;
+        const PlacedPiece::Value there = tangentAt(point, share, slope);
+        const double end = slope > 0.0 ? 1.0 : 0.0;
+        if (std::abs(slope) < 1e-9 || share == end) return there;
+        const PlacedPiece::Value atEnd = tangentAt(point, end, slope);
+        return atEnd.distance > there.distance ? atEnd : there;
+    }
+
+    bool isBelowFloor(const glm::dvec3& point, double up) const noexcept {
+        return glm::dot(point - from_, axis_) + up < floor_;
+    }
+    const glm::dvec3& axis() const noexcept { return axis_; }
+
+    /// Of all that the piece's part above the floor passes.
+    Box bounds(double floor) const noexcept {
+        Box box;
+        const double radius = piece_.widestRadius();
+        for (const double share : {0.0, 1.0})
+            for (const double height : {std::max(floor, piece_.bottom), piece_.top}) {
+                const glm::dvec3 centre = from_ + share * way_ + height * axis_;
+                const glm::dvec3 across = radius * glm::sqrt(glm::max(glm::dvec3(0.0), 1.0 - axis_ * axis_));
+                box.include(centre - across);
+                box.include(centre + across);
+            }
+        return box;
+    }
+
+private:
+    double shareNear(const glm::dvec3& point) const noexcept {
+        if (!(square_ > 0.0)) return 0.0;
+        const double height =
+            std::clamp(glm::dot(point - from_ - 0.5 * way_, axis_), std::min(lowest_, piece_.top), piece_.top);
+        return std::clamp(glm::dot(point - from_ - height * axis_, way_) / square_, 0.0, 1.0);
+    }
+    PlacedPiece::Value tangentAt(const glm::dvec3& point, double share, double& slope) const noexcept {
+        PlacedPiece::Value value = PlacedPiece(piece_, {from_ + share * way_, axis_}).at(point);
+        slope = glm::dot(value.gradient, way_);
+        value.distance -= std::max((1.0 - share) * slope, -share * slope);
+        return value;
+    }
+
+    const RevolvedPiece& piece_;
+    glm::dvec3 axis_, from_, way_;
+    double square_, floor_, lowest_;
+};
+
+/// Lower bounds of a moving piece's signed distance over boxes and plates.
+class NearMovingPiece {
+public:
+    NearMovingPiece(const TriangleTree& tree, const MovingPiece& piece, double floor, double clearance) noexcept
+        : piece_(piece), origin_(tree.origin()), clearance_(clearance) {
+        const Box box = piece.bounds(floor);
+        const double reach = std::max(clearance, 0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double low = box.low[axis] - origin_[axis] - reach, high = box.high[axis] - origin_[axis] + reach;
+            const double slack = 1e-9 + 2.4e-7 * std::max(std::abs(low), std::abs(high));
+            low_[static_cast<std::size_t>(axis)] = FourFloats{} + static_cast<float>(low - slack);
+            high_[static_cast<std::size_t>(axis)] = FourFloats{} + static_cast<float>(high + slack);
+        }
+    }
+    bool stillBelow(float bound) const noexcept { return static_cast<double>(bound) < clearance_; }
+    void stop() noexcept { clearance_ = -std::numeric_limits<double>::infinity(); }
+
+    ChildBounds of(const TreeNode& node) const noexcept {
+        FourFloats gap = FourFloats{} - 1.0F;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            gap = greater(
+                gap, greater(fourAt(node.low[axis].data()) - high_[axis], low_[axis] - fourAt(node.high[axis].data())));
+        ChildBounds bounds, gaps;
+        put(gap, gaps.data());
+        bounds.fill(std::numeric_limits<float>::infinity());
+        for (std::size_t child = 0; child < TreeNode::width; ++child)
+            if (!(gaps[child] > 0.0F)) bounds[child] = tangentBound(node, child);
+        return bounds;
+    }
+
+private:
+    float tangentBound(const TreeNode& node, std::size_t child) const noexcept {
+        const glm::dvec3 centre = boxCentre(node, child), point = centre + origin_;
+        const glm::dvec3 half = glm::dvec3(node.high[0][child], node.high[1][child], node.high[2][child]) - centre;
+        if (piece_.isBelowFloor(point, glm::dot(glm::abs(piece_.axis()), half)))
+            return std::numeric_limits<float>::infinity();
+        const PlacedPiece::Value tangent = piece_.tangentAt(point);
+        const double bound = tangent.distance - std::min(glm::dot(glm::abs(tangent.gradient), half),
+                                                         fallOverPlate(node, child, tangent.gradient));
+        return static_cast<float>(bound - 1e-9 - 1.2e-7 * std::abs(bound));
+    }
+
+    const MovingPiece& piece_;
+    glm::dvec3 origin_;
+    double clearance_;
+    std::array<FourFloats, 3> low_, high_;
+};
+
+/// By the tangent at the triangle's middle, and by the one where the piece is nearest.
+bool keepsFromTriangle(const MovingPiece& piece, const Triangle& triangle, double clearance) noexcept {
+    const auto isShownAt = [&](const glm::dvec3& point) {
+        const PlacedPiece::Value tangent = piece.tangentAt(point);
+        const double fall =
+            std::min({glm::dot(tangent.gradient, triangle[0] - point), glm::dot(tangent.gradient, triangle[1] - point),
+                      glm::dot(tangent.gradient, triangle[2] - point)});
+        return tangent.distance + fall >= clearance;
+    };
+    const glm::dvec3 centroid = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    if (isShownAt(centroid)) return true;
+    const std::optional<PieceMinimum> least =
+        minimumOverTriangle(piece.nearestTo(centroid), triangle, std::numeric_limits<double>::infinity());
+    return least && least->distance >= clearance && isShownAt(least->point);
+}
+
+} // namespace
+
+bool keepsFromMesh(const TriangleTree& tree, const RevolvedPiece& piece, const glm::dvec3& axis, const glm::dvec3& from,
+                   const glm::dvec3& to, double clearance) noexcept {
+    double floor = piece.bottom;
+    if (PlacedPiece(piece, {from, axis}).ballEnd() && piece.top >= floor + 2.0 * piece.cornerRadius) {
+        floor += piece.cornerRadius; // what lies below is as near to the ball as to the piece, which is quicker to ask
+        if (!ballKeepsFromMesh(tree, from + floor * axis, to + floor * axis, piece.cornerRadius + clearance))
+            return false;
+    }
+    const MovingPiece moving(piece, axis, from, to, floor);
+    NearMovingPiece near(tree, moving, floor, clearance);
+    bool keeps = true;
+    walk(tree, near, [&](std::size_t slot) noexcept {
+        if (!keeps || keepsFromTriangle(moving, tree.triangles()[slot], clearance)) return;
+        keeps = false;
+        near.stop();
+    });
+    return keeps;
+}
+
+EndSpheres endSpheres(const RevolvedPiece& piece) noexcept {
+    const double most = std::min(piece.widestRadius(), 0.5 * (piece.top - piece.bottom));
+    const auto radiusFrom = [&](double end, double sign) {
+        for (double radius = most; radius > most / 300.0; radius *= 0.5)
+            if (-signedDistance(piece, 0.0, end + sign * radius) >= radius * (1.0 - 1e-12)) return radius;
+        return 0.0;
+    };
+    const double below = radiusFrom(piece.bottom, 1.0), above = radiusFrom(piece.top, -1.0);
+    return {piece.bottom + below, std::min(below, above)};
+}
+
+} // namespace burin

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/verify/gouge_samples.h"
+
+#include "core/base/parallel.h"
+#include "core/geometry/piece_minimum.h"
+#include "core/verify/gouge.h"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+
+namespace burin {
+
+namespace {
+
+constexpr std::size_t batchLength = 256;   // samples
+constexpr std::size_t longestStretch = 16; // samples
+constexpr double straight = 5e-4;          // mm: samples of a stretch lie no farther from its chord
+/// A gouge is told exactly, what is clear to 1e-4 mm: more than that is neither reported nor ranked.
+constexpr ClearanceTolerance answers{1e-4, 0.0, 1e-8};
+constexpr double leastSearch = 0.5, greatestSearch = 8.0; // mm: farther from the part nobody asks how far
+
+struct Place {
+    std::uint32_t move = 0;
+    glm::dvec3 tip{0.0};
+};
+
+/// Samples that lie on one chord, of one tool.
+struct Stretch {
+    std::size_t first = 0, end = 0; ///< of its batch
+    double beside = 0.0;            ///< mm: none lies farther from the chord
+    double reach = 0.0;             ///< mm: none lies farther from the middle one
+    ToolClearance clearance;        ///< of the middle one, as far as it is near
+
+    std::size_t middle() const noexcept { return first + (end - first) / 2; }
+};
+
+/// Consecutive samples, and the stretches of them that come near the part.
+struct Batch {
+    std::vector<Place> places;
+    std::vector<Stretch> near;
+    std::vector<GougeSample> worst;
+    std::size_t finishSamples = 0, onPart = 0;
+};
+
+double besideChord(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) noexcept {
+    const glm::dvec3 way = to - from;
+    const double square = glm::dot(way, way);
+    const double share = square > 0.0 ? std::clamp(glm::dot(point - from, way) / square, 0.0, 1.0) : 0.0;
+    return glm::length(point - from - share * way);
+}
+
+/// The most samples from `first` on that lie on one chord.
+Stretch stretchFrom(std::size_t first, const std::vector<Place>& places, const std::vector<ToolMove>& moves) {
+    Stretch stretch{first, first + 1, 0.0, 0.0, {}};
+    const std::size_t most = std::min(first + longestStretch, places.size());
+    const std::uint16_t tool = moves[places[first].move].tool;
+    for (std::size_t last = first + 1; last < most && moves[places[last].move].tool == tool; ++last) {
+        double beside = 0.0;
+        for (std::size_t i = first + 1; i < last && beside <= straight; ++i)
+            beside = std::max(beside, besideChord(places[i].tip, places[first].tip, places[last].tip));
+        if (beside > straight) break;
+        stretch.end = last + 1;
+        stretch.beside = beside;
+    }
+    const glm::dvec3& middle = places[stretch.middle()].tip;
+    for (std::size_t i = stretch.first; i < stretch.end; ++i)
+        stretch.reach = std::max(stretch.reach, glm::length(places[i].tip - middle));
+    return stretch;
+}
+
+/// A tool, one pose after the other; starts anew with another tool.
+class Asking {
+public:
+    Asking(const MeshDistance& part, std::span<const std::vector<RevolvedPiece>> stacks)
+        : part_(part), stacks_(stacks) {}
+
+    void take(std::uint16_t tool) {
+        if (asker_ && tool == tool_) return;
+        asker_.emplace(part_, stacks_[tool]);
+        tool_ = tool;
+        spare_ = -1.0;
+    }
+    /// From the tips asked so far it is certain that no tip within `reach` of this one is near the part.
+    bool isFar(const glm::dvec3& tip, double reach) const noexcept {
+        return glm::length(tip - last_) + reach <= spare_;
+    }
+    ToolClearance ask(const glm::dvec3& tip, double reach) {
+        const double within = std::max(within_, reach + 2.0 * onPartDistance);
+        const ToolClearance found = asker_->ask(tip, within, answers);
+        last_ = tip;
+        spare_ = found.clearance - onPartDistance;
+        within_ = found.clearance < within ? leastSearch : std::min(2.0 * within_, greatestSearch);
+        return found;
+    }
+    bool keeps(const glm::dvec3& from, const glm::dvec3& to, double clearance) noexcept {
+        return asker_->keeps(from, to, clearance);
+    }
+
+private:
+    const MeshDistance& part_;
+    std::span<const std::vector<RevolvedPiece>> stacks_;
+    std::optional<ClearanceAsker> asker_;
+    std::uint16_t tool_ = 0;
+    glm::dvec3 last_{0.0};
+    double spare_ = -1.0, within_ = leastSearch; // mm: from `last_`, how far nothing can come near; how far was asked
+};
+
+/// Looks at one batch after another.
+class Sampler {
+public:
+    Sampler(const std::vector<ToolMove>& moves, std::span<const Tool> tools, std::span<const ShrunkOutline> outlines,
+            const VerifyRequest& request)
+        : moves_(moves), outlines_(outlines), part_(*request.part), cuttingFeed_(tools.size()) {
+        for (const Tool& tool : tools) {
+            stacks_.push_back(pieces(tool.cutter));
+            flutes_.push_back(flutePieces(tool.cutter));
+        }
+        for (const ToolMove& move : moves) // plunges are slower than the cutting feed
+            if (!move.rapid) cuttingFeed_[move.tool] = std::max(cuttingFeed_[move.tool], move.feed);
+    }
+
+    /// The stretches that come near, by their middles.
+    Batch begin(const MoveSamples& samples, std::size_t first, std::size_t end) const {
+        Batch batch;
+        batch.places.reserve(end - first);
+        samples.forEach(first, end, [&](std::uint32_t move, const glm::dvec3& tip) {
+            batch.places.push_back({move, tip});
+            if (isFinishing({move, tip})) ++batch.finishSamples;
+        });
+        Asking asking(part_, stacks_);
+        for (std::size_t at = 0; at < batch.places.size();) {
+            Stretch stretch = stretchFrom(at, batch.places, moves_);
+            at = stretch.end;
+            const Place& middle = batch.places[stretch.middle()];
+            asking.take(toolOf(middle));
+            if (asking.isFar(middle.tip, stretch.reach)) continue;
+            stretch.clearance = asking.ask(middle.tip, stretch.reach);
+            if (!asking.isFar(middle.tip, stretch.reach)) batch.near.push_back(stretch);
+        }
+        if (batch.near.empty()) batch.places = {};
+        return batch;
+    }
+
+    /// All of the batch's samples below `limit`, mm of clearance, and those that lie on the part.
+    void finish(Batch& batch, double limit) const {
+        Asking asking(part_, stacks_);
+        for (const Stretch& stretch : batch.near) {
+            asking.take(toolOf(batch.places[stretch.middle()]));
+            if (stretch.clearance.clearance > limit)
+                divide(batch, stretch, stretch.first, stretch.end, limit, asking);
+            else
+                judgeEach(batch, stretch.first, stretch.end, asking);
+        }
+        batch.places = {}; // long programs have many
+    }
+
+private:
+    /// A stretch is asked whole, then by halves, then sample by sample.
+    void divide(Batch& batch, const Stretch& stretch, std::size_t first, std::size_t end, double limit,
+                Asking& asking) const {
+        const glm::dvec3 &from = batch.places[first].tip, &to = batch.places[end - 1].tip;
+        if (stretch.clearance.clearance - answers.ordinary - stretch.reach >= limit ||
+            asking.keeps(from, to, limit + stretch.beside)) {
+            countOnPart(batch, stretch, first, end, asking);
+        } else if (end - first <= 2) {
+            judgeEach(batch, first, end, asking);
+        } else {
+            const std::size_t half = first + (end - first) / 2;
+            divide(batch, stretch, first, half, limit, asking);
+            divide(batch, stretch, half, end, limit, asking);
+        }
+    }
+    void judgeEach(Batch& batch, std::size_t first, std::size_t end, Asking& asking) const {
+        for (std::size_t i = first; i < end; ++i) judge(batch, batch.places[i], asking);
+    }
+    /// What keeps clear of the part still lies on it, where it is near a point that the middle of its stretch met.
+    void countOnPart(Batch& batch, const Stretch& stretch, std::size_t first, std::size_t end, Asking& asking) const {
+        for (std::size_t i = first; i < end; ++i) {
+            const Place& place = batch.places[i];
+            if (!isFinishing(place)) continue;
+            if (touchesFlutes(place, stretch.clearance.meshPoint))
+                ++batch.onPart;
+            else
+                judge(batch, place, asking);
+        }
+    }
+
+    void judge(Batch& batch, const Place& place, Asking& asking) const {
+        if (asking.isFar(place.tip, 0.0)) return;
+        const ToolClearance found = asking.ask(place.tip, 0.0);
+        if (found.clearance > onPartDistance) return;
+        batch.worst.push_back({place.move, place.tip, found});
+        if (isFinishing(place) && isByFlutes(found, place)) ++batch.onPart;
+    }
+
+    std::uint16_t toolOf(const Place& place) const noexcept { return moves_[place.move].tool; }
+    bool isFinishing(const Place& place) const noexcept {
+        const ToolMove& move = moves_[place.move];
+        return !move.rapid && move.startKnown && move.feed >= cuttingFeed_[move.tool] &&
+               outlines_[move.tool].contains(place.tip.x, place.tip.y);
+    }
+    bool touchesFlutes(const Place& place, const glm::dvec3& point) const noexcept {
+        return std::ranges::any_of(flutes_[toolOf(place)], [&](const RevolvedPiece& piece) {
+            return PlacedPiece(piece, {place.tip, {0.0, 0.0, 1.0}}).at(point).distance <= onPartDistance;
+        });
+    }
+    bool isByFlutes(const ToolClearance& found, const Place& place) const {
+        const std::vector<RevolvedPiece>& flutes = flutes_[toolOf(place)];
+        if (found.piece < flutes.size()) return true;
+        const ToolPose pose{place.tip, {0.0, 0.0, 1.0}};
+        return part_.clearance(flutes, pose, 2.0 * onPartDistance).clearance <= onPartDistance;
+    }
+
+    const std::vector<ToolMove>& moves_;
+    std::span<const ShrunkOutline> outlines_;
+    const MeshDistance& part_;
+    std::vector<std::vector<RevolvedPiece>> stacks_, flutes_;
+    std::vector<double> cuttingFeed_;
+};
+
+/// Clearance of the worst of the middles, mm: what keeps farther from the part is neither deeper than the tolerance nor
+/// among so many of the deepest.
+double limitOf(const std::vector<Batch>& batches, std::size_t worst, double tolerance) {
+    std::vector<double> clearances;
+    for (const Batch& batch : batches)
+        for (const Stretch& stretch : batch.near) clearances.push_back(stretch.clearance.clearance);
+    if (clearances.size() < worst) return onPartDistance;
+    const auto last = clearances.begin() + static_cast<std::ptrdiff_t>(worst) - 1;
+    std::nth_element(clearances.begin(), last, clearances.end());
+    return std::max(std::min(*last, onPartDistance), -tolerance);
+}
+
+} // namespace
+
+NearSamples nearSamples(const std::vector<ToolMove>& moves, const MoveSamples& places, std::span<const Tool> tools,
+                        std::span<const ShrunkOutline> outlines, const VerifyRequest& request, std::size_t worst,
+                        Progress& progress) {
+    const Sampler sampler(moves, tools, outlines, request);
+    std::vector<Batch> batches((places.count() + batchLength - 1) / batchLength);
+    std::atomic<std::size_t> done{0};
+    const auto forEachBatch = [&](const auto& work) {
+        parallelFor(std::size_t{0}, batches.size(), [&](std::size_t i) {
+            if (progress.cancelled()) return;
+            work(i);
+            progress.report(0.5 * static_cast<double>(++done) / static_cast<double>(batches.size()));
+        });
+    };
+    forEachBatch([&](std::size_t i) {
+        batches[i] = sampler.begin(places, i * batchLength, std::min((i + 1) * batchLength, places.count()));
+    });
+    const double limit = limitOf(batches, worst, request.gougeTolerance);
+    forEachBatch([&](std::size_t i) { sampler.finish(batches[i], limit); });
+    NearSamples near;
+    for (Batch& batch : batches) {
+        near.worst.insert(near.worst.end(), batch.worst.begin(), batch.worst.end());
+        near.finishSamples += batch.finishSamples;
+        near.onPart += batch.onPart;
+    }
+    return near;
+}
+
+} // namespace burin
