@@ -51,24 +51,27 @@ public:
         }
         share = greater(share, zero);
         share = share < length_ ? share : length_;
-        FourFloats squared{}, overBox{}, along{};
+        FourFloats squared{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             way[axis] -= share * along_[axis];
             squared += way[axis] * way[axis];
-            overBox += absolute(way[axis]) * half[axis];
-            along += way[axis] * fourAt(node.normal[axis].data());
         }
-        const FourFloats distance = rootsOf(squared);
-        const FourFloats one = zero + 1.0F, nearly = distance > 1e-6F ? distance : zero + 1e-6F;
-        overBox /= nearly;
-        along /= nearly;
+        const FourFloats one = zero + 1.0F, distance = rootsOf(squared);
+        const FourFloats inverse = one / greater(distance, zero + 1e-6F);
+        std::array<FourFloats, 3> normal;
+        FourFloats overBox{}, along{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            way[axis] *= inverse; // the slope now
+            normal[axis] = fourAt(node.normal[axis].data());
+            overBox += absolute(way[axis]) * half[axis];
+            along += way[axis] * normal[axis];
+        }
         const FourFloats radius = fourAt(node.radius.data());
-        const FourFloats across = rootsOf(greater(one - along * along, zero) + 1e-6F);
         const FourFloats thickness = along > 0.0F ? fourAt(node.below.data()) : fourAt(node.above.data());
-        const FourFloats overPlate = across * radius - along * thickness;
+        const FourFloats overPlate = partAcross(way, normal, along) * radius - along * thickness;
         // The nearest place of the way is known to `slack_`, and moves no farther than the point.
         const FourFloats bound =
-            distance - (overBox < overPlate ? overBox : overPlate) - slack_ * (one + radius / nearly) - 1e-6F * radius;
+            distance - (overBox < overPlate ? overBox : overPlate) - slack_ * (one + radius * inverse) - 1e-6F * radius;
         const FourFloats infinite = zero + std::numeric_limits<float>::infinity();
         ChildBounds bounds;
         put(gap > slack_ ? infinite : bound, bounds.data());
@@ -122,20 +125,25 @@ public:
         , lowest_(piece.bulges() ? std::clamp(piece.bulgeCentreHeight, piece.bottom, piece.top)
                                  : piece.bottom + piece.cornerRadius) {}
 
-    /// About where the piece comes nearest to a point.
-    PlacedPiece nearestTo(const glm::dvec3& point) const noexcept {
-        return PlacedPiece(piece_, {from_ + shareNear(point) * way_, axis_});
+    PlacedPiece at(double share) const noexcept { return PlacedPiece(piece_, {from_ + share * way_, axis_}); }
+    /// Where the piece comes nearest to a point, to 1e-9 mm of distance.
+    double nearestShare(const glm::dvec3& point) const noexcept {
+        const auto along = [&](double share) noexcept -> LineValue {
+            const PlacedPiece::Value there = at(share).at(point);
+            return {there.distance, -glm::dot(there.gradient, way_)};
+        };
+        return minimumOnLine(along, 0.0, 1.0, std::numeric_limits<double>::infinity(), 1e-9).place;
     }
-    /// A plane that the signed distance at all places of the way stays above.
-    PlacedPiece::Value tangentAt(const glm::dvec3& point) const noexcept {
-        const double share = shareNear(point);
-        double slope = 0.0;
-        const PlacedPiece::Value there = tangentAt(point, share, slope);
-        const double end = slope > 0.0 ? 1.0 : 0.0;
-        if (std::abs(slope) < 1e-9 || share == end) return there;
-        const PlacedPiece::Value atEnd = tangentAt(point, end, slope);
-        return atEnd.distance > there.distance ? atEnd : there;
+    /// A plane that the signed distance at all places of the way stays above. Any share will do; it lies highest by the
+    /// one where the piece is nearest.
+    PlacedPiece::Value tangentAt(const glm::dvec3& point, double share) const noexcept {
+        PlacedPiece::Value value = at(share).at(point);
+        const double slope = glm::dot(value.gradient, way_);
+        value.distance -= std::max((1.0 - share) * slope, -share * slope);
+        return value;
     }
+    /// By a share that is quickly found.
+    PlacedPiece::Value tangentAt(const glm::dvec3& point) const noexcept { return tangentAt(point, shareNear(point)); }
 
     bool isBelowFloor(const glm::dvec3& point, double up) const noexcept {
         return glm::dot(point - from_, axis_) + up < floor_;
@@ -157,19 +165,13 @@ public:
     }
 
 private:
+    /// As if the piece were the sphere about the point of its axis that is level with the asked one.
     double shareNear(const glm::dvec3& point) const noexcept {
         if (!(square_ > 0.0)) return 0.0;
         const double height =
             std::clamp(glm::dot(point - from_ - 0.5 * way_, axis_), std::min(lowest_, piece_.top), piece_.top);
         return std::clamp(glm::dot(point - from_ - height * axis_, way_) / square_, 0.0, 1.0);
     }
-    PlacedPiece::Value tangentAt(const glm::dvec3& point, double share, double& slope) const noexcept {
-        PlacedPiece::Value value = PlacedPiece(piece_, {from_ + share * way_, axis_}).at(point);
-        slope = glm::dot(value.gradient, way_);
-        value.distance -= std::max((1.0 - share) * slope, -share * slope);
-        return value;
-    }
-
     const RevolvedPiece& piece_;
     glm::dvec3 axis_, from_, way_;
     double square_, floor_, lowest_;
@@ -223,20 +225,26 @@ private:
     std::array<FourFloats, 3> low_, high_;
 };
 
-/// By the tangent at the triangle's middle, and by the one where the piece is nearest.
+/// By the tangent at the triangle's middle, else by those where piece and triangle are nearest to each other.
 bool keepsFromTriangle(const MovingPiece& piece, const Triangle& triangle, double clearance) noexcept {
-    const auto isShownAt = [&](const glm::dvec3& point) {
-        const PlacedPiece::Value tangent = piece.tangentAt(point);
+    const auto isShown = [&](const glm::dvec3& point, const PlacedPiece::Value& tangent) {
         const double fall =
             std::min({glm::dot(tangent.gradient, triangle[0] - point), glm::dot(tangent.gradient, triangle[1] - point),
                       glm::dot(tangent.gradient, triangle[2] - point)});
         return tangent.distance + fall >= clearance;
     };
-    const glm::dvec3 centroid = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-    if (isShownAt(centroid)) return true;
-    const std::optional<PieceMinimum> least =
-        minimumOverTriangle(piece.nearestTo(centroid), triangle, std::numeric_limits<double>::infinity());
-    return least && least->distance >= clearance && isShownAt(least->point);
+    glm::dvec3 point = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    if (isShown(point, piece.tangentAt(point))) return true;
+    double share = piece.nearestShare(point);
+    for (int turn = 0; turn < 3; ++turn) {
+        const std::optional<PieceMinimum> least =
+            minimumOverTriangle(piece.at(share), triangle, std::numeric_limits<double>::infinity());
+        if (!least || least->distance < clearance) return false;
+        point = least->point;
+        share = piece.nearestShare(point);
+        if (isShown(point, piece.tangentAt(point, share))) return true;
+    }
+    return false;
 }
 
 } // namespace
