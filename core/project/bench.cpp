@@ -85,8 +85,8 @@ Result<Bench> makeBench(const BenchRequest& request, Progress& progress) {
     const Result<CuttingConditions> conditions =
         cuttingConditions(request.tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
     if (!conditions) return conditions.error();
-    return Bench{request.model,   request.setup,        request.tool,      std::move(*machine), *conditions,
-                 std::move(part), std::move(*embedded), request.obstacles, request.travel};
+    return Bench{request.model, request.setup,   request.materials,    request.tool,      std::move(*machine),
+                 *conditions,   std::move(part), std::move(*embedded), request.obstacles, request.travel};
 }
 
 Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress) {

@@ -23,6 +23,7 @@ namespace burin {
 struct Bench {
     std::shared_ptr<const Model> model; ///< never null
     Setup setup;
+    std::vector<Property> materials; ///< that the project keeps, by id; the library has the others
     Tool tool;
     MachineProfile machine;
     CuttingConditions conditions; ///< of the tool in the stock's material

@@ -150,7 +150,7 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
     context.obstacles = solidsOf(bench.obstacles);
     context.workOffset = bench.setup.workOffset;
     context.makeStock = [&bench](Progress& stockProgress) -> Result<RunVolume> {
-        Result<EmbeddedSetup> embedded = embed(*bench.model, bench.setup, stockProgress);
+        Result<EmbeddedSetup> embedded = embed(*bench.model, bench.setup, bench.materials, stockProgress);
         if (!embedded) return std::move(embedded).error();
         return std::move(embedded->workpiece);
     };
@@ -220,6 +220,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     verification.model = bench.model.get();
     verification.part = &bench.part;
     verification.setup = bench.setup;
+    verification.materials = bench.materials;
     verification.obstacles = bench.obstacles;
     if (bench.travel.zero) // what is only the rule's guess refuses no program
         verification.travel = travelEnvelope(bench.machine, bench.travel, bench.setup.workOffset).tips;

@@ -78,7 +78,7 @@ void Workbench::load(const ProjectContents& contents) {
     bench.clear();
     model.load(contents.model);
     tool.load(contents.tools, contents.takes.empty() ? std::string() : contents.takes.back().toolId);
-    setup.load(contents.model, contents.setup);
+    setup.load(contents.model, contents.setup, contents.materials);
     setup.setLocked(!contents.takes.empty());
     target.load(contents.target);
     surroundings.load(contents.obstacles, contents.axis, contents.travel);
@@ -96,7 +96,7 @@ void Workbench::clear() {
 }
 
 void Workbench::updateWanted() {
-    bench.setWanted(model.model(), setup.setup(), tool.current());
+    bench.setWanted(model.model(), setup.setup(), setup.materials(), tool.current());
     path.useTool(tool.current().id);
 }
 
