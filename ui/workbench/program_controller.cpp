@@ -143,11 +143,8 @@ void ProgramController::read(const std::vector<StoredPath>& paths, std::function
 }
 
 void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted, const Basis& basis) {
-    if (path_.stored() != nullptr && !path_.outdated() && basis.paths == path_.version()) { // as the view shows it
-        const auto shown =
-            std::ranges::find(matters, path_.stored()->id, [](const PathMatter& m) { return m.path.id; });
-        if (shown != matters.end()) shown->evaluated = path_.evaluated();
-    }
+    if (basis.paths == path_.version()) // as the view shows them
+        for (PathMatter& matter : matters) matter.evaluated = path_.current(matter.path.id);
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
         [bench = bench_.bench(), matters = std::move(matters), wanted](Progress& progress) -> Result<CheckedProgram> {

@@ -19,7 +19,7 @@ Workbench::Workbench(QObject* parent)
     , guides(desk_, bench, mill, session, this)
     , hand(desk_, bench, mill, session, styluses, guides, this)
     , showMe(desk_, bench, session, this)
-    , path(desk_, bench, this)
+    , path(desk_, bench, tool, this)
     , program(desk_, bench, path, target, this) {
     wire();
 }
@@ -65,8 +65,8 @@ void Workbench::wire() {
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
     connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
     connect(&bench, &BenchController::replayed, &mill, &MillController::setStrokes);
-    connect(&bench, &BenchController::replayed, this, [this] { // a project that was opened shows its path
-        if (path.stored() && !path.evaluated()) path.evaluate();
+    connect(&bench, &BenchController::replayed, this, [this] { // a project that was opened shows its paths
+        path.evaluate();
     });
     connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
     bench.setWanted(target.machine());
