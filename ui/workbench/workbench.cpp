@@ -61,6 +61,7 @@ void Workbench::wire() {
         if (!setup.locked()) undo_.clear(); // what is locked now can't be undone any more
         setup.setLocked(true);
     });
+    connect(&program, &ProgramController::textWanted, this, &Workbench::textWanted);
     connect(&bench, &Controller::failed, this, [this] { showWhenReady_ = false; });
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
     connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
