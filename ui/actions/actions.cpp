@@ -68,6 +68,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Draw the edited path."), "Ctrl+4", true},
     Row{ActionId::showGuides, "showGuidesAction", QT_TRANSLATE_NOOP("Actions", "G&uides"),
         QT_TRANSLATE_NOOP("Actions", "Draw the guides of the hand that are on."), "Ctrl+5", true},
+    Row{ActionId::showOtherPaths, "showOtherPathsAction", QT_TRANSLATE_NOOP("Actions", "Paths of other tool&s"),
+        QT_TRANSLATE_NOOP("Actions", "Draw what the job mills with other tools."), "Ctrl+6", true},
     Row{ActionId::nextStep, "nextStepAction", QT_TRANSLATE_NOOP("Actions", "&Next step"),
         QT_TRANSLATE_NOOP("Actions", "Open the next step of the job."), "Alt+Right"},
     Row{ActionId::previousStep, "previousStepAction", QT_TRANSLATE_NOOP("Actions", "Pre&vious step"),

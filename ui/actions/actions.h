@@ -36,6 +36,7 @@ enum class ActionId : std::size_t {
     showTool,
     showPath,
     showGuides,
+    showOtherPaths,
     nextStep,
     previousStep,
     embed,
