@@ -59,6 +59,7 @@ enum class ActionId : std::size_t {
     newPath,
     evaluatePath,
     drawStretch,
+    drawEdit,
     post,
     findInProgram,
     overrideCheck,

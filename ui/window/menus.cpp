@@ -45,7 +45,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar) {
             {embed,     addFixtureFile, axisOfView,  line,        millMode, record, line,
              guides,    nearestEdge,    levelAbove,  levelBelow,  line,     clutch, recentre,
              alignHand, finerHand,      coarserHand, rateControl, line,     showMe, stopShow});
-    addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch});
+    addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions, {post, exportProgram, overrideCheck, line, findInProgram});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, about});
     setRecentFiles({});
