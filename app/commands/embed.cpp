@@ -86,7 +86,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (!travel) return context.fail(travel.error());
 
     context.stage("Embedding");
-    const Result<EmbeddedSetup> embedded = embed(*model, *setup, context.progress());
+    const Result<EmbeddedSetup> embedded = embed(*model, *setup, *materials, context.progress());
     if (!embedded) return context.fail(embedded.error());
 
     context.stage("Saving");

@@ -21,13 +21,15 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::string_view tracePrefix = "trace:";
+
 struct MillArguments {
     std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis;
     bool realtime = false, fast = false;
     double seconds = 0.0, rate = 1000.0;
     int deadMan = 0; ///< button, from 1; 0: none
     std::string grip = "firm", intent = "passes";
-    std::optional<double> allowance;
+    std::optional<double> allowance, felt;
     OperatorRequest hand;
 };
 
@@ -100,16 +102,35 @@ struct MillWork {
     const ToolBounds& bounds;
     CommandContext& context;
     Pace pace;
+    json& answer; ///< gets what is told of the whole session
 };
+
+/// How much of the cutting was felt, and who says so.
+void tellFelt(const FeltCutting& felt, const char* source, json& answer) {
+    answer["felt"] = {{"gain", felt.gain}, {"friction", felt.friction}, {"source", source}};
+}
+
+/// An older trace, one that somebody wrote, or a take's: readings alone say nothing of what was felt.
+FeltCutting feltWithout(const std::string& file, const MillWork& work) {
+    FeltCutting felt = feltByPlannedHand;
+    felt.gain = work.arguments.felt.value_or(felt.gain);
+    tellFelt(felt, work.arguments.felt ? "argument" : "assumed", work.answer);
+    if (!work.arguments.felt)
+        work.context.message("\"" + file +
+                             "\" does not say how much of the cutting was felt: " + formatShortest(felt.gain) +
+                             " of it is assumed, as for the virtual operator. --felt says it; places and what is cut "
+                             "don't depend on it, forces do.");
+    return felt;
+}
 
 /// As the session was that left a trace, but for the allowance where this one is told another.
 /// Errors: argumentInvalid (its tool had another axis).
 Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequest& request) {
     request.replayed = &trace;
-    // An older trace, one that somebody wrote, or a take's: readings alone say nothing of what was felt. Such traces
-    // are most often a virtual operator's, so what they cut is felt as by one; poses and cuts don't depend on it.
-    request.felt = feltByPlannedHand;
-    if (!trace.began) return {};
+    if (!trace.began) {
+        request.felt = feltWithout(work.arguments.stylus.substr(tracePrefix.size()), work);
+        return {};
+    }
     const AxisMode &then = trace.began->axis, &now = work.bounds.axis();
     if (then.free != now.free || (!now.free && glm::length(then.direction - now.direction) > 1e-9))
         return Error{ErrorCode::argumentInvalid, "--axis", textOf(now),
@@ -118,7 +139,11 @@ Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequ
     request.period = trace.began->period;
     request.cutsOnButton = trace.began->cutsOnButton;
     request.forceButtons = trace.began->forceButtons;
+    if (work.arguments.felt)
+        return Error{ErrorCode::argumentInvalid, "--stylus", work.arguments.stylus,
+                     "with --felt, a trace that does not say how much of the cutting was felt"};
     request.felt = trace.began->felt;
+    tellFelt(request.felt, "trace", work.answer);
     request.allowance = work.arguments.allowance.value_or(trace.began->allowance);
     return {};
 }
@@ -174,9 +199,12 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
 }
 
 Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
-    constexpr std::string_view trace = "trace:", device = "device:";
+    constexpr std::string_view device = "device:";
     const std::string& stylus = work.arguments.stylus;
-    if (stylus.starts_with(trace)) return millWithTrace(stylus.substr(trace.size()), work);
+    if (stylus.starts_with(tracePrefix)) return millWithTrace(stylus.substr(tracePrefix.size()), work);
+    if (work.arguments.felt)
+        return Error{ErrorCode::argumentInvalid, "--stylus", stylus,
+                     "with --felt, a trace that does not say how much of the cutting was felt"};
     if (stylus.starts_with(device)) return millWithDevice(stylus.substr(device.size()), work);
     if (stylus != "operator")
         return Error{ErrorCode::nameUnknown, "stylus", stylus, "operator, trace:FILE, device:NAME"};
@@ -222,17 +250,18 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     if (!bounds) return context.fail(bounds.error());
 
     context.stage("Milling");
-    const auto outcome =
-        millAsAsked({arguments, *project, *bench, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast});
+    json answer;
+    const auto outcome = millAsAsked(
+        {arguments, *project, *bench, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast, answer});
     if (!outcome) return context.fail(outcome.error());
 
     const Box& travel = bounds->envelope().tips;
-    json answer{{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
-                {"tool", jsonOf(bench->tool)},
-                {"axis", jsonOf(bounds->axis())},
-                {"layers", jsonOf(bounds->layers())},
-                {"machine_travel_mm", travel.empty() ? json(nullptr) : jsonOf(travel)},
-                {"takes", json::array()}};
+    answer.update({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
+                   {"tool", jsonOf(bench->tool)},
+                   {"axis", jsonOf(bounds->axis())},
+                   {"layers", jsonOf(bounds->layers())},
+                   {"machine_travel_mm", travel.empty() ? json(nullptr) : jsonOf(travel)},
+                   {"takes", json::array()}});
     double removed = 0.0;
     std::uint64_t samples = 0;
     std::string text;
@@ -293,6 +322,10 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
     command
         ->add_option("--step-over", arguments->hand.finishingStepOver, "Between finishing passes, mm; 0: by the tool")
         ->check(CLI::Range(0.0, 100.0));
+    command
+        ->add_option("--felt", arguments->felt,
+                     "How much of the cutting was felt while a trace was recorded that does not say it, 0 to 1")
+        ->check(CLI::Range(0.0, 1.0));
     addAxis(*command, arguments->axis);
     addOperator(*command, *arguments);
     addJsonFlag(*command, context);

@@ -167,7 +167,7 @@ int show(const PathArguments& arguments, CommandContext& context) {
     const Result<Bench> bench = makeBench(*project, *tool, arguments.machine, context.progress());
     if (!bench) return context.fail(bench.error());
     context.stage("Editing");
-    const Result<EvaluatedPath> path = evaluateStored(*project, *bench, *stored, context.progress());
+    const Result<EvaluatedPath> path = evaluateInJob(*project, *bench, *stored, context.progress());
     if (!path) return context.fail(path.error());
     json answer = jsonOf(*stored);
     answer["reports"] = burin::jsonOf(path->reports);

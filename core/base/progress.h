@@ -29,9 +29,31 @@ public:
     bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
 
 private:
+    friend class ProgressPart;
     std::atomic<double> fraction_{0.0};
     std::atomic<bool> cancelled_{false};
     double low_ = 0.0, high_ = 1.0; // the work's thread only
+};
+
+/// While it lives, reports cover a part of the stage that is under way: for work that is made of others' work. The
+/// work's thread.
+class ProgressPart {
+public:
+    /// @param low, high of the stage, 0 … 1
+    ProgressPart(Progress& progress, double low, double high) noexcept
+        : progress_(progress), low_(progress.low_), high_(progress.high_) {
+        progress.stage(low_ + (high_ - low_) * low, low_ + (high_ - low_) * high);
+    }
+    ~ProgressPart() {
+        progress_.low_ = low_;
+        progress_.high_ = high_;
+    }
+    ProgressPart(const ProgressPart&) = delete;
+    ProgressPart& operator=(const ProgressPart&) = delete;
+
+private:
+    Progress& progress_;
+    double low_, high_;
 };
 
 } // namespace burin

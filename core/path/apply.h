@@ -64,7 +64,7 @@ Result<Deviation> apply(const LeadOut& edit, PathUnderEdit& state, const PathCon
 /// Errors: pathGouges, where the tool can't get to a stroke from above without entering the part.
 Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
-/// Errors: argumentInvalid (no stock, no feeds yet), those of PathContext::makeStock.
+/// Errors: argumentInvalid (no stock, no feeds yet), those of PathContext::lendStock.
 Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const AreaFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 

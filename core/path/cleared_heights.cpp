@@ -33,6 +33,26 @@ ClearedHeights::ClearedHeights(const Box& stock, std::span<const RevolvedPiece> 
     , countY_(std::max(0L, static_cast<long>(std::ceil(stock.size().y / edge_))))
     , heights_(static_cast<std::size_t>(countX_ * countY_), stock.high.z) {}
 
+void ClearedHeights::include(const ClearedHeights& before) {
+    constexpr double rounding = 1e-6; // squares
+    const auto touched = [&](long square, int axis, long count) {
+        const double low = stock_.low[axis] + static_cast<double>(square) * edge_ - before.stock_.low[axis];
+        return Range{std::max(0L, static_cast<long>(std::floor(low / before.edge_ + rounding))),
+                     std::min(count, static_cast<long>(std::ceil((low + edge_) / before.edge_ - rounding))) - 1};
+    };
+    for (long j = 0; j < countY_; ++j) {
+        const Range rows = touched(j, 1, before.countY_);
+        for (long i = 0; i < countX_; ++i) {
+            const Range columns = touched(i, 0, before.countX_);
+            double highest = stock_.low.z - 1e3;
+            for (long row = rows.first; row <= rows.last; ++row)
+                for (long column = columns.first; column <= columns.last; ++column)
+                    highest = std::max(highest, before.height(column, row));
+            height(i, j) = std::min(height(i, j), highest);
+        }
+    }
+}
+
 ClearedHeights::Range ClearedHeights::range(double centre, double radius, int axis) const {
     const double low = (centre - radius - stock_.low[axis]) / edge_,
                  high = (centre + radius - stock_.low[axis]) / edge_;

@@ -20,6 +20,9 @@ public:
     /// @param fluteCount how many of them are flutes, > 0
     ClearedHeights(const Box& stock, std::span<const RevolvedPiece> pieces, std::size_t fluteCount);
 
+    /// What another map of the same stock knows to be empty is empty here too; its squares may be larger or smaller.
+    void include(const ClearedHeights& before);
+
     /// The flutes went straight from one tip to another.
     void cut(const glm::dvec3& from, const glm::dvec3& to);
     /// The same along an arc.

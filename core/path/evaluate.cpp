@@ -5,6 +5,8 @@
 #include "core/path/apply.h"
 #include "core/path/edit_step.h"
 
+#include <algorithm>
+
 namespace burin {
 namespace {
 
@@ -29,10 +31,11 @@ Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>&
     Result<PathUnderEdit> state = strokesOf(takes, context);
     if (!state) return state.error();
     EvaluatedPath evaluated;
+    const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, edits.size()));
     double done = 0.0;
     for (const Edit& edit : edits) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, name, "", ""};
-        progress.report(done / static_cast<double>(edits.size()));
+        const ProgressPart part(progress, done * share, (done + 1.0) * share);
         done += 1.0;
         if (!edit.enabled) continue;
         if (state->count() == 0) break;

@@ -16,10 +16,16 @@
 #include "core/volume/run_volume.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace burin {
+
+class ClearedHeights;
+
+/// Gets a stock for a while and may cut it; what it cuts is forgotten afterwards.
+using StockUse = std::function<Result<void>(RunVolume& stock)>;
 
 /// What evaluating edits needs to know besides the recording.
 struct PathContext {
@@ -31,8 +37,11 @@ struct PathContext {
     Box stock;                            ///< mm, setup frame
     std::vector<ObstacleSolid> obstacles; ///< links keep clear of those that are on
     double tickPeriod = 0.001;            ///< s
-    /// The stock before the path, which the path is cut out of again for feeds by engagement; may be empty.
-    std::function<Result<RunVolume>(Progress&)> makeStock{};
+    /// Lends the stock as it is before this path, which the path is cut out of again for feeds by engagement; may be
+    /// empty. It may call what it is given more than once, and what that gave last counts.
+    std::function<Result<void>(const StockUse& use, Progress&)> lendStock{};
+    /// What the paths before this one have cleared of the stock; null: there are none.
+    std::shared_ptr<const ClearedHeights> cleared{};
     glm::dvec3 workOffset{0.0}; ///< mm, program zero in the setup frame: where a control rounds figures
 };
 
@@ -48,7 +57,12 @@ struct EvaluatedPath {
     Path path;
     std::vector<EditReport> reports;
     std::vector<MillingStretch> sides; ///< in order; none where nobody asked for them (milling_side.h)
-    double errorBudget = 0.0;          ///< mm, sum of the deviations of the edits that approximate what was before them
+    /// What the stock is cleared of behind this path and all before it; null where nobody asked for it (milling_side.h)
+    std::shared_ptr<const ClearedHeights> cleared;
+    /// The paths that it was evaluated to come after, in the order in which they are milled; another order, or one of
+    /// them changed, makes it another path.
+    std::vector<std::shared_ptr<const EvaluatedPath>> after;
+    double errorBudget = 0.0; ///< mm, sum of the deviations of the edits that approximate what was before them
 };
 
 /// Takes in order, each edit in order; edits that are not enabled are skipped. The order has to keep what the edits

@@ -13,9 +13,9 @@ namespace {
 class Load {
 public:
     /// @param fluteSpeed mm/s
-    Load(const LevelFeed& edit, const PathContext& context, double fluteSpeed, const RunVolume& stock)
+    Load(const LevelFeed& edit, const PathContext& context, double fluteSpeed, const PropertyList& materials)
         : force_(edit.goal == LevelFeed::Goal::force)
-        , coefficients_(cuttingCoefficients(stock.properties(), context.tool.cutter.diameter))
+        , coefficients_(cuttingCoefficients(materials, context.tool.cutter.diameter))
         , tool_(spinningTool(context.tool, fluteSpeed))
         , fluteSpeed_(fluteSpeed)
         , spindlePower_(context.machine.spindlePower) {}
@@ -134,35 +134,41 @@ private:
 
 Result<Deviation> apply(const LevelFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     const CuttingConditions& conditions = context.conditions;
-    if (!context.makeStock)
+    if (!context.lendStock)
         return Error{ErrorCode::argumentInvalid, "stock", "", "feeds by engagement need the stock that is cut"};
     for (const PathPoint& point : state.points)
         if (point.kind != MoveKind::rapid && !(point.feed > 0.0))
             return Error{ErrorCode::argumentInvalid, "edits", "level-feed", "set-feed, then level-feed"};
     if (!(conditions.spindleSpeed > 0.0) || !(conditions.surfaceSpeed > 0.0))
         return Error{ErrorCode::argumentInvalid, "spindle speed", "", "above 0"};
-    Result<RunVolume> stock = context.makeStock(progress);
-    if (!stock) return stock.error();
-    auto record = recordEngagement(state.points, context.tool, *stock, edit.sampling, progress);
-    if (!record) return record.error();
-    if (record->empty()) return Deviation{};
+    std::vector<MetStretch> record;
+    PropertyList materials;
+    const auto cutAgain = [&](RunVolume& stock) -> Result<void> {
+        auto met = recordEngagement(state.points, context.tool, stock, edit.sampling, progress);
+        if (!met) return met.error();
+        record = std::move(*met);
+        materials = stock.properties();
+        return {};
+    };
+    if (Result<void> cut = context.lendStock(cutAgain, progress); !cut) return cut.error();
+    if (record.empty()) return Deviation{};
     // As the path turns it, whatever the tables say.
     const double spindleSpeed = state.spindleSpeed > 0.0 ? state.spindleSpeed : conditions.spindleSpeed;
     const double fluteSpeed = conditions.surfaceSpeed * spindleSpeed / conditions.spindleSpeed;
-    const Load load(edit, context, fluteSpeed, *stock);
-    const double wanted = edit.target > 0.0 ? edit.target : meanLoad(*record, state.points, load);
+    const Load load(edit, context, fluteSpeed, materials);
+    const double wanted = edit.target > 0.0 ? edit.target : meanLoad(record, state.points, load);
     const double teeth = spindleSpeed * context.tool.fluteCount; // a minute
     const double limit = context.machine.maximumFeed > 0.0 ? context.machine.maximumFeed : 1e9;
     const double high = std::min(limit, teeth * std::max(edit.smallestChip, edit.largestChip));
     const double low = std::min(high, teeth * edit.smallestChip);
     std::vector<double> feeds;
-    for (const MetStretch& met : *record) {
+    for (const MetStretch& met : record) {
         const PathPoint& point = state.points[met.move];
         feeds.push_back(point.kind == MoveKind::cut ? load.feedFor(met, wanted, low, high) : point.feed);
     }
-    slowDownInTime(*record, context.machine.acceleration, feeds);
+    slowDownInTime(record, context.machine.acceleration, feeds);
     Divider divider(state.points, edit.leastChange);
-    for (std::size_t i = 0; i < feeds.size(); ++i) divider.add((*record)[i], feeds[i]);
+    for (std::size_t i = 0; i < feeds.size(); ++i) divider.add(record[i], feeds[i]);
     state.points = divider.take();
     return Deviation{};
 }

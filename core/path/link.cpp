@@ -59,6 +59,7 @@ public:
         , reach_(context.tool.cutter.diameter)
         , guard_(guard)
         , cleared_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {
+        if (context.cleared) cleared_.include(*context.cleared);
         area_ = context.stock;
         for (const ObstacleSolid& obstacle : context.obstacles)
             if (obstacle.on) area_.include(obstacle.surface->bounds());

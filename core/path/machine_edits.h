@@ -38,12 +38,12 @@ struct SetFeed {
     Cooling cooling = Cooling::advised;
 };
 
-/// Feeds by what the tool meets: the path is cut again out of the stock as it is before any path (a tool that comes
-/// after another is levelled as if it came first), and each stretch of a straight cutting move gets the feed at which the
-/// tangential force, or the removal rate, is what is aimed at. Arcs get one feed, the least that one of their stretches
-/// asks for; plunges keep theirs. Feeds stay within the chip loads and the machine's limit, never need more than its
-/// acceleration to come down in time, nor (but for the smallest chip) more than the spindle's power where the machine
-/// states it, and change where they differ by more than `leastChange`, to the lower one.
+/// Feeds by what the tool meets: the path is cut again out of the stock as the paths before it leave it, and each
+/// stretch of a straight cutting move gets the feed at which the tangential force, or the removal rate, is what is
+/// aimed at. Arcs get one feed, the least that one of their stretches asks for; plunges keep theirs. Feeds stay within
+/// the chip loads and the machine's limit, never need more than its acceleration to come down in time, nor (but for the
+/// smallest chip) more than the spindle's power where the machine states it, and change where they differ by more than
+/// `leastChange`, to the lower one.
 struct LevelFeed {
     enum class Goal { force, removal };
     Goal goal = Goal::force;

@@ -3,10 +3,10 @@
 #include "core/path/milling_side.h"
 
 #include "core/geometry/arc.h"
-#include "core/path/cleared_heights.h"
 #include "core/path/part_guard.h"
 
 #include <cmath>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -31,7 +31,9 @@ public:
         : guard_(guard)
         , radius_(context.tool.cutter.radius())
         , edgeHeight_(heightsAt(guard.pieces().front(), beside * radius_).value_or(HeightRange{}).low)
-        , left_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {}
+        , left_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {
+        if (context.cleared) left_.include(*context.cleared);
+    }
 
     MillingSide cut(const glm::dvec3& from, const PathPoint& to) {
         const MillingSide side = look(from, to);
@@ -41,6 +43,7 @@ public:
             left_.cut(from, to.tip);
         return side;
     }
+    ClearedHeights takeCleared() { return std::move(left_); }
 
 private:
     MillingSide look(const glm::dvec3& from, const PathPoint& to) const {
@@ -77,18 +80,22 @@ private:
 
 } // namespace
 
-Result<std::vector<MillingStretch>> millingSides(const Path& path, const PathContext& context) {
+Result<MilledSides> millingSides(const Path& path, const PathContext& context, Progress& progress) {
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
     if (context.stock.empty()) return Error{ErrorCode::argumentInvalid, "stock", "", "a box that is not empty"};
     SideFinder finder(context, *guard);
-    std::vector<MillingStretch> stretches;
+    MilledSides sides;
+    std::vector<MillingStretch>& stretches = sides.stretches;
     for (std::size_t i = 1; i < path.points.size(); ++i) {
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, path.name, "", ""};
+        progress.report(static_cast<double>(i) / static_cast<double>(path.points.size()));
         const MillingSide side = finder.cut(path.points[i - 1].tip, path.points[i]);
         if (stretches.empty() || stretches.back().side != side) stretches.push_back({i, i, side});
         stretches.back().last = i;
     }
-    return stretches;
+    sides.cleared = std::make_shared<const ClearedHeights>(finder.takeCleared());
+    return sides;
 }
 
 std::array<double, 3> lengthsBySide(const Path& path, const std::vector<MillingStretch>& stretches) {

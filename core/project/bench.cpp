@@ -31,6 +31,16 @@ MeshDistance wholePart(const Model& model) {
     return MeshDistance(mesh);
 }
 
+/// Of the request's own model, setup and materials, whatever becomes of it.
+std::function<Result<RunVolume>(Progress&)> stockMaker(const BenchRequest& request) {
+    return [model = request.model, setup = request.setup,
+            materials = request.materials](Progress& progress) -> Result<RunVolume> {
+        Result<EmbeddedSetup> embedded = embed(*model, setup, materials, progress);
+        if (!embedded) return std::move(embedded).error();
+        return std::move(embedded->workpiece);
+    };
+}
+
 } // namespace
 
 double Bench::safeHeight() const {
@@ -85,8 +95,10 @@ Result<Bench> makeBench(const BenchRequest& request, Progress& progress) {
     const Result<CuttingConditions> conditions =
         cuttingConditions(request.tool, material, machine->maximumSpindleSpeed, machine->maximumFeed);
     if (!conditions) return conditions.error();
-    return Bench{request.model,   request.setup,        request.tool,      std::move(*machine), *conditions,
-                 std::move(part), std::move(*embedded), request.obstacles, request.travel};
+    auto stock = std::make_shared<MilledStock>(stockMaker(request));
+    return Bench{request.model,       request.setup,  request.materials, request.tool,
+                 std::move(*machine), *conditions,    std::move(part),   std::move(*embedded),
+                 request.obstacles,   request.travel, std::move(stock)};
 }
 
 Result<Bench> makeBench(const Project& project, const Tool& tool, const std::string& machineId, Progress& progress) {

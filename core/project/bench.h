@@ -7,6 +7,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/machine/envelope.h"
 #include "core/machine/machine_profile.h"
+#include "core/project/milled_stock.h"
 #include "core/project/project.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
@@ -23,6 +24,7 @@ namespace burin {
 struct Bench {
     std::shared_ptr<const Model> model; ///< never null
     Setup setup;
+    std::vector<Property> materials; ///< that the project keeps, by id; the library has the others
     Tool tool;
     MachineProfile machine;
     CuttingConditions conditions; ///< of the tool in the stock's material
@@ -30,6 +32,7 @@ struct Bench {
     EmbeddedSetup embedded;
     std::vector<Obstacle> obstacles; ///< around the stock
     TravelPlacement travel;
+    std::shared_ptr<MilledStock> stock; ///< as paths leave it; of model, setup and materials; never null
 
     Box tipRegion() const; ///< where the tip may go: stock grown by the cutter, up to the safe height, mm
     Box tipRegion(const Tool& other) const; ///< the same for another tool

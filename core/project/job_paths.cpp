@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/job_paths.h"
 
-#include "core/path/tool_order.h"
-
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace burin {
@@ -25,22 +25,40 @@ std::vector<std::string> toolsOf(const std::vector<TakeInfo>& takes) {
     return tools;
 }
 
-/// What a path leaves on the part in the end, mm.
-double allowanceOf(const PathMatter& matter) {
-    return std::ranges::min_element(matter.takes, {}, [](const Take& take) { return take.info.allowance; })
-        ->info.allowance;
+/// Places of paths in the order in which they are milled.
+std::vector<std::size_t> milledOrder(const std::vector<PathMatter>& matters) {
+    std::vector<ToolPass> passes;
+    for (const PathMatter& matter : matters) {
+        std::vector<TakeInfo> takes;
+        for (const Take& take : matter.takes) takes.push_back(take.info);
+        passes.push_back(passOf(matter.path, matter.tool, takes));
+    }
+    std::vector<std::size_t> order;
+    for (const OrderedPass& pass : orderPasses(passes)) order.push_back(pass.pass);
+    return order;
 }
 
-/// In a sensible order, by orderPasses. @param allowances mm, that each path leaves on the part
-ProgramPaths inOrder(ProgramPaths given, const std::vector<double>& allowances) {
-    std::vector<ToolPass> passes;
-    for (std::size_t i = 0; i < given.paths.size(); ++i) {
-        const auto tool = std::ranges::find(given.tools, given.paths[i].toolId, &Tool::id);
-        passes.push_back({given.paths[i].toolId, tool->cutter.diameter, allowances[i]});
+bool comesAfter(const EvaluatedPath& path, const std::vector<MilledPath>& before) {
+    return std::ranges::equal(path.after, before, {}, {}, &MilledPath::evaluated);
+}
+
+/// Paths in a given order, each on the stock as those before it leave it.
+Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, const std::vector<PathMatter>& matters,
+                                             const std::vector<std::size_t>& order, Progress& progress) {
+    std::vector<MilledPath> milled;
+    for (const std::size_t place : order) {
+        const PathMatter& matter = matters[place];
+        const auto count = static_cast<double>(order.size()), done = static_cast<double>(milled.size());
+        const ProgressPart part(progress, done / count, (done + 1.0) / count);
+        if (matter.evaluated && comesAfter(*matter.evaluated, milled)) {
+            milled.push_back({matter.evaluated, matter.tool});
+            continue;
+        }
+        Result<EvaluatedPath> path = evaluateStored(matter.takes, bench, matter.tool, matter.path, milled, progress);
+        if (!path) return std::move(path).error();
+        milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), matter.tool});
     }
-    ProgramPaths ordered{{}, std::move(given.tools)};
-    for (const OrderedPass& pass : orderPasses(passes)) ordered.paths.push_back(std::move(given.paths[pass.pass]));
-    return ordered;
+    return milled;
 }
 
 } // namespace
@@ -57,6 +75,20 @@ bool isFirstOfItsTool(const StoredPath& path, const std::vector<StoredPath>& pat
     const auto first =
         std::ranges::find_if(paths, [&](const StoredPath& other) { return toolOf(other, takes) == tool; });
     return first != paths.end() && first->id == path.id;
+}
+
+std::vector<StoredPath> firstPaths(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes) {
+    std::vector<StoredPath> firsts;
+    for (const StoredPath& path : paths)
+        if (!toolOf(path, takes).empty() && isFirstOfItsTool(path, paths, takes)) firsts.push_back(path);
+    return firsts;
+}
+
+ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<TakeInfo>& takes) {
+    double allowance = std::numeric_limits<double>::infinity(); // what the path leaves in the end
+    for (const TakeInfo& take : takes)
+        if (std::ranges::find(path.takes, take.id) != path.takes.end()) allowance = std::min(allowance, take.allowance);
+    return {tool.id, tool.cutter.diameter, std::isfinite(allowance) ? allowance : 0.0};
 }
 
 void addNewerTakes(StoredPath& path, const std::vector<TakeInfo>& takes) {
@@ -116,22 +148,42 @@ Result<PathMatter> matterOf(const Project& project, const StoredPath& path) {
 }
 
 Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, const std::vector<PathMatter>& matters, Progress& progress) {
+    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, matters, milledOrder(matters), progress);
+    if (!milled) return milled.error();
     EvaluatedPaths done;
-    std::vector<double> allowances;
-    for (const PathMatter& matter : matters) {
-        Result<EvaluatedPath> path = matter.evaluated
-                                         ? Result<EvaluatedPath>(*matter.evaluated)
-                                         : evaluateStored(matter.takes, bench, matter.tool, matter.path, progress);
-        if (!path) return std::move(path).error();
-        done.program.paths.push_back(std::move(path->path));
-        done.reports.insert(done.reports.end(), path->reports.begin(), path->reports.end());
-        done.errorBudget = std::max(done.errorBudget, path->errorBudget);
-        allowances.push_back(allowanceOf(matter));
-        if (std::ranges::find(done.program.tools, matter.tool.id, &Tool::id) == done.program.tools.end())
-            done.program.tools.push_back(matter.tool);
+    for (const MilledPath& each : *milled) {
+        const EvaluatedPath& path = *each.evaluated;
+        done.program.paths.push_back(path.path);
+        done.reports.insert(done.reports.end(), path.reports.begin(), path.reports.end());
+        done.errorBudget = std::max(done.errorBudget, path.errorBudget);
+        if (std::ranges::find(done.program.tools, each.tool.id, &Tool::id) == done.program.tools.end())
+            done.program.tools.push_back(each.tool);
     }
-    done.program = inOrder(std::move(done.program), allowances);
     return done;
+}
+
+Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, const StoredPath& path,
+                                    Progress& progress) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    const std::string tool = toolOf(path, *takes);
+    std::vector<PathMatter> matters;
+    std::size_t wanted = 0;
+    for (const StoredPath& each : firstPaths(*paths, *takes)) {
+        const bool itself = toolOf(each, *takes) == tool;
+        if (itself) wanted = matters.size();
+        Result<PathMatter> matter = matterOf(project, itself ? path : each);
+        if (!matter) return std::move(matter).error();
+        matters.push_back(std::move(*matter));
+    }
+    if (matters.empty()) return withoutTake();
+    std::vector<std::size_t> order = milledOrder(matters);
+    order.erase(std::ranges::find(order, wanted) + 1, order.end());
+    const Result<std::vector<MilledPath>> milled = evaluateEach(bench, matters, order, progress);
+    if (!milled) return milled.error();
+    return *milled->back().evaluated;
 }
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/path/tool_order.h"
 #include "core/project/program_job.h"
 
 #include <memory>
@@ -26,12 +27,20 @@ Result<StoredPath> standardPath(const Project& project, const std::string& toolI
 /// of yet gets a new one, which the project keeps. Errors: projectIncomplete (no take), those of Project::addPath.
 Result<std::vector<StoredPath>> jobPaths(Project& project);
 
+/// The job's paths among all of a project: the first of each tool.
+std::vector<StoredPath> firstPaths(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes);
+
+/// What the place of a path among others depends on. @param takes its own among them
+ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<TakeInfo>& takes);
+
 /// A stored path with what it takes to evaluate it.
 struct PathMatter {
     StoredPath path;
     std::vector<Take> takes;
     Tool tool;
-    std::shared_ptr<const EvaluatedPath> evaluated; ///< just this path; null: still to be done
+    /// Just this path, where it was evaluated before; counts where the paths before it are still those that it was
+    /// evaluated to come after. Null: still to be done.
+    std::shared_ptr<const EvaluatedPath> evaluated;
 };
 /// Errors: projectIncomplete (a path without takes), those of Project::take and toolFor.
 Result<PathMatter> matterOf(const Project& project, const StoredPath& path);
@@ -42,7 +51,13 @@ struct EvaluatedPaths {
     std::vector<EditReport> reports;
     double errorBudget = 0.0; ///< mm, of the worst path
 };
-/// Evaluates each and puts them in order by orderPasses. Errors: those of evaluateStored.
+/// Puts paths in order by orderPasses and evaluates each on the stock as those before it leave it.
+/// Errors: those of evaluateStored.
 Result<EvaluatedPaths> evaluateInOrder(const Bench& bench, const std::vector<PathMatter>& matters, Progress& progress);
+
+/// A path as the job mills it, behind those of the job's paths that come before it; in the stead of the job's own where
+/// it is a variant. Errors: those of matterOf and evaluateStored.
+Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, const StoredPath& path,
+                                    Progress& progress);
 
 } // namespace burin

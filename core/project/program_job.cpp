@@ -129,13 +129,8 @@ Result<std::vector<Take>> takesOf(const Project& project, const StoredPath& path
     return takes;
 }
 
-Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const StoredPath& path,
-                                     Progress& progress) {
-    return evaluateStored(takes, bench, bench.tool, path, progress);
-}
-
 Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const Tool& tool,
-                                     const StoredPath& path, Progress& progress) {
+                                     const StoredPath& path, std::span<const MilledPath> before, Progress& progress) {
     const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
     const Result<CuttingConditions> conditions =
         cuttingConditions(tool, material, bench.machine.maximumSpindleSpeed, bench.machine.maximumFeed);
@@ -149,17 +144,23 @@ Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench
     context.stock = bench.setup.stock;
     context.obstacles = solidsOf(bench.obstacles);
     context.workOffset = bench.setup.workOffset;
-    context.makeStock = [&bench](Progress& stockProgress) -> Result<RunVolume> {
-        Result<EmbeddedSetup> embedded = embed(*bench.model, bench.setup, stockProgress);
-        if (!embedded) return std::move(embedded).error();
-        return std::move(embedded->workpiece);
+    context.lendStock = [&bench, before](const StockUse& use, Progress& lending) {
+        return bench.stock->lend(before, use, lending);
     };
+    if (!before.empty()) context.cleared = before.back().evaluated->cleared;
     if (!takes.empty()) context.tickPeriod = takes.front().info.tickPeriod;
-    Result<EvaluatedPath> evaluated = evaluate(path.name, takes, path.edits, context, progress);
+    constexpr double editing = 0.9; // of the work
+    Result<EvaluatedPath> evaluated = [&] {
+        const ProgressPart part(progress, 0.0, editing);
+        return evaluate(path.name, takes, path.edits, context, progress);
+    }();
     if (!evaluated) return evaluated;
-    Result<std::vector<MillingStretch>> sides = millingSides(evaluated->path, context);
+    const ProgressPart part(progress, editing, 1.0);
+    Result<MilledSides> sides = millingSides(evaluated->path, context, progress);
     if (!sides) return std::move(sides).error();
-    evaluated->sides = std::move(*sides);
+    evaluated->sides = std::move(sides->stretches);
+    evaluated->cleared = std::move(sides->cleared);
+    for (const MilledPath& earlier : before) evaluated->after.push_back(earlier.evaluated);
     return evaluated;
 }
 
@@ -167,7 +168,7 @@ Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench,
                                      Progress& progress) {
     const Result<std::vector<Take>> takes = takesOf(project, path);
     if (!takes) return takes.error();
-    return evaluateStored(*takes, bench, path, progress);
+    return evaluateStored(*takes, bench, bench.tool, path, {}, progress);
 }
 
 Result<CheckedProgram> makeProgram(const Bench& bench, const Path& path, const ProgramRequest& request,
@@ -220,6 +221,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     verification.model = bench.model.get();
     verification.part = &bench.part;
     verification.setup = bench.setup;
+    verification.materials = bench.materials;
     verification.obstacles = bench.obstacles;
     if (bench.travel.zero) // what is only the rule's guess refuses no program
         verification.travel = travelEnvelope(bench.machine, bench.travel, bench.setup.workOffset).tips;

@@ -9,6 +9,7 @@
 #include "core/project/program_moments.h"
 #include "core/verify/verify.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,14 @@ namespace burin {
 
 /// The takes of a stored path, in its order. Errors: those of Project::take.
 Result<std::vector<Take>> takesOf(const Project& project, const StoredPath& path);
-/// A stored path, evaluated on a bench; `takes` are its own. Errors: those of evaluate.
-Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const StoredPath& path,
-                                     Progress& progress);
-/// The same with another tool than the bench's. Errors: also those of cuttingConditions.
+/// A stored path, evaluated on a bench, with its sides and what it clears.
+/// @param takes  its own
+/// @param before what is milled before it, in order: `stock` for feeds by engagement, low links and sides
+/// Errors: those of evaluate, millingSides, cuttingConditions and MilledStock::lend.
 Result<EvaluatedPath> evaluateStored(const std::vector<Take>& takes, const Bench& bench, const Tool& tool,
-                                     const StoredPath& path, Progress& progress);
-/// The same with takes out of a project. Errors: also those of Project::take.
+                                     const StoredPath& path, std::span<const MilledPath> before, Progress& progress);
+/// The same with the bench's tool and takes out of a project, as if it were the only path.
+/// Errors: also those of Project::take.
 Result<EvaluatedPath> evaluateStored(const Project& project, const Bench& bench, const StoredPath& path,
                                      Progress& progress);
 

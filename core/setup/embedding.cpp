@@ -124,10 +124,6 @@ Result<void> fillBodies(const Model& model, EmbeddedSetup& embedded, Progress& p
 
 } // namespace
 
-Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, Progress& progress) {
-    return embed(model, setup, {}, progress);
-}
-
 Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::vector<Property>& known,
                             Progress& progress) {
     const Result<EmbeddingSize> size = embeddingSize(setup);

@@ -50,7 +50,6 @@ struct EmbeddedSetup {
 /// where. Stock faces lie on run ends along the run axis exactly and on voxel faces across (the grid is the stock box,
 /// rounded up to whole voxels; the overhang is air). Errors: volumeTooLarge, outOfMemory, volumeOutOfMemory,
 /// nameUnknown (a material), partOutsideStock, cancelled.
-Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, Progress& progress);
 /// @param materials looked through by id before the library: those that a project keeps
 Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::vector<Property>& materials,
                             Progress& progress);

@@ -69,7 +69,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     const Result<ProgramTools> tools = toolsOf(request);
     if (!tools) return tools.error();
     progress.stage(0.0, 0.05);
-    Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, progress);
+    Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
     if (!embedded) return std::move(embedded).error();
     RunVolume& workpiece = embedded->workpiece;
 

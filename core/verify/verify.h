@@ -26,6 +26,7 @@ struct VerifyRequest {
     const Model* model = nullptr;
     const MeshDistance* part = nullptr; ///< of the model's meshes, chord <= 0.005 mm
     Setup setup;
+    std::vector<Property> materials; ///< by id, before the library's: those that a project keeps
     std::vector<Obstacle> obstacles; ///< those that are on are judged
     Tool tool;                       ///< of every move, where `tools` is empty
     std::vector<Tool> tools;         ///< those that the program may call by their numbers; empty: it may call one alone

@@ -153,6 +153,18 @@ void StagesTest::replaysATraceToTheSameCut() {
     QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
     QVERIFY(a.size() > 100'000);
     QVERIFY2(a.readAll() == b.readAll(), "the replayed take differs");
+
+    // A take's trace is readings alone; what is assumed of the force is said, not passed off as recorded.
+    QCOMPARE(run.json()["felt"].toObject()["source"].toString(), QString("assumed"));
+    QVERIFY2(run.messages.contains("felt") && run.messages.count('\n') == 1, run.messages.constData());
+    const QStringList told{"mill",        second, "--tool",    "ball-6", "--stylus", "trace:" + trace,
+                           "--allowance", "0.5",  "--seconds", "1",      "--json",   "--felt"};
+    const ProgramRun soft = runBurin(told + QStringList{"0.02"});
+    QVERIFY2(soft.status == 0 && soft.messages.isEmpty(), soft.messages.constData());
+    const QJsonObject felt = soft.json()["felt"].toObject();
+    QCOMPARE(felt["source"].toString(), QString("argument"));
+    QCOMPARE(felt["gain"].toDouble(), 0.02);
+    QCOMPARE(runBurin({"mill", second, "--felt", "0.5", "--seconds", "1"}).status, 2); // the operator has its own
 }
 
 void StagesTest::millsThePapersBlock() {

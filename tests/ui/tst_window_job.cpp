@@ -15,6 +15,7 @@ class TestWindowJob : public QObject {
     Q_OBJECT
 private slots:
     void strokesAreMilledTakenBackSavedAndFoundAgain();
+    void aProjectsOwnMaterialIsMilled();
 };
 
 void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
@@ -80,6 +81,52 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QVERIFY(!again.document.unsaved()); // it was only looked at
     QVERIFY(!driver.window().isWindowModified());
     driver.shoot("07-reopened");
+}
+
+/// The library has no such material; the project keeps it.
+void TestWindowJob::aProjectsOwnMaterialIsMilled() {
+    WindowDriver driver;
+    const auto energy = [&] {
+        double sum = 0.0;
+        for (const MotionLoad& load : driver.window().workbench().program.program()->report.loads)
+            sum += load.power * load.duration;
+        return sum;
+    };
+    QVERIFY(makeReady(driver));
+    QVERIFY(recordLine(driver, {-15, 0}, {15, 0}));
+    QVERIFY(driver.step(JobStep::path));
+    QVERIFY(driver.clickOn("newPathButton"));
+    QVERIFY(driver.waitFor([&] { return driver.window().workbench().path.evaluated() != nullptr; }));
+    QVERIFY(postProgram(driver));
+    const double before = energy();
+    const QString file = driver.folder().filePath("own.burin");
+    chooseFile(driver, file);
+    driver.key(Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(
+        driver.waitFor([&] { return QFile::exists(file) && !driver.window().workbench().document.unsaved(); }, 5000));
+    QVERIFY(driver.restart());
+    {
+        Result<Project> project = Project::open(file.toStdString());
+        QVERIFY(project);
+        Setup setup = project->setup().value();
+        Property material = loadMaterial(setup.stockMaterial).value();
+        material.id = setup.stockMaterial = "wax-of-our-own";
+        material.name = "Wax of our own";
+        material.values.at(std::string(specificCuttingEnergy)).value *= 3.0;
+        QVERIFY(project->setSetup(setup) && project->setMaterials({material}) && project->save());
+    }
+    QVERIFY(driver.clickOn("recentFileButton"));
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }));
+    QVERIFY(driver.settle());
+    const EmbeddedSetup& embedded = bench.bench.bench()->embedded;
+    QCOMPARE(embedded.workpiece.properties()[embedded.stockProperty].name, std::string("Wax of our own"));
+    QVERIFY(bench.setup.stockMaterial() != nullptr);
+    QVERIFY(postProgram(driver));
+    QVERIFY(bench.program.exportable());
+    QVERIFY2(before > 0.0 && std::abs(energy() / before - 3.0) < 0.01, qPrintable(QString::number(energy() / before)));
+    QVERIFY(driver.step(JobStep::material));
+    driver.shoot("34-own-material");
 }
 
 QTEST_MAIN(TestWindowJob)

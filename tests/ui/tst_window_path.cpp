@@ -71,6 +71,7 @@ class TestWindowPath : public QObject {
 private slots:
     void placesAreDraggedStretchesDrawnAndEditsOrdered();
     void anAreaIsDrawnAndEmptied();
+    void theMirrorsPlaneIsDrawn();
 };
 
 void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
@@ -202,6 +203,66 @@ void TestWindowPath::anAreaIsDrawnAndEmptied() {
     driver.key(Qt::Key_Z, Qt::ControlModifier); // the outline
     driver.key(Qt::Key_Z, Qt::ControlModifier); // the edit
     QVERIFY(driver.waitFor([&] { return placeOf(bench, "remove-area") == bench.path.stored()->edits.size(); }));
+    QVERIFY(evaluatedAgain(driver));
+}
+
+void TestWindowPath::theMirrorsPlaneIsDrawn() {
+    WindowDriver driver;
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(makePath(driver));
+    auto* viewport = driver.visible<Viewport>("viewport");
+    QVERIFY(viewport != nullptr);
+    driver.window().findChild<QAction*>("add-mirror")->trigger();
+    QVERIFY(driver.waitFor([&] { return placeOf(bench, "mirror") < bench.path.stored()->edits.size(); }));
+    QVERIFY(evaluatedAgain(driver));
+    const auto mirror = [&] {
+        return std::get<Mirror>(bench.path.stored()->edits[placeOf(bench, "mirror")].parameters);
+    };
+    const glm::dvec3 zero = bench.bench.bench()->setup.workOffset;
+    QCOMPARE(mirror().at, bench.bench.bench()->setup.stock.centre().x); // until somebody says otherwise
+    const auto drawLine = [&](const glm::dvec2& from, const glm::dvec2& to) {
+        const double height = pointNear(bench, {0.0, 0.0}).tip.z;
+        const auto at = [&](const glm::dvec2& place) {
+            return viewport->project(glm::dvec3(glm::dvec2(zero) + place, height)).toPoint();
+        };
+        drag(*viewport, at(from), at(to));
+    };
+    const auto rightEnd = [&] {
+        double farthest = -1e9;
+        for (const PathPoint& point : bench.path.evaluated()->path.points)
+            if (point.kind == MoveKind::cut) farthest = std::max(farthest, point.tip.x - zero.x);
+        return farthest;
+    };
+    const double before = rightEnd();
+
+    // By the shortcut: a line along Y, roughly, makes a plane across X.
+    driver.key(Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
+    const QString button = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(bench, "mirror"));
+    auto* draw = driver.window().findChild<QAbstractButton*>(button);
+    QVERIFY(draw != nullptr && !draw->toolTip().isEmpty());
+    QVERIFY(driver.waitFor([&] { return draw->isChecked(); }, 3000));
+    drawLine({3.5, -8.0}, {4.5, 8.0});
+    QVERIFY(driver.waitFor([&] { return std::abs(mirror().at - zero.x - 4.0) < 0.3; }, 3000));
+    QVERIFY(mirror().across == Mirror::Across::x);
+    QVERIFY(evaluatedAgain(driver));
+    QVERIFY2(std::abs(rightEnd() - before - 8.0) < 0.7, qPrintable(QString::number(rightEnd() - before)));
+    driver.shoot("31-mirror");
+
+    // By its button: a line along X makes a plane across Y. Esc leaves everything as it is.
+    const QString again = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(bench, "mirror"));
+    QVERIFY(driver.waitFor([&] { return show(driver, again); }, 3000));
+    QVERIFY(driver.clickOn(qPrintable(again)));
+    driver.key(Qt::Key_Escape);
+    QVERIFY(driver.waitFor([&] { return !driver.window().findChild<QAbstractButton*>(again)->isChecked(); }, 3000));
+    QVERIFY(mirror().across == Mirror::Across::x);
+    QVERIFY(driver.clickOn(qPrintable(again)));
+    drawLine({-10.0, 5.0}, {10.0, 5.0});
+    QVERIFY(driver.waitFor([&] { return mirror().across == Mirror::Across::y; }, 3000));
+    QVERIFY(std::abs(mirror().at - zero.y - 5.0) < 0.3);
+    QVERIFY(evaluatedAgain(driver));
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(driver.waitFor([&] { return mirror().across == Mirror::Across::x; }, 3000));
+    QVERIFY(std::abs(mirror().at - zero.x - 4.0) < 0.3);
     QVERIFY(evaluatedAgain(driver));
 }
 

@@ -50,7 +50,55 @@ class TestWindowProgram : public QObject {
 private slots:
     void aMoveAndItsLineLeadToEachOther();
     void textThatWasNotCheckedSurvivesAnEndFromOutside();
+    void whatIsTypedWhileItIsCheckedStays();
 };
+
+/// By keys; the window has not been told of the newest ones when the check is through.
+void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
+    WindowDriver driver;
+    QVERIFY(mill(driver));
+    QVERIFY(post(driver));
+    const ProgramController& program = driver.window().workbench().program;
+    QVERIFY(driver.clickOn("editTextButton"));
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    QVERIFY(text != nullptr);
+    text->setFocus();
+    QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(text, "(first)");
+    QTest::keyClick(text, Qt::Key_Return);
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+
+    const auto typeWhile = [&](const char* button, const QString& words) {
+        if (!driver.clickOn(button) || !program.busy()) return false;
+        text->setFocus();
+        QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+        QTest::keyClicks(text, words);
+        QTest::keyClick(text, Qt::Key_Return);
+        return program.busy() && driver.waitFor([&] { return !program.busy(); }) && driver.settle();
+    };
+    QVERIFY(typeWhile("checkTextButton", "(second)"));
+    QVERIFY(text->toPlainText().startsWith("(second)\n(first)\n"));
+    QVERIFY(program.storedText().startsWith("(second)\n(first)\n"));
+    QVERIFY(program.edited() && !program.exportable());
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    auto* check = driver.visible<QPushButton>("checkTextButton");
+    QVERIFY(driver.waitFor([&] { return check->isEnabled(); }, 3000)); // it is told that it is not checked
+    driver.shoot("33-typed-while-checked");
+
+    // While it is posted, too.
+    QVERIFY(typeWhile("postButton", "(third)"));
+    QVERIFY(text->toPlainText().startsWith("(third)\n(second)\n(first)\n"));
+    QVERIFY(program.edited() && !program.exportable());
+
+    // What was typed just before the button counts as well.
+    text->setFocus();
+    QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(text, "(fourth) ");
+    QVERIFY(driver.clickOn("checkTextButton"));
+    QVERIFY(driver.waitFor([&] { return program.exportable(); }));
+    QVERIFY(program.program()->text.starts_with("(fourth) (third)"));
+    QVERIFY(text->toPlainText().startsWith("(fourth) (third)\n"));
+}
 
 void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
     WindowDriver driver;

@@ -80,12 +80,38 @@ private slots:
         QVERIFY(!first.has_value()); // nobody wants to hear of those any more
         QVERIFY(!second.has_value());
     }
+    /// Who started the newest one waits to hear of it, also where it had not even begun.
+    void cancellingTellsTheTaskThatWaits() {
+        TaskRunner tasks;
+        std::optional<Result<int>> first, second;
+        bool began = false;
+        tasks.start(TaskKind::path, "first", patientWork, into(first));
+        tasks.start(
+            TaskKind::path, "second",
+            [&](Progress&) -> Result<int> {
+                began = true;
+                return 2;
+            },
+            into(second));
+        tasks.cancel(TaskKind::path);
+        QTRY_VERIFY(second.has_value());
+        QCOMPARE(second->error().code, ErrorCode::cancelled);
+        QVERIFY(!began && !first.has_value());
+        QVERIFY(tasks.idle());
+        tasks.start(TaskKind::path, "first", patientWork, into(first));
+        tasks.start(TaskKind::path, "second", patientWork, into(second));
+        second.reset();
+        tasks.abandon(TaskKind::path); // nobody wants to hear of those
+        QTRY_VERIFY(tasks.idle());
+        QVERIFY(!first.has_value() && !second.has_value());
+    }
     void whatReadsIsThroughBeforeItIsChanged() {
         TaskRunner tasks;
-        std::atomic<bool> reading{true};
+        std::atomic<bool> reading{false};
         tasks.start(
             TaskKind::program, "reader",
             [&](Progress& progress) {
+                reading = true;
                 const Result<int> outcome = patientWork(progress);
                 std::this_thread::sleep_for(std::chrono::milliseconds(30));
                 reading = false;
@@ -93,6 +119,7 @@ private slots:
             },
             [](const Result<int>&) { QFAIL("an abandoned task has no outcome"); });
         bool changed = false;
+        QTRY_VERIFY(reading);
         tasks.abandon(TaskKind::program);
         tasks.whenIdle([&] {
             changed = true;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/actions/action_states.h"
 
+#include "core/path/drawn_edit.h"
+
 namespace burin {
 
 ActionStates::ActionStates(Actions& actions, Workbench& workbench, QObject* parent)
@@ -39,6 +41,8 @@ void ActionStates::update() {
     enable(ActionId::newPath, bench.path.hasTakes() && bench.bench.embedded());
     enable(ActionId::evaluatePath, bench.path.stored() != nullptr && bench.bench.embedded());
     enable(ActionId::drawStretch, bench.path.selection().has_value());
+    enable(ActionId::drawEdit,
+           bench.path.evaluated() && bench.path.stored() != nullptr && lastDrawn(bench.path.stored()->edits));
     enable(ActionId::post, bench.program.postable());
     enable(ActionId::findInProgram, !bench.program.storedText().isEmpty());
     enable(ActionId::overrideCheck, bench.program.refused() && !bench.program.busy());

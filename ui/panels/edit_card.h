@@ -30,14 +30,14 @@ public:
     void setUnit(LengthUnit unit);
     /// Whether the edit may go one place up, one down.
     void setMovable(bool earlier, bool later);
-    void setDrawing(std::string_view key); ///< the parameter whose places are being drawn; empty: none
+    void setDrawing(std::string_view key); ///< the parameter that is being drawn; empty: none
     std::string_view kind() const { return idOf(edit_.parameters); }
 
 signals:
     void edited(const burin::Edit& edit);
     void moveRequested(int by); ///< -1: one place earlier, 1: one later
     void removalRequested();
-    void drawingWanted(const QString& key, bool wanted); ///< of a parameter's places
+    void drawingWanted(const QString& key, bool wanted); ///< of a parameter
 
 private:
     void addHead(const QString& name);

@@ -43,7 +43,9 @@ void EditFieldEditor::addNumber(const EditParameter& parameter, const QString& n
     number_ = new QuantityField(parameter.quantity, this);
     number_->setObjectName(name);
     number_->limit(parameter.field.low, parameter.field.high);
-    layout()->addWidget(new FieldRow(parameter.label, number_, parameter.toolTip, this));
+    layout()->addWidget(new FieldRow(parameter.label,
+                                     parameter.drawn ? besideDrawing(number_, name, accessible) : number_,
+                                     parameter.toolTip, this));
     number_->setAccessibleName(accessible);
     connect(number_, &QuantityField::valueEdited, this, [this](double value) { emit edited(value_ = value); });
 }
@@ -90,22 +92,27 @@ void EditFieldEditor::addText(const EditParameter& parameter, const QString& nam
 }
 
 void EditFieldEditor::addPlaces(const EditParameter& parameter, const QString& name, const QString& accessible) {
+    text_ = new ElidedLabel({}, this);
+    text_->setObjectName(name);
+    text_->setProperty("look", "small");
+    layout()->addWidget(new FieldRow(parameter.label, besideDrawing(text_, name, accessible), parameter.toolTip, this));
+}
+
+/// A value with the button that has it drawn.
+QWidget* EditFieldEditor::besideDrawing(QWidget* value, const QString& name, const QString& accessible) {
     auto* row = new QWidget(this);
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(4);
-    text_ = new ElidedLabel({}, row);
-    text_->setObjectName(name);
-    text_->setProperty("look", "small");
     draw_ = makeIconButton(QStringLiteral("path"), tr("Draw it in the view; Esc leaves it as it is"),
                            name + QStringLiteral("_draw"), row);
     draw_->setCheckable(true);
     draw_->setProperty("look", "toggle");
     draw_->setAccessibleName(tr("Draw %1").arg(accessible));
-    line->addWidget(text_, 1);
+    line->addWidget(value, 1);
     line->addWidget(draw_);
-    layout()->addWidget(new FieldRow(parameter.label, row, parameter.toolTip, this));
     connect(draw_, &QToolButton::clicked, this, &EditFieldEditor::drawingWanted);
+    return row;
 }
 
 void EditFieldEditor::setDrawing(bool drawing) {

@@ -19,7 +19,7 @@ class ElidedLabel;
 class QuantityField;
 
 /// One parameter of an edit: a field for a number, three for a place, a switch or a choice. What names a moment or a
-/// stretch of the hand is told and not typed; places are drawn in the view.
+/// stretch of the hand is told and not typed; places are drawn in the view, and so may be a mirror's plane.
 class EditFieldEditor : public QWidget {
     Q_OBJECT
 public:
@@ -30,7 +30,7 @@ public:
 
     void showValue(const EditValue& value); ///< of the kind that it was made for; without a signal
     void setUnit(LengthUnit unit);
-    void setDrawing(bool drawing); ///< its places are being drawn
+    void setDrawing(bool drawing); ///< it is being drawn
 
 signals:
     void edited(const burin::EditValue& value);
@@ -43,6 +43,7 @@ private:
     void addPlace(const EditParameter& parameter, const QString& name, const QString& accessible);
     void addText(const EditParameter& parameter, const QString& name);
     void addPlaces(const EditParameter& parameter, const QString& name, const QString& accessible);
+    QWidget* besideDrawing(QWidget* value, const QString& name, const QString& accessible);
 
     QuantityField* number_ = nullptr;
     QCheckBox* switch_ = nullptr;

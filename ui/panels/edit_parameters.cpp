@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/edit_parameters.h"
 
+#include "core/path/drawn_edit.h"
 #include "ui/panels/edit_words.h"
 
 #include <QCoreApplication>
@@ -41,12 +42,12 @@ QString labelOf(std::string_view key) {
     return label;
 }
 
-EditParameter parameterOf(std::string_view edit, const EditField& field) {
-    const EditWords* known = editWordsOf(edit, field.key);
+EditParameter parameterOf(const EditParameters& edit, const EditField& field) {
+    const EditWords* known = editWordsOf(idOf(edit), field.key);
     const KeyUnit* unit = unitOf(field.key);
     return {field, known != nullptr ? EditParameterTexts::tr(known->label) : labelOf(field.key),
             known != nullptr ? EditParameterTexts::tr(known->toolTip) : QString(),
-            unit != nullptr ? unit->quantity : Quantity::ratio};
+            unit != nullptr ? unit->quantity : Quantity::ratio, isDrawn(edit, field.key)};
 }
 
 /// What a value that is told and not typed says.
@@ -65,7 +66,7 @@ struct ValueTexts {
 
 std::vector<EditParameter> parametersOf(const EditParameters& edit) {
     std::vector<EditParameter> parameters;
-    for (const EditField& field : fieldsOf(edit)) parameters.push_back(parameterOf(idOf(edit), field));
+    for (const EditField& field : fieldsOf(edit)) parameters.push_back(parameterOf(edit, field));
     return parameters;
 }
 

@@ -14,6 +14,7 @@ struct EditParameter {
     EditField field; ///< core's: key, value and range, in the inner unit
     QString label, toolTip;
     Quantity quantity = Quantity::length; ///< of a number
+    bool drawn = false;                   ///< it may be drawn in the view
 };
 
 /// Every parameter of an edit, in order; none for one that has none.

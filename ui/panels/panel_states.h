@@ -6,6 +6,7 @@
 #include "core/haptics/guide.h"
 #include "core/haptics/tick_sink.h"
 #include "core/nc/lint.h"
+#include "core/path/drawn_edit.h"
 #include "core/path/evaluate.h"
 #include "core/project/project.h"
 #include "core/setup/obstacle.h"
@@ -139,13 +140,6 @@ struct HandState {
 /// What a drag of a place of the path changes.
 enum class DragChoice { level, x, y, z, surface };
 
-/// Places of an edit: which edit, in order, and the parameter's key.
-struct DrawnField {
-    std::size_t edit = 0;
-    std::string key;
-    friend bool operator==(const DrawnField&, const DrawnField&) = default;
-};
-
 struct PathState {
     bool hasTakes = false;      ///< of the tool in force
     bool hasOtherTakes = false; ///< of any tool
@@ -163,7 +157,7 @@ struct PathState {
     std::optional<TakeStretch> selection;
     DragChoice drag = DragChoice::level;
     bool drawing = false;                   ///< a stroke is being drawn in the selection's stead
-    std::optional<DrawnField> drawnField{}; ///< places of an edit that are being drawn
+    std::optional<DrawnField> drawnField{}; ///< of an edit, that is being drawn
     QString problem;
 };
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/edited_path.h"
 
-#include "core/geometry/arc.h"
-#include "ui/scene/actors.h"
+#include "ui/scene/path_lines.h"
 
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
@@ -11,27 +10,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace burin {
 namespace {
 
 constexpr double rapidDash = 2.0, plungeDash = 0.5; // mm; as long as the gap after it
-constexpr double drawnChord = 0.02;                 // mm that an arc's picture may leave it by
 constexpr double mostDashes = 200.0;                // of one move
 
 void addDashes(std::vector<LineEnds>& lines, const glm::dvec3& from, const glm::dvec3& to, double dash) {
     const double periods = std::clamp(std::round(glm::distance(from, to) / (2.0 * dash)), 1.0, mostDashes);
     const auto at = [&](double period) { return glm::mix(from, to, std::min(1.0, period / (periods + 0.5))); };
     for (double period = 0.0; period < periods + 0.5; period += 1.0) lines.emplace_back(at(period), at(period + 0.5));
-}
-
-void addArc(std::vector<LineEnds>& lines, const glm::dvec3& from, const PathPoint& point) {
-    std::vector<glm::dvec3> places;
-    flatten({from, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise}, drawnChord, places);
-    glm::dvec3 last = from;
-    for (const glm::dvec3& place : places) lines.emplace_back(std::exchange(last, place), place);
 }
 
 std::size_t indexOf(MoveKind kind) {
@@ -81,10 +71,8 @@ void EditedPath::setPath(const EvaluatedPath& evaluated) {
             addDashes(kind, from, point.tip, rapidDash);
         else if (point.kind == MoveKind::plunge)
             addDashes(kind, from, point.tip, plungeDash);
-        else if (point.arc)
-            addArc(kind, from, point);
         else
-            kind.emplace_back(from, point.tip);
+            addMove(kind, from, point);
     }
     for (std::size_t kind = 0; kind < kinds; ++kind)
         vtkPolyDataMapper::SafeDownCast(actors_[kind]->GetMapper())->SetInputData(lineData(lines[kind]));

@@ -40,6 +40,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , workpiece_(*bench_, std::move(workpieceReady))
     , tool_(*bench_)
     , livePath_(*bench_)
+    , otherPaths_(*bench_)
     , editedPath_(*bench_)
     , deviations_(*bench_)
     , grid_(*bench_)
@@ -75,6 +76,7 @@ void Scene::setPalette(const Palette& palette) {
     tool_.setPalette(palette);
     livePath_.setColour(palette.livePath);
     editedPath_.setPalette(palette);
+    otherPaths_.setColour(palette.quietText);
     deviations_.setPalette(palette);
     grid_.setColour(palette.grid);
     stock_.setColour(palette.quietText);
@@ -171,6 +173,7 @@ void Scene::setLineWidths(double ratio) {
     lineRatio_ = ratio;
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
+    otherPaths_.setLineWidth(thinLine * ratio);
     deviations_.setSize(deviationPoint * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);

@@ -11,6 +11,7 @@
 #include "ui/scene/live_path.h"
 #include "ui/scene/marked_lines.h"
 #include "ui/scene/obstacle_actors.h"
+#include "ui/scene/other_paths.h"
 #include "ui/scene/part_actors.h"
 #include "ui/scene/scale_bar.h"
 #include "ui/scene/stock_outline.h"
@@ -53,6 +54,7 @@ public:
     void setGuides(const GuideMarks& marks) { guides_.set(marks); }
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
+    OtherPaths& otherPaths() noexcept { return otherPaths_; }
     DeviationPoints& deviations() noexcept { return deviations_; }
     MarkedLines& moveMark() noexcept { return moveMark_; }
     MarkedLines& outlines() noexcept { return outlines_; }
@@ -81,6 +83,7 @@ private:
     WorkpieceActors workpiece_;
     ToolActors tool_;
     LivePath livePath_;
+    OtherPaths otherPaths_;
     EditedPath editedPath_;
     DeviationPoints deviations_;
     GroundGrid grid_;

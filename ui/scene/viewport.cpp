@@ -154,6 +154,16 @@ void Viewport::setPathVisible(bool visible) {
     impl_->refresh();
 }
 
+void Viewport::setOtherPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths) {
+    impl_->scene.otherPaths().setPaths(paths);
+    impl_->refresh();
+}
+
+void Viewport::setOtherPathsVisible(bool visible) {
+    impl_->scene.otherPaths().setVisible(visible);
+    impl_->refresh();
+}
+
 void Viewport::setDeviations(std::span<const DeviationSample> samples, const DeviationTolerance& tolerance) {
     impl_->scene.deviations().set(samples, tolerance);
     impl_->refresh();

@@ -90,6 +90,9 @@ public:
     /// The edited path, colour by kind of move and by the side on which it mills.
     void setPath(const EvaluatedPath& path);
     void setPathVisible(bool visible);
+    /// What the job mills with other tools.
+    void setOtherPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths);
+    void setOtherPathsVisible(bool visible);
     /// What a program leaves on the part, or takes from it; no samples: nothing.
     void setDeviations(std::span<const DeviationSample> samples, const DeviationTolerance& tolerance);
     /// What is chosen or looked at of a path.

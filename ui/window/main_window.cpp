@@ -163,6 +163,10 @@ void MainWindow::connectActions() {
     connect(panels_->hand, &HandPanel::alignmentRequested, actions_[ActionId::alignHand], &QAction::trigger);
     on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
     on(ActionId::drawStretch, [this] { presenters_->pathScene.setDrawing(!presenters_->pathScene.drawing()); });
+    on(ActionId::drawEdit, [this] {
+        showStep(JobStep::path);
+        presenters_->pathScene.toggleLastDrawing();
+    });
     on(ActionId::evaluatePath, [this] { workbench_.path.evaluate(); });
     on(ActionId::post, [this] { workbench_.program.post(programName(workbench_)); });
     on(ActionId::findInProgram, [this] {

@@ -40,12 +40,12 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar) {
     addMenu(bar, tr("&Edit"), "editMenu", actions, {undo, redo, line, preferences});
     addMenu(bar, tr("&View"), "viewMenu", actions,
             {fit, line, viewIsometric, viewTop, viewBottom, viewFront, viewBack, viewLeft, viewRight, line,
-             showWorkpiece, showPart, showTool, showPath, showGuides, line, nextStep, previousStep});
+             showWorkpiece, showPart, showTool, showPath, showOtherPaths, showGuides, line, nextStep, previousStep});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
             {embed,     addFixtureFile, axisOfView,  line,        millMode, record, line,
              guides,    nearestEdge,    levelAbove,  levelBelow,  line,     clutch, recentre,
              alignHand, finerHand,      coarserHand, rateControl, line,     showMe, stopShow});
-    addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch});
+    addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions, {post, exportProgram, overrideCheck, line, findInProgram});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, about});
     setRecentFiles({});

@@ -109,11 +109,18 @@ void PathScenePresenter::setFieldDrawing(const DrawnField& field, bool wanted) {
     startDrawing(heightOf(stretch));
 }
 
+void PathScenePresenter::toggleLastDrawing() {
+    const StoredPath* path = workbench_.path.stored();
+    const std::optional<DrawnField> last = path != nullptr ? lastDrawn(path->edits) : std::nullopt;
+    if (last) setFieldDrawing(*last, field_ != last);
+}
+
 void PathScenePresenter::startDrawing(std::optional<double> height) {
     drawing_ = height.has_value();
     if (!drawing_) field_.reset();
     drawn_.clear();
     hand_.setDrawing(height);
+    if (drawing_) viewport_.setFocus(); // Esc is the drawing's, wherever it was asked for
     emit changed();
 }
 
@@ -124,12 +131,15 @@ void PathScenePresenter::addEdit(const Edit& edit) {
             setFieldDrawing({place, std::string(field.key)}, true);
 }
 
-/// An area reaches from the stock's bottom to where travel is free until its heights are said.
+/// An area reaches from the stock's bottom to where travel is free, a mirror stands in the stock's middle, until they
+/// are told otherwise.
 Edit PathScenePresenter::withinStock(Edit edit) const {
     const auto& bench = workbench_.bench.bench();
     for (const EditField& field : fieldsOf(edit.parameters)) {
         if (!bench || !std::holds_alternative<double>(field.value)) continue;
         if (field.key == "low_mm") setField(edit.parameters, field.key, bench->setup.stock.low.z);
+        if (std::holds_alternative<Mirror>(edit.parameters) && isDrawn(edit.parameters, field.key))
+            setField(edit.parameters, field.key, bench->setup.stock.centre().x);
         if (field.key == "high_mm") setField(edit.parameters, field.key, bench->safeHeight());
     }
     return edit;
@@ -199,7 +209,14 @@ void PathScenePresenter::drop(std::size_t place, const glm::dvec3& by) {
 
 void PathScenePresenter::showDrawing(const std::vector<glm::dvec3>& places) {
     drawn_ = places;
-    viewport_.setMoveMark({drawsArea() ? closed(places) : places});
+    PlaceChains lines{drawsArea() ? closed(places) : places};
+    const StoredPath* path = workbench_.path.stored();
+    if (field_ && path != nullptr && field_->edit < path->edits.size()) {
+        EditParameters parameters = path->edits[field_->edit].parameters;
+        setDrawn(parameters, field_->key, places);
+        if (const auto* mirror = std::get_if<Mirror>(&parameters)) lines.push_back(outlineOf(*mirror));
+    }
+    viewport_.setMoveMark(lines);
 }
 
 void PathScenePresenter::finishDrawing(const std::vector<glm::dvec3>& places) {
@@ -212,7 +229,7 @@ void PathScenePresenter::finishDrawing(const std::vector<glm::dvec3>& places) {
         workbench_.path.replaceSelection(places);
     } else if (path != nullptr && field->edit < path->edits.size()) {
         Edit edit = path->edits[field->edit];
-        setField(edit.parameters, field->key, places);
+        setDrawn(edit.parameters, field->key, places);
         workbench_.path.changeEdit(field->edit, edit);
     }
 }
@@ -221,15 +238,32 @@ bool PathScenePresenter::drawsArea() const {
     return field_ && field_->key == areaKey;
 }
 
-/// Where areas are, and the guides that were drawn.
+/// The plane where it goes through the stock, and a little beyond.
+std::vector<glm::dvec3> PathScenePresenter::outlineOf(const Mirror& mirror) const {
+    constexpr double beyond = 5.0; // mm
+    const auto& bench = workbench_.bench.bench();
+    if (!bench) return {};
+    const Box box = bench->setup.stock.grown(beyond);
+    const int along = mirror.across == Mirror::Across::x ? 1 : 0;
+    std::vector<glm::dvec3> outline(4, glm::dvec3(mirror.at));
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        outline[i][along] = i == 1 || i == 2 ? box.high[along] : box.low[along];
+        outline[i].z = i < 2 ? box.low.z : box.high.z;
+    }
+    return closed(outline);
+}
+
+/// Where areas and mirrors are, and the guides that were drawn.
 void PathScenePresenter::showOutlines() {
     PlaceChains lines;
     if (active_ && workbench_.path.stored() != nullptr)
-        for (const Edit& edit : workbench_.path.stored()->edits)
+        for (const Edit& edit : workbench_.path.stored()->edits) {
+            if (!edit.enabled || std::holds_alternative<ReplaceStretch>(edit.parameters)) continue;
+            if (const auto* mirror = std::get_if<Mirror>(&edit.parameters)) lines.push_back(outlineOf(*mirror));
             for (const EditField& field : fieldsOf(edit.parameters))
-                if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&field.value);
-                    places && edit.enabled && !std::holds_alternative<ReplaceStretch>(edit.parameters))
+                if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&field.value))
                     lines.push_back(field.key == areaKey ? closed(*places) : *places);
+        }
     viewport_.setOutlines(lines);
 }
 

@@ -20,11 +20,13 @@ public:
     DragChoice drag() const noexcept { return drag_; }
     /// A stroke in the selection's stead.
     bool drawing() const noexcept { return drawing_ && !field_; }
-    /// Places of an edit.
+    /// Of an edit.
     const std::optional<DrawnField>& drawnField() const noexcept { return field_; }
     void setDrag(DragChoice drag);
     void setDrawing(bool wanted);
     void setFieldDrawing(const DrawnField& field, bool wanted);
+    /// Draws what the last edit that can be drawn is made of; once more: no longer.
+    void toggleLastDrawing();
     /// Adds an edit to the path; one that needs places has them drawn next.
     void addEdit(const Edit& edit);
 
@@ -39,6 +41,7 @@ private:
     void showDrawing(const std::vector<glm::dvec3>& places);
     void showOutlines();
     bool drawsArea() const;
+    std::vector<glm::dvec3> outlineOf(const Mirror& mirror) const;
     bool stillMeant() const;
     Edit withinStock(Edit edit) const;
     void showDrag(std::size_t place, const glm::dvec3& by);

@@ -23,9 +23,12 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
         live_.clear(); // the edited path takes its place
         viewport_.setPath(evaluated ? *evaluated : EvaluatedPath{});
     });
+    connect(&workbench.path, &PathController::othersChanged, this,
+            [this] { viewport_.setOtherPaths(workbench_.path.others()); });
     for (const ActionId id : {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool})
         connect(actions[id], &QAction::toggled, this, &Presenter::presentSoon);
     connect(actions[ActionId::showPath], &QAction::toggled, &viewport, &Viewport::setPathVisible);
+    connect(actions[ActionId::showOtherPaths], &QAction::toggled, &viewport, &Viewport::setOtherPathsVisible);
 }
 
 void ScenePresenter::present() {

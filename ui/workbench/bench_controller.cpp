@@ -22,10 +22,12 @@ struct ReplayedBench {
 
 } // namespace
 
-void BenchController::setWanted(std::shared_ptr<const Model> model, const Setup& setup, const Tool& tool) {
+void BenchController::setWanted(std::shared_ptr<const Model> model, const Setup& setup,
+                                const std::vector<Property>& materials, const Tool& tool) {
     const bool otherTool = tool.id != tool_.id;
     model_ = std::move(model);
     setup_ = setup;
+    materials_ = materials;
     tool_ = tool;
     if (otherTool && bench_) buildBounds();
     emit changed();
@@ -111,7 +113,8 @@ void BenchController::embed() {
 }
 
 void BenchController::embedWith(std::vector<TakeWithTool> takes) {
-    BenchRequest request{model_, setup_, tool_, machine_.id, {}, obstaclesOf(wanted_.obstacles), wanted_.travel};
+    BenchRequest request{model_,        setup_, tool_, machine_.id, materials_, obstaclesOf(wanted_.obstacles),
+                         wanted_.travel};
     desk_.tasks.start(
         TaskKind::embedding, tr("Embedding the part"),
         [request = std::move(request), takes = std::move(takes)](Progress& progress) -> Result<ReplayedBench> {

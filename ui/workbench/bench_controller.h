@@ -24,7 +24,9 @@ public:
     static constexpr double maximumAllowance = 2.0;
 
     /// What embedding will take. A bench that no longer fits stays until the next `embed`.
-    void setWanted(std::shared_ptr<const Model> model, const Setup& setup, const Tool& tool);
+    /// @param materials looked through by id before the library
+    void setWanted(std::shared_ptr<const Model> model, const Setup& setup, const std::vector<Property>& materials,
+                   const Tool& tool);
     /// The machine that it is milled for: its feeds and speeds, and where its travel lies.
     void setWanted(const MachineProfile& machine);
     /// What bounds the tool besides the part.
@@ -77,6 +79,7 @@ private:
 
     std::shared_ptr<const Model> model_;
     Setup setup_;
+    std::vector<Property> materials_;
     Tool tool_;
     MachineProfile machine_;
     std::shared_ptr<Bench> bench_;

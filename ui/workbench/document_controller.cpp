@@ -57,6 +57,9 @@ Result<ProjectContents> contentsOf(const Project& project) {
     Result<std::optional<Setup>> setup = unlessMissing(project.setup());
     if (!setup) return std::move(setup).error();
     contents.setup = std::move(*setup);
+    Result<std::optional<std::vector<Property>>> materials = unlessMissing(project.materials());
+    if (!materials) return std::move(materials).error();
+    contents.materials = std::move(*materials).value_or(std::vector<Property>{});
     if (Result<void> read = readBench(project, contents); !read) return std::move(read).error();
     Result<std::vector<Tool>> tools = project.tools();
     if (!tools) return std::move(tools).error();

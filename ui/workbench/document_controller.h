@@ -17,6 +17,7 @@ namespace burin {
 struct ProjectContents {
     std::shared_ptr<const Model> model; ///< null: none yet
     std::optional<Setup> setup;
+    std::vector<Property> materials; ///< of the setup, as they were when it was made
     std::vector<Obstacle> obstacles;
     AxisMode axis;
     TravelPlacement travel;

@@ -3,10 +3,10 @@
 #include "ui/workbench/path_controller.h"
 
 #include "core/path/edit_step.h"
-#include "core/project/program_job.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace burin {
@@ -36,69 +36,71 @@ Edit meantFor(Edit edit, const TakeStretch& chosen) {
     return edit;
 }
 
-bool alike(const StoredPath& one, const StoredPath& other) {
-    return one.name == other.name && one.takes == other.takes &&
-           std::ranges::equal(one.edits, other.edits,
-                              [](const Edit& a, const Edit& b) { return toJson(a) == toJson(b); });
+/// Whether other recordings of a tool stand in one list than in the other.
+bool recordedElse(const std::vector<TakeInfo>& one, const std::vector<TakeInfo>& other, const std::string& tool) {
+    const auto figures = [&](const std::vector<TakeInfo>& takes) {
+        std::vector<std::tuple<std::int64_t, std::uint64_t, std::uint64_t, bool>> all;
+        for (const TakeInfo& take : takes)
+            if (take.toolId == tool) all.emplace_back(take.id, take.sampleCount, take.undoneCount, take.complete);
+        return all;
+    };
+    return figures(one) != figures(other);
 }
 
-/// A path that the project holds just so is left alone: a project that was only opened has no changes.
-Result<void> keep(Project& project, StoredPath& path) {
-    if (path.id == 0) {
-        const Result<std::int64_t> id = project.addPath(path);
-        if (!id) return id.error();
-        path.id = *id;
-        return {};
-    }
-    const Result<std::vector<StoredPath>> kept = project.paths();
-    if (!kept) return kept.error();
-    const auto same = std::ranges::find(*kept, path.id, &StoredPath::id);
-    if (same != kept->end() && alike(*same, path)) return {};
-    return project.setPath(path);
-}
-
-/// The path of a tool, or a new one, with what it takes to evaluate it.
-Result<PathMatter> gather(Project& project, const std::optional<StoredPath>& stored, const std::string& toolId) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
-    if (!takes) return takes.error();
-    Result<StoredPath> path = stored ? Result<StoredPath>(*stored) : standardPath(project, toolId);
-    if (!path) return std::move(path).error();
-    addNewerTakes(*path, *takes);
-    if (const Result<void> done = keep(project, *path); !done) return done.error();
-    return matterOf(project, *path);
+/// A path of all recordings of a tool, kept by the project.
+Result<StoredPath> makeStandard(Project& project, const std::string& toolId) {
+    Result<StoredPath> path = standardPath(project, toolId);
+    if (!path) return path;
+    const Result<std::int64_t> id = project.addPath(*path);
+    if (!id) return id.error();
+    path->id = *id;
+    return path;
 }
 
 } // namespace
 
-PathController::PathController(const Desk& desk, BenchController& bench, QObject* parent)
-    : Controller(desk, parent), bench_(bench) {
-    connect(&bench_, &BenchController::readersStop, this,
-            [this] { interrupted_ = interrupted_ || desk_.tasks.running(TaskKind::path); });
-    connect(&bench_, &BenchController::readersGoOn, this, [this] {
-        if (!bench_.changing() && std::exchange(interrupted_, false)) evaluate();
+PathController::PathController(const Desk& desk, BenchController& bench, const ToolController& tools, QObject* parent)
+    : Controller(desk, parent), bench_(bench), tools_(tools), evaluation_(desk, bench, this) {
+    connect(&evaluation_, &JobEvaluation::changed, this, &Controller::changed);
+    connect(&evaluation_, &JobEvaluation::evaluatedAnew, this, [this](qint64 path) {
+        if (path == inForce())
+            emit evaluatedAnew();
+        else
+            emit othersChanged();
     });
+    connect(&evaluation_, &JobEvaluation::recordingsAdded, this, &PathController::keepKnown);
 }
 
 void PathController::load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes) {
     paths_ = paths;
     recorded_ = takes;
     ++loads_;
-    forgetEvaluation();
+    making_ = false;
+    selection_.reset();
+    notMade_.reset();
+    evaluation_.forget();
+    updateJob();
     countVersion();
     emit evaluatedAnew();
+    emit othersChanged();
     emit changed();
 }
 
-/// Nothing stands of what was evaluated, nor of what was read for it.
-void PathController::forgetEvaluation() {
-    desk_.tasks.abandon(TaskKind::path);
-    selection_.reset();
-    evaluated_.reset();
-    problem_.reset();
-    matter_.reset();
-    interrupted_ = false;
-    ++generation_;
-    outdated_ = true;
+/// Tells the evaluation which paths there are, and in which order they are milled.
+void PathController::updateJob() {
+    const std::vector<StoredPath> paths = jobPaths();
+    std::vector<ToolPass> passes;
+    for (StoredPath path : paths) {
+        addNewerTakes(path, recorded_);
+        const std::string id = toolOf(path.id);
+        const auto tool = std::ranges::find(tools_.tools(), id, &Tool::id);
+        Tool unknown;
+        unknown.id = id;
+        passes.push_back(passOf(path, tool != tools_.tools().end() ? *tool : unknown, recorded_));
+    }
+    std::vector<StoredPath> inOrder;
+    for (const OrderedPass& pass : orderPasses(passes)) inOrder.push_back(paths[pass.pass]);
+    evaluation_.setJob(inOrder, inForce());
 }
 
 void PathController::countVersion() {
@@ -109,10 +111,30 @@ void PathController::countVersion() {
 void PathController::useTool(const std::string& id) {
     if (id == tool_) return;
     tool_ = id;
-    forgetEvaluation();
+    selection_.reset();
+    notMade_.reset();
+    updateJob();
     emit evaluatedAnew();
+    emit othersChanged();
     emit changed();
-    if (stored() != nullptr) evaluate();
+    evaluate();
+}
+
+std::int64_t PathController::inForce() const {
+    const StoredPath* path = stored();
+    return path != nullptr ? path->id : 0;
+}
+
+std::optional<Error> PathController::problem() const {
+    return notMade_ ? notMade_ : evaluation_.problem(inForce());
+}
+
+std::shared_ptr<const EvaluatedPath> PathController::current(std::int64_t path) const {
+    return evaluation_.isCurrent(path) ? evaluation_.evaluated(path) : nullptr;
+}
+
+std::vector<std::shared_ptr<const EvaluatedPath>> PathController::others() const {
+    return evaluation_.allBut(inForce());
 }
 
 const StoredPath* PathController::stored() const {
@@ -122,10 +144,7 @@ const StoredPath* PathController::stored() const {
 }
 
 std::vector<StoredPath> PathController::jobPaths() const {
-    std::vector<StoredPath> firsts;
-    for (const StoredPath& path : paths_)
-        if (!toolOf(path.id).empty() && isFirstOfItsTool(path, paths_, recorded_)) firsts.push_back(path);
-    return firsts;
+    return firstPaths(paths_, recorded_);
 }
 
 std::string PathController::toolOf(std::int64_t path) const {
@@ -149,26 +168,42 @@ bool PathController::hasTakes() const {
 }
 
 void PathController::takesChanged(const std::vector<TakeInfo>& takes) {
-    recorded_ = takes;
-    matter_.reset();
-    ++generation_;
-    outdated_ = true;
+    const std::vector<TakeInfo> before = std::exchange(recorded_, takes);
+    updateJob();
+    for (const StoredPath& path : jobPaths())
+        if (path.id == inForce() || recordedElse(before, takes, toolOf(path.id))) evaluation_.touchRecordings(path.id);
+    evaluation_.hold(); // what is recorded is evaluated when the user wants it
     countVersion();
     emit changed();
 }
 
 void PathController::benchChanged() {
-    outdated_ = true;
+    evaluation_.touchAll();
     countVersion();
-    if (stored() != nullptr) evaluate();
+    evaluate();
     emit changed();
 }
 
 void PathController::makeNew() {
-    if (stored() != nullptr)
+    if (stored() != nullptr) {
         push(tr("new path"), standardEdits());
-    else if (bench_.bench() && !reading_)
-        readTakes();
+        return;
+    }
+    if (!bench_.bench() || making_) return;
+    making_ = true;
+    desk_.project.post([tool = tool_](Project& project) { return makeStandard(project, tool); },
+                       [this, load = loads_, tool = tool_](Result<StoredPath> path) {
+                           if (load != loads_) return; // another project
+                           making_ = false;
+                           if (path) {
+                               keepKnown(*path);
+                               evaluate();
+                           } else if (tool == tool_) {
+                               notMade_ = path.error();
+                           }
+                           emit changed();
+                       });
+    emit changed();
 }
 
 void PathController::changeEdit(std::size_t index, const Edit& edit) {
@@ -269,84 +304,27 @@ void PathController::apply(std::int64_t id, const std::vector<Edit>& edits) {
     if (path == paths_.end()) return;
     path->edits = edits;
     store([path = *path](Project& project) { return project.setPath(path); });
+    updateJob();
+    evaluation_.touch(id);
     countVersion();
-    if (&*path != stored()) return;
-    outdated_ = true;
     evaluate();
 }
 
 void PathController::evaluate() {
-    if (!bench_.bench()) return;
-    if (matter_)
-        evaluateMatter();
-    else if (!reading_ && stored() != nullptr)
-        readTakes();
-}
-
-void PathController::readTakes() {
-    reading_ = true;
-    const std::optional<StoredPath> path = stored() ? std::optional(*stored()) : std::nullopt;
-    desk_.project.post([path, tool = tool_](Project& project) { return gather(project, path, tool); },
-                       [this, tool = tool_, project = loads_, generation = generation_](Result<PathMatter> matter) {
-                           reading_ = false;
-                           if (matter && project == loads_) keepKnown(matter->path);
-                           if (generation != generation_) { // recordings or tool changed while they were read
-                               if (tool == tool_ || stored() != nullptr) readTakes();
-                               return;
-                           }
-                           if (matter) {
-                               take(std::move(*matter));
-                               return;
-                           }
-                           problem_ = matter.error();
-                           emit changed();
-                       });
-    emit changed();
+    evaluation_.start();
 }
 
 /// The project has it, whatever became of the wish for it.
 void PathController::keepKnown(const StoredPath& path) {
+    notMade_.reset();
     const auto same = std::ranges::find(paths_, path.id, &StoredPath::id);
-    if (same == paths_.end()) {
+    const bool isNew = same == paths_.end();
+    if (isNew)
         paths_.push_back(path);
-        countVersion();
-    } else {
+    else
         same->takes = path.takes; // its edits may have been changed meanwhile
-    }
-}
-
-void PathController::take(PathMatter matter) {
-    matter_ = std::make_shared<const Recorded>(Recorded{std::move(matter.takes), std::move(matter.tool)});
-    evaluateMatter();
-}
-
-void PathController::evaluateMatter() {
-    const std::shared_ptr<Bench> bench = bench_.bench();
-    if (!bench || stored() == nullptr) return;
-    if (bench_.changing()) { // evaluated when it has changed
-        interrupted_ = true;
-        return;
-    }
-    desk_.tasks.start(
-        TaskKind::path, tr("Editing the path"),
-        [matter = matter_, bench, path = *stored()](Progress& progress) {
-            return evaluateStored(matter->takes, *bench, matter->tool, path, progress);
-        },
-        [this](Result<EvaluatedPath> outcome) { take(std::move(outcome)); });
-    emit changed();
-}
-
-void PathController::take(Result<EvaluatedPath> outcome) {
-    if (outcome) {
-        evaluated_ = std::make_shared<const EvaluatedPath>(std::move(*outcome));
-        problem_.reset();
-        outdated_ = matter_ == nullptr;
-        emit evaluatedAnew();
-    } else {
-        problem_ = outcome.error();
-        outdated_ = true;
-    }
-    emit changed();
+    updateJob();
+    if (isNew) countVersion();
 }
 
 } // namespace burin

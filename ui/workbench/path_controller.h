@@ -3,19 +3,21 @@
 #pragma once
 
 #include "core/project/job_paths.h"
-#include "ui/workbench/bench_controller.h"
+#include "ui/workbench/job_evaluation.h"
+#include "ui/workbench/tool_controller.h"
 
 #include <memory>
 #include <optional>
 
 namespace burin {
 
-/// The job's paths, one for each tool: all recordings made with it, with their edits. That of the tool in force is
-/// evaluated in the background; a change while it is evaluated replaces that evaluation.
+/// The job's paths, one for each tool: all recordings made with it, with their edits. They are evaluated in the
+/// background; a change while a path is evaluated replaces that evaluation. What is edited is the path of the tool in
+/// force.
 class PathController final : public Controller {
     Q_OBJECT
 public:
-    PathController(const Desk& desk, BenchController& bench, QObject* parent);
+    PathController(const Desk& desk, BenchController& bench, const ToolController& tools, QObject* parent);
 
     /// Of the tool in force; null: it has none yet.
     const StoredPath* stored() const;
@@ -28,12 +30,16 @@ public:
     /// The tool in force has recordings.
     bool hasTakes() const;
     /// Of the newest evaluation that went well; null: none yet.
-    const std::shared_ptr<const EvaluatedPath>& evaluated() const noexcept { return evaluated_; }
-    const std::optional<Error>& problem() const noexcept { return problem_; } ///< of the newest evaluation
-    bool outdated() const noexcept { return outdated_; }
-    bool busy() const { return reading_ || interrupted_ || desk_.tasks.running(TaskKind::path); }
+    std::shared_ptr<const EvaluatedPath> evaluated() const { return evaluation_.evaluated(inForce()); }
+    std::optional<Error> problem() const; ///< of the newest evaluation
+    bool outdated() const { return !evaluation_.isCurrent(inForce()); }
+    bool busy() const { return making_ || evaluation_.busy(inForce()); }
     /// A path that the project holds is evaluated as soon as the workpiece stands.
-    bool waiting() const { return stored() != nullptr && !evaluated_ && bench_.embedding(); }
+    bool waiting() const { return stored() != nullptr && !evaluated() && bench_.embedding(); }
+    /// Of any of the job's paths, as it is now and behind those that it comes after; null: still to be done.
+    std::shared_ptr<const EvaluatedPath> current(std::int64_t path) const;
+    /// The newest evaluations of the other tools' paths, in the order in which they are milled.
+    std::vector<std::shared_ptr<const EvaluatedPath>> others() const;
     /// Counts changes of edits, takes and what stands around, of any path: what was posted before is out of date.
     quint64 version() const noexcept { return version_; }
 
@@ -62,37 +68,29 @@ public:
     void load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes);
 
 signals:
-    void evaluatedAnew();
+    void evaluatedAnew(); ///< that of the tool in force
+    void othersChanged();
     void versionChanged();
 
 private:
-    struct Recorded {
-        std::vector<Take> takes;
-        Tool tool;
-    };
+    std::int64_t inForce() const; ///< id of its path; 0: none
+    void updateJob();
     void push(const QString& text, std::vector<Edit> edits);
     void apply(std::int64_t path, const std::vector<Edit>& edits);
     void countVersion();
-    void forgetEvaluation();
-    void readTakes();
     void keepKnown(const StoredPath& path);
-    void take(PathMatter matter);
-    void evaluateMatter();
-    void take(Result<EvaluatedPath> outcome);
 
     BenchController& bench_;
+    const ToolController& tools_;
+    JobEvaluation evaluation_;
+    std::optional<Error> notMade_;  ///< why there is no path of the tool in force
     std::vector<StoredPath> paths_; ///< all of the project
     std::vector<TakeInfo> recorded_;
     std::string tool_; ///< in force, by id
     std::optional<TakeStretch> selection_;
-    std::shared_ptr<const EvaluatedPath> evaluated_;
-    std::optional<Error> problem_;
-    std::shared_ptr<const Recorded> matter_; ///< of the path in force; null: to be read again
-    quint64 generation_ = 0;                 ///< of the recordings and the tool in force
     quint64 version_ = 0;
     quint64 loads_ = 0; ///< of projects
-    bool outdated_ = true, reading_ = false;
-    bool interrupted_ = false; ///< an evaluation was abandoned, as the bench changes
+    bool making_ = false;
 };
 
 } // namespace burin

@@ -109,9 +109,11 @@ void ProgramController::include(std::int64_t path, bool wanted) {
 
 void ProgramController::post(const QString& name) {
     if (!postable() || busy()) return;
+    emit textWanted();
     const ProgramRequest wanted = request(name);
-    read(postedPaths(),
-         [this, wanted, basis = basis()](Matters matters) { postPaths(std::move(matters), wanted, basis); });
+    read(postedPaths(), [this, wanted, asked = Asked{stored(wanted), basis(), textVersion_}](Matters matters) {
+        postPaths(std::move(matters), wanted, asked);
+    });
 }
 
 void ProgramController::read(const std::vector<StoredPath>& paths, std::function<void(Matters)> then) {
@@ -142,12 +144,9 @@ void ProgramController::read(const std::vector<StoredPath>& paths, std::function
     emit changed();
 }
 
-void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted, const Basis& basis) {
-    if (path_.stored() != nullptr && !path_.outdated() && basis.paths == path_.version()) { // as the view shows it
-        const auto shown =
-            std::ranges::find(matters, path_.stored()->id, [](const PathMatter& m) { return m.path.id; });
-        if (shown != matters.end()) shown->evaluated = path_.evaluated();
-    }
+void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted, const Asked& asked) {
+    if (asked.basis.paths == path_.version()) // as the view shows them
+        for (PathMatter& matter : matters) matter.evaluated = path_.current(matter.path.id);
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
         [bench = bench_.bench(), matters = std::move(matters), wanted](Progress& progress) -> Result<CheckedProgram> {
@@ -155,15 +154,15 @@ void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted,
             if (!paths) return std::move(paths).error();
             return makeProgram(*bench, paths->program, wanted, progress);
         },
-        [this, posted = stored(wanted), basis](Result<CheckedProgram> outcome) {
-            take(posted, basis, std::move(outcome));
-        });
+        [this, asked](Result<CheckedProgram> outcome) { take(asked, std::move(outcome)); });
 }
 
 void ProgramController::editText(const QString& text) {
     if (text == storedText_) return;
     storedText_ = text;
     edited_ = true;
+    ++textVersion_;
+    desk_.tasks.cancel(TaskKind::program); // it would be of another text
     draftDue_.start();
     problem_.reset();
     lintText();
@@ -179,6 +178,7 @@ void ProgramController::lintText() {
 }
 
 void ProgramController::checkText(const QString& name) {
+    emit textWanted();
     if (!bench_.bench() || bench_.changing() || !edited_ || busy()) return;
     const ProgramRequest wanted = request(name);
     read(path_.jobPaths(), [this, wanted, basis = basis()](const Matters& matters) { check(matters, wanted, basis); });
@@ -192,20 +192,25 @@ void ProgramController::check(const Matters& matters, ProgramRequest wanted, con
         [bench = bench_.bench(), text = storedText_.toStdString(), wanted](Progress& progress) {
             return checkProgram(*bench, text, wanted.name, wanted, progress);
         },
-        [this, posted = stored(wanted), basis](Result<CheckedProgram> outcome) {
-            take(posted, basis, std::move(outcome));
+        [this, asked = Asked{stored(wanted), basis, textVersion_}](Result<CheckedProgram> outcome) {
+            take(asked, std::move(outcome));
         });
 }
 
-void ProgramController::take(const StoredProgram& posted, const Basis& basis, Result<CheckedProgram> outcome) {
+void ProgramController::take(const Asked& asked, Result<CheckedProgram> outcome) {
+    emit textWanted();
+    if (asked.text != textVersion_) { // what was typed since is newer
+        emit changed();
+        return;
+    }
     if (!outcome) {
         problem_ = outcome.error();
         emit changed();
         return;
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*outcome));
-    keep(posted, *program);
-    const Shown next{program, QString::fromStdString(program->text), false, basis};
+    keep(asked.posted, *program);
+    const Shown next{program, QString::fromStdString(program->text), false, asked.basis};
     edited_ ? change(next) : show(next); // what the user wrote is worth an undo
 }
 
@@ -237,6 +242,7 @@ void ProgramController::overrideCheck(const QString& name, const QString& reason
 
 void ProgramController::show(const Shown& shown) {
     problem_.reset();
+    ++textVersion_;
     program_ = shown.program;
     storedText_ = shown.text;
     if (edited_ || shown.edited) draftDue_.start();

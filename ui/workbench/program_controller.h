@@ -51,6 +51,7 @@ public:
     /// The text as the user wrote it; no program to be exported until it is checked. The editor has an undo of its own;
     /// whatever takes the text's place then is an entry of the undo stack.
     void editText(const QString& text);
+    /// What is typed while it is checked stays, unchecked; what the check gave is dropped then. So it is with `post`.
     void checkText(const QString& name); ///< @param name of the program
     void setGougeTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
@@ -63,6 +64,7 @@ public:
 
 signals:
     void exported(const QString& file);
+    void textWanted(); ///< who has text that was not told yet tells it now
 
 private:
     /// What a program is made of, besides its text: with anything else it would be another one.
@@ -75,7 +77,13 @@ private:
         bool operator==(const Basis&) const = default;
     };
     Basis basis() const;
-    void take(const StoredProgram& posted, const Basis& basis, Result<CheckedProgram> outcome);
+    /// What a program that is made in the background was asked for.
+    struct Asked {
+        StoredProgram posted;
+        Basis basis;
+        quint64 text = 0; ///< version of the text then
+    };
+    void take(const Asked& asked, Result<CheckedProgram> outcome);
     /// What the panel shows: a checked program, and the text, which may have been edited since.
     struct Shown {
         std::shared_ptr<const CheckedProgram> program;
@@ -88,7 +96,7 @@ private:
     ProgramRequest request(const QString& name) const;
     StoredProgram stored(const ProgramRequest& request) const;
     void read(const std::vector<StoredPath>& paths, std::function<void(Matters)> then);
-    void postPaths(Matters matters, const ProgramRequest& wanted, const Basis& basis);
+    void postPaths(Matters matters, const ProgramRequest& wanted, const Asked& asked);
     void check(const Matters& matters, ProgramRequest wanted, const Basis& basis);
     void show(const Shown& shown);
     void change(const Shown& next);
@@ -106,6 +114,7 @@ private:
     bool edited_ = false, reading_ = false;
     Basis basis_;            ///< of the program in force
     quint64 generation_ = 0; ///< of what is read for a program
+    quint64 textVersion_ = 0;
     std::set<std::int64_t> leftOut_;
     QTimer draftDue_; ///< the project follows the typing a moment later
     double gougeTolerance_ = 0.02;

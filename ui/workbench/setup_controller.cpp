@@ -42,8 +42,16 @@ bool embedAlike(const Setup& one, const Setup& other) {
 }
 
 SetupController::SetupController(const Desk& desk, QObject* parent) : Controller(desk, parent) {
+    readMaterials({});
+}
+
+/// @param own that the project keeps
+void SetupController::readMaterials(const std::vector<Property>& own) {
+    materials_ = own;
     for (const std::string& id : materialIds())
-        if (Result<Property> material = loadMaterial(id)) materials_.push_back(std::move(*material));
+        if (std::ranges::find(own, id, &Property::id) == own.end())
+            if (Result<Property> material = loadMaterial(id)) materials_.push_back(std::move(*material));
+    std::ranges::sort(materials_, {}, &Property::id);
 }
 
 const Property* SetupController::stockMaterial() const {
@@ -67,8 +75,10 @@ void SetupController::placeAround(std::shared_ptr<const Model> model) {
     apply(setup);
 }
 
-void SetupController::load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup) {
+void SetupController::load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup,
+                           const std::vector<Property>& materials) {
     model_ = std::move(model);
+    readMaterials(materials);
     if (model_ && !setup) {
         placeAround(model_);
         return;

@@ -22,8 +22,9 @@ public:
     const std::optional<EmbeddingSize>& size() const noexcept { return size_; }
     const std::optional<Error>& problem() const noexcept { return problem_; } ///< why it can't be embedded
     bool usable() const noexcept { return hasPart() && !problem_; }
-    const std::vector<Property>& materials() const noexcept { return materials_; } ///< of the library
-    const Property* stockMaterial() const; ///< nullptr: the library has it no more
+    /// The library's; what the project keeps stands in place of what the library has of that id.
+    const std::vector<Property>& materials() const noexcept { return materials_; }
+    const Property* stockMaterial() const; ///< nullptr: neither the project nor the library has it
     bool locked() const noexcept { return locked_; }
     /// Stock and material stay as they are: there are recordings of them.
     void setLocked(bool locked);
@@ -31,7 +32,8 @@ public:
     /// A new part in a stock that suits its size.
     void placeAround(std::shared_ptr<const Model> model);
     /// What a project holds.
-    void load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup);
+    void load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup,
+              const std::vector<Property>& materials);
 
     // Each an entry of the undo stack; nothing happens while it is locked.
     void edit(const Setup& setup);
@@ -41,6 +43,7 @@ public:
 private:
     void apply(const Setup& setup);
     void place(const Setup& setup);
+    void readMaterials(const std::vector<Property>& own);
     void storeSetup();
 
     std::shared_ptr<const Model> model_;

@@ -82,18 +82,24 @@ void TaskRunner::runIdleWork() {
 }
 
 void TaskRunner::cancel(TaskKind kind) {
-    std::erase_if(waiting_, [kind](const auto& other) { return other->kind == kind; });
-    if (Task* task = find(kind)) task->progress.cancel();
-    emit changed();
+    cancelThose([kind](const Task& task) { return task.kind == kind; });
 }
 
 void TaskRunner::cancelAll() {
-    waiting_.clear();
-    for (const auto& task : tasks_) task->progress.cancel();
+    cancelThose([](const Task&) { return true; });
+}
+
+/// Those that wait too: whoever started them is told, when it is their turn.
+template <class Which>
+void TaskRunner::cancelThose(Which which) {
+    for (const auto* list : {&tasks_, &waiting_})
+        for (const auto& task : *list)
+            if (which(*task)) task->progress.cancel();
     emit changed();
 }
 
 void TaskRunner::abandon(TaskKind kind) {
+    std::erase_if(waiting_, [kind](const auto& other) { return other->kind == kind; });
     if (Task* task = find(kind)) task->superseded = true;
     cancel(kind);
 }

@@ -46,12 +46,15 @@ public:
         };
         auto parts = std::make_shared<Parts>(Parts{std::move(work), std::move(done)});
         startTask(kind, title, [parts](Progress& progress) -> Delivery {
-            auto outcome = std::make_shared<Outcome>(
-                guarded("background work", [&]() -> Outcome { return parts->work(progress); }));
+            auto outcome = std::make_shared<Outcome>(guarded("background work", [&]() -> Outcome {
+                if (progress.cancelled()) return Error{ErrorCode::cancelled, "background work", {}, {}};
+                return parts->work(progress);
+            }));
             return [parts, outcome] { parts->done(std::move(*outcome)); };
         });
     }
-    /// Asks the task of a kind to stop; its outcome then is ErrorCode::cancelled, unless it was through before.
+    /// Asks the task of a kind to stop; its outcome then is ErrorCode::cancelled, unless it was through before. Also
+    /// that of one which waits for another to end.
     void cancel(TaskKind kind);
     void cancelAll();
     /// Cancels the task of a kind; its outcome is dropped.
@@ -84,6 +87,8 @@ private:
     void ended(quint64 id);
     void runIdleWork();
     Task* find(TaskKind kind) const;
+    template <class Which>
+    void cancelThose(Which which);
 
     std::vector<std::unique_ptr<Task>> tasks_;   ///< running
     std::vector<std::unique_ptr<Task>> waiting_; ///< for one of their kind to end

@@ -19,7 +19,7 @@ Workbench::Workbench(QObject* parent)
     , guides(desk_, bench, mill, session, this)
     , hand(desk_, bench, mill, session, styluses, guides, this)
     , showMe(desk_, bench, session, this)
-    , path(desk_, bench, this)
+    , path(desk_, bench, tool, this)
     , program(desk_, bench, path, target, this) {
     wire();
 }
@@ -61,12 +61,13 @@ void Workbench::wire() {
         if (!setup.locked()) undo_.clear(); // what is locked now can't be undone any more
         setup.setLocked(true);
     });
+    connect(&program, &ProgramController::textWanted, this, &Workbench::textWanted);
     connect(&bench, &Controller::failed, this, [this] { showWhenReady_ = false; });
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
     connect(&bench, &BenchController::changed, this, &Workbench::continueShow);
     connect(&bench, &BenchController::replayed, &mill, &MillController::setStrokes);
-    connect(&bench, &BenchController::replayed, this, [this] { // a project that was opened shows its path
-        if (path.stored() && !path.evaluated()) path.evaluate();
+    connect(&bench, &BenchController::replayed, this, [this] { // a project that was opened shows its paths
+        path.evaluate();
     });
     connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
     bench.setWanted(target.machine());
@@ -78,7 +79,7 @@ void Workbench::load(const ProjectContents& contents) {
     bench.clear();
     model.load(contents.model);
     tool.load(contents.tools, contents.takes.empty() ? std::string() : contents.takes.back().toolId);
-    setup.load(contents.model, contents.setup);
+    setup.load(contents.model, contents.setup, contents.materials);
     setup.setLocked(!contents.takes.empty());
     target.load(contents.target);
     surroundings.load(contents.obstacles, contents.axis, contents.travel);
@@ -96,7 +97,7 @@ void Workbench::clear() {
 }
 
 void Workbench::updateWanted() {
-    bench.setWanted(model.model(), setup.setup(), tool.current());
+    bench.setWanted(model.model(), setup.setup(), setup.materials(), tool.current());
     path.useTool(tool.current().id);
 }
 

@@ -34,7 +34,8 @@ void splitFigures(Session& session, const std::string& name, ReliefScene& scene)
     std::optional<EmbeddedSetup> embedded;
     const auto add = [&](const char* part, double spent) { session.add(figure(name + "." + part, spent, "s")); };
     add("parse", leastSeconds(3, [&] { (void)parseProgram(scene.text, "relief.ngc"); }));
-    add("embed", leastSeconds(3, [&] { embedded = require(embed(scene.model, request.setup, progress), "stock"); }));
+    add("embed",
+        leastSeconds(3, [&] { embedded = require(embed(scene.model, request.setup, {}, progress), "stock"); }));
     std::vector<ShrunkOutline> outlines;
     add("outline", leastSeconds(3, [&] {
             outlines.clear();
@@ -44,7 +45,7 @@ void splitFigures(Session& session, const std::string& name, ReliefScene& scene)
     add("collisions", leastSeconds(3, [&] { (void)judgeObstacles(moves, tools, request, findings, progress); }));
     add("gouge", leastSeconds(3, [&] { (void)judgeGouges(moves, tools, outlines, request, findings, progress); }));
     add("replay", leastSeconds(
-                      3, [&] { embedded = require(embed(scene.model, request.setup, progress), "stock"); },
+                      3, [&] { embedded = require(embed(scene.model, request.setup, {}, progress), "stock"); },
                       [&] { (void)require(replay(moves, tools, embedded->workpiece, findings, progress), "replay"); }));
     add("excess", leastSeconds(3, [&] { (void)measureExcess(embedded->workpiece, request, tools, progress); }));
 }

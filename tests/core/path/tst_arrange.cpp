@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/path/drawn_edit.h"
 #include "path_fixture.h"
 
 #include <QTest>
@@ -215,6 +216,30 @@ private slots:
         }
         QCOMPARE(highest, 1.0);
         for (const PathPoint& point : strokes[0]) QCOMPARE(point.tip.z, -1.0);
+    }
+
+    void aLineThatIsDrawnIsAMirrorsPlane() {
+        EditParameters edit = Mirror{};
+        const auto plane = [&] { return std::get<Mirror>(edit); };
+        QVERIFY(isDrawn(edit, "at_mm") && !isDrawn(edit, "across") && !isDrawn(edit, "keep"));
+        setDrawn(edit, "at_mm", {{4, -3, 7}, {1, 0, 7}, {5, 9, 7}}); // nearer to Y than to X
+        QVERIFY(plane().across == Mirror::Across::x);
+        QCOMPARE(plane().at, 4.5);
+        setDrawn(edit, "at_mm", {{-8, 2, 0}, {8, 3, 0}});
+        QVERIFY(plane().across == Mirror::Across::y);
+        QCOMPARE(plane().at, 2.5);
+        for (const std::vector<glm::dvec3>& nothingSaid :
+             {std::vector<glm::dvec3>{}, {{1, 1, 0}}, {{1, 1, 0}, {1.2, 1.2, 9}}})
+            setDrawn(edit, "at_mm", nothingSaid);
+        QVERIFY(plane().across == Mirror::Across::y && plane().at == 2.5);
+        // What other edits draw is their places.
+        EditParameters area = RemoveArea{};
+        QVERIFY(isDrawn(area, "outline_mm") && !isDrawn(area, "low_mm"));
+        setDrawn(area, "outline_mm", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+        QCOMPARE(std::get<RemoveArea>(area).outline.size(), std::size_t{3});
+        const auto last = lastDrawn({{Mirror{}}, {RemoveArea{}}, {AreaFeed{}, false}, {Link{}}});
+        QVERIFY(last && *last == (DrawnField{1, "outline_mm"}));
+        QVERIFY(!lastDrawn({{Link{}}}));
     }
 
     void feedsChangeInAnArea() {

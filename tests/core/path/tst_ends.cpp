@@ -213,11 +213,12 @@ private slots:
         PathContext context = contextOf(nothing, flatTool(), {{-60, -60, -20}, {60, 60, 0}});
         const auto path = run({slot, row}, edits, context);
         QVERIFY(path);
-        const auto sides = millingSides(path->path, context);
+        Progress progress;
+        const auto sides = millingSides(path->path, context, progress);
         QVERIFY(sides);
         const bool stockOnLeft = (stepOver > 0.0) != reversed;
         std::size_t cuts = 0;
-        for (const MillingStretch& stretch : *sides) {
+        for (const MillingStretch& stretch : sides->stretches) {
             for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
                 const PathPoint& point = path->path.points[i];
                 if (point.kind != MoveKind::cut || glm::distance(point.tip, path->path.points[i - 1].tip) < 10.0)
@@ -240,10 +241,11 @@ private slots:
             if (reversed) edits.insert(edits.begin(), Edit{Reverse{}});
             const auto path = run({takeOf(along({{-20, 0, -5}, {20, 0, -5}}, 100.0))}, edits, context);
             QVERIFY(path);
-            const auto sides = millingSides(path->path, context);
+            Progress progress;
+            const auto sides = millingSides(path->path, context, progress);
             QVERIFY(sides);
             const MillingSide wanted = reversed ? MillingSide::climb : MillingSide::conventional;
-            QCOMPARE(std::ranges::count(*sides, wanted, &MillingStretch::side), std::ptrdiff_t{1});
+            QCOMPARE(std::ranges::count(sides->stretches, wanted, &MillingStretch::side), std::ptrdiff_t{1});
         }
     }
 };

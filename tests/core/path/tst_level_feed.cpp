@@ -35,6 +35,11 @@ Result<RunVolume> gradedBar(Progress&) {
     return volume;
 }
 
+Result<void> lendBar(const StockUse& use, Progress& progress) {
+    Result<RunVolume> bar = gradedBar(progress);
+    return bar ? use(*bar) : Result<void>(bar.error());
+}
+
 /// Tangential force of a flat mill in a slot, in closed form: the front half of the tool meets each strip at its own
 /// place. N. @param feed mm/min
 double forceAt(double x, double feed) {
@@ -79,7 +84,7 @@ PathContext barContext() {
     context.conditions.surfaceSpeed = edgeSpeed;
     context.machine.maximumFeed = 3000.0;
     context.machine.acceleration = 500.0;
-    context.makeStock = gradedBar;
+    context.lendStock = lendBar;
     return context;
 }
 
@@ -177,7 +182,7 @@ private slots:
 
     void withoutAStockItIsRefused() {
         PathContext context = barContext();
-        context.makeStock = {};
+        context.lendStock = {};
         QVERIFY(fed({{LevelFeed{}}}, context).empty());
     }
 };

@@ -40,7 +40,7 @@ Setup withVoxel(double voxel, double margin) {
 
 Result<EmbeddedSetup> embedIn(const Model& part, const Setup& setup) {
     Progress progress;
-    return embed(part, setup, progress);
+    return embed(part, setup, {}, progress);
 }
 
 } // namespace
@@ -213,7 +213,7 @@ private slots:
         const Model part = model({body("Block", boxMesh({0, 0, 0}, {10, 10, 10}))});
         Progress progress;
         progress.cancel();
-        const auto embedded = embed(part, *placeStock(part, withVoxel(0.5, 1.0)), progress);
+        const auto embedded = embed(part, *placeStock(part, withVoxel(0.5, 1.0)), {}, progress);
         QVERIFY(!embedded && embedded.error().code == ErrorCode::cancelled);
     }
 };

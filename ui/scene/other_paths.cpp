@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/other_paths.h"
+
+#include "ui/scene/path_lines.h"
+
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+
+namespace burin {
+
+OtherPaths::OtherPaths(vtkRenderer& renderer) : actor_(raisedLineActor(vtkNew<vtkPolyData>())) {
+    actor_->VisibilityOff();
+    renderer.AddActor(actor_);
+}
+
+void OtherPaths::setPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths) {
+    std::vector<LineEnds> lines;
+    for (const auto& evaluated : paths) {
+        const std::vector<PathPoint>& points = evaluated->path.points;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (points[i].kind == MoveKind::cut || points[i].kind == MoveKind::plunge)
+                addMove(lines, points[i - 1].tip, points[i]);
+    }
+    vtkPolyDataMapper::SafeDownCast(actor_->GetMapper())->SetInputData(lineData(lines));
+    empty_ = lines.empty();
+    setVisible(visible_);
+}
+
+void OtherPaths::setVisible(bool visible) {
+    visible_ = visible;
+    actor_->SetVisibility(visible_ && !empty_);
+}
+
+} // namespace burin

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/path.h"
+#include "ui/scene/actors.h"
+
+#include <vector>
+
+namespace burin {
+
+/// A move of a path as lines: straight, or its arc in chords that leave it by 0.02 mm at most.
+void addMove(std::vector<LineEnds>& lines, const glm::dvec3& from, const PathPoint& point);
+
+} // namespace burin

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/job_evaluation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+bool alike(const StoredPath& one, const StoredPath& other) {
+    return one.name == other.name && one.takes == other.takes &&
+           std::ranges::equal(one.edits, other.edits,
+                              [](const Edit& a, const Edit& b) { return toJson(a) == toJson(b); });
+}
+
+/// A path that the project holds just so is left alone: a project that was only opened has no changes.
+Result<void> keep(Project& project, const StoredPath& path) {
+    const Result<std::vector<StoredPath>> kept = project.paths();
+    if (!kept) return kept.error();
+    const auto same = std::ranges::find(*kept, path.id, &StoredPath::id);
+    if (same != kept->end() && alike(*same, path)) return {};
+    return project.setPath(path);
+}
+
+/// A path with what was recorded since, and what it takes to evaluate it.
+Result<PathMatter> gather(Project& project, StoredPath path) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    addNewerTakes(path, *takes);
+    if (const Result<void> done = keep(project, path); !done) return done.error();
+    return matterOf(project, path);
+}
+
+} // namespace
+
+JobEvaluation::JobEvaluation(const Desk& desk, BenchController& bench, QObject* parent)
+    : QObject(parent), desk_(desk), bench_(bench) {
+    connect(&bench_, &BenchController::readersStop, this, &JobEvaluation::readersStop);
+    connect(&bench_, &BenchController::readersGoOn, this, [this] {
+        if (!bench_.changing() && std::exchange(interrupted_, false)) start();
+    });
+}
+
+/// What runs is abandoned by who changes the bench.
+void JobEvaluation::readersStop() {
+    if (running_) interrupted_ = true;
+    running_.reset();
+}
+
+void JobEvaluation::setJob(const std::vector<StoredPath>& inOrder, std::int64_t inForce) {
+    std::vector<Entry> entries;
+    for (const StoredPath& path : inOrder) {
+        Entry entry;
+        if (Entry* known = find(path.id)) entry = std::move(*known);
+        entry.path = path;
+        if (path.id != inForce) entry.recorded.reset(); // takes are large; those of one path suffice
+        entries.push_back(std::move(entry));
+    }
+    entries_ = std::move(entries);
+    inForce_ = inForce;
+}
+
+void JobEvaluation::touch(std::int64_t path) {
+    if (Entry* entry = find(path)) ++entry->revision;
+}
+
+void JobEvaluation::touchAll() {
+    for (Entry& entry : entries_) ++entry.revision;
+}
+
+void JobEvaluation::touchRecordings(std::int64_t path) {
+    Entry* entry = find(path);
+    if (entry == nullptr) return;
+    ++entry->revision;
+    entry->recorded.reset();
+}
+
+void JobEvaluation::forget() {
+    desk_.tasks.abandon(TaskKind::path);
+    entries_.clear();
+    inForce_ = 0;
+    running_.reset();
+    ++loads_;
+    wanted_ = reading_ = interrupted_ = false;
+}
+
+void JobEvaluation::start() {
+    wanted_ = true;
+    for (Entry& entry : entries_) entry.failedOn = {}; // it is tried again
+    goOn();
+}
+
+std::size_t JobEvaluation::placeOf(std::int64_t path) const {
+    const auto found = std::ranges::find(entries_, path, [](const Entry& entry) { return entry.path.id; });
+    return static_cast<std::size_t>(found - entries_.begin());
+}
+
+const JobEvaluation::Entry* JobEvaluation::find(std::int64_t path) const {
+    const std::size_t place = placeOf(path);
+    return place < entries_.size() ? &entries_[place] : nullptr;
+}
+
+JobEvaluation::Entry* JobEvaluation::find(std::int64_t path) {
+    const std::size_t place = placeOf(path);
+    return place < entries_.size() ? &entries_[place] : nullptr;
+}
+
+std::shared_ptr<const EvaluatedPath> JobEvaluation::evaluated(std::int64_t path) const {
+    const Entry* entry = find(path);
+    return entry != nullptr ? entry->evaluated : nullptr;
+}
+
+std::vector<std::shared_ptr<const EvaluatedPath>> JobEvaluation::allBut(std::int64_t path) const {
+    std::vector<std::shared_ptr<const EvaluatedPath>> all;
+    for (const Entry& entry : entries_)
+        if (entry.path.id != path && entry.evaluated) all.push_back(entry.evaluated);
+    return all;
+}
+
+std::optional<Error> JobEvaluation::problem(std::int64_t path) const {
+    const Entry* entry = find(path);
+    return entry != nullptr ? entry->problem : std::nullopt;
+}
+
+bool JobEvaluation::isCurrent(std::int64_t path) const {
+    const Entry* entry = find(path);
+    return entry != nullptr && isSettledUpTo(path) && isCurrent(*entry, basisOf(*entry));
+}
+
+bool JobEvaluation::busy(std::int64_t path) const {
+    const bool working = reading_ || running_ || interrupted_;
+    return wanted_ && working && find(path) != nullptr && !isSettledUpTo(path);
+}
+
+/// It, and what it comes after.
+bool JobEvaluation::isSettledUpTo(std::int64_t path) const {
+    const std::size_t last = placeOf(path);
+    for (std::size_t i = 0; i <= last && i < entries_.size(); ++i)
+        if (!isSettled(entries_[i], basisOf(entries_[i]))) return false;
+    return true;
+}
+
+bool JobEvaluation::isCurrent(const Entry& entry, const Basis& basis) const {
+    return entry.evaluated && entry.evaluatedOn == basis;
+}
+
+bool JobEvaluation::isSettled(const Entry& entry, const Basis& basis) const {
+    return isCurrent(entry, basis) || (entry.problem && entry.failedOn == basis);
+}
+
+/// Paths that can't be evaluated are not milled.
+std::vector<MilledPath> JobEvaluation::milledBefore(const Entry& entry) const {
+    std::vector<MilledPath> before;
+    for (const Entry& each : entries_) {
+        if (&each == &entry) break;
+        if (each.evaluated && !(each.problem && each.failedOn.revision == each.revision))
+            before.push_back({each.evaluated, each.tool});
+    }
+    return before;
+}
+
+JobEvaluation::Basis JobEvaluation::basisOf(const Entry& entry) const {
+    Basis basis{entry.revision, {}};
+    for (const MilledPath& path : milledBefore(entry)) basis.before.push_back(path.evaluated);
+    return basis;
+}
+
+/// Null: all are as they should be.
+JobEvaluation::Entry* JobEvaluation::next() {
+    for (Entry& entry : entries_)
+        if (!isSettled(entry, basisOf(entry))) return &entry;
+    return nullptr;
+}
+
+void JobEvaluation::goOn() {
+    if (!wanted_ || reading_ || !bench_.bench()) return;
+    if (bench_.changing()) { // evaluated when it has changed
+        interrupted_ = next() != nullptr;
+        return;
+    }
+    const Entry* entry = next();
+    if (entry == nullptr) return;
+    const Basis basis = basisOf(*entry);
+    if (running_ && running_->path == entry->path.id && running_->basis == basis) return;
+    if (entry->recorded)
+        evaluate(*entry, basis);
+    else
+        read(*entry);
+}
+
+void JobEvaluation::read(const Entry& entry) {
+    reading_ = true;
+    desk_.project.post([path = entry.path](Project& project) { return gather(project, path); },
+                       [this, id = entry.path.id, revision = entry.revision, load = loads_](Result<PathMatter> matter) {
+                           if (load != loads_) return; // another project
+                           reading_ = false;
+                           takeRecorded(id, revision, std::move(matter));
+                       });
+    emit changed();
+}
+
+void JobEvaluation::takeRecorded(std::int64_t id, quint64 revision, Result<PathMatter> matter) {
+    if (matter) emit recordingsAdded(matter->path);
+    Entry* entry = find(id);
+    if (entry != nullptr && entry->revision == revision && matter)
+        entry->recorded = std::make_shared<const Recorded>(Recorded{std::move(matter->takes), std::move(matter->tool)});
+    if (entry != nullptr && entry->revision == revision && !matter) {
+        entry->problem = matter.error();
+        entry->failedOn = basisOf(*entry);
+    }
+    goOn();
+    emit changed();
+}
+
+void JobEvaluation::evaluate(const Entry& entry, const Basis& basis) {
+    running_ = Running{entry.path.id, basis};
+    desk_.tasks.start(
+        TaskKind::path, tr("Editing the path"),
+        [recorded = entry.recorded, bench = bench_.bench(), path = entry.path,
+         before = milledBefore(entry)](Progress& progress) {
+            return evaluateStored(recorded->takes, *bench, recorded->tool, path, before, progress);
+        },
+        [this, asked = *running_, tool = entry.recorded->tool](Result<EvaluatedPath> outcome) {
+            takeEvaluated(asked, tool, std::move(outcome));
+        });
+    emit changed();
+}
+
+void JobEvaluation::takeEvaluated(const Running& asked, const Tool& tool, Result<EvaluatedPath> outcome) {
+    running_.reset();
+    Entry* entry = find(asked.path);
+    if (entry == nullptr) return;
+    if (outcome) {
+        entry->evaluated = std::make_shared<const EvaluatedPath>(std::move(*outcome));
+        entry->tool = tool;
+        entry->evaluatedOn = asked.basis;
+        entry->problem.reset();
+    } else {
+        entry->problem = outcome.error();
+        entry->failedOn = asked.basis;
+        if (outcome.error().code == ErrorCode::cancelled) wanted_ = false; // whoever stopped it starts it again
+    }
+    if (entry->path.id != inForce_) entry->recorded.reset();
+    const bool anew = entry->problem == std::nullopt;
+    goOn();
+    if (anew) emit evaluatedAnew(asked.path);
+    emit changed();
+}
+
+} // namespace burin
