@@ -411,6 +411,22 @@
         <source>Give the reason why a program is wanted that its check refused.</source>
         <translation>Begründen, warum ein Programm gebraucht wird, das seine Prüfung abgelehnt hat.</translation>
     </message>
+    <message>
+        <source>Paths of other tool&amp;s</source>
+        <translation>Bahnen anderer &amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Draw what the job mills with other tools.</source>
+        <translation>Zeichnet, was der Auftrag mit anderen Werkzeugen fräst.</translation>
+    </message>
+    <message>
+        <source>Draw for an e&amp;dit</source>
+        <translation>Für eine Bearbeitung &amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw the area, the guide or the mirror&apos;s plane of the last edit that has one.</source>
+        <translation>Zeichnet die Fläche, die Leitlinie oder die Spiegelebene der letzten Bearbeitung, die eine hat.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -797,10 +813,6 @@
     <message>
         <source>Plane at</source>
         <translation>Ebene bei</translation>
-    </message>
-    <message>
-        <source>Where the mirror&apos;s plane stands</source>
-        <translation>Wo die Spiegelebene steht</translation>
     </message>
     <message>
         <source>Keep the originals</source>
@@ -1221,6 +1233,10 @@
     <message>
         <source>low, and round what stands there</source>
         <translation>tief, und um Hindernisse herum</translation>
+    </message>
+    <message>
+        <source>Where the mirror&apos;s plane stands; it can be drawn in the view, as a line</source>
+        <translation>Wo die Spiegelebene steht; sie lässt sich in der Ansicht als Linie zeichnen</translation>
     </message>
 </context>
 <context>
@@ -2849,6 +2865,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::JobEvaluation</name>
+    <message>
+        <source>Editing the path</source>
+        <translation>Bahn wird bearbeitet</translation>
+    </message>
+</context>
+<context>
     <name>burin::JobLine</name>
     <message>
         <source>Part</source>
@@ -3681,10 +3704,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 </context>
 <context>
     <name>burin::PathController</name>
-    <message>
-        <source>Editing the path</source>
-        <translation>Bahn wird bearbeitet</translation>
-    </message>
     <message>
         <source>change of an edit</source>
         <translation>Änderung einer Bearbeitung</translation>
