@@ -117,7 +117,7 @@ struct Job {
 
     std::vector<ShrunkOutline> outlines() const {
         Progress progress;
-        const EmbeddedSetup embedded = embed(model, request.setup, progress).value();
+        const EmbeddedSetup embedded = embed(model, request.setup, {}, progress).value();
         std::vector<ShrunkOutline> made;
         for (const Tool& tool : tools) made.emplace_back(embedded.workpiece, tool.cutter.radius());
         return made;
