@@ -108,8 +108,7 @@ void anOpenStylusPulledOutInMidStroke() {
     const Hand hand([&](double time) {
         const std::lock_guard lock(swapping);
         if (!board) return;
-        // Wider with each turn, for as long as a slow machine may take: else nothing would be left to cut.
-        const double depth = std::min(20.0 * time, 17.0), radius = std::min(4.0 + 0.2 * time, 14.0);
+        const double depth = std::min(20.0 * time, 17.0), radius = std::min(4.0 + time, 14.0);
         board->x = radius * std::sin(2.0 * time);
         board->y = radius * std::cos(2.0 * time);
         board->z = -depth;
@@ -152,8 +151,7 @@ void aMousePulledOutInMidStroke() {
         const std::lock_guard lock(swapping);
         if (!mouse || std::fmod(time, 0.016) > 0.0019) return;
         Report report{0x01};
-        const double reach = std::min(150.0 + 4.0 * time, 350.0); // wider with each turn here too
-        const double axes[] = {reach * std::sin(3.0 * time), reach * std::cos(3.0 * time), 180.0, 0.0, 0.0, 0.0};
+        const double axes[] = {200.0 * std::sin(3.0 * time), 200.0 * std::cos(3.0 * time), 180.0, 0.0, 0.0, 0.0};
         for (const double axis : axes) {
             const auto bits = static_cast<std::uint16_t>(static_cast<std::int16_t>(axis));
             report.push_back(static_cast<std::uint8_t>(bits & 0xffU));
