@@ -151,7 +151,9 @@ void aMousePulledOutInMidStroke() {
         const std::lock_guard lock(swapping);
         if (!mouse || std::fmod(time, 0.016) > 0.0019) return;
         Report report{0x01};
-        const double axes[] = {200.0 * std::sin(3.0 * time), 200.0 * std::cos(3.0 * time), 180.0, 0.0, 0.0, 0.0};
+        // Wider with each turn: else a slow machine would find nothing left to cut.
+        const double reach = std::min(150.0 + 4.0 * time, 350.0);
+        const double axes[] = {reach * std::sin(3.0 * time), reach * std::cos(3.0 * time), 180.0, 0.0, 0.0, 0.0};
         for (const double axis : axes) {
             const auto bits = static_cast<std::uint16_t>(static_cast<std::int16_t>(axis));
             report.push_back(static_cast<std::uint8_t>(bits & 0xffU));
