@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Burin authors
 # SPDX-License-Identifier: Apache-2.0
-# Headers of others that nearly every source includes, compiled once: it halves a build from nothing. Each source still
-# includes what it uses; the presets debug and asan build without these, where a forgotten include shows.
+# Headers of others that nearly every source includes, compiled once: it spares one to five seconds a source. Each
+# source still includes what it uses; the presets debug and asan build without these, where a forgotten include shows.
 
 option(BURIN_PRECOMPILED_HEADERS "Compile the headers of the standard library, GLM and QtCore once" ON)
 

@@ -58,28 +58,30 @@ void GapWindow::claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept {
     }
 }
 
-bool GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
-                      std::int32_t lastGroup) noexcept {
+std::optional<int> GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow,
+                                    std::int32_t firstGroup, std::int32_t lastGroup) noexcept {
     const std::int32_t first = firstRow >> 3, last = lastRow >> 3;
     if (first >= coveredFirstRow_ && last <= coveredLastRow_ && firstGroup >= coveredFirstGroup_ &&
         lastGroup <= coveredLastGroup_)
-        return true;
+        return 0;
     coveredLastRow_ = -1; // until it is done
+    int claimed = 0;
     for (std::int32_t v = first; v <= last; ++v)
         for (std::int32_t u = firstGroup; u <= lastGroup; ++u) {
             Brick& brick = bricks_[brickAt(u, v)];
             if (brick.u == u && brick.v == v) continue;
-            if (brick.owing != 0 && !write(workpiece, brick)) return false;
+            if (brick.owing != 0 && !write(workpiece, brick)) return std::nullopt;
             if (brick.queued) unqueue(brick);
             workpiece.giveBack(brick.room);
             claim(brick, u, v);
+            ++claimed;
             if (u * 8 < lineCountU_ && v * 8 < lineCountV_) workpiece.fetch({u * 8, v * 8});
         }
     coveredFirstRow_ = first;
     coveredLastRow_ = last;
     coveredFirstGroup_ = firstGroup;
     coveredLastGroup_ = lastGroup;
-    return true;
+    return claimed;
 }
 
 /// Before lines of a brick are cut: memory to write them, and a place in the queue.
@@ -136,13 +138,17 @@ bool GapWindow::writeNext(RunVolume& workpiece) noexcept {
     return true;
 }
 
-bool GapWindow::writeDue(RunVolume& workpiece) noexcept {
+std::uint32_t GapWindow::writesDue() const noexcept {
     std::uint32_t due = 0, pace = 0;
     for (std::uint32_t ahead = 0; ahead < longestDelay; ++ahead) {
         due += dueCounts_[(tick_ + ahead) % longestDelay];
         pace = std::max(pace, (due + ahead) / (ahead + 1));
     }
-    for (; pace > 0 && queueCount_ > 0; --pace)
+    return pace;
+}
+
+bool GapWindow::writeDue(RunVolume& workpiece) noexcept {
+    for (std::uint32_t pace = writesDue(); pace > 0 && queueCount_ > 0; --pace)
         if (!writeNext(workpiece)) return false;
     ++tick_;
     // Without a page to spare, be it for what was written just now, only before the next snapshot is it certain that

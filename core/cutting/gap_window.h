@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,9 +30,10 @@ public:
     /// Groups, or rows divided by eight, of which the window holds so many at once.
     std::int32_t side() const noexcept { return static_cast<std::int32_t>(side_); }
     /// Makes sure that the lines of some rows and groups of eight are the window's; what was owed for the lines whose
-    /// places they take is written. False: out of reserved memory; nothing is lost.
-    bool cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
-               std::int32_t lastGroup) noexcept;
+    /// places they take is written. @return bricks that were not the window's before; nothing where reserved memory ran
+    /// out, and nothing is lost then
+    std::optional<int> cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
+                             std::int32_t lastGroup) noexcept;
     /// Takes spans out of rows that share their bricks. Stops at a brick for which no memory is left: see RemovedUnits.
     /// @return lines for which the volume was read
     int take(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept;
@@ -40,6 +42,8 @@ public:
     /// Gets lines ready of which a cut may ask soon. @return lines for which the volume was read
     int look(const RunVolume& workpiece, const RowSpans& row) noexcept;
 
+    /// Bricks that `writeDue` would write now, and more the more is taken before.
+    std::uint32_t writesDue() const noexcept;
     /// To be called once a tick: writes what has to be, at an even pace. False: out of reserved memory.
     bool writeDue(RunVolume& workpiece) noexcept;
     /// Writes all that is owed. False: out of reserved memory; the rest is still owed.

@@ -14,7 +14,10 @@ namespace {
 
 /// What a tick may cost, in groups of eight lines: half a millisecond on the machine of the README's figures.
 constexpr double tickBudget = 50000.0;
-constexpr double costOfReading = 5.0; // of a line of the volume, in groups
+constexpr double leastBudget = 15000.0; // what is put off must come to an end, whatever else a tick has to do
+constexpr double costOfReading = 5.0;   // of a line of the volume, in groups
+constexpr double costOfBrick = 12.0;    // that the window did not hold
+constexpr double costOfWriting = 100.0; // of a brick of the volume
 
 RevolvedPiece inVoxels(const RevolvedPiece& piece, double edge) noexcept {
     RevolvedPiece scaled;
@@ -81,8 +84,9 @@ double WindowCutter::takeWideRow(RunVolume& workpiece, std::int32_t v, LineStret
     double cost = 0.0;
     for (; groups.first <= groups.last && !removed.outOfMemory; groups.first += window_.side()) {
         const std::int32_t last = std::min(groups.last, groups.first + window_.side() - 1);
-        if (window_.cover(workpiece, v, v, groups.first, last))
-            cost += takeRows(workpiece, v, v + 1, {groups.first, last}, removed);
+        const std::optional<int> claimed = window_.cover(workpiece, v, v, groups.first, last);
+        if (claimed)
+            cost += costOfBrick * *claimed + takeRows(workpiece, v, v + 1, {groups.first, last}, removed);
         else
             removed.outOfMemory = true;
     }
@@ -96,13 +100,21 @@ double WindowCutter::advance(RunVolume& workpiece, double budget, RemovedUnits& 
     const LineStretch rows = rowsOf(spans_.rows()), groups = groupsOf(spans_.columns());
     if (rows.first <= rows.last && groups.first <= groups.last) {
         const bool covered = fits(rows, groups);
-        if (covered && !window_.cover(workpiece, rows.first, rows.last, groups.first, groups.last)) {
-            removed.outOfMemory = true;
-            return budget;
+        if (covered) {
+            const std::optional<int> claimed =
+                window_.cover(workpiece, rows.first, rows.last, groups.first, groups.last);
+            if (!claimed) {
+                removed.outOfMemory = true;
+                return budget;
+            }
+            budget -= costOfBrick * *claimed;
         }
+        const double dearestRow = (groups.last - groups.first + 1) * (1.0 + 8.0 * costOfReading);
         std::int32_t v = std::max(rows.first, step.nextRow);
         while (v <= rows.last) {
-            const std::int32_t end = covered ? std::min(rows.last, v | 7) + 1 : v + 1;
+            // The rows of a brick at once, unless they could be far more than is left.
+            const std::int32_t most = static_cast<std::int32_t>(std::clamp(budget / dearestRow, 1.0, 8.0));
+            const std::int32_t end = covered ? std::min({rows.last, v | 7, v + most - 1}) + 1 : v + 1;
             budget -=
                 covered ? takeRows(workpiece, v, end, groups, removed) : takeWideRow(workpiece, v, groups, removed);
             if (removed.outOfMemory) return budget; // the same rows again, next time
@@ -171,7 +183,7 @@ bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPos
     hasArrived_ = false;
     const std::size_t added = start.axis == end.axis ? addWay(workpiece, start, end.tip, !connected, removed)
                                                      : addTurn(workpiece, start, end, !connected, removed);
-    double budget = tickBudget;
+    double budget = std::max(tickBudget - costOfWriting * window_.writesDue(), leastBudget);
     while (stepCount_ > 0 && budget > 0.0 && !removed.outOfMemory) budget = advance(workpiece, budget, removed);
     window_.collect(removed);
     if (!window_.writeDue(workpiece)) removed.outOfMemory = true;
@@ -189,11 +201,11 @@ void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept
     spans_.begin(place, place.tip, true);
     const LineStretch rows = rowsOf(spans_.rows()), all = groupsOf(spans_.columns());
     if (rows.first > rows.last || all.first > all.last || !fits(rows, all)) return;
-    const bool covered = window_.cover(workpiece, rows.first, rows.last, all.first, all.last);
+    const std::optional<int> claimed = window_.cover(workpiece, rows.first, rows.last, all.first, all.last);
     // As after a cut: a snapshot may come before the next.
     if (!workpiece.hasPagesToSpare()) static_cast<void>(window_.writeAll(workpiece));
-    if (!covered) return;
-    double budget = tickBudget;
+    if (!claimed) return;
+    double budget = tickBudget - costOfBrick * *claimed;
     for (std::int32_t v = rows.first; v <= rows.last && budget > 0.0; ++v) {
         if (spans_.stretches(v, 1, all, low_.data(), high_.data(), rowSpans_.data()) == 0) continue;
         spans_.spans({rowSpans_.data(), 1});

@@ -5,7 +5,6 @@
 #include "core/path/path_removal.h"
 
 #include <chrono>
-#include <thread>
 
 namespace burin {
 
@@ -18,10 +17,9 @@ constexpr double made = 0.3, cut = 0.6;
 
 Result<void> MilledStock::lend(std::span<const MilledPath> paths, const StockUse& use, Progress& progress) {
     std::unique_lock mine(owner_, std::defer_lock);
-    while (!mine.try_lock()) { // whoever has it may take seconds, and the wish to stop must be heard meanwhile
+    // Whoever has it may take seconds, and the wish to stop must be heard meanwhile.
+    while (!mine.try_lock_for(std::chrono::milliseconds(5)))
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "stock", "", ""};
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
     Result<void> done = lendKept(paths, use, progress);
     if (done || done.error().code != ErrorCode::volumeOutOfMemory) return done;
     // What is kept of earlier states holds memory back that the paths may need.

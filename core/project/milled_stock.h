@@ -46,7 +46,7 @@ private:
     Result<void> lendAnew(std::span<const MilledPath> paths, const StockUse& use, Progress& progress) const;
 
     std::function<Result<RunVolume>(Progress&)> make_;
-    std::mutex owner_; ///< of what follows
+    std::timed_mutex owner_; ///< of what follows
     std::optional<RunVolume> stock_;
     VolumeSnapshot untouched_;
     std::vector<State> states_;

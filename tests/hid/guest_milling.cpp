@@ -29,8 +29,9 @@ HapticSettings settingsFor(const StylusDescription& stylus) {
 class RecordedMilling {
 public:
     explicit RecordedMilling(const StylusHandle& stylus) : settings_(settingsFor(stylus.device().description())) {
-        thread_ = std::thread(
-            [this, stylus] { session_ = recordSession(stylus, settings_, traceFile, forEver, stop_, &newest_); });
+        thread_ = std::thread([this, stylus] {
+            session_ = recordSession(stylus, settings_, traceFile, forEver, OwnerTells::nothing, stop_, &newest_);
+        });
     }
     ~RecordedMilling() {
         if (thread_.joinable()) end();
@@ -108,7 +109,8 @@ void anOpenStylusPulledOutInMidStroke() {
     const Hand hand([&](double time) {
         const std::lock_guard lock(swapping);
         if (!board) return;
-        const double depth = std::min(20.0 * time, 17.0), radius = std::min(4.0 + time, 14.0);
+        // Pressed to the part, and wider with each turn: a slow machine too finds something to cut for a minute.
+        const double depth = std::min(20.0 * time, 17.0), radius = std::min(4.0 + 0.2 * time, 14.0);
         board->x = radius * std::sin(2.0 * time);
         board->y = radius * std::cos(2.0 * time);
         board->z = -depth;
@@ -151,7 +153,7 @@ void aMousePulledOutInMidStroke() {
         const std::lock_guard lock(swapping);
         if (!mouse || std::fmod(time, 0.016) > 0.0019) return;
         Report report{0x01};
-        // Wider with each turn: else a slow machine would find nothing left to cut.
+        // Wider with each turn here too.
         const double reach = std::min(150.0 + 4.0 * time, 350.0);
         const double axes[] = {reach * std::sin(3.0 * time), reach * std::cos(3.0 * time), 180.0, 0.0, 0.0, 0.0};
         for (const double axis : axes) {

@@ -144,15 +144,23 @@ struct RecordedSession {
     std::string fault; ///< empty: it went well
 };
 
-/// What a session with a stylus does, told of changes in between, and the trace that it leaves.
+/// What the owner of a session tells its step meanwhile.
+enum class OwnerTells : std::uint8_t {
+    nothing,   ///< the tool stays where the hand and the stock put it, however late the ticks come
+    everything ///< see ToldInBetween
+};
+
+/// What a session with a stylus does, and the trace that it leaves.
 inline RecordedSession recordSession(const StylusHandle& stylus, const HapticSettings& settings,
                                      const std::filesystem::path& file, double seconds,
+                                     OwnerTells tells = OwnerTells::everything,
                                      const std::atomic<bool>& stop = std::atomic<bool>(false),
                                      TickProgress* progress = nullptr) {
     Bench bench(settings);
     SampleLog log(progress);
     ToldInBetween told(bench.step, log);
-    auto recorder = TraceRecorder::begin(file, told);
+    TickSink& listener = tells == OwnerTells::everything ? static_cast<TickSink&>(told) : log;
+    auto recorder = TraceRecorder::begin(file, listener);
     if (!recorder) return {{}, {}, recorder.error().detail};
     bench.step.listen(recorder->get());
     ServoSettings servo;

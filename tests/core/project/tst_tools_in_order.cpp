@@ -67,16 +67,22 @@ LevelFeed levelRemoval() {
     return edit;
 }
 
-Result<EvaluatedPath> lastOf(const std::vector<PathMatter>& matters) {
-    const Bench bench = plateBench(matters.front().tool);
+/// Each path behind those before it.
+Result<std::vector<MilledPath>> milledInTurn(const Bench& bench, const std::vector<PathMatter>& matters) {
     Progress progress;
-    std::vector<MilledPath> before;
+    std::vector<MilledPath> milled;
     for (const PathMatter& each : matters) {
-        Result<EvaluatedPath> path = evaluateStored(each.takes, bench, each.tool, each.path, before, progress);
-        if (!path || before.size() + 1 == matters.size()) return path;
-        before.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), each.tool});
+        Result<EvaluatedPath> path = evaluateStored(each.takes, bench, each.tool, each.path, milled, progress);
+        if (!path) return path.error();
+        milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), each.tool});
     }
-    return Error{ErrorCode::internalFault, "test", "", ""};
+    return milled;
+}
+
+Result<EvaluatedPath> lastOf(const std::vector<PathMatter>& matters) {
+    const Result<std::vector<MilledPath>> milled = milledInTurn(plateBench(matters.front().tool), matters);
+    if (!milled) return milled.error();
+    return *milled->back().evaluated;
 }
 
 /// Feeds of the cuts over a stretch of x, the least and the most.
@@ -209,16 +215,12 @@ void TestToolsInOrder::whatIsCutOfALentStockIsForgotten() {
     const PathMatter rough = slot(), across = matter(2, flat("across", 2, 4.0), {{5, -5, 6}, {5, 25, 6}});
     const Bench bench = plateBench(rough.tool);
     Progress progress;
-    std::vector<MilledPath> milled;
-    for (const PathMatter& each : {rough, across}) {
-        auto path = evaluateStored(each.takes, bench, each.tool, each.path, milled, progress);
-        QVERIFY(path);
-        milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), each.tool});
-    }
+    const auto milled = milledInTurn(bench, {rough, across});
+    QVERIFY(milled);
     const auto cutOneAfterTheOther = [&](std::size_t count) {
         Bench fresh = plateBench(rough.tool);
         for (std::size_t i = 0; i < count; ++i)
-            if (!cutPath(milled[i].evaluated->path, milled[i].tool.cutter, fresh.embedded.workpiece, progress))
+            if (!cutPath((*milled)[i].evaluated->path, (*milled)[i].tool.cutter, fresh.embedded.workpiece, progress))
                 std::abort(); // the test's own set-up
         return linesOf(fresh.embedded.workpiece);
     };
@@ -231,11 +233,12 @@ void TestToolsInOrder::whatIsCutOfALentStockIsForgotten() {
         const auto wanted = cutOneAfterTheOther(count);
         double removed = 0.0;
         const auto lent = bench.stock->lend(
-            std::span(milled).first(count),
+            std::span(*milled).first(count),
             [&](RunVolume& stock) -> Result<void> {
                 if (linesOf(stock) != wanted) return Error{ErrorCode::internalFault, "stock", "", ""};
                 removed = lost(stock);
-                return cutPath(milled[1].evaluated->path, milled[0].tool.cutter, stock, progress); // to be forgotten
+                return cutPath((*milled)[1].evaluated->path, (*milled)[0].tool.cutter, stock,
+                               progress); // to be forgotten
             },
             progress);
         QVERIFY(lent);
@@ -253,12 +256,8 @@ void TestToolsInOrder::aStockIsLentWhereverItCanBeCutAtAll() {
     const PathMatter rough = slot(), deeper = matter(2, flat("deeper", 2, diameter), {{-10, 10, 6}, {50, 10, 6}});
     const Bench bench = plateBench(rough.tool);
     Progress progress;
-    std::vector<MilledPath> milled;
-    for (const PathMatter& each : {rough, deeper}) {
-        auto path = evaluateStored(each.takes, bench, each.tool, each.path, milled, progress);
-        QVERIFY(path);
-        milled.push_back({std::make_shared<const EvaluatedPath>(std::move(*path)), each.tool});
-    }
+    const auto milled = milledInTurn(bench, {rough, deeper});
+    QVERIFY(milled);
     int madeAnew = 0, plain = 0;
     for (std::size_t reserve = 20'000; reserve < 400'000; reserve += 4'000) {
         int made = 0;
@@ -275,14 +274,14 @@ void TestToolsInOrder::aStockIsLentWhereverItCanBeCutAtAll() {
         Result<RunVolume> straight = make(progress);
         if (!straight) continue;
         bool possible = true;
-        for (const MilledPath& path : milled)
+        for (const MilledPath& path : *milled)
             possible = possible && cutPath(path.evaluated->path, path.tool.cutter, *straight, progress);
         if (!possible) continue;
         made = 0;
         MilledStock stock(make);
         bool same = false;
         const auto lent = stock.lend(
-            milled,
+            *milled,
             [&](RunVolume& volume) -> Result<void> {
                 same = linesOf(volume) == linesOf(*straight);
                 return {};
