@@ -260,28 +260,30 @@ EntrySearch::Verdict EntrySearch::considerTriangle(const PlacedPiece& placed, co
     if (std::min({along.x, along.y, along.z}) - group.over >= -depth_ ||
         group.beneath - std::max({along.x, along.y, along.z}) >= -depth_)
         return Verdict::open;
+    // The centroid is told quickest; where the piece is nearest, a plane lies better under a long triangle.
     const glm::dvec3 centroid = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-    const PlacedPiece::Value value = placed.at(centroid);
-    // No tip is farther from the centre, and the signed distance changes no faster than the tip moves.
-    if (value.distance + group.radius < -depth_) {
-        lastMet_ = part.number;
-        return Verdict::allEnter;
-    }
-    const auto mayConcern = [&](const glm::dvec3& point, const PlacedPiece::Value& there) {
-        const double fall =
-            std::min({glm::dot(there.gradient, triangle[0] - point), glm::dot(there.gradient, triangle[1] - point),
-                      glm::dot(there.gradient, triangle[2] - point)});
-        return there.distance + fall - group.rise(there.gradient) < -depth_;
-    };
-    if (!mayConcern(centroid, value)) return Verdict::open;
-    if (group.radius > 0.0) { // a long triangle falls off from its middle: laid where the piece is nearest, the plane
-                              // lies better
+    Concern concern = concernAt(centroid, placed, triangle, group);
+    if (concern == Concern::possible && group.radius > 0.0) {
         const std::optional<PieceMinimum> least =
             minimumOverTriangle(placed, triangle, std::numeric_limits<double>::infinity());
-        if (least && !mayConcern(least->point, placed.at(least->point))) return Verdict::open;
+        if (least) concern = concernAt(least->point, placed, triangle, group);
     }
-    parts_.push_back(part);
-    return Verdict::open;
+    if (concern == Concern::possible) parts_.push_back(part);
+    if (concern != Concern::certain) return Verdict::open;
+    lastMet_ = part.number;
+    return Verdict::allEnter;
+}
+
+/// What a triangle means to a group, as told from one of its points.
+EntrySearch::Concern EntrySearch::concernAt(const glm::dvec3& point, const PlacedPiece& placed,
+                                            const Triangle& triangle, const Group& group) const noexcept {
+    const PlacedPiece::Value value = placed.at(point);
+    // No tip is farther from the centre, and the signed distance changes no faster than the tip moves.
+    if (value.distance + group.radius < -depth_) return Concern::certain;
+    const double fall =
+        std::min({glm::dot(value.gradient, triangle[0] - point), glm::dot(value.gradient, triangle[1] - point),
+                  glm::dot(value.gradient, triangle[2] - point)});
+    return value.distance + fall - group.rise(value.gradient) < -depth_ ? Concern::possible : Concern::none;
 }
 
 std::vector<std::uint8_t> enteredTips(const TriangleTree& tree, std::span<const RevolvedPiece> tool,

@@ -63,6 +63,7 @@ private:
         std::optional<BallGroup> balls;
     };
     enum class Verdict : std::uint8_t { open, allEnter };
+    enum class Concern : std::uint8_t { none, possible, certain }; ///< with a triangle, of a whole group
 
     Group groupOf(std::span<const AskedTip> tips, const glm::dvec3& normal) const noexcept;
     void layPlanes(Group& group) const noexcept;
@@ -76,6 +77,8 @@ private:
     void considerChild(const PlacedPiece& placed, const Group& group, std::uint32_t number, std::uint32_t child);
     void takeChild(const Group& group, std::uint32_t number, std::uint32_t child);
     Verdict considerTriangle(const PlacedPiece& placed, const Group& group, Part part);
+    Concern concernAt(const glm::dvec3& point, const PlacedPiece& placed, const Triangle& triangle,
+                      const Group& group) const noexcept;
 
     const TriangleTree& tree_;
     RevolvedPiece piece_;
