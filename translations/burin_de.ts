@@ -3827,6 +3827,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>With a spindle that turns clockwise; conventional stretches are blue in the view. The rest cuts on both sides, or from above. Reverse turns strokes round</source>
         <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht blau. Der Rest schneidet beidseitig oder von oben. „Umkehren“ dreht Züge um</translation>
     </message>
+    <message>
+        <source>The path of %1, which is milled before, can&apos;t be made. Here its stock counts as standing; take up that tool to see why.</source>
+        <translation>Die Bahn von %1, die vorher gefräst wird, lässt sich nicht erstellen. Hier gilt ihr Rohmaterial als noch vorhanden; nehmen Sie dieses Werkzeug auf, um den Grund zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>burin::PreferencesDialog</name>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_steps.h"
+#include "ui/panels/notice.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -218,6 +219,20 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QVERIFY2(std::abs(cutOver(again, -10.0).feed / inStock - 1.0) < 0.2,
              qPrintable(QString::number(cutOver(again, -10.0).feed)));
     QVERIFY2(cutOver(again, 8.0).feed > 0.9 * air, qPrintable(QString::number(cutOver(again, 8.0).feed)));
+
+    // Nothing is left of the large tool's path: the ball has it all to do, and its panel says why.
+    RemoveArea right = left;
+    for (glm::dvec3& corner : right.outline) corner.x = 2.0 * zero.x - corner.x;
+    bench.path.addEdit({right});
+    QVERIFY(driver.waitFor([&] { return bench.path.problem() && !bench.path.busy(); }));
+    QVERIFY(useTool(driver, "ball-6"));
+    QVERIFY(levelled());
+    QVERIFY(std::abs(cutOver(*bench.path.evaluated(), 8.0).feed / inStock - 1.0) < 0.2);
+    QVERIFY(driver.step(JobStep::path));
+    QVERIFY(driver.waitFor([&] { return driver.visible("pathNotice") != nullptr; }, 3000));
+    QTRY_VERIFY(driver.visible<Notice>("pathNotice")->sentence().contains(QStringLiteral("10 mm")));
+    QVERIFY(driver.visible<Notice>("pathNotice")->kind() == Notice::Kind::warning);
+    driver.shoot("33-path-before-impossible");
 }
 
 QTEST_MAIN(TestWindowTools)

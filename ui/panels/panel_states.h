@@ -159,6 +159,7 @@ struct PathState {
     bool drawing = false;                   ///< a stroke is being drawn in the selection's stead
     std::optional<DrawnField> drawnField{}; ///< of an edit, that is being drawn
     QString problem;
+    QString missingBefore; ///< tools whose paths are milled before and can't be made
 };
 
 /// Something that can be chosen by its name.

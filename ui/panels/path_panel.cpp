@@ -141,6 +141,11 @@ void PathPanel::Fields::tell() {
         notice_->tell(Notice::Kind::information, withoutTakes());
     else if (state.exists && state.outdated)
         notice_->tell(Notice::Kind::warning, PathPanel::tr("Takes or edits changed: update the path."));
+    else if (!state.missingBefore.isEmpty())
+        notice_->tell(Notice::Kind::warning,
+                      PathPanel::tr("The path of %1, which is milled before, can't be made. Here its stock counts as "
+                                    "standing; take up that tool to see why.")
+                          .arg(state.missingBefore));
     else
         notice_->clear();
 }

@@ -36,6 +36,19 @@ std::optional<MillingSide> sideOf(const EvaluatedPath& path, const TakeStretch& 
     return side;
 }
 
+QString toolName(const Workbench& workbench, const std::string& id) {
+    const std::vector<Tool>& tools = workbench.tool.tools();
+    const auto tool = std::ranges::find(tools, id, &Tool::id);
+    return tool == tools.end() ? QString::fromStdString(id)
+                               : QCoreApplication::translate("Resource", tool->name.c_str());
+}
+
+QString toolNames(const Workbench& workbench, const std::vector<std::string>& ids) {
+    QStringList names;
+    for (const std::string& id : ids) names.append(toolName(workbench, id));
+    return names.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 QString programName(const Workbench& workbench) {
@@ -86,6 +99,7 @@ void PathPresenter::present() {
     state.busy = path.busy();
     state.waiting = path.waiting();
     if (path.problem()) state.problem = Messages::sentence(*path.problem());
+    state.missingBefore = toolNames(workbench_, path.toolsMissingBefore());
     state.selection = path.selection();
     state.drag = scene_.drag();
     state.drawing = scene_.drawing();
@@ -116,21 +130,13 @@ void ProgramPresenter::setUnit(LengthUnit unit) {
 void ProgramPresenter::showPaths(ProgramState& state) const {
     const PathController& path = workbench_.path;
     for (const StoredPath& each : path.jobPaths()) {
-        state.paths.push_back({each.id, toolName(path.toolOf(each.id)), workbench_.program.includes(each.id)});
+        state.paths.push_back(
+            {each.id, toolName(workbench_, path.toolOf(each.id)), workbench_.program.includes(each.id)});
         state.hasPath = state.hasPath || state.paths.back().included;
     }
     state.upToDate = path.stored() == nullptr || (path.evaluated() && !path.outdated());
-    QStringList without;
-    for (const std::string& tool : path.toolsWithoutPath()) without.append(toolName(tool));
     // While nothing has a path, that is said elsewhere.
-    if (!state.paths.empty()) state.withoutPath = without.join(QStringLiteral(", "));
-}
-
-QString ProgramPresenter::toolName(const std::string& id) const {
-    const std::vector<Tool>& tools = workbench_.tool.tools();
-    const auto tool = std::ranges::find(tools, id, &Tool::id);
-    return tool == tools.end() ? QString::fromStdString(id)
-                               : QCoreApplication::translate("Resource", tool->name.c_str());
+    if (!state.paths.empty()) state.withoutPath = toolNames(workbench_, path.toolsWithoutPath());
 }
 
 void ProgramPresenter::present() {

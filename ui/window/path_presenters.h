@@ -32,7 +32,6 @@ public:
 private:
     void present() override;
     void showPaths(ProgramState& state) const;
-    QString toolName(const std::string& id) const;
     ProgramPanel& panel_;
 };
 

@@ -150,13 +150,25 @@ bool JobEvaluation::isSettled(const Entry& entry, const Basis& basis) const {
     return isCurrent(entry, basis) || (entry.problem && entry.failedOn == basis);
 }
 
+/// As it stands.
+bool JobEvaluation::isImpossible(const Entry& entry) {
+    return entry.problem && entry.failedOn.revision == entry.revision;
+}
+
+std::vector<std::int64_t> JobEvaluation::missingBefore(std::int64_t path) const {
+    std::vector<std::int64_t> missing;
+    const std::size_t last = placeOf(path);
+    for (std::size_t i = 0; i < last && last < entries_.size(); ++i)
+        if (isImpossible(entries_[i])) missing.push_back(entries_[i].path.id);
+    return missing;
+}
+
 /// Paths that can't be evaluated are not milled.
 std::vector<MilledPath> JobEvaluation::milledBefore(const Entry& entry) const {
     std::vector<MilledPath> before;
     for (const Entry& each : entries_) {
         if (&each == &entry) break;
-        if (each.evaluated && !(each.problem && each.failedOn.revision == each.revision))
-            before.push_back({each.evaluated, each.tool});
+        if (each.evaluated && !isImpossible(each)) before.push_back({each.evaluated, each.tool});
     }
     return before;
 }

@@ -34,6 +34,8 @@ public:
     std::shared_ptr<const EvaluatedPath> evaluated(std::int64_t path) const;
     std::vector<std::shared_ptr<const EvaluatedPath>> allBut(std::int64_t path) const; ///< that there are, in order
     std::optional<Error> problem(std::int64_t path) const;                             ///< of the newest evaluation
+    /// What should be milled before a path and can't be evaluated: the stock is taken as if it were not there.
+    std::vector<std::int64_t> missingBefore(std::int64_t path) const;
     /// What is evaluated is as the path, and all before it, are now.
     bool isCurrent(std::int64_t path) const;
     /// It, or what it comes after, is being evaluated.
@@ -73,6 +75,7 @@ private:
     std::size_t placeOf(std::int64_t path) const; ///< the number of entries: none
     const Entry* find(std::int64_t path) const;
     Entry* find(std::int64_t path);
+    static bool isImpossible(const Entry& entry);
     bool isCurrent(const Entry& entry, const Basis& basis) const;
     bool isSettled(const Entry& entry, const Basis& basis) const;
     bool isSettledUpTo(std::int64_t path) const;

@@ -137,6 +137,12 @@ std::vector<std::shared_ptr<const EvaluatedPath>> PathController::others() const
     return evaluation_.allBut(inForce());
 }
 
+std::vector<std::string> PathController::toolsMissingBefore() const {
+    std::vector<std::string> tools;
+    for (const std::int64_t path : evaluation_.missingBefore(inForce())) tools.push_back(toolOf(path));
+    return tools;
+}
+
 const StoredPath* PathController::stored() const {
     const auto found =
         std::ranges::find_if(paths_, [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == tool_; });

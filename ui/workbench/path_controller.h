@@ -38,6 +38,9 @@ public:
     bool waiting() const { return stored() != nullptr && !evaluated() && bench_.embedding(); }
     /// Of any of the job's paths, as it is now and behind those that it comes after; null: still to be done.
     std::shared_ptr<const EvaluatedPath> current(std::int64_t path) const;
+    /// Tools whose paths come before that of the tool in force and can't be evaluated, by id: it counts them as not
+    /// milled.
+    std::vector<std::string> toolsMissingBefore() const;
     /// The newest evaluations of the other tools' paths, in the order in which they are milled.
     std::vector<std::shared_ptr<const EvaluatedPath>> others() const;
     /// Counts changes of edits, takes and what stands around, of any path: what was posted before is out of date.
