@@ -163,6 +163,29 @@ private slots:
         QVERIFY(refuses({}));
     }
 
+    /// While a button's work runs, and after it, the keyboard stays where the user left it: the next key must not
+    /// change the machine.
+    void theKeyboardStaysAtTheButtonThatWorks() {
+        ProgramPanel panel;
+        ProgramState idle = examples::program(), working = idle;
+        working.busy = true;
+        panel.setState(idle);
+        show(panel);
+        auto& post = child<QPushButton>(panel, "postButton");
+        post.setFocus();
+        panel.setState(working);
+        QVERIFY(!post.isEnabled());
+        QVERIFY(panel.window()->focusWidget() == nullptr || !panel.window()->focusWidget()->inherits("QComboBox"));
+        panel.setState(idle);
+        QCOMPARE(panel.window()->focusWidget(), static_cast<QWidget*>(&post));
+        // Where the user went on meanwhile, it stays.
+        panel.setState(working);
+        auto& tolerance = child<QWidget>(panel, "gougeToleranceField");
+        tolerance.setFocus();
+        panel.setState(idle);
+        QCOMPARE(panel.window()->focusWidget(), &tolerance);
+    }
+
     /// Warnings stand in the list and lead to their lines; the program passes all the same.
     void nearPassesWarnAndLetThrough() {
         ProgramPanel panel;

@@ -11,6 +11,7 @@ namespace burin {
 namespace {
 
 constexpr int iconSize = 18;
+constexpr char waitsForFocus[] = "waitsForFocus"; // property: it had the focus when it was disabled
 
 } // namespace
 
@@ -59,7 +60,18 @@ void showIcon(QAbstractButton* button, const QString& name, ColourRole role) {
 }
 
 void enableUnless(QWidget* button, const QString& reason, const QString& toolTip) {
-    button->setEnabled(reason.isEmpty());
+    const bool enabled = reason.isEmpty();
+    // Qt would hand the focus on to what comes next, where a key or the wheel may change a choice.
+    QWidget* const place = button->parentWidget();
+    if (!enabled && place != nullptr && button->window()->focusWidget() == button) {
+        place->setFocus(Qt::OtherFocusReason);
+        button->setProperty(waitsForFocus, true);
+    }
+    button->setEnabled(enabled);
+    if (enabled && button->property(waitsForFocus).toBool()) {
+        button->setProperty(waitsForFocus, {});
+        if (button->isVisible() && button->window()->focusWidget() == place) button->setFocus(Qt::OtherFocusReason);
+    }
     button->setToolTip(reason.isEmpty() ? toolTip : reason);
 }
 

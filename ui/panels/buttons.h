@@ -21,7 +21,8 @@ QPushButton* makeChoiceButton(const QString& text, const QString& toolTip, const
 /// near-black on the dark theme's light colours, white on the light theme's dark ones.
 void showIcon(QAbstractButton* button, const QString& name, ColourRole role = &Palette::text);
 
-/// Enabled without a reason against it; else the reason becomes its tooltip.
+/// Enabled without a reason against it; else the reason becomes its tooltip. What had the focus has it again when it is
+/// enabled, unless the user took it elsewhere.
 void enableUnless(QWidget* button, const QString& reason, const QString& toolTip);
 
 } // namespace burin
