@@ -23,8 +23,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     target_compile_options(burin_warnings INTERFACE -Werror -Wno-restrict)
 endif()
 
-# For targets that wait for files, windows and what they link: where optimising takes half of the compiler's time and
-# saves nothing when they run.
+# For tests: optimising one takes half of the compiler's time, and those that compute most run as long without it. Never
+# for what is shipped: of an inline function the linker keeps the program's copy, in the core's stead.
 add_library(burin_light_build INTERFACE)
 target_compile_options(burin_light_build INTERFACE $<$<CONFIG:Release>:-O1>)
 check_linker_flag(CXX -fuse-ld=gold BURIN_HAS_GOLD) # three times as fast as the linker that is there always

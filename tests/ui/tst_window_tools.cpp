@@ -233,6 +233,9 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QTRY_VERIFY(driver.visible<Notice>("pathNotice")->sentence().contains(QStringLiteral("10 mm")));
     QVERIFY(driver.visible<Notice>("pathNotice")->kind() == Notice::Kind::warning);
     driver.shoot("33-path-before-impossible");
+    QCOMPARE(bench.path.toolsMissingBefore(), std::vector<std::string>{"flat-10"});
+    QVERIFY(useTool(driver, "ball-10")); // without a path, nothing is missing before it
+    QVERIFY(bench.path.stored() == nullptr && bench.path.toolsMissingBefore().empty());
 }
 
 QTEST_MAIN(TestWindowTools)

@@ -157,8 +157,8 @@ bool JobEvaluation::isImpossible(const Entry& entry) {
 
 std::vector<std::int64_t> JobEvaluation::missingBefore(std::int64_t path) const {
     std::vector<std::int64_t> missing;
-    const std::size_t last = placeOf(path);
-    for (std::size_t i = 0; i < last && last < entries_.size(); ++i)
+    if (find(path) == nullptr) return missing;
+    for (std::size_t i = 0; i < placeOf(path); ++i)
         if (isImpossible(entries_[i])) missing.push_back(entries_[i].path.id);
     return missing;
 }
