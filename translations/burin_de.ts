@@ -4228,6 +4228,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>conventional</source>
         <translation>Gegenlauf</translation>
     </message>
+    <message>
+        <source>Draw it in the view; Esc gives it up</source>
+        <translation>Zeichnen Sie ihn in der Ansicht; Esc gibt auf</translation>
+    </message>
 </context>
 <context>
     <name>burin::SetupController</name>

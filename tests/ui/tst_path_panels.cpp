@@ -186,6 +186,65 @@ private slots:
         QCOMPARE(panel.window()->focusWidget(), &tolerance);
     }
 
+    /// An edit that is moved or changed is evaluated, its card disabled or made anew: the keyboard stays with it.
+    void theKeyboardStaysWithTheEditThatIsChanged() {
+        PathPanel panel;
+        const PathState idle = examples::path();
+        panel.setState(idle);
+        show(panel);
+        const auto focused = [&panel] {
+            const QWidget* focus = panel.window()->focusWidget();
+            return focus != nullptr ? focus->objectName() : QString();
+        };
+        PathState working = idle;
+        working.busy = true;
+        child<QWidget>(panel, "edit2_tolerance_mm").setFocus();
+        panel.setState(working);
+        QVERIFY(!child<QWidget>(panel, "edit2_tolerance_mm").isEnabled());
+        QCOMPARE(focused(), QString());
+        panel.setState(idle);
+        QCOMPARE(focused(), QStringLiteral("edit2_tolerance_mm"));
+
+        connect(&panel, &PathPanel::editMoved, this, [&](std::size_t from, std::size_t to) {
+            std::swap(working.path.edits[from], working.path.edits[to]);
+            panel.setState(working);
+        });
+        const auto finish = [&] {
+            PathState done = working;
+            done.busy = false;
+            panel.setState(done);
+        };
+        child<QWidget>(panel, "edit2Earlier").setFocus();
+        QTest::keyClick(panel.window()->focusWidget(), Qt::Key_Space);
+        finish();
+        QCOMPARE(focused(), QStringLiteral("edit1Earlier"));
+        QTest::keyClick(panel.window()->focusWidget(), Qt::Key_Space);
+        finish();
+        QCOMPARE(idOf(working.path.edits[0].parameters), idOf(idle.path.edits[2].parameters));
+        QCOMPARE(focused(), QString()); // it can go no further; the next Space must not switch it off
+        panel.setState(idle);
+        // Where the user went on meanwhile, it stays.
+        child<QWidget>(panel, "edit2_tolerance_mm").setFocus();
+        panel.setState(working);
+        child<QWidget>(panel, "pathVisibleButton").setFocus();
+        finish();
+        QCOMPARE(focused(), QStringLiteral("pathVisibleButton"));
+    }
+
+    /// The list of marks that comes above the text while one types makes it smaller, and the typed line stays in sight.
+    void theLineThatIsWrittenStaysInSight() {
+        ProgramView view;
+        view.showProgram(QStringLiteral("G1 X1\n").repeated(200));
+        view.setEditable(true);
+        show(view);
+        view.resize(300, 600);
+        QTextCursor cursor = view.textCursor();
+        cursor.movePosition(QTextCursor::NextBlock, QTextCursor::MoveAnchor, 100);
+        view.setTextCursor(cursor);
+        view.resize(300, 200);
+        QVERIFY(view.viewport()->rect().contains(view.cursorRect()));
+    }
+
     /// Warnings stand in the list and lead to their lines; the program passes all the same.
     void nearPassesWarnAndLetThrough() {
         ProgramPanel panel;

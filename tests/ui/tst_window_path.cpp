@@ -38,6 +38,26 @@ const PathPoint& pointNear(const Workbench& bench, const glm::dvec2& place) {
     });
 }
 
+/// mm on which a tool cuts.
+double cuttingLength(const Workbench& bench) {
+    const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (points[i].kind == MoveKind::cut) length += glm::distance(points[i - 1].tip, points[i].tip);
+    return length;
+}
+
+/// With the left button, from corner to corner.
+void drawAlong(WindowDriver& driver, Viewport& viewport, const std::vector<glm::dvec3>& corners, const char* picture) {
+    QTest::mousePress(&viewport, Qt::LeftButton, {}, viewport.project(corners.front()).toPoint());
+    for (std::size_t side = 1; side < corners.size(); ++side)
+        for (int i = 1; i <= 20; ++i)
+            QTest::mouseMove(&viewport,
+                             viewport.project(glm::mix(corners[side - 1], corners[side], i / 20.0)).toPoint(), 5);
+    driver.shoot(picture);
+    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, viewport.project(corners.back()).toPoint());
+}
+
 std::vector<std::string> editsOf(const Workbench& bench) {
     std::vector<std::string> ids;
     for (const Edit& edit : bench.path.stored()->edits) ids.emplace_back(idOf(edit.parameters));
@@ -101,26 +121,39 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY(evaluatedAgain(driver));
     QVERIFY(std::abs(pointNear(bench, {0.0, 0.0}).tip.y - middle.tip.y) < 0.05);
 
+    const double straight = cuttingLength(bench);
+
     // A stretch is chosen by two clicks and replaced by a stroke that goes round it.
     const PathPoint from = pointNear(bench, {-6.0, 0.0}), to = pointNear(bench, {6.0, 0.0});
     QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.tip).toPoint());
     QVERIFY(bench.path.selection() && bench.path.selection()->first == bench.path.selection()->last);
+    QVERIFY(driver.settle());
+    driver.shoot("25-chosen-place");
+    const QPoint dot = viewport->mapTo(&driver.window(), viewport->project(from.tip).toPoint());
+    QVERIFY(driver.window().grab().toImage().pixelColor(dot).blue() > 180); // the line is orange
     QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.tip).toPoint());
     QVERIFY(bench.path.selection()->last > bench.path.selection()->first + 20);
     QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
     QVERIFY(driver.clickOn("drawStretchButton"));
-    const glm::dvec3 corners[] = {from.tip, from.tip + glm::dvec3(0.0, 5.0, 0.0), to.tip + glm::dvec3(0.0, 5.0, 0.0),
-                                  to.tip};
-    QTest::mousePress(viewport, Qt::LeftButton, {}, viewport->project(corners[0]).toPoint());
-    for (int side = 0; side < 3; ++side)
-        for (int i = 1; i <= 20; ++i)
-            QTest::mouseMove(viewport,
-                             viewport->project(glm::mix(corners[side], corners[side + 1], i / 20.0)).toPoint(), 5);
-    driver.shoot("25-drawing");
-    QTest::mouseRelease(viewport, Qt::LeftButton, {}, viewport->project(corners[3]).toPoint());
-    QVERIFY(
-        driver.waitFor([&] { return placeOf(bench, "replace-stretch") < bench.path.stored()->edits.size(); }, 3000));
+    std::vector<glm::dvec3> corners{from.tip, from.tip + glm::dvec3(0.0, 5.0, 0.0), to.tip + glm::dvec3(0.0, 5.0, 0.0),
+                                    to.tip};
+    const auto replaced = [&] { return placeOf(bench, "replace-stretch") < bench.path.stored()->edits.size(); };
+    drawAlong(driver, *viewport, corners, "25-drawing");
+    QVERIFY(driver.waitFor(replaced, 3000));
     QVERIFY(evaluatedAgain(driver));
+    const double length = cuttingLength(bench);
+    QVERIFY2(std::abs(length - straight - 10.0) < 1.0, qPrintable(QString::number(length - straight)));
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(driver.waitFor([&] { return !replaced(); }, 3000));
+    QVERIFY(evaluatedAgain(driver));
+    // Drawn against the way of the hand it goes no way twice.
+    QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
+    QVERIFY(driver.clickOn("drawStretchButton"));
+    std::ranges::reverse(corners);
+    drawAlong(driver, *viewport, corners, "25-drawing-back");
+    QVERIFY(driver.waitFor(replaced, 3000));
+    QVERIFY(evaluatedAgain(driver));
+    QVERIFY2(std::abs(cuttingLength(bench) - length) < 1.0, qPrintable(QString::number(cuttingLength(bench) - length)));
     const glm::dvec3 along = glm::mix(corners[1], corners[2], 0.5);
     const PathPoint& drawn = pointNear(bench, glm::dvec2(along) - zero);
     QVERIFY2(std::abs(drawn.tip.y - along.y) < 0.3, qPrintable(QString::number(drawn.tip.y - along.y)));

@@ -81,6 +81,7 @@ QString stretchText(const TakeStretch& stretch) {
     if (stretch.take == 0) return EditParameterTexts::tr("everything");
     if (stretch.last == TakeStretch{}.last)
         return EditParameterTexts::tr("take %1 from tick %2").arg(stretch.take).arg(stretch.first);
+    if (stretch.last == stretch.first) return valueText(Moment{stretch.take, stretch.first});
     return EditParameterTexts::tr("take %1, ticks %2 to %3").arg(stretch.take).arg(stretch.first).arg(stretch.last);
 }
 

@@ -4,6 +4,7 @@
 
 #include "ui/messages/messages.h"
 #include "ui/panels/buttons.h"
+#include "ui/panels/card_keyboard.h"
 #include "ui/panels/edit_card.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
@@ -47,11 +48,16 @@ private:
     ValueRow *takes_, *points_, *length_, *sides_, *budget_;
     QVBoxLayout* list_;
     std::vector<EditCard*> cards_;
+    CardKeyboard keyboard_;
 };
 
-PathPanel::Fields::Fields(PathPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
+PathPanel::Fields::Fields(PathPanel* panel)
+    : QObject(panel)
+    , panel_(panel)
+    , column_(makePanelLayout(panel))
+    , content_(new QWidget(panel))
+    , keyboard_(content_, QStringLiteral("edit")) {
     addHead();
-    content_ = new QWidget(panel);
     auto* inner = new QVBoxLayout(content_);
     inner->setContentsMargins(0, 0, 0, 0);
     inner->setSpacing(8);
@@ -184,8 +190,11 @@ void PathPanel::Fields::makeCard(std::size_t place) {
         if (place < state.path.edits.size()) state.path.edits[place] = edit;
         emit panel_->editChanged(place, edit);
     });
-    connect(card, &EditCard::moveRequested, this,
-            [this, place](int by) { emit panel_->editMoved(place, by < 0 ? place - 1 : place + 1); });
+    connect(card, &EditCard::moveRequested, this, [this, place](int by) {
+        const std::size_t to = by < 0 ? place - 1 : place + 1;
+        keyboard_.follow(place, to);
+        emit panel_->editMoved(place, to);
+    });
     connect(card, &EditCard::removalRequested, this, [this, place] { emit panel_->editRemoved(place); });
     connect(card, &EditCard::drawingWanted, this, [this, place](const QString& key, bool wanted) {
         emit panel_->fieldDrawingWanted({place, key.toStdString()}, wanted);
@@ -208,6 +217,7 @@ QMenu* PathPanel::Fields::editMenu() {
 }
 
 void PathPanel::Fields::refreshEdits() {
+    if (!cardsFit() || state.busy) keyboard_.take(cards_);
     if (!cardsFit()) makeCards();
     std::size_t next = 0;
     for (std::size_t i = 0; i < cards_.size(); ++i) {
@@ -222,6 +232,7 @@ void PathPanel::Fields::refreshEdits() {
         cards_[i]->setDrawing(drawn ? std::string_view(state.drawnField->key) : std::string_view());
         cards_[i]->setEnabled(!state.busy);
     }
+    keyboard_.give(cards_);
 }
 
 void PathPanel::Fields::refresh() {

@@ -201,6 +201,7 @@ void ProgramView::placeMargin() {
 void ProgramView::resizeEvent(QResizeEvent* event) {
     QPlainTextEdit::resizeEvent(event);
     placeMargin();
+    if (!isReadOnly()) ensureCursorVisible(); // whoever writes sees what is written, whatever comes above the text
 }
 
 void ProgramView::changeEvent(QEvent* event) {

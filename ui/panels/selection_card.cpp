@@ -48,6 +48,7 @@ void SelectionCard::setState(const PathState& state) {
         state.selection ? tr("Chosen: %1").arg(stretchText(*state.selection)) : tr("Nothing of the path is chosen");
     if (state.selectedSide == MillingSide::climb) chosen += QStringLiteral(" · ") + tr("climb");
     if (state.selectedSide == MillingSide::conventional) chosen += QStringLiteral(" · ") + tr("conventional");
+    if (state.drawing) chosen = tr("Draw it in the view; Esc gives it up");
     chosen_->setText(chosen);
     clear_->setEnabled(state.selection.has_value());
     drag_->setCurrentIndex(static_cast<int>(state.drag));

@@ -2,10 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/marked_lines.h"
 
+#include <vtkCellArray.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 
 namespace burin {
+
+namespace {
+
+constexpr double dotWidth = 3.0; // widths of a line
+
+void addDots(vtkPolyData& data, const std::vector<glm::dvec3>& dots) {
+    vtkNew<vtkCellArray> cells;
+    for (const glm::dvec3& dot : dots) {
+        const vtkIdType point = data.GetPoints()->InsertNextPoint(dot.x, dot.y, dot.z);
+        cells->InsertNextCell(1, &point);
+    }
+    data.SetVerts(cells);
+}
+
+} // namespace
 
 MarkedLines::MarkedLines(vtkRenderer& renderer) : actor_(lineActor(vtkNew<vtkPolyData>())) {
     actor_->VisibilityOff();
@@ -13,12 +31,22 @@ MarkedLines::MarkedLines(vtkRenderer& renderer) : actor_(lineActor(vtkNew<vtkPol
     renderer.AddActor(actor_);
 }
 
+void MarkedLines::setLineWidth(double screenPixels) {
+    burin::setLineWidth(*actor_, screenPixels);
+    actor_->GetProperty()->SetPointSize(static_cast<float>(dotWidth * screenPixels));
+}
+
 void MarkedLines::set(const PlaceChains& chains) {
     std::vector<LineEnds> lines;
-    for (const std::vector<glm::dvec3>& chain : chains)
+    std::vector<glm::dvec3> dots;
+    for (const std::vector<glm::dvec3>& chain : chains) {
+        if (chain.size() == 1) dots.push_back(chain.front());
         for (std::size_t i = 1; i < chain.size(); ++i) lines.emplace_back(chain[i - 1], chain[i]);
-    vtkPolyDataMapper::SafeDownCast(actor_->GetMapper())->SetInputData(lineData(lines));
-    actor_->SetVisibility(!lines.empty());
+    }
+    const vtkSmartPointer<vtkPolyData> data = lineData(lines);
+    addDots(*data, dots);
+    vtkPolyDataMapper::SafeDownCast(actor_->GetMapper())->SetInputData(data);
+    actor_->SetVisibility(!lines.empty() || !dots.empty());
 }
 
 } // namespace burin

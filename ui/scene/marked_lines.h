@@ -11,12 +11,12 @@
 
 namespace burin {
 
-/// Lines over everything else: what is chosen or looked at, what the user draws.
+/// Lines over everything else: what is chosen or looked at, what the user draws. A chain of one place is a dot.
 class MarkedLines {
 public:
     explicit MarkedLines(vtkRenderer& renderer);
     void setColour(const QColor& colour) { burin::setColour(*actor_, colour); }
-    void setLineWidth(double screenPixels) { burin::setLineWidth(*actor_, screenPixels); }
+    void setLineWidth(double screenPixels);
     void set(const PlaceChains& chains);
     bool visible() const { return actor_->GetVisibility() != 0; }
 

@@ -226,12 +226,31 @@ void PathScenePresenter::finishDrawing(const std::vector<glm::dvec3>& places) {
     if (lost) return;
     const StoredPath* path = workbench_.path.stored();
     if (!field) {
-        workbench_.path.replaceSelection(places);
+        workbench_.path.replaceSelection(asTheHandWent(places));
     } else if (path != nullptr && field->edit < path->edits.size()) {
         Edit edit = path->edits[field->edit];
         setDrawn(edit.parameters, field->key, places);
         workbench_.path.changeEdit(field->edit, edit);
     }
+}
+
+/// The other way round where the drawing's ends lie better so on those of what is chosen: who draws from right to left
+/// what the hand milled from left to right means no way there and back.
+std::vector<glm::dvec3> PathScenePresenter::asTheHandWent(std::vector<glm::dvec3> places) const {
+    const auto& selection = workbench_.path.selection();
+    const PathPoint *first = nullptr, *last = nullptr;
+    for (std::size_t i = 0; path_ && selection && i < path_->path.points.size(); ++i) {
+        const PathPoint& point = path_->path.points[i];
+        if (!isOfTheHand(point) || !selection->contains(momentOf(i))) continue;
+        if (first == nullptr || point.sample < first->sample) first = &point;
+        if (last == nullptr || point.sample > last->sample) last = &point;
+    }
+    if (first == nullptr || places.empty()) return places;
+    const auto apart = [&](const glm::dvec3& begin, const glm::dvec3& end) {
+        return glm::distance(begin, first->tip) + glm::distance(end, last->tip);
+    };
+    if (apart(places.back(), places.front()) < apart(places.front(), places.back())) std::ranges::reverse(places);
+    return places;
 }
 
 bool PathScenePresenter::drawsArea() const {

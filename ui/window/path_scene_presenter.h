@@ -40,6 +40,7 @@ private:
     void startDrawing(std::optional<double> height);
     void showDrawing(const std::vector<glm::dvec3>& places);
     void showOutlines();
+    std::vector<glm::dvec3> asTheHandWent(std::vector<glm::dvec3> places) const;
     bool drawsArea() const;
     std::vector<glm::dvec3> outlineOf(const Mirror& mirror) const;
     bool stillMeant() const;

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/card_keyboard.h"
+
+#include <algorithm>
+
+namespace burin {
+
+void CardKeyboard::takeFrom(const std::vector<QWidget*>& cards) {
+    QWidget* const focus = list_->window()->focusWidget();
+    for (std::size_t i = 0; focus != nullptr && i < cards.size(); ++i) {
+        const QString name = prefix_ + QString::number(i);
+        if (!cards[i]->isAncestorOf(focus) || !focus->objectName().startsWith(name)) continue;
+        place_ = Place{moved_ && moved_->from == i ? moved_->to : i, focus->objectName().mid(name.size())};
+        list_->setFocus(Qt::OtherFocusReason);
+    }
+    moved_.reset();
+}
+
+void CardKeyboard::giveTo(const std::vector<QWidget*>& cards) {
+    if (!place_) return;
+    if (list_->window()->focusWidget() != list_) { // the user went on
+        place_.reset();
+        return;
+    }
+    if (cards.empty()) return;
+    const std::size_t place = std::min(place_->card, cards.size() - 1);
+    if (!cards[place]->isEnabled()) return;
+    auto* target = cards[place]->findChild<QWidget*>(prefix_ + QString::number(place) + place_->part);
+    // What can go no further: the next key must not do something else.
+    if (target == nullptr || !target->isEnabled()) target = cards[place];
+    target->setFocus(Qt::OtherFocusReason);
+    place_.reset();
+}
+
+} // namespace burin
