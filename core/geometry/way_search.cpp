@@ -84,9 +84,18 @@ private:
     float distance_, slack_ = 0.0F;
 };
 
+/// Whether a whole way keeps so far from a triangle's plane, on one side of it.
+bool keepsFromPlane(const Triangle& triangle, const glm::dvec3& from, const glm::dvec3& to, double distance) noexcept {
+    const glm::dvec3 normal = areaNormal(triangle);
+    const double start = glm::dot(normal, from - triangle[0]), end = glm::dot(normal, to - triangle[0]);
+    const double nearer = start > 0.0 ? std::min(start, end) : -std::max(start, end);
+    return nearer > 0.0 && nearer * nearer >= distance * distance * glm::dot(normal, normal);
+}
+
 /// The distance of a triangle from a straight way is convex along it: the least one, or some that is not below
 /// `cutoff`.
 double distanceOfWay(const Triangle& triangle, const glm::dvec3& from, const glm::dvec3& to, double cutoff) noexcept {
+    if (keepsFromPlane(triangle, from, to, cutoff)) return cutoff; // most do, and it is quickly told
     const glm::dvec3 way = to - from;
     const auto at = [&](double share) noexcept -> LineValue {
         const glm::dvec3 place = from + share * way;
