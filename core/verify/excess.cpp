@@ -55,47 +55,42 @@ bool facesACutter(const glm::dvec3& normal) noexcept {
     return normal.z >= -1e-6;
 }
 
-/// Stock over every place, bare ones judged. @return the others that a tool may reach
-std::vector<Covered> measureStock(const RunVolume& workpiece, const SurfacePlaces& places,
-                                  std::vector<DeviationSample>& samples, const Progress& progress) {
-    constexpr std::size_t length = 4096;
-    const LeftOver left(workpiece);
-    std::vector<std::vector<Covered>> batches((places.count() + length - 1) / length);
-    parallelFor(std::size_t{0}, batches.size(), [&](std::size_t batch) {
-        if (progress.cancelled()) return;
-        const std::size_t first = batch * length, end = std::min(first + length, places.count());
-        places.forEach(first, end, [&](std::size_t i, const glm::dvec3& place, const glm::dvec3& normal) {
-            const double excess = left.along(place, normal, longestExcess);
-            const bool faces = facesACutter(normal);
-            // What is bare and faces a cutter from above needs no proof that one gets there.
-            samples[i] = {place, excess, 0.0, faces && excess == 0.0};
-            if (faces && excess > 0.0) batches[batch].push_back({i, normal});
-        });
-    });
+/// Places that are worked on together, from stock to reach, while other cores have others: few enough to stay near the
+/// core, and enough that their tips lie close together in large groups.
+std::size_t batchLength(std::size_t places) noexcept {
+    return std::clamp<std::size_t>(places / 16, 8192, 65536);
+}
+
+/// Stock over places `first` … `end` - 1, bare ones judged. @return the others that a tool may reach
+std::vector<Covered> measureStock(const LeftOver& left, const SurfacePlaces& places, std::size_t first, std::size_t end,
+                                  std::span<DeviationSample> samples) {
     std::vector<Covered> covered;
-    for (const std::vector<Covered>& batch : batches) covered.insert(covered.end(), batch.begin(), batch.end());
+    places.forEach(first, end, [&](std::size_t i, const glm::dvec3& place, const glm::dvec3& normal) {
+        const double excess = left.along(place, normal, longestExcess);
+        const bool faces = facesACutter(normal);
+        // What is bare and faces a cutter from above needs no proof that one gets there.
+        samples[i] = {place, excess, 0.0, faces && excess == 0.0};
+        if (faces && excess > 0.0) covered.push_back({i, normal});
+    });
     return covered;
 }
 
 /// Marks what a tool reaches of the places; keeps the rest.
 void markReached(const VerifyRequest& request, const TouchingTool& tool, double lowest, std::vector<Covered>& covered,
-                 std::vector<DeviationSample>& samples, const Progress& progress) {
-    std::vector<glm::dvec3> tips(covered.size());
-    parallelStretches(std::size_t{0}, covered.size(), 4096, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i != to; ++i)
-            tips[i] = touchingTip(tool.flutes, samples[covered[i].sample].place, covered[i].normal);
-    });
+                 std::span<DeviationSample> samples, const Progress& progress) {
+    std::vector<glm::dvec3> tips;
     std::vector<std::size_t> asked;
-    for (std::size_t i = 0; i < covered.size(); ++i) {
-        if (tips[i].z < lowest - 1e-6) continue;
-        tips[asked.size()] = tips[i];
-        asked.push_back(i);
+    tips.reserve(covered.size());
+    asked.reserve(covered.size());
+    for (const Covered& place : covered) {
+        const glm::dvec3 tip = touchingTip(tool.flutes, samples[place.sample].place, place.normal);
+        if (tip.z < lowest - 1e-6) continue;
+        tips.push_back(tip);
+        asked.push_back(place.sample);
     }
-    tips.resize(asked.size());
     const std::vector<std::uint8_t> entered =
         request.part->entered(tool.stack, {0.0, 0.0, 1.0}, tips, reachableDepth, progress);
-    for (std::size_t i = 0; i < asked.size(); ++i)
-        if (entered[i] == 0) samples[covered[asked[i]].sample].reachable = true;
+    for (std::size_t i = 0; i < asked.size(); ++i) samples[asked[i]].reachable = entered[i] == 0;
     std::erase_if(covered, [&](const Covered& place) { return samples[place.sample].reachable; });
 }
 
@@ -106,9 +101,16 @@ Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, c
     SurfacePlaces places(workpiece.grid().edge());
     for (const Body& body : request.model->bodies) places.add(body.mesh);
     std::vector<DeviationSample> samples(places.count());
-    std::vector<Covered> covered = measureStock(workpiece, places, samples, progress);
     const double lowest = request.model->box().low.z;
-    for (const Tool& tool : tools) markReached(request, TouchingTool(tool), lowest, covered, samples, progress);
+    const std::vector<TouchingTool> touching(tools.begin(), tools.end());
+    const LeftOver left(workpiece);
+    const std::size_t length = batchLength(places.count());
+    parallelFor(std::size_t{0}, (places.count() + length - 1) / length, [&](std::size_t batch) {
+        if (progress.cancelled()) return;
+        const std::size_t first = batch * length, end = std::min(first + length, places.count());
+        std::vector<Covered> covered = measureStock(left, places, first, end, samples);
+        for (const TouchingTool& tool : touching) markReached(request, tool, lowest, covered, samples, progress);
+    });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
     return samples;
 }
