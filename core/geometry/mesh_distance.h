@@ -70,7 +70,7 @@ public:
     /// As `closest`, among the triangles that were named, at least one. No allocation. Cost: some 15 ns a triangle.
     ClosestPoint closestOf(std::span<const std::uint32_t> numbers, const glm::dvec3& point) const noexcept;
 
-    /// Clearance of a tool, given as stacked pieces, at a pose with any axis.
+    /// Clearance of a tool, given as pieces of which each stands on the one before, at a pose with any axis.
     /// Apart or touching: the distance between tool and mesh. Otherwise minus the greater of two depths: of the mesh's
     /// deepest point in a piece, and in the solid of the deepest of the axis' points (ends of the pieces, centres of
     /// their roundings). So it changes no faster than the tool moves. Exact to 1e-6 mm for every piece.

@@ -57,8 +57,12 @@ std::optional<PieceMinimum> minimumOverTriangle(const PlacedPiece& piece, const 
 inline PlacedPiece::Value PlacedPiece::at(const glm::dvec3& point) const noexcept {
     const glm::dvec3 q = point - pose_.tip;
     const double height = glm::dot(q, pose_.axis);
-    const glm::dvec3 across = q - height * pose_.axis;
-    const double radius = glm::length(across);
+    glm::dvec3 across = q - height * pose_.axis;
+    double radius = glm::length(across);
+    if (radius < 1e-4) { // mm; much of so short a way may be rounding that lies along the axis
+        across -= glm::dot(across, pose_.axis) * pose_.axis;
+        radius = glm::length(across);
+    }
     const PieceDistance d = signedDistanceAndSlope(piece_, radius, height);
     glm::dvec3 gradient = d.alongHeight * pose_.axis;
     if (radius > 0.0) gradient += (d.alongRadius / radius) * across;

@@ -26,7 +26,8 @@ glm::dvec3 farthestPoint(const RevolvedPiece& piece, const ToolPose& pose, const
     const glm::dvec3 across = direction - axial * pose.axis;
     const double radial = glm::length(across);
     const ProfilePoint ring = farthestIn(piece, radial, axial);
-    const glm::dvec3 outwards = radial > 0.0 ? across / radial : glm::dvec3(0.0);
+    // Less than that is rounding, and may lie along the axis.
+    const glm::dvec3 outwards = radial > 1e-9 ? across / radial : glm::dvec3(0.0);
     return pose.tip + ring.height * pose.axis + ring.radius * outwards;
 }
 

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 /// Random numbers, points and tools for properties. A thousand steps a unit, so that shrinking ends soon.
 namespace burin::random {
@@ -47,6 +48,17 @@ inline RevolvedPiece piece() {
     default:
         return {bottom, bottom + length, radius, number(0.0, 5.0), 0.0};
     }
+}
+
+/// Two pieces, the second standing on the first.
+inline std::vector<RevolvedPiece> stack() {
+    const RevolvedPiece lower = piece();
+    RevolvedPiece upper = piece();
+    const double lift = lower.top - upper.bottom;
+    upper.bottom = lower.top;
+    upper.top += lift;
+    upper.bulgeCentreHeight += lift;
+    return {lower, upper};
 }
 
 } // namespace burin::random

@@ -77,6 +77,7 @@ class ToolClearanceTest : public QObject {
 private slots:
     void triangleAgainstThirds();
     void triangleAgainstSampling();
+    void tangentsStayBelow();
     void meshAgainstAllTriangles();
     void ballOverSphere();
     void aboveAndInABlock();
@@ -121,6 +122,23 @@ void ToolClearanceTest::triangleAgainstSampling() {
         RC_ASSERT(found.has_value());
         RC_ASSERT(found->distance <= sampled + 1e-8);
         RC_ASSERT(found->distance >= sampled - 21.0 / 60.0);
+    }));
+}
+
+void ToolClearanceTest::tangentsStayBelow() {
+    QVERIFY(rc::check("no tangent is above the signed distance, on the axis as elsewhere", [] {
+        const RevolvedPiece piece = random::piece();
+        const ToolPose pose{random::point(30.0), random::direction()};
+        const double beside = *rc::gen::element(0.0, 0.0, 1e-15, 1e-12, 1e-6, 1.0);
+        const double length = piece.top - piece.bottom;
+        for (int i = 0; i < 20; ++i) {
+            const double height = piece.bottom + random::number(-0.5, 1.5) * length;
+            const glm::dvec3 at = pose.tip + height * pose.axis + beside * random::point(3.0);
+            const PlacedPiece::Value tangent = PlacedPiece(piece, pose).at(at);
+            const glm::dvec3 other = at + random::point(10.0);
+            const double below = tangent.distance + glm::dot(tangent.gradient, other - at);
+            RC_ASSERT(pieceDistance(piece, pose, other) > below - 1e-6);
+        }
     }));
 }
 
@@ -260,9 +278,8 @@ void ToolClearanceTest::askingOneAfterTheOtherIsTheSame() {
     for (const TriangleMesh& mesh : meshes) {
         const MeshDistance distance(mesh);
         QVERIFY(rc::check("a walk with jumps", [&] {
-            const std::vector<RevolvedPiece> tool = *rc::gen::inRange(0, 2) == 0
-                                                        ? wholeTool(ball(3.0))
-                                                        : std::vector<RevolvedPiece>{random::piece(), random::piece()};
+            const std::vector<RevolvedPiece> tool =
+                *rc::gen::inRange(0, 2) == 0 ? wholeTool(ball(3.0)) : random::stack();
             glm::dvec3 axis = random::direction();
             const bool turns = *rc::gen::arbitrary<bool>();
             ClearanceAsker asker(distance, tool, axis);
