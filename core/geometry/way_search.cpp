@@ -14,6 +14,9 @@ namespace burin {
 
 namespace {
 
+/// Nearest place of a way and nearest point of a triangle, found in turn, come together slowly where both are level.
+constexpr int mostTurns = 12;
+
 /// Lower bounds of the distance from a straight way to boxes and plates: by its tangent at the middle of each box.
 class NearWay {
 public:
@@ -245,7 +248,7 @@ bool keepsFromTriangle(const MovingPiece& piece, const Triangle& triangle, doubl
     glm::dvec3 point = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
     if (isShown(point, piece.tangentAt(point))) return true;
     double share = piece.nearestShare(point);
-    for (int turn = 0; turn < 3; ++turn) {
+    for (int turn = 0; turn < mostTurns; ++turn) {
         const std::optional<PieceMinimum> least =
             minimumOverTriangle(piece.at(share), triangle, std::numeric_limits<double>::infinity());
         if (!least || least->distance < clearance) return false;
