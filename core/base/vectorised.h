@@ -7,17 +7,22 @@
 #include <emmintrin.h>
 #endif
 
-// BURIN_VECTORISED before a function compiles it twice, for AVX2 and for any x86-64, and picks when the program is
-// loaded. Neither has fused multiply-add, so that both give the same bits. What such a function calls must be inlined
-// (BURIN_INLINE) or it stays as it is. Sources that use it want -fno-math-errno (see burin_vectorised in CMake).
+// BURIN_VECTORISED before a function compiles it, where the program is built for any x86-64, twice, for AVX2 as well,
+// and picks when the program is loaded. Neither has fused multiply-add, so that both give the same bits. What such a
+// function calls must be inlined (BURIN_INLINE) or it stays as it is. Sources that use it: burin_vectorised in CMake.
 // BURIN_VECTORISED_TO_AVX512 adds a third time, with registers for conditions and twice the others, for functions where
 // that was measured to pay: the lanes and the bits stay the same.
 // Empty for clang and under sanitizers, whose runtime is not up yet when the choice is made.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) &&                        \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define BURIN_KNOWS_PROCESSORS
+#ifdef __AVX2__
+#define BURIN_VECTORISED
+#define BURIN_VECTORISED_TO_AVX512 __attribute__((target_clones("arch=x86-64-v4", "default")))
+#else
 #define BURIN_VECTORISED __attribute__((target_clones("avx2", "default")))
 #define BURIN_VECTORISED_TO_AVX512 __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#endif
 #else
 #define BURIN_VECTORISED
 #define BURIN_VECTORISED_TO_AVX512
