@@ -127,10 +127,10 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     const PathPoint from = pointNear(bench, {-6.0, 0.0}), to = pointNear(bench, {6.0, 0.0});
     QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.tip).toPoint());
     QVERIFY(bench.path.selection() && bench.path.selection()->first == bench.path.selection()->last);
-    QVERIFY(driver.settle());
-    driver.shoot("25-chosen-place");
     const QPoint dot = viewport->mapTo(&driver.window(), viewport->project(from.tip).toPoint());
-    QVERIFY(driver.window().grab().toImage().pixelColor(dot).blue() > 180); // the line is orange
+    const auto isMarked = [&] { return driver.window().grab().toImage().pixelColor(dot).blue() > 180; };
+    QVERIFY(driver.waitFor(isMarked, 5000)); // the line is orange
+    driver.shoot("25-chosen-place");
     QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.tip).toPoint());
     QVERIFY(bench.path.selection()->last > bench.path.selection()->first + 20);
     QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
