@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/path/hand_stretch.h"
 #include "tests/ui/window_steps.h"
 
 #include <QAbstractButton>
@@ -123,6 +124,7 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
 
     const double straight = cuttingLength(bench);
 
+    QVERIFY(driver.settle()); // the pointer has the new places
     // A stretch is chosen by two clicks and replaced by a stroke that goes round it.
     const PathPoint from = pointNear(bench, {-6.0, 0.0}), to = pointNear(bench, {6.0, 0.0});
     QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.tip).toPoint());
@@ -131,6 +133,15 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     const auto isMarked = [&] { return driver.window().grab().toImage().pixelColor(dot).blue() > 180; };
     QVERIFY(driver.waitFor(isMarked, 5000)); // the line is orange
     driver.shoot("25-chosen-place");
+    // So is a moment nearby whose own point simplification left out.
+    const std::vector<PathPoint>& left = bench.path.evaluated()->path.points;
+    const Moment leftOut{from.take, from.sample + 5};
+    QVERIFY(std::ranges::find(left, leftOut.tick, &PathPoint::sample) == left.end());
+    bench.path.clearSelection();
+    QVERIFY(driver.waitFor([&] { return !isMarked(); }, 5000));
+    bench.path.select(leftOut);
+    QVERIFY(driver.waitFor(isMarked, 5000));
+    bench.path.select(momentOf(from));
     QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.tip).toPoint());
     QVERIFY(bench.path.selection()->last > bench.path.selection()->first + 20);
     QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));

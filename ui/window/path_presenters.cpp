@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/path_presenters.h"
 
+#include "core/path/hand_stretch.h"
 #include "core/path/milling_side.h"
 #include "ui/messages/messages.h"
 
@@ -28,7 +29,9 @@ std::optional<MillingSide> sideOf(const EvaluatedPath& path, const TakeStretch& 
     for (const MillingStretch& stretch : path.sides)
         for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
             const PathPoint& point = path.path.points[i];
-            if (point.kind != MoveKind::cut || point.sample < 0 || !chosen.contains({point.take, point.sample}))
+            const PathPoint& before = path.path.points[i == 0 ? 0 : i - 1];
+            if (point.kind != MoveKind::cut || !isOfTheHand(point)) continue;
+            if (!leadsThrough(isOfTheHand(before) ? momentOf(before) : momentOf(point), momentOf(point), chosen))
                 continue;
             if (side && *side != stretch.side) return std::nullopt;
             side = stretch.side;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/path_scene_presenter.h"
 
+#include "core/path/hand_stretch.h"
+
 #include <algorithm>
 
 namespace burin {
@@ -18,11 +20,6 @@ std::vector<glm::dvec3> closed(std::vector<glm::dvec3> outline) {
 /// An edit of a path, told from all others as long as nobody changes it.
 std::string keyOf(const StoredPath& path, std::size_t edit) {
     return std::to_string(path.id) + ' ' + std::to_string(edit) + ' ' + toJson(path.edits[edit]);
-}
-
-/// By the hand; what an edit made of nothing has no moment to be named by.
-bool isOfTheHand(const PathPoint& point) {
-    return point.take != 0 && point.sample >= 0;
 }
 
 /// How a stroke follows the place that is dragged, as MovePoints does it: along the stroke, ever less.
@@ -186,13 +183,9 @@ void PathScenePresenter::markSelection() {
         return;
     }
     PlaceChains chosen;
-    const auto& selection = workbench_.path.selection();
-    bool goesOn = false; // what lies between two chosen stretches is not chosen
-    for (std::size_t i = 0; path_ && selection && i < path_->path.points.size(); ++i) {
-        const bool here = isOfTheHand(path_->path.points[i]) && selection->contains(momentOf(i));
-        if (here && !goesOn) chosen.emplace_back();
-        if (here) chosen.back().push_back(path_->path.points[i].tip);
-        goesOn = here;
+    for (const std::vector<PathPoint>& chain : chosenPoints()) {
+        chosen.emplace_back();
+        for (const PathPoint& point : chain) chosen.back().push_back(point.tip);
     }
     viewport_.setMoveMark(chosen);
 }
@@ -237,14 +230,13 @@ void PathScenePresenter::finishDrawing(const std::vector<glm::dvec3>& places) {
 /// The other way round where the drawing's ends lie better so on those of what is chosen: who draws from right to left
 /// what the hand milled from left to right means no way there and back.
 std::vector<glm::dvec3> PathScenePresenter::asTheHandWent(std::vector<glm::dvec3> places) const {
-    const auto& selection = workbench_.path.selection();
     const PathPoint *first = nullptr, *last = nullptr;
-    for (std::size_t i = 0; path_ && selection && i < path_->path.points.size(); ++i) {
-        const PathPoint& point = path_->path.points[i];
-        if (!isOfTheHand(point) || !selection->contains(momentOf(i))) continue;
-        if (first == nullptr || point.sample < first->sample) first = &point;
-        if (last == nullptr || point.sample > last->sample) last = &point;
-    }
+    const std::vector<std::vector<PathPoint>> chosen = chosenPoints();
+    for (const std::vector<PathPoint>& chain : chosen)
+        for (const PathPoint& point : chain) {
+            if (first == nullptr || point.sample < first->sample) first = &point;
+            if (last == nullptr || point.sample > last->sample) last = &point;
+        }
     if (first == nullptr || places.empty()) return places;
     const auto apart = [&](const glm::dvec3& begin, const glm::dvec3& end) {
         return glm::distance(begin, first->tip) + glm::distance(end, last->tip);
@@ -286,6 +278,12 @@ void PathScenePresenter::showOutlines() {
     viewport_.setOutlines(lines);
 }
 
+std::vector<std::vector<PathPoint>> PathScenePresenter::chosenPoints() const {
+    const auto& selection = workbench_.path.selection();
+    if (!path_ || !selection) return {};
+    return pointsOf(path_->path, *selection);
+}
+
 Moment PathScenePresenter::momentOf(std::size_t place) const {
     const PathPoint& point = path_->path.points[place];
     return {point.take, point.sample};
@@ -294,13 +292,13 @@ Moment PathScenePresenter::momentOf(std::size_t place) const {
 /// Where a stretch of the path begins, or the middle height of all that cuts.
 std::optional<double> PathScenePresenter::heightOf(const std::optional<TakeStretch>& stretch) const {
     if (!path_) return std::nullopt;
+    const auto isUsable = [](const PathPoint& point) { return isOfTheHand(point) && point.kind != MoveKind::rapid; };
+    if (stretch && stretch->take != 0)
+        for (const std::vector<PathPoint>& chain : pointsOf(path_->path, *stretch))
+            if (const auto found = std::ranges::find_if(chain, isUsable); found != chain.end()) return found->tip.z;
     std::vector<double> heights;
-    for (std::size_t i = 0; i < path_->path.points.size(); ++i) {
-        const PathPoint& point = path_->path.points[i];
-        if (!isOfTheHand(point) || point.kind == MoveKind::rapid) continue;
-        if (stretch && stretch->take != 0 && stretch->contains(momentOf(i))) return point.tip.z;
-        heights.push_back(point.tip.z);
-    }
+    for (const PathPoint& point : path_->path.points)
+        if (isUsable(point)) heights.push_back(point.tip.z);
     if (heights.empty()) return std::nullopt;
     const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
     std::ranges::nth_element(heights, middle);

@@ -49,6 +49,7 @@ private:
     void drop(std::size_t place, const glm::dvec3& by);
     void finishDrawing(const std::vector<glm::dvec3>& places);
     Moment momentOf(std::size_t place) const;
+    std::vector<std::vector<PathPoint>> chosenPoints() const;
     std::optional<double> heightOf(const std::optional<TakeStretch>& stretch) const;
 
     Viewport& viewport_;

@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/nc/program_lines.h"
+#include "core/path/hand_stretch.h"
 #include "ui/panels/texts.h"
 
 #include <algorithm>
@@ -39,11 +40,15 @@ void ProgramScenePresenter::setShown(JobStep step) {
 void ProgramScenePresenter::chooseSelection() {
     const auto& selection = workbench_.path.selection();
     if (!program_ || !selection) return;
-    const auto found = std::ranges::find_if(
-        program_->moments, [&](const Moment& moment) { return moment.take != 0 && selection->contains(moment); });
-    if (found == program_->moments.end()) return;
-    line_ =
-        static_cast<int>(program_->parsed.motions[static_cast<std::size_t>(found - program_->moments.begin())].line);
+    const auto leads = [&](const Moment& from, const Moment& to) {
+        return to.take != 0 && leadsThrough(from.take != 0 ? from : to, to, *selection);
+    };
+    const std::vector<Moment>& moments = program_->moments;
+    auto found = moments.begin();
+    for (; found != moments.end(); ++found)
+        if (leads(found == moments.begin() ? *found : *std::prev(found), *found)) break;
+    if (found == moments.end()) return;
+    line_ = static_cast<int>(program_->parsed.motions[static_cast<std::size_t>(found - moments.begin())].line);
     panel_.showLine(line_);
     showLine();
 }

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/hand_stretch.h"
+
+#include "core/geometry/arc.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+PathPoint pointBetween(const PathPoint& from, const PathPoint& to, std::int64_t tick) {
+    const double share = static_cast<double>(tick - from.sample) / static_cast<double>(to.sample - from.sample);
+    PathPoint point = to;
+    point.sample = tick;
+    point.tip = glm::mix(from.tip, to.tip, share);
+    if (to.arc) {
+        const Arc arc{from.tip, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+        point.tip = placeOn(arc, turnOf(arc), share);
+    }
+    return point;
+}
+
+/// Ends of a stretch that a move passes between its own, in the order in which it does.
+std::vector<std::int64_t> endsPassed(const PathPoint& from, const PathPoint& to, const TakeStretch& stretch) {
+    std::vector<std::int64_t> passed;
+    if (!isOfTheHand(from) || !isOfTheHand(to) || from.take != to.take || stretch.take != from.take) return passed;
+    if (to.kind == MoveKind::rapid) return passed; // across what the path leaves out
+    const auto [low, high] = std::minmax(from.sample, to.sample);
+    for (const std::int64_t tick : {stretch.first, stretch.last})
+        if (low < tick && tick < high && (passed.empty() || passed.back() != tick)) passed.push_back(tick);
+    if (from.sample > to.sample) std::ranges::reverse(passed);
+    return passed;
+}
+
+} // namespace
+
+bool isOfTheHand(const PathPoint& point) noexcept {
+    return point.take != 0 && point.sample >= 0;
+}
+
+Moment momentOf(const PathPoint& point) noexcept {
+    return {point.take, point.sample};
+}
+
+bool leadsThrough(const Moment& from, const Moment& to, const TakeStretch& stretch) noexcept {
+    if (stretch.contains(to)) return true;
+    const auto [low, high] = std::minmax(from.tick, to.tick);
+    return from.take == to.take && to.take == stretch.take && stretch.first < high && low < stretch.last;
+}
+
+std::vector<std::vector<PathPoint>> pointsOf(const Path& path, const TakeStretch& stretch) {
+    std::vector<std::vector<PathPoint>> chains;
+    bool goesOn = false; // what lies between two stretches is in neither
+    const auto add = [&](const PathPoint& point) {
+        if (!goesOn) chains.emplace_back();
+        chains.back().push_back(point);
+        goesOn = true;
+    };
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const PathPoint& point = path.points[i];
+        if (i > 0)
+            for (const std::int64_t tick : endsPassed(path.points[i - 1], point, stretch))
+                add(pointBetween(path.points[i - 1], point, tick));
+        if (isOfTheHand(point) && stretch.contains(momentOf(point)))
+            add(point);
+        else
+            goesOn = false;
+    }
+    return chains;
+}
+
+} // namespace burin
