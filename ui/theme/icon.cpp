@@ -42,6 +42,7 @@ public:
     }
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        if (size.isEmpty()) return {}; // a button that has no room yet
         const QRgb colour = (activePalette().*role_).rgb();
         const auto key = std::make_tuple(size.width(), size.height(), colour, mode == QIcon::Disabled);
         if (drawn_.contains(key)) return drawn_[key];
