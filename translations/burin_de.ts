@@ -4374,6 +4374,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>not yet</source>
         <translation>noch nicht</translation>
     </message>
+    <message>
+        <source>objected to</source>
+        <translation>beanstandet</translation>
+    </message>
 </context>
 <context>
     <name>burin::StockPanel</name>

@@ -242,6 +242,9 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY(bench.program.exportable());
     QVERIFY(driver.waitFor([&] { return text->toPlainText().contains("(Reason: the clamp is moved by hand)"); }, 3000));
     driver.shoot("22-wanted-all-the-same");
+    // A reason makes no check pass.
+    const QString spoken = driver.visible<QWidget>("stepProgram")->accessibleDescription();
+    QVERIFY2(spoken.startsWith("objected to"), qPrintable(spoken));
 }
 
 QTEST_MAIN(TestWindowProgram)

@@ -215,7 +215,13 @@ struct MeterState {
 
 /// The steps of the job, in order.
 enum class JobStep { part, stock, material, tool, allowance, mill, path, program };
-enum class StepProgress { missing, ready, current, done };
+enum class StepProgress {
+    missing, ///< cannot be done yet
+    ready,
+    current,
+    objected, ///< done, but a check objects to it
+    done
+};
 struct JobStepState {
     StepProgress progress = StepProgress::missing;
     QString line; ///< what it holds, or what is missing

@@ -24,10 +24,29 @@ ColourRole roleOf(StepProgress progress) {
         return &Palette::text;
     case StepProgress::current:
         return &Palette::accent;
+    case StepProgress::objected:
+        return &Palette::force;
     case StepProgress::done:
         return &Palette::inOrder;
     }
     return &Palette::text;
+}
+
+/// For those who hear the window instead of seeing it.
+QString wordOf(StepProgress progress) {
+    switch (progress) {
+    case StepProgress::missing:
+        return StepButton::tr("not yet");
+    case StepProgress::ready:
+        return StepButton::tr("can be done");
+    case StepProgress::current:
+        return StepButton::tr("under way");
+    case StepProgress::objected:
+        return StepButton::tr("objected to");
+    case StepProgress::done:
+        return StepButton::tr("done");
+    }
+    return {};
 }
 
 } // namespace
@@ -45,10 +64,7 @@ void StepButton::setState(const JobStepState& state, bool shown) {
     if (state.progress == state_.progress && state.line == state_.line && shown == shown_) return;
     state_ = state;
     shown_ = shown;
-    const QString progress = state.progress == StepProgress::done      ? tr("done")
-                             : state.progress == StepProgress::current ? tr("under way")
-                             : state.progress == StepProgress::ready   ? tr("can be done")
-                                                                       : tr("not yet");
+    const QString progress = wordOf(state.progress);
     setAccessibleDescription(state.line.isEmpty() ? progress : progress + QStringLiteral(": ") + state.line);
     update();
 }
@@ -93,7 +109,9 @@ void StepButton::paintCircle(QPainter& painter, const QRectF& circle) const {
         return;
     }
     painter.setFont(lineFont());
-    painter.drawText(circle, Qt::AlignCenter, QString::number(static_cast<int>(step_) + 1));
+    const bool objected = state_.progress == StepProgress::objected;
+    painter.drawText(circle, Qt::AlignCenter,
+                     objected ? QStringLiteral("!") : QString::number(static_cast<int>(step_) + 1));
 }
 
 void StepButton::paintEvent(QPaintEvent*) {

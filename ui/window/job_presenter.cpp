@@ -90,8 +90,9 @@ JobStepState JobPresenter::program() const {
     if (!program.program()) return {StepProgress::ready, tr("not yet")};
     if (program.outdated()) return {StepProgress::ready, tr("out of date")};
     if (program.edited()) return {StepProgress::ready, tr("edited")};
-    if (!program.exportable()) return {StepProgress::ready, tr("refused")};
-    return {StepProgress::done, program.program()->overridden ? tr("overridden") : tr("passed")};
+    if (!program.exportable()) return {StepProgress::objected, tr("refused")};
+    if (program.program()->overridden) return {StepProgress::objected, tr("overridden")};
+    return {StepProgress::done, tr("passed")};
 }
 
 } // namespace burin
