@@ -1713,6 +1713,25 @@
     </message>
 </context>
 <context>
+    <name>PartPanel</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+</context>
+<context>
     <name>ProgramProblem</name>
     <message>
         <source>the control does not read so long a line</source>
@@ -3700,6 +3719,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The CAD solid that is to be made. STEP keeps the exact surfaces, an STL file has only triangles.</source>
         <translation>Der CAD-Körper, der entstehen soll. STEP bewahrt die genauen Flächen, eine STL-Datei hat nur Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>An STL file states no unit. Another one reads the file again.</source>
+        <translation>Eine STL-Datei nennt keine Einheit. Eine andere liest die Datei noch einmal.</translation>
     </message>
 </context>
 <context>

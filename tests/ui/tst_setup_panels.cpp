@@ -48,6 +48,31 @@ private slots:
         QCOMPARE(plain(bodies.rows()[0].value), QStringLiteral("5.16 in³"));
     }
 
+    /// A STEP file states it.
+    void theUnitOfAnStlFileIsChosen() {
+        PartPanel panel;
+        panel.setState(examples::part());
+        show(panel);
+        auto& unit = child<QComboBox>(panel, "stlUnit");
+        QVERIFY(!unit.isVisible());
+        auto model = std::make_shared<Model>(*examples::part().model);
+        model->format = "STL binary";
+        panel.setState({model, false});
+        QVERIFY(unit.isVisible());
+        QCOMPARE(unit.currentText(), QStringLiteral("mm"));
+        std::vector<double> chosen;
+        connect(&panel, &PartPanel::stlUnitChosen, this,
+                [&chosen](double millimetres) { chosen.push_back(millimetres); });
+        unit.setFocus();
+        QTest::keyClick(&unit, Qt::Key_Down);
+        QCOMPARE(chosen, std::vector<double>{25.4});
+        QCOMPARE(unit.currentText(), QStringLiteral("mm")); // as long as the file was not read again
+        model = std::make_shared<Model>(*model);
+        model->unitScale = 3.175; // the command line takes any
+        panel.setState({model, false});
+        QCOMPARE(unit.currentText(), QStringLiteral("3.175 mm"));
+    }
+
     void marginsAndVoxelsAreEdited() {
         StockPanel panel;
         panel.setState(examples::stock());

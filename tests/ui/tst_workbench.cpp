@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/file.h"
+#include "tests/places.h"
 #include "ui/workbench/workbench.h"
 
 #include <QTemporaryDir>
@@ -183,6 +184,17 @@ private slots:
         QCOMPARE(outcome->error().code, ErrorCode::internalFault);
     }
 
+    void anStlFileIsReadInItsUnit() {
+        Workbench bench;
+        const std::filesystem::path file = BURIN_FIXTURES "/models/pocket-test.stl";
+        bench.importPart(file, false);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.model.model() && !bench.model.importing(), 20000);
+        const auto before = bench.model.model();
+        bench.importPart(file, false, 25.4);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.model.model() != before && !bench.model.importing(), 20000);
+        QCOMPARE(bench.model.model()->unitScale, 25.4);
+        QVERIFY(std::abs(bench.model.model()->volume() / before->volume() - 25.4 * 25.4 * 25.4) < 1.0);
+    }
     void anImportCanBeStopped() {
         Workbench bench;
         std::optional<Error> error;
@@ -199,6 +211,7 @@ private slots:
         QCOMPARE(suitableVoxel(box(110.0)), 0.5); // the sample part
         QCOMPARE(suitableVoxel(box(20.0)), 0.1);
         QCOMPARE(suitableVoxel(box(400.0)), 2.0);
+        QCOMPARE(suitableVoxel(box(1.3)), 0.02); // the stock around it is eight times as long
     }
     void aNewProjectIsOnTheDiskFromTheStart() {
         std::filesystem::path file;

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/part_panel.h"
 
+#include "core/base/numbers.h"
 #include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/elided_label.h"
+#include "ui/panels/field_row.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"
@@ -12,7 +15,19 @@
 
 #include <QFileInfo>
 
+#include <array>
+#include <utility>
+
 namespace burin {
+
+namespace {
+
+/// What an STL file may mean by 1, mm.
+constexpr std::array stlUnits{
+    std::pair{1.0, QT_TRANSLATE_NOOP("PartPanel", "mm")}, std::pair{25.4, QT_TRANSLATE_NOOP("PartPanel", "inch")},
+    std::pair{10.0, QT_TRANSLATE_NOOP("PartPanel", "cm")}, std::pair{1000.0, QT_TRANSLATE_NOOP("PartPanel", "m")}};
+
+} // namespace
 
 class PartPanel::Fields : public QObject {
 public:
@@ -23,7 +38,9 @@ public:
     LengthUnit unit = LengthUnit::millimetre;
 
 private:
+    void makeStlUnit(PartPanel* panel);
     void refreshModel();
+    void refreshStlUnit();
     std::vector<ListRow> bodyRows() const;
     std::vector<ListRow> noteRows() const;
 
@@ -31,6 +48,8 @@ private:
     QLabel* empty_;
     QWidget* content_;
     ElidedLabel* file_;
+    ChoiceBox* stlUnit_;
+    FieldRow* stlUnitRow_;
     ValueRow *format_, *size_, *volume_;
     QLabel *bodiesTitle_, *notesTitle_;
     RowList *bodies_, *notes_;
@@ -61,6 +80,8 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
         *row = new ValueRow(text, content_);
         inner->addWidget(*row);
     }
+    makeStlUnit(panel);
+    inner->addWidget(stlUnitRow_);
     bodiesTitle_ = makeSectionTitle(PartPanel::tr("Bodies"), content_);
     bodies_ = new RowList(content_);
     bodies_->setObjectName(QStringLiteral("bodyList"));
@@ -74,6 +95,35 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
         inner->addWidget(widget);
     column->addWidget(content_);
     column->addStretch(1);
+}
+
+void PartPanel::Fields::makeStlUnit(PartPanel* panel) {
+    stlUnit_ = new ChoiceBox(content_);
+    stlUnit_->setObjectName(QStringLiteral("stlUnit"));
+    for (const auto& [millimetres, name] : stlUnits) stlUnit_->addItem(PartPanel::tr(name), millimetres);
+    stlUnitRow_ = new FieldRow(PartPanel::tr("Unit of the file"), stlUnit_,
+                               PartPanel::tr("An STL file states no unit. Another one reads the file again."), content_,
+                               FieldRow::choiceWidth);
+    connect(stlUnit_, &QComboBox::activated, panel, [this, panel](int index) {
+        const double millimetres = stlUnit_->itemData(index).toDouble();
+        if (!state.model || millimetres == state.model->unitScale) return;
+        emit panel->stlUnitChosen(millimetres);
+        refresh(); // until the file has been read, if at all
+    });
+}
+
+/// One that the list lacks is added: the command line takes any.
+void PartPanel::Fields::refreshStlUnit() {
+    const Model& model = *state.model;
+    stlUnitRow_->setVisible(model.format.starts_with("STL"));
+    stlUnit_->setEnabled(!state.busy);
+    int index = stlUnit_->findData(model.unitScale);
+    if (index < 0) {
+        stlUnit_->addItem(QString::fromStdString(formatShortest(model.unitScale)) + QStringLiteral(" mm"),
+                          model.unitScale);
+        index = stlUnit_->count() - 1;
+    }
+    stlUnit_->setCurrentIndex(index);
 }
 
 void PartPanel::Fields::refresh() {
@@ -102,6 +152,7 @@ void PartPanel::Fields::refreshModel() {
     const Box box = model.box();
     size_->setValue(box.empty() ? QString() : sizeText(box.size(), unit));
     volume_->setValue(volumeText(model.volume(), unit));
+    refreshStlUnit();
     bodies_->setRows(bodyRows());
     notes_->setRows(noteRows());
     notesTitle_->setVisible(!model.notes.empty());

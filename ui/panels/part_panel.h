@@ -19,6 +19,7 @@ public:
 
 signals:
     void importRequested();
+    void stlUnitChosen(double millimetres); ///< a unit of the file means; it is to be read again
 
 private:
     class Fields;

@@ -89,12 +89,16 @@ void DocumentFlow::importFixture() {
     workbench_.surroundings.importFile(pathOf(file));
 }
 
-void DocumentFlow::importFile(const QString& file) {
+void DocumentFlow::importFile(const QString& file, double stlUnit) {
     if (!workbench_.importNeedsNewProject()) {
-        workbench_.importPart(pathOf(file), false);
+        workbench_.importPart(pathOf(file), false, stlUnit);
         return;
     }
-    settle([this, file](bool abandon) { workbench_.importPart(pathOf(file), abandon); });
+    settle([this, file, stlUnit](bool abandon) { workbench_.importPart(pathOf(file), abandon, stlUnit); });
+}
+
+void DocumentFlow::importAgain(double stlUnit) {
+    if (const auto model = workbench_.model.model()) importFile(QString::fromStdString(model->sourceFile), stlUnit);
 }
 
 void DocumentFlow::importSample() {

@@ -24,7 +24,8 @@ public:
     void open();
     void openFile(const QString& file);
     void import();
-    void importFile(const QString& file);
+    void importFile(const QString& file, double stlUnit = 1.0); ///< @param stlUnit mm per unit of an STL file
+    void importAgain(double stlUnit); ///< the part, whose file meant another unit
     void importFixture(); ///< that the tool keeps out of
     void importSample();
     void showSample(); ///< imports the sample part and lets the virtual operator mill it

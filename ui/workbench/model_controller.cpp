@@ -6,12 +6,14 @@
 
 namespace burin {
 
-void ModelController::importFile(const std::filesystem::path& file) {
+void ModelController::importFile(const std::filesystem::path& file, double stlUnit) {
     const QString title = tr("Importing %1").arg(QString::fromStdString(file.filename().string()));
     desk_.tasks.start(
         TaskKind::importing, title,
-        [file](Progress& progress) -> Result<std::shared_ptr<const Model>> {
-            Result<Model> model = importModel(file, ImportOptions{}, progress);
+        [file, stlUnit](Progress& progress) -> Result<std::shared_ptr<const Model>> {
+            ImportOptions options;
+            options.stlUnit = stlUnit;
+            Result<Model> model = importModel(file, options, progress);
             if (!model) return std::move(model).error();
             return std::make_shared<const Model>(std::move(*model));
         },

@@ -20,7 +20,8 @@ public:
     bool importing() const { return desk_.tasks.running(TaskKind::importing); }
 
     /// Reads a file and makes it the part of the open project; the one before stays until then.
-    void importFile(const std::filesystem::path& file);
+    /// @param stlUnit mm per unit of an STL file, which states none
+    void importFile(const std::filesystem::path& file, double stlUnit);
     /// What a project holds; stored already.
     void load(std::shared_ptr<const Model> model);
 

@@ -23,7 +23,8 @@ int kindOfChange(const Setup& before, const Setup& after) {
 
 double suitableVoxel(const Box& part) {
     const glm::dvec3 size = part.size();
-    const double wanted = std::max({size.x, size.y, size.z, 1e-3}) / 200.0;
+    const double longest = std::max({size.x, size.y, size.z, 1e-3});
+    const double wanted = std::max(longest / 200.0, (longest + 2.0 * defaultMargin) / 600.0);
     double best = 0.5;
     double leastRatio = std::numeric_limits<double>::infinity();
     for (const double decade : {0.001, 0.01, 0.1, 1.0, 10.0})

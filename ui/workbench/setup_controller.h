@@ -54,7 +54,8 @@ private:
     bool locked_ = false;
 };
 
-/// The voxel for a part: of the sizes 1, 2 and 5, the one that gives its longest side about 200 voxels, mm.
+/// The voxel for a part, mm: of the sizes 1, 2 and 5, the one that gives its longest side about 200 voxels, and the stock
+/// around it about 600 at most.
 double suitableVoxel(const Box& part);
 
 /// Whether two setups embed to the same workpiece.

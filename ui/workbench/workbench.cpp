@@ -101,14 +101,14 @@ void Workbench::updateWanted() {
     path.useTool(tool.current().id);
 }
 
-void Workbench::importPart(const std::filesystem::path& file, bool abandon) {
+void Workbench::importPart(const std::filesystem::path& file, bool abandon, double stlUnit) {
     if (!importNeedsNewProject()) {
-        model.importFile(file);
+        model.importFile(file, stlUnit);
         return;
     }
-    comeToRest([this, file, abandon] {
-        document.createNew(abandon, [this, file](bool made) {
-            if (made) model.importFile(file);
+    comeToRest([this, file, abandon, stlUnit] {
+        document.createNew(abandon, [this, file, stlUnit](bool made) {
+            if (made) model.importFile(file, stlUnit);
         });
     });
 }

@@ -54,8 +54,8 @@ public:
     QUndoStack& undo() noexcept { return undo_; }
 
     /// Makes `file` the part: in the open project as long as that has no recordings, in a new one otherwise.
-    /// @param abandon what the project then had unsaved is not wanted
-    void importPart(const std::filesystem::path& file, bool abandon);
+    /// @param abandon what the project then had unsaved is not wanted @param stlUnit mm per unit of an STL file
+    void importPart(const std::filesystem::path& file, bool abandon, double stlUnit = 1.0);
     bool importNeedsNewProject() const { return !document.isOpen() || !mill.takes().empty(); }
     /// Shows how it is done as soon as part, workpiece and boundary are there; embeds where that is missing.
     void showHowItIsDone();
