@@ -178,6 +178,11 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY(placeOf(bench, "fit-arcs") > placeOf(bench, "simplify") &&
             placeOf(bench, "fit-arcs") < placeOf(bench, "link"));
     QVERIFY(evaluatedAgain(driver));
+    // What was asked for is seen, and has the keyboard.
+    const QString card = QStringLiteral("edit%1Switch").arg(placeOf(bench, "fit-arcs"));
+    QVERIFY(driver.waitFor([&] { return driver.window().focusWidget() == driver.window().findChild<QWidget*>(card); }));
+    driver.shoot("26-added");
+    QVERIFY(!driver.window().focusWidget()->visibleRegion().isEmpty());
     const std::vector<std::string> ordered = editsOf(bench);
     const QString later = QStringLiteral("edit%1Later").arg(placeOf(bench, "fit-arcs"));
     QVERIFY(driver.waitFor([&] { return show(driver, later); }, 3000));

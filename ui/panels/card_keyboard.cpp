@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/card_keyboard.h"
 
+#include "ui/panels/panel_layout.h"
+
 #include <algorithm>
 
 namespace burin {
+
+void CardKeyboard::await(std::size_t card, const QString& part) {
+    place_ = Place{card, part, true};
+    list_->setFocus(Qt::OtherFocusReason);
+}
 
 void CardKeyboard::takeFrom(const std::vector<QWidget*>& cards) {
     QWidget* const focus = list_->window()->focusWidget();
     for (std::size_t i = 0; focus != nullptr && i < cards.size(); ++i) {
         const QString name = prefix_ + QString::number(i);
         if (!cards[i]->isAncestorOf(focus) || !focus->objectName().startsWith(name)) continue;
-        place_ = Place{moved_ && moved_->from == i ? moved_->to : i, focus->objectName().mid(name.size())};
+        place_ = Place{moved_ && moved_->from == i ? moved_->to : i, focus->objectName().mid(name.size()), false};
         list_->setFocus(Qt::OtherFocusReason);
     }
     moved_.reset();
@@ -30,6 +37,7 @@ void CardKeyboard::giveTo(const std::vector<QWidget*>& cards) {
     // What can go no further: the next key must not do something else.
     if (target == nullptr || !target->isEnabled()) target = cards[place];
     target->setFocus(Qt::OtherFocusReason);
+    if (place_->isNew) bringIntoView(cards[place]);
     place_.reset();
 }
 

@@ -21,6 +21,8 @@ public:
 
     /// A card is about to change its place: the keyboard goes with it.
     void follow(std::size_t from, std::size_t to) { moved_ = {from, to}; }
+    /// A part of a card that was just made gets the keyboard as soon as it is enabled, and is brought into view.
+    void await(std::size_t card, const QString& part);
     /// Before cards are disabled or made anew.
     template <class Card>
     void take(const std::vector<Card*>& cards) {
@@ -42,6 +44,7 @@ private:
     struct Place {
         std::size_t card = 0;
         QString part; ///< what the widget's name says behind the card's number
+        bool isNew = false;
     };
 
     QWidget* list_;

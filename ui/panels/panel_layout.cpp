@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/panel_layout.h"
 
+#include <QCoreApplication>
+#include <QScrollArea>
 #include <QStyle>
+#include <QTimer>
 #include <QVariant>
 
 #include <algorithm>
@@ -74,6 +77,15 @@ void setWrappedText(QLabel* label, const QString& text) {
     if (label->accessibleName() == text && !label->text().isEmpty() == !text.isEmpty()) return;
     label->setAccessibleName(text);
     label->setText(breakable(text));
+}
+
+void bringIntoView(QWidget* widget) {
+    const auto scroll = [widget] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // where it is depends on what is under way
+        for (QWidget* parent = widget->parentWidget(); parent != nullptr; parent = parent->parentWidget())
+            if (auto* area = qobject_cast<QScrollArea*>(parent)) area->ensureWidgetVisible(widget);
+    };
+    QTimer::singleShot(0, widget, scroll);
 }
 
 void setLook(QWidget* widget, const char* look) {

@@ -18,6 +18,9 @@ QLabel* makeWrappedLabel(QWidget* parent);
 /// Sets the text of such a label; nothing is done when it has it.
 void setWrappedText(QLabel* label, const QString& text);
 
+/// Scrolls what a widget lies in so that it is seen, as soon as that has been laid out.
+void bringIntoView(QWidget* widget);
+
 /// Changes the look that the style sheet gives a widget (ui/theme/style_sheet.h); nothing is done when it has it.
 void setLook(QWidget* widget, const char* look);
 

@@ -15,6 +15,8 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 namespace burin {
 
@@ -35,6 +37,7 @@ private:
     void makeCard(std::size_t place);
     QMenu* editMenu();
     bool cardsFit() const;
+    std::optional<std::size_t> addedPlace() const;
     QString withoutTakes() const;
     void tell();
 
@@ -49,6 +52,7 @@ private:
     QVBoxLayout* list_;
     std::vector<EditCard*> cards_;
     CardKeyboard keyboard_;
+    std::string adding_; ///< kind of the edit that the user asked for, until its card stands
 };
 
 PathPanel::Fields::Fields(PathPanel* panel)
@@ -175,6 +179,16 @@ bool PathPanel::Fields::cardsFit() const {
     });
 }
 
+/// Where the edit that the user asked for now stands; nothing: it does not yet.
+std::optional<std::size_t> PathPanel::Fields::addedPlace() const {
+    const std::vector<Edit>& edits = state.path.edits;
+    if (adding_.empty() || edits.size() != cards_.size() + 1) return std::nullopt;
+    std::size_t place = 0;
+    while (place < cards_.size() && cards_[place]->kind() == idOf(edits[place].parameters)) ++place;
+    if (idOf(edits[place].parameters) != adding_) return std::nullopt;
+    return place;
+}
+
 void PathPanel::Fields::makeCards() {
     for (EditCard* card : cards_) {
         card->hide();
@@ -211,13 +225,17 @@ QMenu* PathPanel::Fields::editMenu() {
         const std::string_view id = idOf(edit.parameters);
         QAction* action = menu->addAction(Messages::text(titleOf(edit.parameters)));
         action->setObjectName(QLatin1String("add-") + QLatin1String(id.data(), static_cast<qsizetype>(id.size())));
-        connect(action, &QAction::triggered, this, [this, edit] { emit panel_->editAdded(edit); });
+        connect(action, &QAction::triggered, this, [this, edit] {
+            adding_ = idOf(edit.parameters);
+            emit panel_->editAdded(edit);
+        });
     }
     return menu;
 }
 
 void PathPanel::Fields::refreshEdits() {
     if (!cardsFit() || state.busy) keyboard_.take(cards_);
+    const std::optional<std::size_t> added = cardsFit() ? std::nullopt : addedPlace();
     if (!cardsFit()) makeCards();
     std::size_t next = 0;
     for (std::size_t i = 0; i < cards_.size(); ++i) {
@@ -231,6 +249,11 @@ void PathPanel::Fields::refreshEdits() {
         const bool drawn = state.drawnField && state.drawnField->edit == i;
         cards_[i]->setDrawing(drawn ? std::string_view(state.drawnField->key) : std::string_view());
         cards_[i]->setEnabled(!state.busy);
+    }
+    if (added) {
+        adding_.clear();
+        keyboard_.await(*added, QStringLiteral("Switch"));
+        bringIntoView(cards_[*added]); // where something is drawn for it, the view has the keyboard
     }
     keyboard_.give(cards_);
 }
