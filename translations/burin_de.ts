@@ -4654,16 +4654,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Es wird noch gerechnet.</translation>
     </message>
     <message>
-        <source>Put it beside the stock, or where its file says</source>
-        <translation>Stellt es neben das Rohteil oder dorthin, wo die Datei es hat</translation>
-    </message>
-    <message>
         <source>The travel bounds an upright tool alone.</source>
         <translation>Der Verfahrweg begrenzt nur ein senkrechtes Werkzeug.</translation>
     </message>
     <message>
         <source>The tip stays within what the machine&apos;s axes reach</source>
         <translation>Die Spitze bleibt dort, wo die Achsen der Maschine hinkommen</translation>
+    </message>
+    <message>
+        <source>Put it beside the stock, or where its file says. An STL file has the unit of the part&apos;s, else mm.</source>
+        <translation>Stellt es neben den Rohling oder dorthin, wo seine Datei es sagt. Eine STL-Datei hat die Einheit des Teils, sonst mm.</translation>
     </message>
 </context>
 <context>

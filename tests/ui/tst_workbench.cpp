@@ -194,6 +194,10 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bench.model.model() != before && !bench.model.importing(), 20000);
         QCOMPARE(bench.model.model()->unitScale, 25.4);
         QVERIFY(std::abs(bench.model.model()->volume() / before->volume() - 25.4 * 25.4 * 25.4) < 1.0);
+        bench.surroundings.importFile(file, 25.4); // a fixture
+        QTRY_COMPARE_WITH_TIMEOUT(bench.surroundings.obstacles().size(), std::size_t{1}, 20000);
+        const Box fixture = boundsOf(*bench.surroundings.obstacles().front().obstacle);
+        QVERIFY(glm::distance(fixture.size(), 25.4 * before->box().size()) < 1e-3);
     }
     void anImportCanBeStopped() {
         Workbench bench;

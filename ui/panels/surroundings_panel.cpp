@@ -185,7 +185,7 @@ void SurroundingsPanel::Fields::refresh() {
                  : state.locked ? SurroundingsPanel::tr("Stop the recording first.")
                  : state.busy   ? SurroundingsPanel::tr("Work is under way.")
                                 : QString(),
-                 SurroundingsPanel::tr("Put it beside the stock, or where its file says"));
+                 SurroundingsPanel::tr("Put it beside the stock, or where its file says. An STL file has the unit of the part's, else mm."));
     travel_->setChecked(state.travelOn);
     const bool stands = !state.axis.free && state.axis.direction == upright;
     enableUnless(travel_, stands ? QString() : SurroundingsPanel::tr("The travel bounds an upright tool alone."),

@@ -86,7 +86,9 @@ void DocumentFlow::importFixture() {
     const QString file = askFixtureToImport(&window_, folder());
     if (file.isEmpty()) return;
     keepFolder(file);
-    workbench_.surroundings.importFile(pathOf(file));
+    const auto model = workbench_.model.model();
+    const bool partIsStl = model && model->format.starts_with("STL");
+    workbench_.surroundings.importFile(pathOf(file), partIsStl ? model->unitScale : 1.0);
 }
 
 void DocumentFlow::importFile(const QString& file, double stlUnit) {

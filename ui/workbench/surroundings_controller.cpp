@@ -79,13 +79,15 @@ void SurroundingsController::add(Obstacle obstacle) {
     setObstacles(tr("new fixture"), std::move(obstacles));
 }
 
-void SurroundingsController::importFile(const std::filesystem::path& file) {
+void SurroundingsController::importFile(const std::filesystem::path& file, double stlUnit) {
     if (locked()) return;
     const std::string name = file.stem().string();
     desk_.tasks.start(
         TaskKind::fixture, tr("Importing %1").arg(QString::fromStdString(file.filename().string())),
-        [file, name](Progress& progress) -> Result<std::vector<Obstacle>> {
-            const Result<Model> model = importModel(file, ImportOptions{}, progress);
+        [file, name, stlUnit](Progress& progress) -> Result<std::vector<Obstacle>> {
+            ImportOptions options;
+            options.stlUnit = stlUnit;
+            const Result<Model> model = importModel(file, options, progress);
             if (!model) return model.error();
             return fixturesOf(*model, name, fixtureMargin);
         },

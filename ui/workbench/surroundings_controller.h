@@ -35,7 +35,8 @@ public:
     // Nothing happens while it is locked.
     void addBox(ObstacleKind kind);                     ///< beside the stock
     void addCylinder(ObstacleKind kind);                ///< likewise
-    void importFile(const std::filesystem::path& file); ///< bodies of a model as fixtures, as they lie in its frame
+    /// Bodies of a model as fixtures, as they lie in its frame. @param stlUnit mm per unit of an STL file
+    void importFile(const std::filesystem::path& file, double stlUnit);
     void change(std::size_t place, const Obstacle& obstacle);
     void remove(std::size_t place);
     void setAxis(const AxisMode& axis); ///< @param axis its direction is made unit
