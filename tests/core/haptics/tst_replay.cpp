@@ -15,12 +15,12 @@ using namespace burin::test;
 namespace {
 
 /// A hand that plunges into the stock, circles, presses on the part below it, and does now and then what hands and
-/// devices should not do.
+/// devices should not do. It moves on from reading to reading, however late they come.
 StylusState roughHand(double time, int reading) {
     StylusState state;
     state.time = time;
-    const double depth = std::min(6.0 * std::max(0.0, time - 0.05), 14.0);
-    state.pose.position = {6.0 * std::cos(9.0 * time), 6.0 * std::sin(9.0 * time), 2.0 - 2.5 * depth};
+    const double moved = 0.001 * reading, depth = std::min(6.0 * std::max(0.0, moved - 0.05), 14.0);
+    state.pose.position = {6.0 * std::cos(9.0 * moved), 6.0 * std::sin(9.0 * moved), 2.0 - 2.5 * depth};
     state.buttons = reading % 200 < 100 ? 1U : 3U;
     state.valid = reading % 131 != 60;
     if (reading % 167 == 90) state.pose.position.x += 30.0; // a jump
@@ -53,6 +53,28 @@ HapticSettings settings() {
     return settings;
 }
 
+bool isEventful(const SessionEvents& events) {
+    return events.cut > 50 && events.held > 20 && events.guided > 50 && events.faults > 3 && events.felt > 20;
+}
+
+/// Records a session with a stylus of a kind, and plays it from its trace.
+void playTwice(int kind, double seconds, SessionEvents& events) {
+    QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath("trace.csv").toStdString();
+    CalledHand called;
+    OwnStylus own(ownDescription(), roughHand);
+    ResampledStylus resampled(std::make_unique<OwnStylus>(ownDescription(), roughHand));
+    if (kind == 2) QVERIFY(resampled.open());
+    const StylusHandle stylus = kind == 0   ? StylusHandle(called)
+                                : kind == 1 ? StylusHandle(own)
+                                            : StylusHandle(static_cast<Stylus&>(resampled));
+    const RecordedSession original = recordSession(stylus, settings(), file, seconds);
+    resampled.close();
+    const std::string difference = differenceOf(original, replaySession(settings(), file));
+    QVERIFY2(difference.empty(), difference.c_str());
+    events = eventsOf(original.samples);
+}
+
 } // namespace
 
 /// A trace of any kind of device gives the same session again, to the bit: where the tool was, what was cut, what was
@@ -68,27 +90,17 @@ private slots:
     }
     void aTraceIsPlayedToTheBit() {
         QFETCH(int, kind);
-        QTemporaryDir folder;
-        const std::filesystem::path file = folder.filePath("trace.csv").toStdString();
-        CalledHand called;
-        OwnStylus own(ownDescription(), roughHand);
-        ResampledStylus resampled(std::make_unique<OwnStylus>(ownDescription(), roughHand));
-        if (kind == 2) QVERIFY(resampled.open());
-        const StylusHandle stylus = kind == 0   ? StylusHandle(called)
-                                    : kind == 1 ? StylusHandle(own)
-                                                : StylusHandle(static_cast<Stylus&>(resampled));
-        const RecordedSession original = recordSession(stylus, settings(), file, 1.5);
-        resampled.close();
-        const std::string difference = differenceOf(original, replaySession(settings(), file));
-        QVERIFY2(difference.empty(), difference.c_str());
-        const SessionEvents events = eventsOf(original.samples);
-        QVERIFY2(events.cut > 50 && events.held > 20 && events.guided > 50 && events.faults > 3 && events.felt > 20,
-                 qPrintable(QString("%1 %2 %3 %4 %5") // or the session was none
-                                .arg(events.cut)
-                                .arg(events.held)
-                                .arg(events.guided)
-                                .arg(events.faults)
-                                .arg(events.felt)));
+        SessionEvents events;
+        for (const double seconds : {1.5, 4.0, 10.0}) { // a busy machine has had few ticks by then
+            playTwice(kind, seconds, events);
+            if (QTest::currentTestFailed() || isEventful(events)) return;
+        }
+        QFAIL(qPrintable(QString("%1 cut, %2 held, %3 guided, %4 faults, %5 felt: the session was none")
+                             .arg(events.cut)
+                             .arg(events.held)
+                             .arg(events.guided)
+                             .arg(events.faults)
+                             .arg(events.felt)));
     }
 
     /// Without what the session was told in between, it is another one: or the test above would show nothing.
