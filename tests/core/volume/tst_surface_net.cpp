@@ -10,6 +10,19 @@
 using namespace burin;
 using namespace burin::test;
 
+namespace {
+
+constexpr double placeRounding = 1e-5; // mm, of the surface's points, which are floats
+
+double areaOf(const TriangleMesh& mesh) {
+    double area = 0.0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        area += 0.5 * glm::length(glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+    return area;
+}
+
+} // namespace
+
 class TestSurfaceNet : public QObject {
     Q_OBJECT
 
@@ -67,7 +80,8 @@ void TestSurfaceNet::bricksAreTheDenseNet() {
         RC_ASSERT(faces == expected);
         const TriangleMesh mesh = triangleMesh(whole);
         RC_ASSERT(countGaps(mesh) == std::size_t{0});
-        RC_ASSERT(mesh.triangles.empty() || signedVolume(mesh) > 0.0);
+        // A film thinner than the net can show has both of its sides in one place: no volume, and none turned inwards.
+        RC_ASSERT(signedVolume(mesh) >= -placeRounding * areaOf(mesh));
     }));
 }
 
