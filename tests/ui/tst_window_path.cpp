@@ -225,6 +225,8 @@ void TestWindowPath::anAreaIsDrawnAndEmptied() {
         auto* draw = driver.window().findChild<QAbstractButton*>(QString::fromStdString(outline + "_draw"));
         return draw != nullptr && draw->isChecked();
     }));
+    QVERIFY(driver.settle());
+    QVERIFY(viewport->hasFocus()); // Esc is the drawing's
     const std::vector<glm::dvec2> corners{{2.0, -6.0}, {20.0, -6.0}, {20.0, 6.0}, {2.0, 6.0}};
     const auto at = [&](const glm::dvec2& corner) {
         return viewport->project(glm::dvec3(zero + corner, height)).toPoint();

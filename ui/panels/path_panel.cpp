@@ -252,8 +252,10 @@ void PathPanel::Fields::refreshEdits() {
     }
     if (added) {
         adding_.clear();
-        keyboard_.await(*added, QStringLiteral("Switch"));
-        bringIntoView(cards_[*added]); // where something is drawn for it, the view has the keyboard
+        if (state.drawnField)
+            bringIntoView(cards_[*added]); // the keyboard is the view's, where it is drawn
+        else
+            keyboard_.await(*added, QStringLiteral("Switch"));
     }
     keyboard_.give(cards_);
 }
