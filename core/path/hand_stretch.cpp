@@ -42,10 +42,11 @@ bool isOfTheHand(const PathPoint& point) noexcept {
 }
 
 Moment momentOf(const PathPoint& point) noexcept {
-    return {point.take, point.sample};
+    return isOfTheHand(point) ? Moment{point.take, point.sample} : Moment{};
 }
 
 bool leadsThrough(const Moment& from, const Moment& to, const TakeStretch& stretch) noexcept {
+    if (to.take == 0) return false;
     if (stretch.contains(to)) return true;
     const auto [low, high] = std::minmax(from.tick, to.tick);
     return from.take == to.take && to.take == stretch.take && stretch.first < high && low < stretch.last;

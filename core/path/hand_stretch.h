@@ -12,11 +12,11 @@ namespace burin {
 /// Whether a moment of the hand lies behind a point; what an edit made of nothing has none.
 bool isOfTheHand(const PathPoint& point) noexcept;
 
-/// The moment behind a point of the hand.
+/// The moment behind a point; take 0: none.
 Moment momentOf(const PathPoint& point) noexcept;
 
-/// Whether the move from one point of the hand to the next one leads through any moment of a stretch. Its start does
-/// not count: that belongs to the move before.
+/// Whether the move from one point to the next leads through any moment of a stretch. Its start does not count: that
+/// belongs to the move before. @param from, to moments behind the points; take 0: none
 bool leadsThrough(const Moment& from, const Moment& to, const TakeStretch& stretch) noexcept;
 
 /// Where a path goes during a stretch of the hand: points that follow each other, chain by chain, a single moment as a

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/program_moments.h"
 
+#include "core/path/hand_stretch.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -49,10 +51,8 @@ std::vector<Moment> momentsOf(const ParsedProgram& program, const Path& path, co
         if (program.motions[i].kind == NcMotionKind::dwell) continue;
         const auto point = follower.next(program.motions[i]);
         if (!point) continue;
-        const PathPoint& behind = path.points[*point];
-        const Moment moment = behind.sample >= 0 ? Moment{behind.take, behind.sample} : Moment{};
         std::fill(moments.begin() + static_cast<std::ptrdiff_t>(waiting),
-                  moments.begin() + static_cast<std::ptrdiff_t>(i + 1), moment);
+                  moments.begin() + static_cast<std::ptrdiff_t>(i + 1), momentOf(path.points[*point]));
         waiting = i + 1;
     }
     return moments;

@@ -180,12 +180,14 @@ void SurroundingsPanel::Fields::refresh() {
     if (!same) rebuildCards();
     for (std::size_t i = 0; i < cards_.size(); ++i) cards_[i]->showRow(state.obstacles[i], state.zero, state.locked);
     none_->setVisible(state.obstacles.empty());
-    enableUnless(add_,
-                 !state.hasPart ? SurroundingsPanel::tr("Import a part first.")
-                 : state.locked ? SurroundingsPanel::tr("Stop the recording first.")
-                 : state.busy   ? SurroundingsPanel::tr("Work is under way.")
-                                : QString(),
-                 SurroundingsPanel::tr("Put it beside the stock, or where its file says. An STL file has the unit of the part's, else mm."));
+    enableUnless(
+        add_,
+        !state.hasPart ? SurroundingsPanel::tr("Import a part first.")
+        : state.locked ? SurroundingsPanel::tr("Stop the recording first.")
+        : state.busy   ? SurroundingsPanel::tr("Work is under way.")
+                       : QString(),
+        SurroundingsPanel::tr(
+            "Put it beside the stock, or where its file says. An STL file has the unit of the part's, else mm."));
     travel_->setChecked(state.travelOn);
     const bool stands = !state.axis.free && state.axis.direction == upright;
     enableUnless(travel_, stands ? QString() : SurroundingsPanel::tr("The travel bounds an upright tool alone."),

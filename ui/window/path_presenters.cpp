@@ -29,10 +29,8 @@ std::optional<MillingSide> sideOf(const EvaluatedPath& path, const TakeStretch& 
     for (const MillingStretch& stretch : path.sides)
         for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
             const PathPoint& point = path.path.points[i];
-            const PathPoint& before = path.path.points[i == 0 ? 0 : i - 1];
-            if (point.kind != MoveKind::cut || !isOfTheHand(point)) continue;
-            if (!leadsThrough(isOfTheHand(before) ? momentOf(before) : momentOf(point), momentOf(point), chosen))
-                continue;
+            const Moment from = i == 0 ? Moment{} : momentOf(path.path.points[i - 1]);
+            if (point.kind != MoveKind::cut || !leadsThrough(from, momentOf(point), chosen)) continue;
             if (side && *side != stretch.side) return std::nullopt;
             side = stretch.side;
         }

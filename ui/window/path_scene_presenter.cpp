@@ -285,8 +285,7 @@ std::vector<std::vector<PathPoint>> PathScenePresenter::chosenPoints() const {
 }
 
 Moment PathScenePresenter::momentOf(std::size_t place) const {
-    const PathPoint& point = path_->path.points[place];
-    return {point.take, point.sample};
+    return burin::momentOf(path_->path.points[place]);
 }
 
 /// Where a stretch of the path begins, or the middle height of all that cuts.

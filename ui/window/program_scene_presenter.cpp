@@ -8,6 +8,7 @@
 #include "ui/panels/texts.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 
@@ -40,13 +41,10 @@ void ProgramScenePresenter::setShown(JobStep step) {
 void ProgramScenePresenter::chooseSelection() {
     const auto& selection = workbench_.path.selection();
     if (!program_ || !selection) return;
-    const auto leads = [&](const Moment& from, const Moment& to) {
-        return to.take != 0 && leadsThrough(from.take != 0 ? from : to, to, *selection);
-    };
     const std::vector<Moment>& moments = program_->moments;
-    auto found = moments.begin();
-    for (; found != moments.end(); ++found)
-        if (leads(found == moments.begin() ? *found : *std::prev(found), *found)) break;
+    Moment before;
+    const auto found = std::ranges::find_if(
+        moments, [&](const Moment& moment) { return leadsThrough(std::exchange(before, moment), moment, *selection); });
     if (found == moments.end()) return;
     line_ = static_cast<int>(program_->parsed.motions[static_cast<std::size_t>(found - moments.begin())].line);
     panel_.showLine(line_);

@@ -102,6 +102,13 @@ void TestHandStretch::aMoveLeadsThroughWhatLiesBehindItsStart() {
     QVERIFY(!leadsThrough(to, from, {take, 200, 200}));
     QVERIFY(!leadsThrough(from, to, {take, 201, 300}));
     QVERIFY(!leadsThrough({take + 1, 100}, to, {take, 150, 150}));
+    QVERIFY(!leadsThrough({}, to, {take, 150, 150}));
+    QVERIFY(leadsThrough({}, to, {take, 200, 200}));
+    QVERIFY(!leadsThrough(from, {}, TakeStretch{})); // everything that the hand did
+    QVERIFY(leadsThrough({}, to, TakeStretch{}));
+    PathPoint drawn = point(0, 100);
+    drawn.sample = -1;
+    QCOMPARE(momentOf(drawn), Moment{});
 }
 
 QTEST_MAIN(TestHandStretch)
