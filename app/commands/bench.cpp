@@ -31,6 +31,7 @@ constexpr std::array benchmarks{
 
 struct BenchArguments {
     std::string name, only;
+    int rounds = 1;
 };
 
 QString programOf(const Benchmark& benchmark) {
@@ -58,6 +59,7 @@ int start(const Benchmark& benchmark, const BenchArguments& arguments, CommandCo
     QStringList words;
     if (context.json) words << QStringLiteral("--json");
     if (!arguments.only.empty()) words << QStringLiteral("--only") << QString::fromStdString(arguments.only);
+    words << QStringLiteral("--rounds") << QString::number(arguments.rounds);
     QProcess process;
     process.setProcessChannelMode(QProcess::ForwardedChannels);
     process.setInputChannelMode(QProcess::ForwardedInputChannel);
@@ -97,6 +99,9 @@ void registerBench(CLI::App& program, CommandContext& context, int& status) {
     CLI::App* command = program.add_subcommand("bench", "Measure Burin beside what else there is");
     command->add_option("NAME", arguments->name, "What to measure; without it, what there is");
     command->add_option("--only", arguments->only, "Only figures whose names begin with this");
+    command->add_option("--rounds", arguments->rounds, "So often all is measured, one round after the other")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runBench(*arguments, context); });
 }

@@ -17,18 +17,18 @@ struct FreeTool {
 };
 
 /// Median over tips of the least time of a look, as the haptic loop takes one each tick; nothing may touch.
-double lookAround(Session& session, const RunVolume& workpiece, const std::vector<RevolvedPiece>& tool,
-                  const std::vector<glm::dvec3>& tips) {
+double lookAround(Session& session, const std::string& name, const RunVolume& workpiece,
+                  const std::vector<RevolvedPiece>& tool, const std::vector<glm::dvec3>& tips) {
     ContactCheck check(workpiece.grid());
     constexpr std::size_t flutes = 1;
     bool touches = false;
-    const std::vector<double> least = leastOfReplays(
+    std::vector<double> least = leastOfReplays(
         tips.size(), [&] { check.forget(); },
         [&](std::size_t i) {
             touches = check.at(workpiece, tool, flutes, {tips[i], {0.0, 0.0, 1.0}}).touches || touches;
         });
     session.check(!touches, "a tool in free space touches nothing");
-    return percentile(least, 0.5);
+    return percentile(session.least(name, std::move(least)), 0.5);
 }
 
 /// Opens an upright shaft from `deep` upwards.
@@ -56,10 +56,11 @@ void freeTool(Session& session, const FreeTool& tool) {
                           0.5 * side + 0.1 * tool.radius * std::sin(turn), deep + 1.0 + 0.01 * static_cast<double>(i));
     }
     const std::vector<RevolvedPiece> all = pieces(cutter);
-    session.add(
-        figure("contact.shank_us" + tool.suffix, lookAround(session, workpiece, {all[0], all[1]}, tips), "us", 3.0));
-    session.add(
-        figure("contact.holder_us" + tool.suffix, lookAround(session, workpiece, {all[0], all[2]}, tips), "us", 3.0));
+    const auto add = [&](const std::string& name, const RevolvedPiece& piece) {
+        session.add(figure(name, lookAround(session, name, workpiece, {all[0], piece}, tips), "us", 3.0));
+    };
+    add("contact.shank_us" + tool.suffix, all[1]);
+    add("contact.holder_us" + tool.suffix, all[2]);
 }
 
 } // namespace

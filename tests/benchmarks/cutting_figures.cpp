@@ -58,7 +58,7 @@ struct Measured {
     std::uint64_t removedUnits = 0;
 };
 
-double peerMedian(const CutCase& task, const PeerWish& wish, const VolumeSnapshot& workpiece) {
+double peerMedian(Session& session, const CutCase& task, const PeerWish& wish, const VolumeSnapshot& workpiece) {
     std::vector<glm::dvec3> tips;
     for (const ToolPose& pose : task.path) tips.push_back(pose.tip);
     const auto peer =
@@ -70,10 +70,9 @@ double peerMedian(const CutCase& task, const PeerWish& wish, const VolumeSnapsho
         peer->cut(tips.front(), tips.front(), removed);
     };
     const ReplayRule rule{4, 6, 0.5};
-    return percentile(
-        leastOfReplays(
-            tips.size() - 1, restart, [&](std::size_t i) { peer->cut(tips[i], tips[i + 1], removed); }, rule),
-        0.5);
+    std::vector<double> ticks = leastOfReplays(
+        tips.size() - 1, restart, [&](std::size_t i) { peer->cut(tips[i], tips[i + 1], removed); }, rule);
+    return percentile(session.least(task.name + ", " + wish.name, std::move(ticks)), 0.5);
 }
 
 /// A case's own figures and those of its peers. Nothing when no figure of it is wanted.
@@ -84,7 +83,7 @@ std::optional<Measured> measure(Session& session, const CutCase& task) {
     Measured measured;
     {
         Milling milling(workpiece, task.cutter);
-        measured.ticks = milling.leastTicks(session, task.path);
+        measured.ticks = session.least(task.name, milling.leastTicks(session, task.path));
         measured.removedUnits = milling.removedUnits();
         milling.restartInAir(session);
     }
@@ -96,7 +95,7 @@ std::optional<Measured> measure(Session& session, const CutCase& task) {
         const std::string name = median.name + wish.suffix;
         if (!session.wants(name)) continue;
         session.stage(task.name + ", " + wish.name);
-        const double theirs = peerMedian(task, wish, start);
+        const double theirs = peerMedian(session, task, wish, start);
         if (theirs == 0.0) continue; // built without that peer
         if (wish.suffix.empty())
             median = against(std::move(median), wish.name, theirs, wish.ratioAtLeast);
@@ -136,10 +135,11 @@ void walksAtOneVoxel(Session& session) {
     const auto small = r50(512, {paper(7.5)});
     if (small && session.wants("cut.ball.r50.m1.512.p50.against_csg_difference")) {
         session.stage("cut.ball.r50.m1.512, OpenVDB csgDifference");
+        const std::string name = "cut.ball.r50.m1.512.p50.against_csg_difference";
         const auto times = csgDifferenceTimes(512.0, 50.0, walkFromAbove(512.0, 50.0, 1.0, 60));
         if (times)
-            session.add(against(figure("cut.ball.r50.m1.512.p50.against_csg_difference", small->p50, "us"),
-                                "OpenVDB level set, csgDifference", percentile(*times, 0.5), 1000.0));
+            session.add(against(figure(name, small->p50, "us"), "OpenVDB level set, csgDifference",
+                                percentile(session.least(name, *times), 0.5), 1000.0));
     }
     (void)r50(1024, {paper(7.5), openVdb(), bytes(), bits()});
     const auto large = r50(2048, {paper(7.5)});
@@ -250,19 +250,19 @@ void firstContact(Session& session) {
     std::vector<ToolPose> path;
     for (double height = 40.0; height > -40.0; height -= 1.0)
         path.push_back({glm::dvec3(0.5 * side, 0.5 * side, top + height), {0.0, 0.0, 1.0}});
-    const auto worstOf = [&](const std::vector<ToolPose>& poses) {
-        const std::vector<double> least = leastOfReplays(
+    const auto worstOf = [&](const char* contact, const std::vector<ToolPose>& poses) {
+        std::vector<double> least = leastOfReplays(
             poses.size() - 1, [&] { milling.restartInAir(session); },
             [&](std::size_t i) { milling.tick(poses[i], poses[i + 1]); }, [&] { milling.giveBackView(); }, {5, 8, 1.0});
         milling.finish(session);
-        return percentile(least, 1.0);
+        return percentile(session.least(name + contact, std::move(least)), 1.0);
     };
-    const double descending = worstOf(path);
+    const double descending = worstOf(".descending", path);
     // The tool stands deep in the stock when its first tick comes, and goes on from there.
     std::vector<ToolPose> deep{{glm::dvec3(0.5 * side), {0.0, 0.0, 1.0}}};
     for (const glm::dvec3& tip : walk(side, radius, 1.0, 100)) deep.push_back({tip, {0.0, 0.0, 1.0}});
     deep.front() = deep[1];
-    const double within = worstOf(deep);
+    const double within = worstOf(".begun_within", deep);
     session.add(figure(name, std::max(descending, within), "us", 1000.0));
     session.add(figure(name + ".descending", descending, "us", 1000.0));
     session.add(figure(name + ".begun_within", within, "us", 1000.0));

@@ -71,7 +71,7 @@ void fieldOfPart(Session& session, std::int32_t side, double limit) {
     std::optional<PartField> field;
     const double spent = leastSeconds(
         2, [&] { field.reset(); }, [&] { field.emplace(build(mesh, band)); });
-    Figure entry = figure(name, spent, "s", limit);
+    Figure entry = figure(name, session.least(name, spent), "s", limit);
     const std::optional<double> theirs = meshLevelSetSeconds(session, side, triangles);
     session.add(theirs ? against(std::move(entry), "OpenVDB meshToLevelSet, half width 3", *theirs) : std::move(entry));
     session.add(figure(name + ".bytes_per_band_voxel",
@@ -124,10 +124,12 @@ void fieldQueries(Session& session) {
                               for (const glm::dvec3& place : places) sum += field.at(place).distance;
                           });
     session.check(std::isfinite(sum), "distances are numbers");
-    Figure entry = figure("field.query_ns", together, "ns", 4.0);
+    Figure entry = figure("field.query_ns", session.least("field.query_ns", together), "ns", 4.0);
     const std::optional<double> theirs = levelSetQueryNanoseconds(bumpyPart(side, 1e5), places);
-    session.add(theirs ? against(std::move(entry), "OpenVDB BoxSampler, value alone", *theirs) : std::move(entry));
-    session.add(figure("field.query_ns.one_by_one", single, "ns"));
+    session.add(theirs
+                    ? against(std::move(entry), "OpenVDB BoxSampler, value alone", session.least("BoxSampler", *theirs))
+                    : std::move(entry));
+    session.add(figure("field.query_ns.one_by_one", session.least("field.query_ns.one_by_one", single), "ns"));
 }
 
 void fieldOfTool(Session& session) {
@@ -141,7 +143,7 @@ void fieldOfTool(Session& session) {
         Progress progress;
         (void)require(ToolField::build(part, request, progress), "a tool's field");
     });
-    session.add(figure("field.tool.512", spent, "s", 5.0));
+    session.add(figure("field.tool.512", session.least("field.tool.512", spent), "s", 5.0));
 }
 
 } // namespace

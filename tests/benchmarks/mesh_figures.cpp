@@ -43,7 +43,8 @@ struct Peer {
     double total() const { return expanding + meshing; }
 };
 
-Peer flyingEdges(const VolumeSnapshot& volume, const std::vector<Brick>& bricks, FlyingEdges::Kind kind) {
+Peer flyingEdges(Session& session, const VolumeSnapshot& volume, const std::vector<Brick>& bricks,
+                 FlyingEdges::Kind kind) {
     FlyingEdges filter(kind);
     const ReplayRule rule{4, 6, 0.5};
     Peer peer;
@@ -61,8 +62,9 @@ Peer flyingEdges(const VolumeSnapshot& volume, const std::vector<Brick>& bricks,
             meshing[i] = std::min(meshing[i], microseconds(Clock::now() - expanded));
         }
     if (triangles == 0) throw std::runtime_error("flying edges found no surface");
-    peer.expanding = percentile(expanding, 0.5);
-    peer.meshing = percentile(meshing, 0.5);
+    const std::string name = kind == FlyingEdges::Kind::discrete ? "discrete flying edges" : "flying edges";
+    peer.expanding = percentile(session.least(name + ", expanding", std::move(expanding)), 0.5);
+    peer.meshing = percentile(session.least(name, std::move(meshing)), 0.5);
     return peer;
 }
 
@@ -86,17 +88,17 @@ void meshFigures(Session& session) {
     const auto brickAt = [](const Brick& brick) {
         return SurfaceBrick{brick.u / flyingBrickSide, brick.v / flyingBrickSide, brick.along / flyingBrickSide};
     };
-    const double ours = percentile(leastOfReplays(
-                                       bricks.size(), [&] { triangles = 0; },
-                                       [&](std::size_t i) {
-                                           extractor.extractBrick(snapshot, brickAt(bricks[i]), mesh);
-                                           triangles += mesh.triangles.size() / 3;
-                                       }),
-                                   0.5);
+    std::vector<double> least = leastOfReplays(
+        bricks.size(), [&] { triangles = 0; },
+        [&](std::size_t i) {
+            extractor.extractBrick(snapshot, brickAt(bricks[i]), mesh);
+            triangles += mesh.triangles.size() / 3;
+        });
+    const double ours = percentile(session.least("mesh.brick_us", std::move(least)), 0.5);
     session.check(triangles > 0, "the surface has triangles");
     session.stage("mesh.brick_us, VTK");
-    const Peer discrete = flyingEdges(snapshot, bricks, FlyingEdges::Kind::discrete);
-    const Peer continuous = flyingEdges(snapshot, bricks, FlyingEdges::Kind::continuous);
+    const Peer discrete = flyingEdges(session, snapshot, bricks, FlyingEdges::Kind::discrete);
+    const Peer continuous = flyingEdges(session, snapshot, bricks, FlyingEdges::Kind::continuous);
     session.add(against(figure("mesh.brick_us", ours, "us", 18.0), "vtkDiscreteFlyingEdges3D with expanding the runs",
                         discrete.total(), 3.5));
     session.add(against(figure("mesh.brick_us.against_flying_edges", ours, "us"),

@@ -13,9 +13,12 @@ namespace burin::benchmarks {
 
 namespace {
 
-int measure(const Program& program, const std::string& only, bool json) {
+int measure(const Program& program, const std::string& only, int rounds, bool json) {
     Session session(only);
-    for (const auto& group : program.groups) group(session);
+    for (int round = 0; round < rounds; ++round) {
+        session.beginRound();
+        for (const auto& group : program.groups) group(session);
+    }
     session.finish();
     std::cout << (json ? jsonOf(session.figures()).dump(2) : tableOf(session.figures())) << std::endl;
     if (json) session.note(summaryOf(session.figures()));
@@ -28,15 +31,19 @@ int run(const Program& program, int argc, char** argv) {
     CLI::App commandLine(program.shows, program.name);
     bool json = false;
     std::string only;
+    int rounds = 1;
     commandLine.add_flag("--json", json, "Print a list of JSON objects on standard output");
     commandLine.add_option("--only", only, "Only figures whose names begin with this");
+    commandLine.add_option("--rounds", rounds, "So often all is measured, one round after the other")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     try {
         commandLine.parse(argc, argv);
     } catch (const CLI::ParseError& wrong) {
         return commandLine.exit(wrong, std::cout, std::cerr) == 0 ? 0 : static_cast<int>(ErrorClass::wrongUse);
     }
     try {
-        return measure(program, only, json);
+        return measure(program, only, rounds, json);
     } catch (const Cancelled&) {
         std::cerr << "\nCancelled.\n";
         return static_cast<int>(ErrorClass::cancelled);

