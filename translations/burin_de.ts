@@ -3858,6 +3858,34 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The path of %1, which is milled before, can&apos;t be made. Here its stock counts as standing; take up that tool to see why.</source>
         <translation>Die Bahn von %1, die vorher gefräst wird, lässt sich nicht erstellen. Hier gilt ihr Rohmaterial als noch vorhanden; nehmen Sie dieses Werkzeug auf, um den Grund zu sehen.</translation>
     </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Order and place</source>
+        <translation>Reihenfolge und Lage</translation>
+    </message>
+    <message>
+        <source>Drawn by hand</source>
+        <translation>Von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>Smoother, fewer moves</source>
+        <translation>Glätten und ausdünnen</translation>
+    </message>
+    <message>
+        <source>Against the part</source>
+        <translation>Gegen das Teil</translation>
+    </message>
+    <message>
+        <source>Leads and links</source>
+        <translation>An-, Abfahrten und Verbindungen</translation>
+    </message>
+    <message>
+        <source>Feeds and speed</source>
+        <translation>Vorschübe und Drehzahl</translation>
+    </message>
 </context>
 <context>
     <name>burin::PreferencesDialog</name>

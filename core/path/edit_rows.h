@@ -33,8 +33,11 @@ struct EditRow<DropDwells> {
 };
 template <>
 struct EditRow<Smooth> {
-    static constexpr EditTraits traits{
-        .id = "smooth", .title = BURIN_TEXT("Edit", "Smooth"), .approximates = true, .mayEnter = true};
+    static constexpr EditTraits traits{.id = "smooth",
+                                       .title = BURIN_TEXT("Edit", "Smooth"),
+                                       .group = EditGroup::smoothing,
+                                       .approximates = true,
+                                       .mayEnter = true};
     static constexpr std::tuple fields{number("cut_off_hz", &Smooth::cutOff, 0.1, 500.0),
                                        number("tolerance_mm", &Smooth::tolerance, 0.0, 10.0)};
 };
@@ -42,6 +45,7 @@ template <>
 struct EditRow<SmoothSpline> {
     static constexpr EditTraits traits{.id = "smooth-spline",
                                        .title = BURIN_TEXT("Edit", "Smooth by a spline"),
+                                       .group = EditGroup::smoothing,
                                        .approximates = true,
                                        .mayEnter = true};
     static constexpr std::tuple fields{number("cut_off_hz", &SmoothSpline::cutOff, 0.1, 500.0),
@@ -72,17 +76,20 @@ struct EditRow<Join> {
 };
 template <>
 struct EditRow<Reorder> {
-    static constexpr EditTraits traits{.id = "reorder", .title = BURIN_TEXT("Edit", "Reorder")};
+    static constexpr EditTraits traits{
+        .id = "reorder", .title = BURIN_TEXT("Edit", "Reorder"), .group = EditGroup::arrangement};
     static constexpr std::tuple fields{moment("stroke", &Reorder::stroke), moment("before", &Reorder::before)};
 };
 template <>
 struct EditRow<Reverse> {
-    static constexpr EditTraits traits{.id = "reverse", .title = BURIN_TEXT("Edit", "Reverse")};
+    static constexpr EditTraits traits{
+        .id = "reverse", .title = BURIN_TEXT("Edit", "Reverse"), .group = EditGroup::arrangement};
     static constexpr std::tuple fields{stretch("stretch", &Reverse::stretch)};
 };
 template <>
 struct EditRow<Mirror> {
-    static constexpr EditTraits traits{.id = "mirror", .title = BURIN_TEXT("Edit", "Mirror"), .mayEnter = true};
+    static constexpr EditTraits traits{
+        .id = "mirror", .title = BURIN_TEXT("Edit", "Mirror"), .group = EditGroup::arrangement, .mayEnter = true};
     static constexpr std::array<std::string_view, 2> planes{"x", "y"};
     static constexpr std::tuple fields{stretch("stretch", &Mirror::stretch), choice("across", &Mirror::across, planes),
                                        number("at_mm", &Mirror::at, -farthestPlace, farthestPlace),
@@ -90,13 +97,15 @@ struct EditRow<Mirror> {
 };
 template <>
 struct EditRow<Rotate> {
-    static constexpr EditTraits traits{.id = "rotate", .title = BURIN_TEXT("Edit", "Rotate"), .mayEnter = true};
+    static constexpr EditTraits traits{
+        .id = "rotate", .title = BURIN_TEXT("Edit", "Rotate"), .group = EditGroup::arrangement, .mayEnter = true};
     static constexpr std::tuple fields{stretch("stretch", &Rotate::stretch), place("centre_mm", &Rotate::centre),
                                        number("angle_rad", &Rotate::angle, -2.0 * pi, 2.0 * pi)};
 };
 template <>
 struct EditRow<Array> {
-    static constexpr EditTraits traits{.id = "array", .title = BURIN_TEXT("Edit", "Array"), .mayEnter = true};
+    static constexpr EditTraits traits{
+        .id = "array", .title = BURIN_TEXT("Edit", "Array"), .group = EditGroup::arrangement, .mayEnter = true};
     static constexpr std::tuple fields{
         stretch("stretch", &Array::stretch), place("step_mm", &Array::step), place("centre_mm", &Array::centre),
         number("turn_rad", &Array::turn, -2.0 * pi, 2.0 * pi), count("copies", &Array::copies, 1.0, 1000.0)};
@@ -104,7 +113,7 @@ struct EditRow<Array> {
 template <>
 struct EditRow<MovePoints> {
     static constexpr EditTraits traits{
-        .id = "move-points", .title = BURIN_TEXT("Edit", "Move points"), .mayEnter = true};
+        .id = "move-points", .title = BURIN_TEXT("Edit", "Move points"), .group = EditGroup::places, .mayEnter = true};
     static constexpr std::array<std::string_view, 2> ways{"free", "surface"};
     static constexpr std::tuple fields{stretch("stretch", &MovePoints::stretch), place("by_mm", &MovePoints::by),
                                        number("falloff_mm", &MovePoints::falloff, 0.0, 1000.0),
@@ -112,20 +121,25 @@ struct EditRow<MovePoints> {
 };
 template <>
 struct EditRow<ReplaceStretch> {
-    static constexpr EditTraits traits{
-        .id = "replace-stretch", .title = BURIN_TEXT("Edit", "Replace a stretch"), .mayEnter = true};
+    static constexpr EditTraits traits{.id = "replace-stretch",
+                                       .title = BURIN_TEXT("Edit", "Replace a stretch"),
+                                       .group = EditGroup::places,
+                                       .mayEnter = true};
     static constexpr std::tuple fields{stretch("stretch", &ReplaceStretch::stretch),
                                        places("places_mm", &ReplaceStretch::places, 2.0)};
 };
 template <>
 struct EditRow<RemoveArea> {
-    static constexpr EditTraits traits{.id = "remove-area", .title = BURIN_TEXT("Edit", "Remove from an area")};
+    static constexpr EditTraits traits{
+        .id = "remove-area", .title = BURIN_TEXT("Edit", "Remove from an area"), .group = EditGroup::places};
     static constexpr std::tuple fields = areaFields;
 };
 template <>
 struct EditRow<LiftArea> {
-    static constexpr EditTraits traits{
-        .id = "lift-area", .title = BURIN_TEXT("Edit", "Lift in an area"), .mayEnter = true};
+    static constexpr EditTraits traits{.id = "lift-area",
+                                       .title = BURIN_TEXT("Edit", "Lift in an area"),
+                                       .group = EditGroup::places,
+                                       .mayEnter = true};
     static constexpr std::tuple fields =
         std::tuple_cat(areaFields, std::tuple{number("lift_mm", &LiftArea::lift, 0.0, 1000.0)});
 };
@@ -133,6 +147,7 @@ template <>
 struct EditRow<HoldOut> {
     static constexpr EditTraits traits{.id = "hold-out",
                                        .title = BURIN_TEXT("Edit", "Hold out of the part"),
+                                       .group = EditGroup::surface,
                                        .step = EditStep::surface,
                                        .approximates = true,
                                        .holdsOut = true};
@@ -141,8 +156,11 @@ struct EditRow<HoldOut> {
 };
 template <>
 struct EditRow<LayOnPart> {
-    static constexpr EditTraits traits{
-        .id = "project", .title = BURIN_TEXT("Edit", "Lay on the part"), .step = EditStep::surface, .holdsOut = true};
+    static constexpr EditTraits traits{.id = "project",
+                                       .title = BURIN_TEXT("Edit", "Lay on the part"),
+                                       .group = EditGroup::surface,
+                                       .step = EditStep::surface,
+                                       .holdsOut = true};
     static constexpr std::array<std::string_view, 2> ways{"axis", "normal"};
     static constexpr std::tuple fields{number("allowance_mm", &LayOnPart::allowance, 0.0, 100.0),
                                        number("sampling_mm", &LayOnPart::sampling, 0.01, 1.0),
@@ -150,8 +168,11 @@ struct EditRow<LayOnPart> {
 };
 template <>
 struct EditRow<Offset> {
-    static constexpr EditTraits traits{
-        .id = "offset", .title = BURIN_TEXT("Edit", "Offset"), .step = EditStep::surface, .mayEnter = true};
+    static constexpr EditTraits traits{.id = "offset",
+                                       .title = BURIN_TEXT("Edit", "Offset"),
+                                       .group = EditGroup::surface,
+                                       .step = EditStep::surface,
+                                       .mayEnter = true};
     static constexpr std::tuple fields{stretch("stretch", &Offset::stretch),
                                        number("distance_mm", &Offset::distance, -1000.0, 1000.0)};
 };
@@ -159,6 +180,7 @@ template <>
 struct EditRow<StepOverRows> {
     static constexpr EditTraits traits{.id = "guide-rows",
                                        .title = BURIN_TEXT("Edit", "Rows along a guide"),
+                                       .group = EditGroup::surface,
                                        .step = EditStep::surface,
                                        .holdsOut = true};
     static constexpr std::tuple fields{stretch("stretch", &StepOverRows::stretch),
@@ -170,14 +192,20 @@ struct EditRow<StepOverRows> {
 };
 template <>
 struct EditRow<Simplify> {
-    static constexpr EditTraits traits{
-        .id = "simplify", .title = BURIN_TEXT("Edit", "Simplify"), .step = EditStep::surface, .approximates = true};
+    static constexpr EditTraits traits{.id = "simplify",
+                                       .title = BURIN_TEXT("Edit", "Simplify"),
+                                       .group = EditGroup::smoothing,
+                                       .step = EditStep::surface,
+                                       .approximates = true};
     static constexpr std::tuple fields{number("tolerance_mm", &Simplify::tolerance, 0.0, 10.0)};
 };
 template <>
 struct EditRow<FitArcs> {
-    static constexpr EditTraits traits{
-        .id = "fit-arcs", .title = BURIN_TEXT("Edit", "Fit arcs"), .step = EditStep::curves, .approximates = true};
+    static constexpr EditTraits traits{.id = "fit-arcs",
+                                       .title = BURIN_TEXT("Edit", "Fit arcs"),
+                                       .group = EditGroup::smoothing,
+                                       .step = EditStep::curves,
+                                       .approximates = true};
     static constexpr std::tuple fields{number("tolerance_mm", &FitArcs::tolerance, 0.0002, 1.0),
                                        number("largest_sweep_rad", &FitArcs::largestSweep, 0.1, pi),
                                        number("smallest_radius_mm", &FitArcs::smallestRadius, 0.01, 100.0),
@@ -188,6 +216,7 @@ template <>
 struct EditRow<RoundCorners> {
     static constexpr EditTraits traits{.id = "round-corners",
                                        .title = BURIN_TEXT("Edit", "Round corners"),
+                                       .group = EditGroup::smoothing,
                                        .step = EditStep::curves,
                                        .approximates = true};
     static constexpr std::tuple fields{number("tolerance_mm", &RoundCorners::tolerance, 0.001, 10.0),
@@ -195,7 +224,8 @@ struct EditRow<RoundCorners> {
 };
 template <>
 struct EditRow<LeadIn> {
-    static constexpr EditTraits traits{.id = "lead-in", .title = BURIN_TEXT("Edit", "Lead in"), .step = EditStep::ends};
+    static constexpr EditTraits traits{
+        .id = "lead-in", .title = BURIN_TEXT("Edit", "Lead in"), .group = EditGroup::links, .step = EditStep::ends};
     static constexpr std::array<std::string_view, 4> forms{"line", "arc", "ramp", "helix"};
     static constexpr std::tuple fields{stretch("stretch", &LeadIn::stretch), choice("form", &LeadIn::form, forms),
                                        number("size_mm", &LeadIn::size, 0.05, 1000.0),
@@ -205,15 +235,18 @@ struct EditRow<LeadIn> {
 template <>
 struct EditRow<LeadOut> {
     static constexpr EditTraits traits{
-        .id = "lead-out", .title = BURIN_TEXT("Edit", "Lead out"), .step = EditStep::ends};
+        .id = "lead-out", .title = BURIN_TEXT("Edit", "Lead out"), .group = EditGroup::links, .step = EditStep::ends};
     static constexpr std::array<std::string_view, 2> forms{"line", "arc"};
     static constexpr std::tuple fields{stretch("stretch", &LeadOut::stretch), choice("form", &LeadOut::form, forms),
                                        number("size_mm", &LeadOut::size, 0.05, 1000.0)};
 };
 template <>
 struct EditRow<Link> {
-    static constexpr EditTraits traits{
-        .id = "link", .title = BURIN_TEXT("Edit", "Link"), .step = EditStep::links, .once = true};
+    static constexpr EditTraits traits{.id = "link",
+                                       .title = BURIN_TEXT("Edit", "Link"),
+                                       .group = EditGroup::links,
+                                       .step = EditStep::links,
+                                       .once = true};
     static constexpr std::array<std::string_view, 3> travels{"safe", "lowest", "around"};
     static constexpr std::tuple fields{number("clearance_above_mm", &Link::clearanceAbove, 0.1, 1000.0),
                                        number("approach_mm", &Link::approach, 0.1, 100.0),
@@ -222,8 +255,11 @@ struct EditRow<Link> {
 };
 template <>
 struct EditRow<SetFeed> {
-    static constexpr EditTraits traits{
-        .id = "set-feed", .title = BURIN_TEXT("Edit", "Set feed and speed"), .step = EditStep::feed, .once = true};
+    static constexpr EditTraits traits{.id = "set-feed",
+                                       .title = BURIN_TEXT("Edit", "Set feed and speed"),
+                                       .group = EditGroup::feeds,
+                                       .step = EditStep::feed,
+                                       .once = true};
     static constexpr std::array<std::string_view, 4> coolings{"advised", "off", "mist", "flood"};
     static constexpr std::tuple fields{number("speed_factor", &SetFeed::speedFactor, 0.05, 5.0),
                                        number("feed_factor", &SetFeed::feedFactor, 0.05, 5.0),
@@ -232,8 +268,10 @@ struct EditRow<SetFeed> {
 
 template <>
 struct EditRow<LevelFeed> {
-    static constexpr EditTraits traits{
-        .id = "level-feed", .title = BURIN_TEXT("Edit", "Feed by engagement"), .step = EditStep::tuning};
+    static constexpr EditTraits traits{.id = "level-feed",
+                                       .title = BURIN_TEXT("Edit", "Feed by engagement"),
+                                       .group = EditGroup::feeds,
+                                       .step = EditStep::tuning};
     static constexpr std::array<std::string_view, 2> goals{"force", "removal"};
     static constexpr std::tuple fields{choice("goal", &LevelFeed::goal, goals),
                                        number("target", &LevelFeed::target, 0.0, 1e6),
@@ -244,8 +282,10 @@ struct EditRow<LevelFeed> {
 };
 template <>
 struct EditRow<AreaFeed> {
-    static constexpr EditTraits traits{
-        .id = "area-feed", .title = BURIN_TEXT("Edit", "Feed in an area"), .step = EditStep::tuning};
+    static constexpr EditTraits traits{.id = "area-feed",
+                                       .title = BURIN_TEXT("Edit", "Feed in an area"),
+                                       .group = EditGroup::feeds,
+                                       .step = EditStep::tuning};
     static constexpr std::tuple fields =
         std::tuple_cat(areaFields, std::tuple{number("factor", &AreaFeed::factor, 0.05, 5.0)});
 };

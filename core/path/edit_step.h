@@ -22,10 +22,22 @@ enum class EditStep : std::uint8_t {
     tuning     ///< feeds that depend on the place
 };
 
+/// What edits are about, as a user looks for them.
+enum class EditGroup : std::uint8_t {
+    strokes,     ///< leaving some out, cutting and joining them
+    arrangement, ///< their order, direction, place and number
+    places,      ///< drawn by hand
+    smoothing,   ///< smoother, or of fewer moves
+    surface,     ///< against the part
+    links,       ///< ways into strokes, out of them and between them
+    feeds
+};
+
 /// What is known of a kind of edit, besides its parameters.
 struct EditTraits {
     std::string_view id;
     TextId title;
+    EditGroup group = EditGroup::strokes;
     EditStep step = EditStep::recording;
     bool once = false;         ///< no second one in a path
     bool approximates = false; ///< what it moves the path by is an error, and counts in the budget

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/path_panel.h"
 
+#include "core/path/edit_step.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/card_keyboard.h"
@@ -15,6 +16,8 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -221,9 +224,23 @@ void PathPanel::Fields::makeCard(std::size_t place) {
 QMenu* PathPanel::Fields::editMenu() {
     auto* menu = new QMenu(add_);
     menu->setObjectName(QStringLiteral("addEditMenu"));
+    struct Group {
+        EditGroup group;
+        QString title;
+    };
+    const std::array groups{Group{EditGroup::strokes, PathPanel::tr("Strokes")},
+                            Group{EditGroup::arrangement, PathPanel::tr("Order and place")},
+                            Group{EditGroup::places, PathPanel::tr("Drawn by hand")},
+                            Group{EditGroup::smoothing, PathPanel::tr("Smoother, fewer moves")},
+                            Group{EditGroup::surface, PathPanel::tr("Against the part")},
+                            Group{EditGroup::links, PathPanel::tr("Leads and links")},
+                            Group{EditGroup::feeds, PathPanel::tr("Feeds and speed")}};
+    std::map<EditGroup, QMenu*> menus;
+    for (const auto& [group, title] : groups) menus[group] = menu->addMenu(title);
     for (const Edit& edit : everyEdit()) {
         const std::string_view id = idOf(edit.parameters);
-        QAction* action = menu->addAction(Messages::text(titleOf(edit.parameters)));
+        QAction* action =
+            menus.at(traitsOf(edit.parameters).group)->addAction(Messages::text(titleOf(edit.parameters)));
         action->setObjectName(QLatin1String("add-") + QLatin1String(id.data(), static_cast<qsizetype>(id.size())));
         connect(action, &QAction::triggered, this, [this, edit] {
             adding_ = idOf(edit.parameters);
