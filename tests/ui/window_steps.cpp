@@ -43,7 +43,9 @@ bool makeReady(WindowDriver& driver) {
     Workbench& bench = driver.window().workbench();
     drop(driver.window(), writeBlock(driver));
     if (!driver.waitFor([&] { return bench.model.model() != nullptr; })) return false;
-    if (!driver.step(JobStep::stock) || !driver.clickOn("embedButton")) return false;
+    // Coarser than what suits the block: these tests ask how the window behaves, not how finely it mills.
+    if (!driver.step(JobStep::stock) || !driver.enter("voxelField", "0.5") || !driver.clickOn("embedButton"))
+        return false;
     return driver.waitFor([&] { return bench.bench.ready(); }) && driver.settle();
 }
 
