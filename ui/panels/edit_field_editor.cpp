@@ -62,7 +62,7 @@ void EditFieldEditor::addChoice(const EditParameter& parameter, const QString& n
     choice_ = new ChoiceBox(this);
     choice_->setObjectName(name);
     for (const std::string_view choice : choices_) choice_->addItem(choiceText(choice));
-    layout()->addWidget(new FieldRow(parameter.label, choice_, parameter.toolTip, this));
+    layout()->addWidget(new FieldRow(parameter.label, choice_, parameter.toolTip, this, FieldRow::choiceWidth));
     connect(choice_, &QComboBox::activated, this,
             [this](int index) { emit edited(value_ = choices_[static_cast<std::size_t>(index)]); });
 }
