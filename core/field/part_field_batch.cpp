@@ -4,6 +4,8 @@
 #include "core/field/part_field_layers.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <cstring>
 
 namespace burin {
@@ -16,13 +18,13 @@ using Row = std::array<Number, chunkPoints>;
 
 /// Points side by side: placed and computed eight at a time, looked up one by one in between.
 struct Chunk {
-    std::array<Row<float>, 3> share;        ///< of the cell
-    std::array<Row<float>, 3> along;        ///< voxels from the brick's lowest corner
-    std::array<Row<std::int32_t>, 3> brick; ///< counted from the origin
-    Row<std::int32_t> first;                ///< of the cell's samples in the brick
+    std::array<Row<float>, 3> share;                                ///< of the cell
+    std::array<Row<float>, 3> along;                                ///< voxels from the brick's lowest corner
+    std::array<std::array<std::int32_t, chunkPoints + 1>, 3> brick; ///< counted from the origin; point 0 in place 1
+    Row<std::int32_t> first;                                        ///< of the cell's samples in the brick
     Row<const FineBrick*> header;
-    Row<const std::int8_t*> narrow; ///< residuals at the cell's lowest corner; of a brick with wide ones none
-    Row<const std::int16_t*> wide;
+    Row<const std::int8_t*> narrow; ///< residuals at the cell's lowest corner
+    Row<const std::int16_t*> wide;  ///< the same of a brick with wide ones, of others none
 };
 
 struct Frame {
@@ -99,7 +101,7 @@ BURIN_VECTORISED_TO_AVX512 bool placeAll(const glm::dvec3* points, const Frame& 
             const Floats share = narrowed(low.share, high.share);
             store(share, chunk.share[a].data() + from);
             store(floatsOf(cell) + share, chunk.along[a].data() + from);
-            store(voxel >> 3, chunk.brick[a].data() + from);
+            store(voxel >> 3, chunk.brick[a].data() + 1 + from);
             first = CellGrid::along * first + cell;
         }
         store(first, chunk.first.data() + from);
@@ -107,36 +109,62 @@ BURIN_VECTORISED_TO_AVX512 bool placeAll(const glm::dvec3* points, const Frame& 
     return (inside[0] & inside[1] & inside[2] & inside[3]) != 0;
 }
 
+/// A bit for each point that lies in another brick than the one before; the first always has one.
+BURIN_VECTORISED_TO_AVX512 std::uint64_t brickBegins(const Chunk& chunk) noexcept {
+    std::uint64_t begins = 0;
+    for (std::size_t from = 0; from < chunkPoints; from += lanes) {
+        Integers unlike{};
+        for (const auto& places : chunk.brick) {
+            Integers before, here;
+            std::memcpy(&before, places.data() + from, sizeof before);
+            std::memcpy(&here, places.data() + 1 + from, sizeof here);
+            unlike |= before ^ here;
+        }
+        begins |= std::uint64_t{bitsOf(unlike != Integers{})} << from;
+    }
+    return begins | 1U;
+}
+
 /// The eight corners of a cell, x running fastest, of eight cells.
 struct Corners {
     std::array<Floats, 8> of;
 };
 
-/// Two residuals that follow each other come with one load; what lies beyond them is still in the brick's store.
-BURIN_INLINE std::int32_t wordAt(const std::int8_t* first) noexcept {
-    std::int32_t word;
-    std::memcpy(&word, first, sizeof word);
-    return word;
+using Bytes = std::int8_t __attribute__((vector_size(32)));
+
+/// The corners of a narrow cell, eight numbers of a byte: in the first half of a register the lower four, in each word
+/// of it the same; in the second half the upper four.
+BURIN_INLINE Integers cellAt(const std::int8_t* first) noexcept {
+    static_assert(637 + 81 + 16 <= PartFieldLayers::narrowStride); // what is read of the highest cell
+    TwoDoubles low, high;                                          // sixteen bytes each
+    std::memcpy(&low, first, sizeof low);
+    std::memcpy(&high, first + 81, sizeof high);
+    const auto all = reinterpret_cast<Bytes>(__builtin_shufflevector(low, high, 0, 1, 2, 3));
+    return reinterpret_cast<Integers>(__builtin_shufflevector(all, all, 0, 1, 9, 10, 0, 1, 9, 10, 0, 1, 9, 10, 0, 1, 9,
+                                                              10, 16, 17, 25, 26, 16, 17, 25, 26, 16, 17, 25, 26, 16,
+                                                              17, 25, 26));
+}
+/// Of four cells: a word each for their lower corners, and behind these for their upper ones.
+BURIN_INLINE Integers fourCells(const std::int8_t* const* first) noexcept {
+    const Integers ab = __builtin_shufflevector(cellAt(first[0]), cellAt(first[1]), 0, 9, 2, 11, 4, 13, 6, 15);
+    const Integers cd = __builtin_shufflevector(cellAt(first[2]), cellAt(first[3]), 0, 9, 2, 11, 4, 13, 6, 15);
+    return __builtin_shufflevector(ab, cd, 0, 1, 10, 11, 4, 5, 14, 15);
 }
 BURIN_INLINE void gatherNarrow(const std::int8_t* const* first, Corners& corners) noexcept {
-    constexpr std::array<int, 4> steps{0, 9, 81, 90};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const int step = steps[i];
-        const Integers words{wordAt(first[0] + step), wordAt(first[1] + step), wordAt(first[2] + step),
-                             wordAt(first[3] + step), wordAt(first[4] + step), wordAt(first[5] + step),
-                             wordAt(first[6] + step), wordAt(first[7] + step)};
-        corners.of[2 * i] = floatsOf((words << 24) >> 24); // x86: the lowest byte is the first
-        corners.of[2 * i + 1] = floatsOf((words << 16) >> 24);
-    }
+    const Integers one = fourCells(first), other = fourCells(first + 4);
+    const std::array<Integers, 2> layers{__builtin_shufflevector(one, other, 0, 1, 2, 3, 8, 9, 10, 11),
+                                         __builtin_shufflevector(one, other, 4, 5, 6, 7, 12, 13, 14, 15)};
+    for (std::size_t layer = 0; layer < 2; ++layer)
+        for (std::size_t i = 0; i < 4; ++i) // x86: the lowest byte is the first
+            corners.of[4 * layer + i] = floatsOf(layers[layer] << static_cast<int>(24 - 8 * i) >> 24);
 }
 BURIN_INLINE void gatherAny(const Chunk& chunk, std::size_t from, Corners& corners) noexcept {
     constexpr std::array<int, 8> steps{0, 1, 9, 10, 81, 82, 90, 91};
     std::array<EightIntegers, 8> found;
     for (std::size_t lane = 0; lane < lanes; ++lane)
         for (std::size_t i = 0; i < 8; ++i)
-            found[i][static_cast<int>(lane)] = chunk.narrow[from + lane] != nullptr
-                                                   ? chunk.narrow[from + lane][steps[i]]
-                                                   : chunk.wide[from + lane][steps[i]];
+            found[i][static_cast<int>(lane)] = chunk.wide[from + lane] == nullptr ? chunk.narrow[from + lane][steps[i]]
+                                                                                  : chunk.wide[from + lane][steps[i]];
     for (std::size_t i = 0; i < 8; ++i) corners.of[i] = floatsOf(load(found[i]));
 }
 
@@ -145,17 +173,28 @@ struct Headers {
     Floats base, quantum;
     std::array<Floats, 3> slope;
 };
-template <class Member>
-BURIN_INLINE Floats ofEach(const FineBrick* const* header, const Member& member) noexcept {
-    return Floats{member(*header[0]), member(*header[1]), member(*header[2]), member(*header[3]),
-                  member(*header[4]), member(*header[5]), member(*header[6]), member(*header[7])};
+BURIN_INLINE FourFloats fourOf(const float* first) noexcept {
+    FourFloats values;
+    std::memcpy(&values, first, sizeof values);
+    return values;
+}
+/// Four numbers each of headers i and i + 4.
+BURIN_INLINE Floats pairOf(const FineBrick* const* header, std::size_t i) noexcept {
+    return __builtin_shufflevector(fourOf(&header[i]->base), fourOf(&header[i + 4]->base), 0, 1, 2, 3, 4, 5, 6, 7);
 }
 BURIN_INLINE Headers headersOf(const FineBrick* const* header) noexcept {
-    return {ofEach(header, [](const FineBrick& brick) { return brick.base; }),
-            ofEach(header, [](const FineBrick& brick) { return brick.quantum; }),
-            {ofEach(header, [](const FineBrick& brick) { return brick.slope[0]; }),
-             ofEach(header, [](const FineBrick& brick) { return brick.slope[1]; }),
-             ofEach(header, [](const FineBrick& brick) { return brick.slope[2]; })}};
+    static_assert(offsetof(FineBrick, slope) == offsetof(FineBrick, base) + sizeof(float));
+    const Floats a = pairOf(header, 0), b = pairOf(header, 1), c = pairOf(header, 2), d = pairOf(header, 3);
+    const Floats low0 = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Floats low1 = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Floats high0 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Floats high1 = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+    return {__builtin_shufflevector(low0, low1, 0, 1, 8, 9, 4, 5, 12, 13),
+            Floats{header[0]->quantum, header[1]->quantum, header[2]->quantum, header[3]->quantum, header[4]->quantum,
+                   header[5]->quantum, header[6]->quantum, header[7]->quantum},
+            {__builtin_shufflevector(low0, low1, 2, 3, 10, 11, 6, 7, 14, 15),
+             __builtin_shufflevector(high0, high1, 0, 1, 8, 9, 4, 5, 12, 13),
+             __builtin_shufflevector(high0, high1, 2, 3, 10, 11, 6, 7, 14, 15)}};
 }
 BURIN_INLINE Headers headersOf(const FineBrick& brick) noexcept {
     return {floats(brick.base),
@@ -217,7 +256,7 @@ struct Groups {
 };
 
 BURIN_VECTORISED_TO_AVX512 void computeAll(const Chunk& chunk, const Groups& groups, float perVoxel,
-                                 PartDistance* answers) noexcept {
+                                           PartDistance* answers) noexcept {
     const Floats scale = floats(perVoxel);
     for (std::size_t from = 0; from < chunkPoints; from += lanes) {
         Corners corners;
@@ -235,12 +274,54 @@ BURIN_VECTORISED_TO_AVX512 void computeAll(const Chunk& chunk, const Groups& gro
 constexpr FineBrick noBrick{};
 constexpr std::array<std::int8_t, PartFieldLayers::narrowStride> noResiduals{};
 
+/// Points one after the other in one brick.
+struct Stretch {
+    const FineBrick* header = &noBrick;
+    const std::int8_t* narrow = noResiduals.data();
+    const std::int16_t* wide = nullptr;
+};
+/// The stretches of a chunk, and what is not in a fine brick's trilinear cell.
+struct Stretches {
+    std::array<Stretch, chunkPoints> of;
+    std::array<std::uint8_t, chunkPoints> others;
+    std::size_t otherCount = 0;
+};
+
+/// Hands each point what its stretch has, without a branch that depends on the points.
+void spread(const Stretches& stretches, std::uint64_t begins, Chunk& chunk) noexcept {
+    std::size_t begun = 0;
+    for (std::size_t i = 0; i < chunkPoints; ++i, begins >>= 1) {
+        begun += begins & 1U;
+        const Stretch& stretch = stretches.of[begun - 1];
+        chunk.header[i] = stretch.header;
+        chunk.narrow[i] = stretch.narrow + chunk.first[i];
+    }
+}
+
+void spreadWide(const Stretches& stretches, std::uint64_t begins, Chunk& chunk) noexcept {
+    std::size_t begun = 0;
+    for (std::size_t i = 0; i < chunkPoints; ++i, begins >>= 1) {
+        begun += begins & 1U;
+        const Stretch& stretch = stretches.of[begun - 1];
+        chunk.wide[i] = stretch.wide == nullptr ? nullptr : stretch.wide + chunk.first[i];
+    }
+}
+
+/// A group that a brick begins in lies in several, unless it begins with the group.
+std::uint32_t mixedGroups(std::uint64_t begins) noexcept {
+    std::uint32_t mixed = 0;
+    for (std::size_t group = 0; group < chunkPoints / lanes; ++group)
+        mixed |= std::uint32_t{(begins >> (group * lanes) & 0xfeU) != 0} << group;
+    return mixed;
+}
+
 } // namespace
 
 void PartFieldLayers::sample(std::span<const glm::dvec3> points, std::span<PartDistance> answers) const noexcept {
     const Frame frame{origin, voxelCount_, perVoxel_};
     Chunk chunk;
-    std::array<std::uint32_t, chunkPoints> others; // what is not in a fine brick's trilinear cell
+    for (auto& places : chunk.brick) places[0] = -1;
+    Stretches stretches;
     std::array<glm::dvec3, chunkPoints> padded;
     std::array<PartDistance, chunkPoints> found;
     for (std::size_t first = 0; first < points.size(); first += chunkPoints) {
@@ -257,42 +338,39 @@ void PartFieldLayers::sample(std::span<const glm::dvec3> points, std::span<PartD
             for (std::size_t i = 0; i < count; ++i) answers[first + i] = sample(points[first + i]);
             continue;
         }
-        std::size_t otherCount = 0;
-        Groups groups;
-        glm::ivec3 last(-1);
-        const FineBrick* brick = nullptr;
-        const std::int8_t* narrowSamples = nullptr;
-        const std::int16_t* wideSamples = nullptr;
-        for (std::size_t i = 0; i < chunkPoints; ++i) {
-            const glm::ivec3 here(chunk.brick[0][i], chunk.brick[1][i], chunk.brick[2][i]);
-            if (((here.x ^ last.x) | (here.y ^ last.y) | (here.z ^ last.z)) != 0) {
-                last = here;
-                if (i % lanes != 0) groups.mixed |= 1U << (i / lanes);
-                brick = fineBrickAt(here << 3);
-                if (brick != nullptr) {
-                    const bool isWide = brick->wide != 0;
-                    narrowSamples = isWide ? nullptr : narrow.data() + std::size_t{brick->samples} * narrowStride;
-                    wideSamples = isWide ? wide.data() + std::size_t{brick->samples} * CellGrid::samples : nullptr;
-                }
+        const std::uint64_t begins = brickBegins(chunk);
+        Groups groups{0, mixedGroups(begins)};
+        stretches.otherCount = 0;
+        std::size_t stretchCount = 0;
+        for (std::uint64_t left = begins; left != 0; left &= left - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(left));
+            const glm::ivec3 here(chunk.brick[0][i + 1], chunk.brick[1][i + 1], chunk.brick[2][i + 1]);
+            const FineBrick* const brick = fineBrickAt(here << 3);
+            Stretch& stretch = stretches.of[stretchCount++] = {};
+            if (brick != nullptr) {
+                stretch.header = brick;
+                if (brick->wide == 0)
+                    stretch.narrow = narrow.data() + std::size_t{brick->samples} * narrowStride;
+                else
+                    stretch.wide = wide.data() + std::size_t{brick->samples} * CellGrid::samples;
+                if (brick->exact == FineBrick::none && brick->wide == 0) continue;
             }
-            const std::int32_t sampleAt = chunk.first[i];
-            if (brick == nullptr || (brick->exact != FineBrick::none && isExact(*brick, CellGrid::cellOf(sampleAt)))) {
-                if (i < count) others[otherCount++] = static_cast<std::uint32_t>(i);
-                chunk.header[i] = &noBrick;
-                chunk.narrow[i] = noResiduals.data();
-                groups.mixed |= 1U << (i / lanes);
-                continue;
-            }
-            chunk.header[i] = brick;
-            chunk.narrow[i] = narrowSamples != nullptr ? narrowSamples + sampleAt : nullptr;
-            if (narrowSamples == nullptr) {
-                chunk.wide[i] = wideSamples + sampleAt;
-                groups.wide |= 1U << (i / lanes);
-            }
+            const std::uint64_t behind = left & (left - 1);
+            const std::size_t end = behind == 0 ? chunkPoints : static_cast<std::size_t>(std::countr_zero(behind));
+            for (std::size_t at = i; at < std::min(end, count); ++at)
+                if (brick == nullptr || isExact(*brick, CellGrid::cellOf(chunk.first[at])))
+                    stretches.others[stretches.otherCount++] = static_cast<std::uint8_t>(at);
+            if (stretch.wide == nullptr) continue;
+            for (std::size_t group = i / lanes; group * lanes < end; ++group) groups.wide |= 1U << group;
         }
+        spread(stretches, begins, chunk);
+        if (groups.wide != 0) spreadWide(stretches, begins, chunk);
         computeAll(chunk, groups, static_cast<float>(perVoxel_), to);
         if (to == found.data()) std::copy_n(found.begin(), count, answers.begin() + static_cast<std::ptrdiff_t>(first));
-        for (std::size_t i = 0; i < otherCount; ++i) answers[first + others[i]] = sample(points[first + others[i]]);
+        for (std::size_t i = 0; i < stretches.otherCount; ++i) {
+            const std::size_t at = first + stretches.others[i];
+            answers[at] = sample(points[at]);
+        }
     }
 }
 
