@@ -12,8 +12,8 @@ namespace burin {
 
 namespace {
 
-/// What a tick may cost, in groups of eight lines: half a millisecond on the machine of the README's figures.
-constexpr double tickBudget = 50000.0;
+/// What a tick may cost, in groups of eight lines: 0.4 ms on the machine of the README's figures.
+constexpr double tickBudget = 40000.0;
 constexpr double leastBudget = 15000.0; // what is put off must come to an end, whatever else a tick has to do
 constexpr double costOfReading = 5.0;   // of a line of the volume, in groups
 constexpr double costOfBrick = 12.0;    // that the window did not hold

@@ -344,7 +344,7 @@ private slots:
         QVERIFY(unprepared.cut(unready, tip, next).putOff);
 
         MaterialRemoval removal(cutter, fine, Writing::deferred);
-        const int ticks = static_cast<int>(std::ceil(3.2 * radius * radius * 5.4 / 50000.0)) + 1;
+        const int ticks = static_cast<int>(std::ceil(3.2 * radius * radius * 5.4 / 40000.0)) + 1;
         for (int tick = 0; tick < ticks; ++tick) removal.approach(workpiece, {tip, {0.0, 0.0, 1.0}});
         QVERIFY(removal.settled());
         QVERIFY(workpiece.amounts() == before);
