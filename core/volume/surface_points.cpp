@@ -43,15 +43,22 @@ BURIN_INLINE Corners cornersOf(const std::int16_t* low, const std::int16_t* high
     return corners;
 }
 
-/// Where an edge is crossed: 0 … 1 from its one end to the other; and whether (all bits or none).
+/// Where an edge is crossed, from its one end to the other: a share above / below; and whether (all bits or none).
 struct Crossing {
-    Floats place;
+    Floats above, below; ///< 0 and 1 where it is not
     Integers is;
 };
 BURIN_INLINE Crossing crossing(Integers from, Integers to) noexcept {
     const Integers is = (from ^ to) >> 31;
-    const Floats low = floatsOf(from), place = low / (low - floatsOf(to)); // 0 / 0 where it is not
-    return {reinterpret_cast<Floats>(reinterpret_cast<Integers>(place) & is), is};
+    return {floatsOf(from & is), floatsOf(((from - to) & is) - ~is), is};
+}
+
+/// The sum of two shares. Divisions are what takes longest here, so that all four are made one.
+struct Share {
+    Floats above, below;
+};
+BURIN_INLINE Share added(Floats above, Floats below, Floats otherAbove, Floats otherBelow) noexcept {
+    return {above * otherBelow + otherAbove * below, below * otherBelow};
 }
 
 /// The crossings on four parallel edges. A number of crossings is counted downwards, as `is` is -1.
@@ -61,9 +68,12 @@ struct FourCrossings {
     Integers first, second; ///< and of those how many on edges at the far side of the other two axes, in their order
 };
 BURIN_INLINE FourCrossings sum(const Crossing (&edges)[2][2]) noexcept {
+    const auto two = [&](int i) __attribute__((always_inline)) {
+        return added(edges[i][0].above, edges[i][0].below, edges[i][1].above, edges[i][1].below);
+    };
+    const Share near = two(0), beyond = two(1), all = added(near.above, near.below, beyond.above, beyond.below);
     const Integers far = edges[1][0].is + edges[1][1].is;
-    return {(edges[0][0].place + edges[0][1].place) + (edges[1][0].place + edges[1][1].place),
-            edges[0][0].is + edges[0][1].is + far, far, edges[0][1].is + edges[1][1].is};
+    return {all.above / all.below, edges[0][0].is + edges[0][1].is + far, far, edges[0][1].is + edges[1][1].is};
 }
 
 /// In the middle of the crossings on the cubes' twelve edges, 0 … 1 from the lowest corner.
@@ -77,9 +87,9 @@ BURIN_INLINE Triple middleOfCrossings(const Corners& corners) noexcept {
             alongN[a][b] = crossing(at[a][b][0], at[a][b][1]);
         }
     const FourCrossings u = sum(alongU), v = sum(alongV), n = sum(alongN);
-    const Floats count = floatsOf(u.count + v.count + n.count);
-    return {(floatsOf(v.first + n.first) - u.places) / count, (floatsOf(u.first + n.second) - v.places) / count,
-            (floatsOf(u.second + v.second) - n.places) / count};
+    const Floats each = 1.0F / floatsOf(u.count + v.count + n.count);
+    return {(floatsOf(v.first + n.first) - u.places) * each, (floatsOf(u.first + n.second) - v.places) * each,
+            (floatsOf(u.second + v.second) - n.places) * each};
 }
 
 BURIN_INLINE Floats between(Floats a, Floats b, Floats share) noexcept {
