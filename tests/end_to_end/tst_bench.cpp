@@ -14,6 +14,7 @@ private slots:
     void listsWhatThereIs();
     void printsFiguresWithTheirPeers();
     void printsATableForPeople();
+    void roundsAddNoFigures();
     void refusesWhatItDoesNotKnow();
     void stopsWhenAsked();
 
@@ -68,6 +69,21 @@ void BenchTest::printsATableForPeople() {
     QVERIFY(lines.first().startsWith("figure "));
     QVERIFY2(lines.last().contains(" figures, "), lines.last().constData());
     for (const QByteArray& line : lines) QVERIFY(!line.contains("r0_5"));
+}
+
+void BenchTest::roundsAddNoFigures() {
+    QSet<QString> names;
+    for (const char* rounds : {"1", "2"}) {
+        const ProgramRun run = runBurin({"bench", "volume", "--json", "--only", "snapshot", "--rounds", rounds});
+        QVERIFY2(run.status == 0, run.messages.constData());
+        const QJsonArray figures = listOf(run);
+        QCOMPARE(figures.size(), 2);
+        for (const QJsonValue& figure : figures) names.insert(figure["name"].toString());
+    }
+    QCOMPARE(names, (QSet<QString>{"snapshot.us", "snapshot.first_touch_us"}));
+    const ProgramRun none = runBurin({"bench", "volume", "--rounds", "0"});
+    QCOMPARE(none.status, 2);
+    QVERIFY2(none.messages.contains("--rounds"), none.messages.constData());
 }
 
 void BenchTest::refusesWhatItDoesNotKnow() {
