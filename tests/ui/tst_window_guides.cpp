@@ -61,8 +61,11 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
         farthest = std::max(farthest, std::abs(state.sample.proxy.tip.y - zero));
         wanted = std::max(wanted, std::abs(state.sample.stylusTip.y - zero));
     });
-    millLine(driver, {-20, 1.2}, {20, 1.2});
-    QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 3000));
+    // On a busy machine the window is told of few ticks: a whole stroke may pass without one in its middle.
+    for (std::size_t stroke = 1; stroke <= 5 && wanted <= 1.0; ++stroke) {
+        millLine(driver, {-20, 1.2}, {20, 1.2});
+        QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == stroke; }, 10000));
+    }
     QVERIFY(told);
     QVERIFY2(wanted > 1.0, qPrintable(QString::number(wanted)));
     QVERIFY2(farthest < 0.01, qPrintable(QString::number(farthest)));
