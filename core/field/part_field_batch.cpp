@@ -23,8 +23,8 @@ struct Chunk {
     std::array<std::array<std::int32_t, chunkPoints + 1>, 3> brick; ///< counted from the origin; point 0 in place 1
     Row<std::int32_t> first;                                        ///< of the cell's samples in the brick
     Row<const FineBrick*> header;
-    Row<const std::int8_t*> narrow; ///< residuals at the cell's lowest corner
-    Row<const std::int16_t*> wide;  ///< the same of a brick with wide ones, of others none
+    Row<const std::int8_t*> narrow; ///< residuals at the cell's lowest corner; of no meaning in a brick of wide ones
+    const std::int16_t* wide = nullptr; ///< those of all bricks
 };
 
 struct Frame {
@@ -135,8 +135,8 @@ using Bytes = std::int8_t __attribute__((vector_size(32)));
 /// The corners of a narrow cell, eight numbers of a byte: in the first half of a register the lower four, in each word
 /// of it the same; in the second half the upper four.
 BURIN_INLINE Integers cellAt(const std::int8_t* first) noexcept {
-    static_assert(637 + 81 + 16 <= PartFieldLayers::narrowStride); // what is read of the highest cell
-    TwoDoubles low, high;                                          // sixteen bytes each
+    static_assert(7 * (1 + 9 + 81) + 81 + 16 <= PartFieldLayers::narrowStride); // what is read of the last cell
+    TwoDoubles low, high;                                                       // sixteen bytes each
     std::memcpy(&low, first, sizeof low);
     std::memcpy(&high, first + 81, sizeof high);
     const auto all = reinterpret_cast<Bytes>(__builtin_shufflevector(low, high, 0, 1, 2, 3));
@@ -161,10 +161,16 @@ BURIN_INLINE void gatherNarrow(const std::int8_t* const* first, Corners& corners
 BURIN_INLINE void gatherAny(const Chunk& chunk, std::size_t from, Corners& corners) noexcept {
     constexpr std::array<int, 8> steps{0, 1, 9, 10, 81, 82, 90, 91};
     std::array<EightIntegers, 8> found;
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        for (std::size_t i = 0; i < 8; ++i)
-            found[i][static_cast<int>(lane)] = chunk.wide[from + lane] == nullptr ? chunk.narrow[from + lane][steps[i]]
-                                                                                  : chunk.wide[from + lane][steps[i]];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const auto take = [&](const auto* first) {
+            for (std::size_t i = 0; i < 8; ++i) found[i][static_cast<int>(lane)] = first[steps[i]];
+        };
+        const FineBrick& brick = *chunk.header[from + lane];
+        if (brick.wide == 0)
+            take(chunk.narrow[from + lane]);
+        else
+            take(chunk.wide + std::size_t{brick.samples} * CellGrid::samples + chunk.first[from + lane]);
+    }
     for (std::size_t i = 0; i < 8; ++i) corners.of[i] = floatsOf(load(found[i]));
 }
 
@@ -274,39 +280,6 @@ BURIN_VECTORISED_TO_AVX512 void computeAll(const Chunk& chunk, const Groups& gro
 constexpr FineBrick noBrick{};
 constexpr std::array<std::int8_t, PartFieldLayers::narrowStride> noResiduals{};
 
-/// Points one after the other in one brick.
-struct Stretch {
-    const FineBrick* header = &noBrick;
-    const std::int8_t* narrow = noResiduals.data();
-    const std::int16_t* wide = nullptr;
-};
-/// The stretches of a chunk, and what is not in a fine brick's trilinear cell.
-struct Stretches {
-    std::array<Stretch, chunkPoints> of;
-    std::array<std::uint8_t, chunkPoints> others;
-    std::size_t otherCount = 0;
-};
-
-/// Hands each point what its stretch has, without a branch that depends on the points.
-void spread(const Stretches& stretches, std::uint64_t begins, Chunk& chunk) noexcept {
-    std::size_t begun = 0;
-    for (std::size_t i = 0; i < chunkPoints; ++i, begins >>= 1) {
-        begun += begins & 1U;
-        const Stretch& stretch = stretches.of[begun - 1];
-        chunk.header[i] = stretch.header;
-        chunk.narrow[i] = stretch.narrow + chunk.first[i];
-    }
-}
-
-void spreadWide(const Stretches& stretches, std::uint64_t begins, Chunk& chunk) noexcept {
-    std::size_t begun = 0;
-    for (std::size_t i = 0; i < chunkPoints; ++i, begins >>= 1) {
-        begun += begins & 1U;
-        const Stretch& stretch = stretches.of[begun - 1];
-        chunk.wide[i] = stretch.wide == nullptr ? nullptr : stretch.wide + chunk.first[i];
-    }
-}
-
 /// A group that a brick begins in lies in several, unless it begins with the group.
 std::uint32_t mixedGroups(std::uint64_t begins) noexcept {
     std::uint32_t mixed = 0;
@@ -317,61 +290,95 @@ std::uint32_t mixedGroups(std::uint64_t begins) noexcept {
 
 } // namespace
 
-void PartFieldLayers::sample(std::span<const glm::dvec3> points, std::span<PartDistance> answers) const noexcept {
-    const Frame frame{origin, voxelCount_, perVoxel_};
-    Chunk chunk;
-    for (auto& places : chunk.brick) places[0] = -1;
-    Stretches stretches;
-    std::array<glm::dvec3, chunkPoints> padded;
-    std::array<PartDistance, chunkPoints> found;
-    for (std::size_t first = 0; first < points.size(); first += chunkPoints) {
-        const std::size_t count = std::min(chunkPoints, points.size() - first);
-        const glm::dvec3* from = points.data() + first;
-        PartDistance* to = answers.data() + first;
-        if (count < chunkPoints) {
-            std::copy_n(from, count, padded.begin());
-            std::fill(padded.begin() + static_cast<std::ptrdiff_t>(count), padded.end(), from[0]);
-            from = padded.data();
-            to = found.data();
+/// Answers points of one field, up to `chunkPoints` at a time.
+class PartFieldLayers::Batch {
+public:
+    explicit Batch(const PartFieldLayers& layers) noexcept
+        : layers_(layers), frame_{layers.origin, layers.voxelCount_, layers.perVoxel_} {
+        chunk_.wide = layers.wide.data();
+        for (auto& places : chunk_.brick) places[0] = -1;
+    }
+
+    void answer(std::span<const glm::dvec3> points, PartDistance* answers) noexcept {
+        if (points.size() == chunkPoints) return answer(points.data(), chunkPoints, answers);
+        std::array<glm::dvec3, chunkPoints> padded;
+        std::array<PartDistance, chunkPoints> found;
+        const auto rest = std::ranges::copy(points, padded.begin()).out;
+        std::fill(rest, padded.end(), points.front());
+        answer(padded.data(), points.size(), found.data());
+        std::copy_n(found.begin(), points.size(), answers);
+    }
+
+private:
+    /// Points one after the other in one brick.
+    struct Stretch {
+        const FineBrick* header = &noBrick;
+        const std::int8_t* narrow = noResiduals.data();
+    };
+
+    /// @param points, answers so many as a chunk has; `count` of them matter
+    void answer(const glm::dvec3* points, std::size_t count, PartDistance* answers) noexcept {
+        if (!placeAll(points, frame_, chunk_)) {
+            for (std::size_t i = 0; i < count; ++i) answers[i] = layers_.sample(points[i]);
+            return;
         }
-        if (!placeAll(from, frame, chunk)) {
-            for (std::size_t i = 0; i < count; ++i) answers[first + i] = sample(points[first + i]);
-            continue;
-        }
-        const std::uint64_t begins = brickBegins(chunk);
-        Groups groups{0, mixedGroups(begins)};
-        stretches.otherCount = 0;
-        std::size_t stretchCount = 0;
-        for (std::uint64_t left = begins; left != 0; left &= left - 1) {
-            const auto i = static_cast<std::size_t>(std::countr_zero(left));
-            const glm::ivec3 here(chunk.brick[0][i + 1], chunk.brick[1][i + 1], chunk.brick[2][i + 1]);
-            const FineBrick* const brick = fineBrickAt(here << 3);
-            Stretch& stretch = stretches.of[stretchCount++] = {};
-            if (brick != nullptr) {
-                stretch.header = brick;
-                if (brick->wide == 0)
-                    stretch.narrow = narrow.data() + std::size_t{brick->samples} * narrowStride;
-                else
-                    stretch.wide = wide.data() + std::size_t{brick->samples} * CellGrid::samples;
-                if (brick->exact == FineBrick::none && brick->wide == 0) continue;
-            }
-            const std::uint64_t behind = left & (left - 1);
-            const std::size_t end = behind == 0 ? chunkPoints : static_cast<std::size_t>(std::countr_zero(behind));
-            for (std::size_t at = i; at < std::min(end, count); ++at)
-                if (brick == nullptr || isExact(*brick, CellGrid::cellOf(chunk.first[at])))
-                    stretches.others[stretches.otherCount++] = static_cast<std::uint8_t>(at);
-            if (stretch.wide == nullptr) continue;
-            for (std::size_t group = i / lanes; group * lanes < end; ++group) groups.wide |= 1U << group;
-        }
-        spread(stretches, begins, chunk);
-        if (groups.wide != 0) spreadWide(stretches, begins, chunk);
-        computeAll(chunk, groups, static_cast<float>(perVoxel_), to);
-        if (to == found.data()) std::copy_n(found.begin(), count, answers.begin() + static_cast<std::ptrdiff_t>(first));
-        for (std::size_t i = 0; i < stretches.otherCount; ++i) {
-            const std::size_t at = first + stretches.others[i];
-            answers[at] = sample(points[at]);
+        const std::uint64_t begins = brickBegins(chunk_);
+        groups_ = {0, mixedGroups(begins)};
+        findStretches(begins);
+        spread(begins);
+        computeAll(chunk_, groups_, static_cast<float>(layers_.perVoxel_), answers);
+        for (std::size_t i = 0; i < otherCount_ && others_[i] < count; ++i)
+            answers[others_[i]] = layers_.sample(points[others_[i]]);
+    }
+
+    void findStretches(std::uint64_t begins) noexcept {
+        otherCount_ = 0;
+        std::size_t found = 0;
+        for (; begins != 0; ++found) {
+            const auto first = static_cast<std::size_t>(std::countr_zero(begins));
+            begins &= begins - 1;
+            const std::size_t end = begins == 0 ? chunkPoints : static_cast<std::size_t>(std::countr_zero(begins));
+            const glm::ivec3 at(chunk_.brick[0][first + 1], chunk_.brick[1][first + 1], chunk_.brick[2][first + 1]);
+            stretches_[found] = stretchIn(layers_.fineBrickAt(at << 3), first, end);
         }
     }
+
+    /// A stretch of points; what is not in a fine brick's trilinear cell is put with the others.
+    Stretch stretchIn(const FineBrick* brick, std::size_t first, std::size_t end) noexcept {
+        if (brick == nullptr || brick->exact != FineBrick::none)
+            for (std::size_t i = first; i < end; ++i)
+                if (brick == nullptr || layers_.isExact(*brick, CellGrid::cellOf(chunk_.first[i])))
+                    others_[otherCount_++] = static_cast<std::uint8_t>(i);
+        if (brick == nullptr) return {};
+        if (brick->wide == 0) return {brick, layers_.narrow.data() + std::size_t{brick->samples} * narrowStride};
+        for (std::size_t group = first / lanes; group * lanes < end; ++group) groups_.wide |= 1U << group;
+        return {brick, noResiduals.data()};
+    }
+
+    /// Hands each point what its stretch has, without a branch that depends on the points.
+    void spread(std::uint64_t begins) noexcept {
+        std::size_t begun = 0;
+        for (std::size_t i = 0; i < chunkPoints; ++i, begins >>= 1) {
+            begun += begins & 1U;
+            const Stretch& stretch = stretches_[begun - 1];
+            chunk_.header[i] = stretch.header;
+            chunk_.narrow[i] = stretch.narrow + chunk_.first[i];
+        }
+    }
+
+    const PartFieldLayers& layers_;
+    Frame frame_;
+    Chunk chunk_;
+    Groups groups_;
+    std::array<Stretch, chunkPoints> stretches_;
+    std::array<std::uint8_t, chunkPoints> others_; ///< in rising order
+    std::size_t otherCount_ = 0;
+};
+
+void PartFieldLayers::sample(std::span<const glm::dvec3> points, std::span<PartDistance> answers) const noexcept {
+    Batch batch(*this);
+    for (std::size_t first = 0; first < points.size(); first += chunkPoints)
+        batch.answer(points.subspan(first, std::min(chunkPoints, points.size() - first)), answers.data() + first);
 }
 
 } // namespace burin

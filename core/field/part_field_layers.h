@@ -134,6 +134,7 @@ public:
     std::vector<std::uint32_t> lists;     ///< a count, then so many triangles
 
 private:
+    class Batch;
     static std::size_t at(const glm::ivec3& i, const glm::ivec3& n) noexcept {
         return static_cast<std::size_t>(i.x) +
                static_cast<std::size_t>(n.x) *

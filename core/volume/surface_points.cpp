@@ -43,22 +43,22 @@ BURIN_INLINE Corners cornersOf(const std::int16_t* low, const std::int16_t* high
     return corners;
 }
 
-/// Where an edge is crossed, from its one end to the other: a share above / below; and whether (all bits or none).
+/// above / below, not divided yet: one division then serves a sum of four.
+struct Share {
+    Floats above, below;
+};
+BURIN_INLINE Share operator+(const Share& a, const Share& b) noexcept {
+    return {a.above * b.below + b.above * a.below, a.below * b.below};
+}
+
+/// Where an edge is crossed, from its one end to the other, 0 where it is not; and whether (all bits or none).
 struct Crossing {
-    Floats above, below; ///< 0 and 1 where it is not
+    Share place;
     Integers is;
 };
 BURIN_INLINE Crossing crossing(Integers from, Integers to) noexcept {
     const Integers is = (from ^ to) >> 31;
-    return {floatsOf(from & is), floatsOf(((from - to) & is) - ~is), is};
-}
-
-/// The sum of two shares. Divisions are what takes longest here, so that all four are made one.
-struct Share {
-    Floats above, below;
-};
-BURIN_INLINE Share added(Floats above, Floats below, Floats otherAbove, Floats otherBelow) noexcept {
-    return {above * otherBelow + otherAbove * below, below * otherBelow};
+    return {{floatsOf(from & is), floatsOf(((from - to) & is) - ~is)}, is}; // 0 / 1 where it is not
 }
 
 /// The crossings on four parallel edges. A number of crossings is counted downwards, as `is` is -1.
@@ -68,12 +68,9 @@ struct FourCrossings {
     Integers first, second; ///< and of those how many on edges at the far side of the other two axes, in their order
 };
 BURIN_INLINE FourCrossings sum(const Crossing (&edges)[2][2]) noexcept {
-    const auto two = [&](int i) __attribute__((always_inline)) {
-        return added(edges[i][0].above, edges[i][0].below, edges[i][1].above, edges[i][1].below);
-    };
-    const Share near = two(0), beyond = two(1), all = added(near.above, near.below, beyond.above, beyond.below);
+    const Share places = (edges[0][0].place + edges[0][1].place) + (edges[1][0].place + edges[1][1].place);
     const Integers far = edges[1][0].is + edges[1][1].is;
-    return {all.above / all.below, edges[0][0].is + edges[0][1].is + far, far, edges[0][1].is + edges[1][1].is};
+    return {places.above / places.below, edges[0][0].is + edges[0][1].is + far, far, edges[0][1].is + edges[1][1].is};
 }
 
 /// In the middle of the crossings on the cubes' twelve edges, 0 … 1 from the lowest corner.

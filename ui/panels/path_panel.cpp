@@ -17,9 +17,9 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -39,6 +39,7 @@ private:
     void makeCards();
     void makeCard(std::size_t place);
     QMenu* editMenu();
+    void offer(const Edit& edit, QMenu* menu);
     bool cardsFit() const;
     std::optional<std::size_t> addedPlace() const;
     QString withoutTakes() const;
@@ -235,19 +236,23 @@ QMenu* PathPanel::Fields::editMenu() {
                             Group{EditGroup::surface, PathPanel::tr("Against the part")},
                             Group{EditGroup::links, PathPanel::tr("Leads and links")},
                             Group{EditGroup::feeds, PathPanel::tr("Feeds and speed")}};
-    std::map<EditGroup, QMenu*> menus;
-    for (const auto& [group, title] : groups) menus[group] = menu->addMenu(title);
-    for (const Edit& edit : everyEdit()) {
-        const std::string_view id = idOf(edit.parameters);
-        QAction* action =
-            menus.at(traitsOf(edit.parameters).group)->addAction(Messages::text(titleOf(edit.parameters)));
-        action->setObjectName(QLatin1String("add-") + QLatin1String(id.data(), static_cast<qsizetype>(id.size())));
-        connect(action, &QAction::triggered, this, [this, edit] {
-            adding_ = idOf(edit.parameters);
-            emit panel_->editAdded(edit);
-        });
+    const std::vector<Edit> edits = everyEdit();
+    for (const auto& [group, title] : groups) {
+        QMenu* part = menu->addMenu(title);
+        for (const Edit& edit : edits)
+            if (traitsOf(edit.parameters).group == group) offer(edit, part);
     }
     return menu;
+}
+
+void PathPanel::Fields::offer(const Edit& edit, QMenu* menu) {
+    const std::string_view id = idOf(edit.parameters);
+    QAction* action = menu->addAction(Messages::text(titleOf(edit.parameters)));
+    action->setObjectName(QLatin1String("add-") + QLatin1String(id.data(), static_cast<qsizetype>(id.size())));
+    connect(action, &QAction::triggered, this, [this, edit] {
+        adding_ = idOf(edit.parameters);
+        emit panel_->editAdded(edit);
+    });
 }
 
 void PathPanel::Fields::refreshEdits() {

