@@ -55,8 +55,11 @@ std::optional<Span> PieceChord::along(double x, double y) const noexcept {
     return span;
 }
 
+/// A line across the axis may lie in the face in which two pieces of a stack meet: each has it then, or neither had.
 bool PieceChord::clipToFaces(const Line& line, Span& span) const noexcept {
-    return clipToSlab(span, rise_, line.before * lean_, piece_.bottom, piece_.top);
+    const double offset = line.before * lean_;
+    if (rise_ == 0.0) return piece_.bottom <= offset && offset <= piece_.top;
+    return clipToSlab(span, rise_, offset, piece_.bottom, piece_.top);
 }
 
 bool PieceChord::clipToCylinder(const Line& line, Span& span) const noexcept {

@@ -19,7 +19,7 @@ constexpr double leastWidth = 1e-12;
 // Seen from the side within this, a rounding's ring is a line: angles would not tell its places, and with them their
 // depths, from each other. What that moves is less than a millionth of a millimetre a metre from the tip.
 constexpr double leastOpening = 1e-9;
-// Two arcs that meet leave no place between them to rounding.
+// Two arcs that meet leave no place between them to rounding, nor do the sides of two pieces of a stack.
 constexpr double joint = 1e-12; // mm
 
 /// An axis (unit length) that lies in the view's plane but for rounding is put there.
@@ -150,7 +150,7 @@ ShadowEdge::Point ShadowEdge::lowest(double across) const noexcept {
         for (const ProfileDisc& disc : profile_.discs()) lowestOnDisc(disc, across, best);
     for (std::size_t i = 0; i < sideCount_; ++i) {
         const Side& side = sides_[i];
-        if (across < side.from.x || across > side.to.x) continue;
+        if (across < side.from.x - joint || across > side.to.x + joint) continue;
         const glm::dvec3 place = side.from + (across - side.from.x) / (side.to.x - side.from.x) * (side.to - side.from);
         if (place.y < best.up) best = {place.y, place.z};
     }

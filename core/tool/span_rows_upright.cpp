@@ -41,6 +41,17 @@ BURIN_INLINE Floats lowAtEnd(const Upright& piece, const End& end, Floats inside
 struct FromWay {
     Floats ahead, chord, asideSquare;
     Integers meets; ///< all bits or none
+
+    /// Whether the piece covers the line between the ends, but for what an end that it then covers says as well. A
+    /// line may lie on the outline at one end and beside the axis at the other: no end covers it, the way does.
+    /// @param part of the way at which the face counts
+    /// @param atFirst the face counts as early on the way as it can, else as late
+    BURIN_INLINE Integers isPassed(const Upright& piece, Floats part, bool atFirst) const noexcept {
+        const Floats zero{};
+        const Integers behindEnd = ahead < floats(piece.reach), beforeStart = ahead > zero;
+        return meets & (atFirst ? beforeStart & (behindEnd | (part < floats(1.0F)))
+                                : behindEnd & (beforeStart | (part > zero)));
+    }
 };
 
 /// Offset from axis to line at which a bull nose that rises is lowest over it, between two bounds: the zero of a
@@ -84,10 +95,10 @@ BURIN_INLINE Floats lowBetween(const Upright& piece, const FromWay& line) noexce
         const Integers valid = line.meets & (part > zero) & (part < one);
         return valid ? piece.rise * (part - one) - (unitsAVoxel * piece.cosine) * line.chord : floats(nowhere);
     }
-    const Integers passes = (line.ahead > zero) & (line.ahead < floats(piece.reach));
+    const bool atFirst = !(piece.rise < 0.0F);
     if constexpr (shape == Shape::flat) {
         const Floats part = (line.ahead - piece.riseSign * line.chord) * piece.perReach;
-        const Integers valid = line.meets & (passes | ((part > zero) & (part < one)));
+        const Integers valid = line.isPassed(piece, part, atFirst);
         return valid ? piece.to.flatHeight + piece.rise * (least(most(part, zero), one) - one) : floats(nowhere);
     }
     Floats offset = zero;
@@ -98,7 +109,7 @@ BURIN_INLINE Floats lowBetween(const Upright& piece, const FromWay& line) noexce
         offset = -cornerOffset(piece, line.asideSquare, most(-last, zero), -first);
     offset = least(most(offset, first), last);
     const Floats part = (line.ahead - offset) * piece.perReach;
-    const Integers valid = line.meets & (first <= last) & (passes | ((part > zero) & (part < one)));
+    const Integers valid = (first < last) & line.isPassed(piece, part, atFirst);
     const Floats inside = piece.radius * piece.radius - line.asideSquare - offset * offset;
     const Floats height = piece.rise * (least(most(part, zero), one) - one) - unitsAVoxel * drop<shape>(piece, inside);
     return valid ? height : floats(nowhere);
@@ -108,8 +119,7 @@ BURIN_INLINE Floats lowBetween(const Upright& piece, const FromWay& line) noexce
 BURIN_INLINE Integers highBetween(const Upright& piece, const FromWay& line) noexcept {
     const Floats zero{}, one = floats(1.0F);
     const Floats part = (line.ahead + piece.riseSign * line.chord) * piece.perReach;
-    const Integers passes = (line.ahead > zero) & (line.ahead < floats(piece.reach));
-    const Integers valid = line.meets & (passes | ((part > zero) & (part < one)));
+    const Integers valid = line.isPassed(piece, part, piece.rise < 0.0F);
     const Floats height = piece.rise * (least(most(part, zero), one) - one);
     return valid ? wholeOf(piece.topMiddle + height) + piece.topBase : integers(-SpanRows::none);
 }

@@ -15,6 +15,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // 1e-7 of the way's length of a steep wall.
 constexpr double leastSine = 1e-7;
 constexpr double leastLength = 1e-12; // mm
+// So far beside a line a wall's point still counts as on it. Lines of a grid and ends of ways lie on round numbers:
+// a wall then begins or ends on a line, which the cutter at that end may touch and not cover.
+constexpr double besideLine = 1e-10; // mm
 
 glm::dvec3 in(const glm::dvec3& v, const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z) noexcept {
     return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)};
@@ -79,14 +82,15 @@ TiltedSweep::TiltedSweep(const RevolvedPiece& piece, const glm::dvec3& fromTip, 
 }
 
 /// Height of the wall on a line, mm above the first tip, with `side` -1 upside down; infinite where the wall's point
-/// is not thrown between the ends.
+/// is not thrown between the ends, or to `besideLine` of the line from one of them.
 double TiltedSweep::wallAt(const ShadowEdge& edge, double side, double x, double y) const noexcept {
     const glm::dvec3 place(x, y, 0.0);
     const ShadowEdge::Point point = edge.lowest(glm::dot(place, view_.across));
     if (!(point.up < infinity)) return infinity;
     const double height = (point.up - side * glm::dot(place, view_.up)) / sine_;
-    const double part = (glm::dot(place, view_.depth) + side * (height * view_.depth.z - point.depth)) / length_;
-    return part >= 0.0 && part <= 1.0 ? height : infinity;
+    const double way = glm::dot(place, view_.depth) + side * (height * view_.depth.z - point.depth); // mm, of its point
+    const double beyond = way - std::clamp(way, 0.0, length_);
+    return std::abs(beyond) * sine_ <= besideLine ? height - side * beyond * view_.depth.z : infinity;
 }
 
 std::optional<Span> TiltedSweep::along(double x, double y) const noexcept {
