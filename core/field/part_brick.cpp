@@ -5,6 +5,7 @@
 #include "core/geometry/four_floats.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 namespace burin {
@@ -25,8 +26,6 @@ constexpr float narrowQuantum = 0.008F;    // coarsest unit of residuals of 8 bi
 constexpr float estimate = 0.005F;         // of a sample that was not asked for, at least
 constexpr float rounding = 1e-5F;          // of single precision
 constexpr float halfDiagonal = 0.8660254F; // of a cube of edge 1
-constexpr std::size_t longList = 8;        // triangles: worth a second look
-constexpr std::size_t mostTriangles = 64;  // that an exact cell may name
 
 /// The greatest chord error along one axis of a whole brick, or more: of four edges at a time.
 class ChordErrors {
@@ -89,24 +88,27 @@ void BrickMaker::make(const glm::ivec3& corner, const SampleGrid& third, float t
     corner_ = glm::dvec3(corner);
     sample(third);
     sampleError_ += thirdError;
-    finish(made);
+    finish(made, false);
 }
 
-void BrickMaker::make(const glm::ivec3& corner, MadeBrick& made) {
+void BrickMaker::makeClosely(const glm::ivec3& corner, MadeBrick& made) {
     corner_ = glm::dvec3(corner);
     sampleError_ = 0.0F;
     for (int z = 0; z < 9; ++z)
         for (int y = 0; y < 9; ++y)
             for (int x = 0; x < 9; ++x) nine_.set(nine_.at(x, y, z), asker_.ask(corner_ + glm::dvec3(x, y, z)));
-    finish(made);
+    finish(made, true);
 }
 
-void BrickMaker::finish(MadeBrick& made) {
+void BrickMaker::finish(MadeBrick& made, bool closely) {
     float cells = boundCells();
     pack(made);
-    cells = std::max(cells, listTriangles(made));
+    const ExactCellFinder::Found found =
+        closely ? exact_.listClosely(corner_, mask_, made) : exact_.list(corner_, mask_, made);
+    cells = std::max({cells, errorOf(found.tooMany), found.error});
     const float quantisation = 0.5F * made.header.quantum;
     made.bound = static_cast<float>(static_cast<double>(cells + sampleError_ + rounding) * voxel_) + quantisation;
+    made.sampleBound = static_cast<float>(static_cast<double>(sampleError_ + rounding) * voxel_) + quantisation;
 }
 
 void BrickMaker::sample(const SampleGrid& third) {
@@ -215,58 +217,14 @@ float BrickMaker::boundCells() {
     return largest;
 }
 
-/// A triangle that is nearest to some point of a cell is no farther from the cell's centre than the nearest one is, and
-/// twice the way to the cell's corner.
-float BrickMaker::listTriangles(MadeBrick& made) {
-    float cells = 0.0F; ///< error of those that stay trilinear nevertheless
-    made.exactMask = mask_;
-    made.cellLists.clear();
-    made.lists.clear();
-    std::vector<std::uint32_t> last;
-    std::uint32_t lastAt = 0;
+float BrickMaker::errorOf(const CellMask& cells) const noexcept {
+    float largest = 0.0F;
     for (int z = 0; z < 8; ++z)
-        for (int place = 0; place < 64; ++place) {
-            if (((mask_[static_cast<std::size_t>(z)] >> place) & 1U) == 0) continue;
-            const glm::dvec3 centre = corner_ + glm::dvec3(place % 8, place / 8, z) + 0.5;
-            const double distance = std::abs(static_cast<double>(asker_.ask(centre).distance));
-            part_.trianglesNear(origin_ + centre * voxel_, (distance + 2.0 * 0.8660255) * voxel_, near_);
-            if (near_.size() > longList && near_.size() <= 8 * mostTriangles) prune(centre);
-            if (near_.size() > mostTriangles) { // quicker as it is
-                made.exactMask[static_cast<std::size_t>(z)] &= ~(std::uint64_t{1} << place);
-                cells = std::max(cells, cellError(place % 8, place / 8, z));
-                continue;
-            }
-            std::sort(near_.begin(), near_.end());
-            if (near_ != last || made.lists.empty()) {
-                lastAt = static_cast<std::uint32_t>(made.lists.size());
-                made.lists.push_back(static_cast<std::uint32_t>(near_.size()));
-                made.lists.insert(made.lists.end(), near_.begin(), near_.end());
-                last = near_;
-            }
-            made.cellLists.push_back(lastAt);
+        for (std::uint64_t layer = cells[static_cast<std::size_t>(z)]; layer != 0; layer &= layer - 1) {
+            const int place = std::countr_zero(layer);
+            largest = std::max(largest, cellError(place % 8, place / 8, z));
         }
-    return cells;
-}
-
-/// The same for each eighth of the cell.
-void BrickMaker::prune(const glm::dvec3& centre) {
-    std::vector<bool> wanted(near_.size(), false);
-    std::vector<double> distances(near_.size());
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 side{i & 1 ? 0.25 : -0.25, i & 2 ? 0.25 : -0.25, i & 4 ? 0.25 : -0.25};
-        const glm::dvec3 point = origin_ + (centre + side) * voxel_;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t t = 0; t < near_.size(); ++t) {
-            distances[t] = part_.closestOf({&near_[t], 1}, point).distance;
-            least = std::min(least, distances[t]);
-        }
-        for (std::size_t t = 0; t < near_.size(); ++t)
-            if (distances[t] <= least + 0.8660255 * voxel_) wanted[t] = true;
-    }
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < near_.size(); ++t)
-        if (wanted[t]) near_[kept++] = near_[t];
-    near_.resize(kept);
+    return largest;
 }
 
 float distanceIn(const MadeBrick& made, const glm::vec3& place) noexcept {

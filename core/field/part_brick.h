@@ -2,24 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/field/part_sample.h"
+#include "core/field/exact_cell_finder.h"
 
 #include <optional>
 
 namespace burin {
-
-/// A fine brick as it leaves its maker; the builder puts the parts together.
-struct MadeBrick {
-    FineBrick header;
-    std::array<std::int8_t, CellGrid::samples> narrow{}; ///< residuals, unless they are wide
-    std::vector<std::int16_t> wide;
-    std::array<std::uint64_t, 8> exactMask{};
-    std::vector<std::uint32_t> cellLists; ///< per exact cell: where its list begins in `lists`
-    std::vector<std::uint32_t> lists;
-    float bound = 0.0F;           ///< mm
-    float least = 0.0F;           ///< mm
-    std::uint32_t bandVoxels = 0; ///< its own samples (all but those on the upper faces) within the band
-};
 
 /// What a made brick answers where its cells are trilinear, mm. @param place  voxels from its lowest corner, 0 … 8
 float distanceIn(const MadeBrick& made, const glm::vec3& place) noexcept;
@@ -48,35 +35,32 @@ public:
     static constexpr float bandVoxels = 4.0F;
 
     BrickMaker(const MeshDistance& part, const glm::dvec3& origin, double voxel)
-        : part_(part), asker_(part, origin, voxel), origin_(origin), voxel_(voxel) {}
+        : asker_(part, origin, voxel), exact_(part, origin, voxel), voxel_(voxel) {}
 
     /// @param corner  lowest, voxels from the origin  @param third  its samples 4 voxels apart
     /// @param thirdError  of those, voxels
     void make(const glm::ivec3& corner, const SampleGrid& third, float thirdError, MadeBrick& made);
-    /// Asks the mesh for every sample.
-    void make(const glm::ivec3& corner, MadeBrick& made);
+    /// Asks the mesh for every sample, and looks into every cell for folds of the surface.
+    void makeClosely(const glm::ivec3& corner, MadeBrick& made);
 
 private:
     void sample(const SampleGrid& third);
-    void finish(MadeBrick& made);
+    void finish(MadeBrick& made, bool closely);
     void sampleFailing();
     std::optional<PartSample> onLines(const glm::ivec3& sample) const noexcept;
     float boundCells();
     float cellError(int x, int y, int z) const noexcept;
-    float listTriangles(MadeBrick& made);
-    void prune(const glm::dvec3& centre);
+    float errorOf(const CellMask& cells) const noexcept;
     void pack(MadeBrick& made) const;
     void packResiduals(MadeBrick& made, const std::array<float, CellGrid::samples>& residuals, float half) const;
 
-    const MeshDistance& part_;
     PartAsker asker_;
-    glm::dvec3 origin_;
+    ExactCellFinder exact_;
     double voxel_;
     glm::dvec3 corner_{0.0};
     SampleGrid five_{5}, nine_{9};
     float sampleError_ = 0.0F; ///< of samples that were not asked for, voxels
-    std::array<std::uint64_t, 8> mask_{};
-    std::vector<std::uint32_t> near_;
+    CellMask mask_{};
 };
 
 } // namespace burin

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 namespace burin {
 
@@ -36,6 +38,7 @@ public:
         sampleCandidates();
         makeBricks();
         checkSurface();
+        growThinFeatures();
         boundCoarseBricks();
         if (progress_.cancelled()) return Error{ErrorCode::cancelled, subject, "", ""};
         assemble();
@@ -219,16 +222,59 @@ private:
         });
     }
 
-    /// Bricks that a point of the mesh contradicts are made again, sample by sample.
+    /// Bricks that a point of the mesh contradicts, or another brick, are made again, sample by sample; what those then
+    /// contradict, too.
     void checkSurface() {
-        const std::vector<std::size_t> again =
-            SurfaceCheck(part_, *layers_, candidates_, made_).contradicted(progress_);
-        spread(again.size(), 0.92, 0.95, progress_, [&](std::size_t i) {
-            BrickMaker maker(part_, layers_->origin, voxel());
-            const std::size_t number = again[i];
-            candidates_[number].fine = true;
-            maker.make(brickVoxels * candidates_[number].brick, made_[number]);
-        });
+        const SurfaceCheck check(part_, *layers_, candidates_, made_);
+        std::vector<std::uint8_t> asked(candidates_.size(), 0);
+        for (std::vector<std::size_t> again = check.contradicted(progress_); !again.empty() && !progress_.cancelled();
+             again = check.contradictedBy(again, asked)) {
+            spread(again.size(), 0.9, 0.93, progress_, [&](std::size_t i) {
+                BrickMaker maker(part_, layers_->origin, voxel());
+                const std::size_t number = again[i];
+                candidates_[number].fine = true;
+                maker.makeClosely(brickVoxels * candidates_[number].brick, made_[number]);
+            });
+            for (const std::size_t number : again) asked[number] = 1;
+        }
+    }
+
+    /// What folds between samples does so into the bricks beside, too, which may know nothing of it.
+    void growThinFeatures() {
+        std::vector<std::size_t> last(made_.size());
+        std::iota(last.begin(), last.end(), std::size_t{0});
+        while (!last.empty() && !progress_.cancelled()) {
+            const std::map<std::size_t, CellMask> seeds = thinBeside(last);
+            std::vector<std::pair<std::size_t, CellMask>> places(seeds.begin(), seeds.end());
+            std::vector<std::uint8_t> grown(places.size(), 0);
+            spread(places.size(), 0.93, 0.95, progress_, [&](std::size_t i) {
+                const auto& [number, cells] = places[i];
+                ExactCellFinder finder(part_, layers_->origin, voxel());
+                grown[i] = finder.grow(glm::dvec3(brickVoxels * candidates_[number].brick), cells, made_[number]);
+            });
+            last.clear();
+            for (std::size_t i = 0; i < places.size(); ++i)
+                if (grown[i] != 0) last.push_back(places[i].first);
+        }
+    }
+
+    /// Cells of fine bricks beside those of some bricks in which the surface folds between samples.
+    std::map<std::size_t, CellMask> thinBeside(std::span<const std::size_t> bricks) const {
+        std::map<std::size_t, CellMask> seeds;
+        for (const std::size_t number : bricks) {
+            if (!candidates_[number].fine || made_[number].thinMask == CellMask{}) continue;
+            for (int side = 0; side < 6; ++side) {
+                glm::ivec3 step(0);
+                step[side / 2] = 2 * (side % 2) - 1;
+                const std::int32_t next = candidateAt(*layers_, candidates_[number].brick + step);
+                if (next == coarse || !candidates_[static_cast<std::size_t>(next)].fine) continue;
+                const CellMask beside = cellsBeside(made_[number].thinMask, step);
+                if (beside == CellMask{}) continue;
+                CellMask& cells = seeds[static_cast<std::size_t>(next)];
+                for (std::size_t z = 0; z < cells.size(); ++z) cells[z] |= beside[z];
+            }
+        }
+        return seeds;
     }
 
     /// Where corners lie between asked ones, a value is off by the error there, and once more by its own.

@@ -6,6 +6,7 @@
 #include "core/field/spread.h"
 #include "core/field/surface_points.h"
 
+#include <algorithm>
 #include <atomic>
 
 namespace burin {
@@ -24,8 +25,8 @@ constexpr int bitOf(const glm::ivec3& step) noexcept {
 } // namespace
 
 std::vector<std::size_t> SurfaceCheck::contradicted(Progress& progress) const {
-    const std::vector<std::uint32_t> doubtful = findDoubtful(progress);
     std::vector<std::uint8_t> wrong(candidates_.size(), 0);
+    const std::vector<std::uint32_t> doubtful = findDoubtful(wrong, progress);
     const std::span<const Triangle> triangles = part_.triangles();
     const auto checkStretch = [&](std::size_t first, std::size_t end) {
         SurfacePoints points;
@@ -41,17 +42,38 @@ std::vector<std::size_t> SurfaceCheck::contradicted(Progress& progress) const {
     return numbers;
 }
 
+std::vector<std::size_t> SurfaceCheck::contradictedBy(std::span<const std::size_t> last,
+                                                      const std::vector<std::uint8_t>& asked) const {
+    std::vector<std::size_t> numbers;
+    for (const std::size_t number : last)
+        for (int side = 0; side < 6; ++side) {
+            glm::ivec3 step(0);
+            const int axis = side / 2, towards = 2 * (side % 2) - 1;
+            step[axis] = towards;
+            const std::int32_t next = candidateAt(layers_, candidates_[number].brick + step);
+            if (next == coarse || !isFine(next) || asked[static_cast<std::size_t>(next)] != 0) continue;
+            const auto place = static_cast<std::size_t>(next);
+            const MadeBrick &own = made_[number], &other = made_[place];
+            const float apart = towards > 0 ? disagreement(own, other, axis) : disagreement(other, own, axis);
+            if (apart > own.sampleBound + other.sampleBound) numbers.push_back(place);
+        }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+}
+
 /// Per candidate, what the points in it have to be held against beside it: neighbours that turned out not to be fine,
-/// and all where one disagrees.
-std::vector<std::uint32_t> SurfaceCheck::findDoubtful(Progress& progress) const {
+/// and all where one disagrees. Two that disagree by more than both state are wrong, both or one.
+std::vector<std::uint32_t> SurfaceCheck::findDoubtful(std::vector<std::uint8_t>& wrong, Progress& progress) const {
     std::vector<std::uint32_t> doubtful(candidates_.size(), 0);
     spread(candidates_.size(), 0.82, 0.85, progress, [&](std::size_t number) {
-        if (candidates_[number].fine) doubt(number, doubtful);
+        if (candidates_[number].fine) doubt(number, doubtful, wrong);
     });
     return doubtful;
 }
 
-void SurfaceCheck::doubt(std::size_t number, std::vector<std::uint32_t>& doubtful) const {
+void SurfaceCheck::doubt(std::size_t number, std::vector<std::uint32_t>& doubtful,
+                         std::vector<std::uint8_t>& wrong) const {
     std::uint32_t around = 0;
     for (int bit = 0; bit < 27; ++bit) {
         const glm::ivec3 step = glm::ivec3(bit % 3, bit / 3 % 3, bit / 9) - 1;
@@ -64,7 +86,11 @@ void SurfaceCheck::doubt(std::size_t number, std::vector<std::uint32_t>& doubtfu
         const std::int32_t next = candidateAt(layers_, candidates_[number].brick + step);
         if (next == coarse || !isFine(next)) continue;
         const auto place = static_cast<std::size_t>(next);
-        if (disagreement(made_[number], made_[place], axis) <= inMillimetres(mostDisagreement)) continue;
+        const float apart = disagreement(made_[number], made_[place], axis);
+        if (apart > made_[number].sampleBound + made_[place].sampleBound)
+            for (const std::size_t one : {number, place})
+                std::atomic_ref(wrong[one]).store(1, std::memory_order_relaxed);
+        if (apart <= inMillimetres(mostDisagreement)) continue;
         around = allAround;
         std::atomic_ref(doubtful[place]).fetch_or(allAround, std::memory_order_relaxed);
     }

@@ -5,6 +5,8 @@
 #include "core/base/progress.h"
 #include "core/field/part_brick.h"
 
+#include <span>
+
 namespace burin {
 
 /// A brick near the surface that may be fine. Its block says its number where it says that of a fine brick later.
@@ -25,7 +27,7 @@ inline std::int32_t candidateAt(const PartFieldLayers& layers, const glm::ivec3&
 
 /// Holds made bricks against the whole mesh: every point of it bounds the distances around it, which finds what lies
 /// between samples. The brick around a point answers for those beside it as long as they agree on the samples that they
-/// share.
+/// share. And holds bricks against each other: where a gap in the surface was not seen, no point of the mesh lies.
 class SurfaceCheck {
 public:
     SurfaceCheck(const MeshDistance& part, const PartFieldLayers& layers, const std::vector<FieldCandidate>& candidates,
@@ -33,12 +35,17 @@ public:
         : part_(part), layers_(layers), candidates_(candidates), made_(made), perVoxel_(1.0 / layers.request.voxel) {}
 
     /// Candidates that a point of the mesh contradicts: a value exceeds the way to it by more than its error, or the
-    /// band passes through one that is not fine. Parallel.
+    /// band passes through one that is not fine; and those that contradict each other. Parallel.
     std::vector<std::size_t> contradicted(Progress& progress) const;
 
+    /// Candidates beside bricks of which each sample was asked that do not keep what they state at these.
+    /// @param asked a flag for each candidate: all of its samples were asked @param last those that were so last
+    std::vector<std::size_t> contradictedBy(std::span<const std::size_t> last,
+                                            const std::vector<std::uint8_t>& asked) const;
+
 private:
-    std::vector<std::uint32_t> findDoubtful(Progress& progress) const;
-    void doubt(std::size_t number, std::vector<std::uint32_t>& doubtful) const;
+    std::vector<std::uint32_t> findDoubtful(std::vector<std::uint8_t>& wrong, Progress& progress) const;
+    void doubt(std::size_t number, std::vector<std::uint32_t>& doubtful, std::vector<std::uint8_t>& wrong) const;
     void check(const glm::dvec3& point, const std::vector<std::uint32_t>& doubtful,
                std::vector<std::uint8_t>& wrong) const;
     bool contradicts(std::size_t number, const glm::vec3& inside, float away) const noexcept;

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/import.h"
+#include "core/field/part_field.h"
+#include "core/geometry/mesh_distance.h"
+#include "tests/core/geometry/shapes.h"
+#include "tests/places.h"
+
+#include <QtTest>
+
+#include <random>
+
+using namespace burin;
+
+namespace {
+
+constexpr double voxel = 0.5, length = 24.0;
+
+/// A long bar's outline, corners in order, all of them square to each other.
+using Outline = std::vector<glm::dvec2>;
+
+/// Signed distance to a bar, far from its ends: closed formula in the plane across it.
+double barDistance(const Outline& outline, const glm::dvec2& p) {
+    double least = 1e300;
+    bool inside = false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const glm::dvec2 a = outline[i], b = outline[(i + 1) % outline.size()], way = b - a;
+        const double share = std::clamp(glm::dot(p - a, way) / glm::dot(way, way), 0.0, 1.0);
+        least = std::min(least, glm::length(p - a - share * way));
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+    return inside ? -least : least;
+}
+
+struct Bar {
+    TriangleMesh mesh;
+    Outline outline;
+};
+
+/// A flat top at 10 mm, with a slot or a rib from `low` on. @param rise  mm, negative: a slot
+Bar barWith(double low, double width, double rise) {
+    const double high = low + width, end = 10.0 + rise;
+    if (rise < 0.0)
+        return {shapes::cells({0.0, length}, {0.0, low, high, 20.0}, {0.0, end, 10.0},
+                              [](int, int j, int k) { return j != 1 || k != 1; }),
+                {{0, 0}, {20, 0}, {20, 10}, {high, 10}, {high, end}, {low, end}, {low, 10}, {0, 10}}};
+    return {shapes::cells({0.0, length}, {0.0, low, high, 20.0}, {0.0, 10.0, end},
+                          [](int, int j, int k) { return j == 1 || k == 0; }),
+            {{0, 0}, {20, 0}, {20, 10}, {high, 10}, {high, end}, {low, end}, {low, 10}, {0, 10}}};
+}
+
+PartField built(const TriangleMesh& mesh, double edge, double reach) {
+    Progress progress;
+    Result<PartField> field = PartField::build(mesh, {edge, reach}, progress);
+    if (!field) qFatal("no field");
+    return std::move(*field);
+}
+
+TriangleMesh meshOf(const char* file) {
+    ImportOptions options;
+    options.worker = std::filesystem::path(BURIN_BUILD_DIRECTORY) / "burin-import";
+    Progress progress;
+    const Result<Model> model = importModel(std::filesystem::path(BURIN_FIXTURES) / "models" / file, options, progress);
+    TriangleMesh mesh;
+    if (model)
+        for (const Body& body : model->bodies) append(mesh, body.mesh);
+    return mesh;
+}
+
+class Random {
+public:
+    double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+
+private:
+    std::mt19937_64 engine_{20261123};
+};
+
+} // namespace
+
+/// What lies between the samples of a field, whose places have nothing to do with the part's: no point is off by more
+/// than the field says there. (Slots were bridged, by up to two voxels, wherever the samples around lay on the face.)
+class ThinFeaturesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void slotsAndRibsKeepTheStatedBound_data() {
+        QTest::addColumn<double>("width"); // voxels
+        QTest::addColumn<bool>("slot");
+        for (const double width : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0})
+            for (const bool slot : {true, false})
+                QTest::addRow("%s of %g voxels", slot ? "slot" : "rib", width) << width << slot;
+    }
+    void slotsAndRibsKeepTheStatedBound() {
+        QFETCH(const double, width);
+        QFETCH(const bool, slot);
+        Random random;
+        for (int part = 0; part < 5; ++part) {
+            const double low = random.number(4.0, 12.0), rise = random.number(1.0, 8.0);
+            const Bar bar = barWith(low, width * voxel, slot ? -rise : rise);
+            const PartField field = built(bar.mesh, voxel, random.number(2.0, 6.0));
+            for (int i = 0; i < 2000; ++i) {
+                const glm::dvec3 p(random.number(8.0, length - 8.0), low + width * voxel / 2 + random.number(-3.0, 3.0),
+                                   10.0 + random.number(-3.0, slot ? 2.0 : rise + 2.0));
+                const double wanted = barDistance(bar.outline, {p.y, p.z});
+                if (std::abs(wanted) > 4.0 * voxel) continue;
+                const double error = std::abs(field.value(p) - wanted);
+                QVERIFY2(error <= field.errorBoundAt(p) + 1e-6,
+                         qPrintable(QString("off by %1 mm at %2 %3 %4").arg(error).arg(p.x).arg(p.y).arg(p.z)));
+            }
+        }
+    }
+
+    /// A moulded part with details of about a voxel. Its own triangles, all of them, are the oracle.
+    void aMouldedPartKeepsTheStatedBound() {
+        const TriangleMesh mesh = meshOf("mouse-cover.stl");
+        QVERIFY(!mesh.empty());
+        const MeshDistance exact(mesh);
+        const Box box = boundingBox(mesh);
+        const glm::dvec3 size = box.high - box.low;
+        const double edge = std::max({size.x, size.y, size.z}) / 128.0;
+        const PartField field = built(mesh, edge, 8.0 * edge);
+        Random random;
+        int beyond = 0, checked = 0;
+        for (int i = 0; i < 40000; ++i) {
+            const auto triangle = std::size_t(random.number(0.0, double(mesh.triangles.size())));
+            const auto& [a, b, c] = mesh.triangles[std::min(triangle, mesh.triangles.size() - 1)];
+            const glm::dvec3 off(random.number(-4, 4), random.number(-4, 4), random.number(-4, 4));
+            const glm::dvec3 p = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0 + edge * off;
+            const double wanted = exact.closest(p).signedDistance;
+            if (std::abs(wanted) > 4.0 * edge) continue;
+            ++checked;
+            beyond += std::abs(field.value(p) - wanted) > field.errorBoundAt(p) + 1e-5 ? 1 : 0;
+        }
+        QVERIFY(checked > 20000);
+        QCOMPARE(beyond, 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(ThinFeaturesTest)
+#include "tst_thin_features.moc"
