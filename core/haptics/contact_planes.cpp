@@ -64,59 +64,108 @@ private:
     /// Forces that meet the active planes exactly; those that would pull leave, one by one.
     bool settle() noexcept {
         for (bool first = true; activeCount_ > 0; first = false) {
+            if (!factor()) {
+                if (!first) return true;
+                if (!exchange()) return false;
+                continue;
+            }
             Each<double> wanted{};
-            if (!meetActive(wanted)) return !first;
+            for (std::size_t i = 0; i < activeCount_; ++i) wanted[i] = missing_[at(active_[i])];
+            solve(activeCount_, wanted);
             double share = 1.0;
+            std::size_t blocking = activeCount_;
             for (std::size_t i = 0; i < activeCount_; ++i) {
-                const double now = force_[at(active_[i])];
-                if (wanted[i] <= 0.0) share = std::min(share, now / (now - wanted[i]));
+                if (wanted[i] > 0.0) continue;
+                const double now = force_[at(active_[i])], reached = now / (now - wanted[i]);
+                if (!(reached < share)) continue;
+                share = reached;
+                blocking = i;
             }
             if (!(share >= 0.0)) return false; // rounding: the new one itself pulls
-            std::size_t kept = 0;
             for (std::size_t i = 0; i < activeCount_; ++i) {
                 double& force = force_[at(active_[i])];
                 force += share * (wanted[i] - force);
-                if (share < 1.0 && force <= 0.0)
-                    force = 0.0;
-                else
-                    active_[kept++] = active_[i];
             }
-            if (share >= 1.0) return true;
-            if (kept == activeCount_) return false; // rounding
-            activeCount_ = kept;
+            if (blocking == activeCount_) return true;
+            force_[at(active_[blocking])] = 0.0; // whatever rounding left of it
+            dropIdle();
         }
         return true;
     }
 
-    /// Cholesky's method. False: the active planes depend on each other.
-    bool meetActive(Each<double>& wanted) const noexcept {
-        Each<Each<double>> root{};
+    /// The last active plane is spanned by the others: six of them hold a pose already. It pushes in their place until
+    /// one of those does not push any more, and leaves. (D. Goldfarb and A. Idnani, A numerically stable dual method
+    /// for solving strictly convex quadratic programs, 1983: the step in the dual space.) False: nothing would leave.
+    bool exchange() noexcept {
+        const std::size_t others = activeCount_ - 1;
+        const int last = active_[others];
+        Each<double> share{};
+        for (std::size_t i = 0; i < others; ++i) share[i] = products_[at(active_[i])][at(last)];
+        solve(others, share);
+        double step = std::numeric_limits<double>::infinity();
+        std::size_t leaving = others;
+        for (std::size_t i = 0; i < others; ++i) {
+            if (!(share[i] > leastOwnShare)) continue;
+            const double least = force_[at(active_[i])] / share[i];
+            if (!(least < step)) continue;
+            step = least;
+            leaving = i;
+        }
+        if (leaving == others) return false;
+        for (std::size_t i = 0; i < others; ++i) force_[at(active_[i])] -= step * share[i];
+        force_[at(last)] += step;
+        force_[at(active_[leaving])] = 0.0;
+        dropIdle();
+        return true;
+    }
+
+    /// Active planes that do not push leave.
+    void dropIdle() noexcept {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < activeCount_; ++i) {
+            double& force = force_[at(active_[i])];
+            if (force <= 0.0)
+                force = 0.0;
+            else
+                active_[kept++] = active_[i];
+        }
+        activeCount_ = kept;
+    }
+
+    /// Cholesky's method, of the active planes' products. False: they depend on each other; all rows before the one
+    /// that does are there.
+    bool factor() noexcept {
         for (std::size_t i = 0; i < activeCount_; ++i) {
             const Each<double>& products = products_[at(active_[i])];
             for (std::size_t j = 0; j <= i; ++j) {
                 double rest = products[at(active_[j])];
-                for (std::size_t k = 0; k < j; ++k) rest -= root[i][k] * root[j][k];
+                for (std::size_t k = 0; k < j; ++k) rest -= root_[i][k] * root_[j][k];
                 if (j < i)
-                    root[i][j] = rest / root[j][j];
+                    root_[i][j] = rest / root_[j][j];
                 else if (rest > leastOwnShare * leastOwnShare * products[at(active_[i])])
-                    root[i][i] = std::sqrt(rest);
+                    root_[i][i] = std::sqrt(rest);
                 else
                     return false;
             }
-            double value = missing_[at(active_[i])];
-            for (std::size_t k = 0; k < i; ++k) value -= root[i][k] * wanted[k];
-            wanted[i] = value / root[i][i];
-        }
-        for (std::size_t i = activeCount_; i-- > 0;) {
-            for (std::size_t k = i + 1; k < activeCount_; ++k) wanted[i] -= root[k][i] * wanted[k];
-            wanted[i] /= root[i][i];
         }
         return true;
     }
 
+    /// For the first so many active planes. @param values right side, then the answer
+    void solve(std::size_t count, Each<double>& values) const noexcept {
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t k = 0; k < i; ++k) values[i] -= root_[i][k] * values[k];
+            values[i] /= root_[i][i];
+        }
+        for (std::size_t i = count; i-- > 0;) {
+            for (std::size_t k = i + 1; k < count; ++k) values[i] -= root_[k][i] * values[k];
+            values[i] /= root_[i][i];
+        }
+    }
+
     int count_;
     Each<double> missing_{}, force_{};
-    Each<Each<double>> products_{};
+    Each<Each<double>> products_{}, root_{};
     Each<int> active_{};
     Each<bool> useless_{};
     std::size_t activeCount_ = 0;

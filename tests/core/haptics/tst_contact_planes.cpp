@@ -64,8 +64,9 @@ double leastDistance(const std::vector<ContactPlane>& planes, const PoseVector& 
 class TestContactPlanes : public QObject {
     Q_OBJECT
 private slots:
+    /// Thirty sets of planes a case: of a thousand, one was once given up, and the tool stood still for a tick.
     void theAllowedChangeNearestToTheGoalIsFound() {
-        QVERIFY(rc::check("every set of up to seven planes", [] {
+        const auto check = [] {
             ContactPlanes planes;
             std::vector<ContactPlane> held;
             const int count = *rc::gen::inRange(1, 8);
@@ -78,6 +79,9 @@ private slots:
             const PoseVector goal = anyVector(3.0), nearest = planes.nearestTo(goal);
             for (const ContactPlane& plane : held) RC_ASSERT(dot(plane.normal, nearest) >= -plane.gap - 1e-8);
             RC_ASSERT(std::abs(length(nearest - goal) - leastDistance(held, goal)) < 1e-5);
+        };
+        QVERIFY(rc::check("every set of up to seven planes", [&] {
+            for (int set = 0; set < 30; ++set) check();
         }));
     }
 
