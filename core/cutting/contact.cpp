@@ -25,22 +25,13 @@ struct Overlap {
     glm::dvec3 moment{0.0}; ///< mm times units, line frame
 };
 
-void addLine(const RunVolume& workpiece, LineIndex line, const Span& span, Overlap& overlap) noexcept {
-    const Grid& grid = workpiece.grid();
-    const RunPosition from = grid.toRunPosition(span.low), to = grid.toRunPosition(span.high);
-    if (from >= to) return;
-    std::uint64_t units = 0;
-    forEachPiece(workpiece.line(line), from, to,
-                 [&](PropertyIndex, RunPosition start, RunPosition end) { units += end - start; });
-    if (units <= tolerance) return;
-    const glm::dvec2 centre = grid.lineCentre(line);
-    forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
-        const double middle = 0.5 * (grid.toMillimetres(start) + grid.toMillimetres(end));
-        overlap.byProperty[property] += end - start;
-        overlap.moment += static_cast<double>(end - start) * glm::dvec3(centre, middle);
-    });
-    overlap.units += units;
-}
+/// What is looked at: a workpiece of which a window may owe some, and the pieces of a tool that must not touch it.
+struct Guarded {
+    const RunVolume& workpiece;
+    const GapWindow* window; ///< or null
+    std::span<const RevolvedPiece> pieces;
+    ToolPose pose; ///< line frame
+};
 
 /// A piece that holds every point within `margin` of another one.
 RevolvedPiece grown(const RevolvedPiece& piece, double margin) noexcept {
@@ -55,13 +46,17 @@ RevolvedPiece grown(const RevolvedPiece& piece, double margin) noexcept {
 /// One piece of a tool that must not touch, at a pose in the line frame.
 class GuardedPiece {
 public:
-    GuardedPiece(const RunVolume& workpiece, const RevolvedPiece& piece, const ToolPose& pose) noexcept
-        : workpiece_(workpiece)
-        , grid_(workpiece.grid())
-        , piece_(piece)
-        , pose_(pose)
-        , nearBrick_(grown(piece, halfDiagonal(OccupiedBricks::brickSide)), pose.axis)
-        , nearBlock_(grown(piece, halfDiagonal(OccupiedBricks::blockSide)), pose.axis) {
+    GuardedPiece(const Guarded& guarded, std::size_t number) noexcept
+        : guarded_(guarded)
+        , number_(number)
+        , workpiece_(guarded.workpiece)
+        , grid_(guarded.workpiece.grid())
+        , piece_(guarded.pieces[number])
+        , pose_(guarded.pose)
+        , nearBrick_(grown(piece_, halfDiagonal(OccupiedBricks::brickSide)), pose_.axis)
+        , nearBlock_(grown(piece_, halfDiagonal(OccupiedBricks::blockSide)), pose_.axis) {
+        const RevolvedPiece& piece = piece_;
+        const ToolPose& pose = pose_;
         const double widest = piece.widestRadius();
         for (int i = 0; i < 3; ++i) {
             const double across = widest * std::sqrt(std::max(0.0, 1.0 - pose.axis[i] * pose.axis[i]));
@@ -121,11 +116,53 @@ private:
         for (LineIndex line{us.first, vs.first}; line.v <= vs.last; ++line.v)
             for (line.u = us.first; line.u <= us.last; ++line.u) {
                 const glm::dvec2 centre = grid_.lineCentre(line);
-                if (const std::optional<Span> span = swept_->along(centre.x, centre.y))
-                    addLine(workpiece_, line, *span, overlap);
+                if (const std::optional<Span> span = swept_->along(centre.x, centre.y)) addLine(line, *span, overlap);
             }
     }
+    void addLine(LineIndex line, const Span& span, Overlap& overlap) const noexcept {
+        const std::uint64_t units = unitsIn(line, span);
+        if (units == 0 || (units <= tolerance && !(isShort() && exceedsWithNeighbours(line, span, units)))) return;
+        const glm::dvec2 centre = grid_.lineCentre(line);
+        forEachPieceNotOwed(workpiece_, guarded_.window, line, grid_.toRunPosition(span.low),
+                            grid_.toRunPosition(span.high),
+                            [&](PropertyIndex property, RunPosition start, RunPosition end) {
+                                const double middle = 0.5 * (grid_.toMillimetres(start) + grid_.toMillimetres(end));
+                                overlap.byProperty[property] += end - start;
+                                overlap.moment += static_cast<double>(end - start) * glm::dvec3(centre, middle);
+                            });
+        overlap.units += units;
+    }
+    std::uint64_t unitsIn(LineIndex line, const Span& span) const noexcept {
+        std::uint64_t units = 0;
+        const RunPosition from = grid_.toRunPosition(span.low), to = grid_.toRunPosition(span.high);
+        if (from < to)
+            forEachPieceNotOwed(workpiece_, guarded_.window, line, from, to,
+                                [&](PropertyIndex, RunPosition start, RunPosition end) { units += end - start; });
+        return units;
+    }
+    /// A holder may be drawn in steps far smaller than the tolerance: it is that of all of them.
+    bool isShort() const noexcept { return piece_.top - piece_.bottom < grid_.edge(); }
+    bool exceedsWithNeighbours(LineIndex line, const Span& span, std::uint64_t units) const noexcept {
+        constexpr double joint = 1e-6; // mm
+        const glm::dvec2 place = grid_.lineCentre(line) - glm::dvec2(pose_.tip);
+        const auto add = [&](std::size_t number, Span& reached) noexcept {
+            const std::optional<Span> chord = PieceChord(guarded_.pieces[number], pose_.axis).along(place.x, place.y);
+            if (!chord) return false;
+            const Span next{pose_.tip.z + chord->low, pose_.tip.z + chord->high};
+            if (next.low > reached.high + joint || next.high < reached.low - joint) return false;
+            units += unitsIn(line, next);
+            reached = next;
+            return units <= tolerance;
+        };
+        Span reached = span;
+        for (std::size_t i = number_; i-- > 0 && add(i, reached);) continue;
+        reached = span;
+        for (std::size_t i = number_ + 1; i < guarded_.pieces.size() && add(i, reached); ++i) continue;
+        return units > tolerance;
+    }
 
+    const Guarded& guarded_;
+    std::size_t number_;
     const RunVolume& workpiece_;
     const Grid& grid_;
     const RevolvedPiece& piece_;
@@ -151,20 +188,21 @@ void rankProperties(const RunVolume& workpiece, const Overlap& overlap, ShankCon
     contact.property = contact.touched.front().property;
 }
 
-ShankContact contactAt(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
-                       const ToolPose& setupPose, OccupiedBricks* bricks) noexcept {
+ShankContact contactAt(const RunVolume& workpiece, const GapWindow* window, std::span<const RevolvedPiece> tool,
+                       std::size_t fluteCount, const ToolPose& setupPose, OccupiedBricks* bricks) noexcept {
     ShankContact contact;
     if (!isFinite(setupPose.tip) || !isFinite(setupPose.axis)) return contact;
     const Grid& grid = workpiece.grid();
-    const ToolPose pose = inLineFrame(grid, setupPose);
+    const std::size_t first = std::min(fluteCount, tool.size());
+    const Guarded guarded{workpiece, window, tool.subspan(first), inLineFrame(grid, setupPose)};
     Overlap overlap;
     std::uint64_t most = 0;
-    for (std::size_t i = fluteCount; i < tool.size(); ++i) {
+    for (std::size_t i = 0; i < guarded.pieces.size(); ++i) {
         const std::uint64_t before = overlap.units;
-        GuardedPiece(workpiece, tool[i], pose).addTo(overlap, bricks);
+        GuardedPiece(guarded, i).addTo(overlap, bricks);
         if (overlap.units - before <= most) continue;
         most = overlap.units - before;
-        contact.piece = static_cast<std::uint8_t>(i);
+        contact.piece = static_cast<std::uint32_t>(first + i);
     }
     if (overlap.units == 0) return contact;
     contact.touches = true;
@@ -177,18 +215,18 @@ ShankContact contactAt(const RunVolume& workpiece, std::span<const RevolvedPiece
 } // namespace
 
 ShankContact ContactCheck::at(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
-                              const ToolPose& pose) noexcept {
-    return contactAt(workpiece, tool, fluteCount, pose, &bricks_);
+                              const ToolPose& pose, const GapWindow* window) noexcept {
+    return contactAt(workpiece, window, tool, fluteCount, pose, &bricks_);
 }
 
 ShankContact shankContact(const RunVolume& workpiece, std::span<const RevolvedPiece> tool,
                           const glm::dvec3& tip) noexcept {
-    return contactAt(workpiece, tool, 1, {tip, {0.0, 0.0, 1.0}}, nullptr);
+    return contactAt(workpiece, nullptr, tool, 1, {tip, {0.0, 0.0, 1.0}}, nullptr);
 }
 
 ShankContact shankContact(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
                           const ToolPose& pose) noexcept {
-    return contactAt(workpiece, tool, fluteCount, pose, nullptr);
+    return contactAt(workpiece, nullptr, tool, fluteCount, pose, nullptr);
 }
 
 } // namespace burin

@@ -14,6 +14,8 @@
 
 namespace burin {
 
+class GapWindow;
+
 /// What is touched, and by how much.
 struct TouchedProperty {
     PropertyIndex property = airProperty; ///< air: entry not used
@@ -24,7 +26,7 @@ struct TouchedProperty {
 /// Where a part of the tool that must not touch anything overlaps stock, part or fixtures.
 struct ShankContact {
     bool touches = false;
-    std::uint8_t piece = 0;                   ///< place in pieces(cutter) of what overlaps most: see sectionOf
+    std::uint32_t piece = 0;                  ///< place in pieces(cutter) of what overlaps most: see sectionOf
     PropertyIndex property = airProperty;     ///< what is touched, most of it
     glm::dvec3 place{0.0};                    ///< mm, centre of the overlap, setup frame
     double volume = 0.0;                      ///< mm³ of overlap
@@ -35,18 +37,21 @@ struct ShankContact {
 
 /// Contact of shank and holder with everything in a workpiece, tick by tick (paper, 4.2). Remembers which bricks of the
 /// volume were empty, so that a tool in free space costs a look at the blocks beneath it and no scanline. Any axis of
-/// the tool, any axis of the runs. A scanline counts when it overlaps by more than a quarter of a voxel.
-/// One object a volume; between two calls of `at` the volume may only lose material, else `forget`.
-/// Thread: the writer's. No allocation, lock or exception after construction.
+/// the tool, any axis of the runs. A scanline counts when it overlaps a piece by more than a quarter of a voxel, pieces
+/// shorter than a voxel with those that they follow on. One object a volume; between two calls of `at` the volume may
+/// only lose material, else `forget`. Thread: the writer's. No allocation, lock or exception after construction.
 class ContactCheck {
 public:
     explicit ContactCheck(const Grid& grid) : bricks_(grid) {}
 
     /// @param tool       pieces(cutter)
     /// @param fluteCount so many of them, from the tip, may touch: flutePieces(cutter).size()
+    /// @param window     what the workpiece is owed where cuts are deferred (MaterialRemoval::window): that is gone;
+    /// null:
+    ///                   nothing
     /// A pose that is not finite touches nothing.
     ShankContact at(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
-                    const ToolPose& pose) noexcept;
+                    const ToolPose& pose, const GapWindow* window = nullptr) noexcept;
     /// The volume changed otherwise than by cutting.
     void forget() noexcept { bricks_.forget(); }
 

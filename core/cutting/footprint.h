@@ -78,11 +78,10 @@ void forEachPiece(std::span<const Segment> segments, RunPosition from, RunPositi
     }
 }
 
-/// The same of a line of which a window may owe some. Protected pieces may be left out.
+/// The same of a line of which a window may owe some.
 template <class Visit>
-void forEachPieceLeft(const RunVolume& workpiece, const GapWindow* window, LineIndex line, RunPosition from,
-                      RunPosition to, Visit&& visit) noexcept {
-    if (window != nullptr && window->visitAround(line, from, to, visit)) return;
+void forEachPieceNotOwed(const RunVolume& workpiece, const GapWindow* window, LineIndex line, RunPosition from,
+                         RunPosition to, Visit&& visit) noexcept {
     const GapWindow::Owed owed = window != nullptr ? window->owed(line) : GapWindow::Owed{};
     forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
         if (owed.from >= owed.to || workpiece.properties().isProtected(property)) {
@@ -92,6 +91,14 @@ void forEachPieceLeft(const RunVolume& workpiece, const GapWindow* window, LineI
         if (start < owed.from) visit(property, start, std::min(end, owed.from));
         if (end > owed.to) visit(property, std::max(start, owed.to), end);
     });
+}
+
+/// The same. Protected pieces may be left out.
+template <class Visit>
+void forEachPieceLeft(const RunVolume& workpiece, const GapWindow* window, LineIndex line, RunPosition from,
+                      RunPosition to, Visit&& visit) noexcept {
+    if (window != nullptr && window->visitAround(line, from, to, visit)) return;
+    forEachPieceNotOwed(workpiece, window, line, from, to, std::forward<Visit>(visit));
 }
 
 } // namespace burin

@@ -17,33 +17,32 @@ BrakeOnContact::BrakeOnContact(const Cutter& cutter, const Grid& grid)
     stride_ = std::max(thinnest, 0.05);
 }
 
-ShankContact BrakeOnContact::standing(const RunVolume& workpiece, std::size_t mayTouch, const ToolPose& pose) noexcept {
-    return check_.at(workpiece, tool_, mayTouch, pose);
+ShankContact BrakeOnContact::at(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& pose) noexcept {
+    return check_.at(workpiece, tool_, fluteCount_, pose, owed);
 }
 
-ShankContact BrakeOnContact::at(const RunVolume& workpiece, const ToolPose& pose) noexcept {
-    return standing(workpiece, fluteCount_, pose);
-}
-
-ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept {
-    return onTheWay(workpiece, fluteCount_, from, to);
-}
-
-ShankContact BrakeOnContact::onTheWayWithFlutes(const RunVolume& workpiece, const ToolPose& from,
-                                                const ToolPose& to) noexcept {
-    return onTheWay(workpiece, 0, from, to);
-}
-
-ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, std::size_t mayTouch, const ToolPose& from,
+ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
                                       const ToolPose& to) noexcept {
+    return barred(workpiece, owed, fluteCount_, from, to);
+}
+
+ShankContact BrakeOnContact::onTheWayWithFlutes(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
+                                                const ToolPose& to) noexcept {
+    return barred(workpiece, owed, 0, from, to);
+}
+
+ShankContact BrakeOnContact::barred(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch,
+                                    const ToolPose& from, const ToolPose& to) noexcept {
+    const auto standing = [&](const ToolPose& pose) noexcept {
+        return check_.at(workpiece, tool_, mayTouch, pose, owed);
+    };
     const double way = glm::length(to.tip - from.tip) + reach_ * glm::length(to.axis - from.axis);
     const int steps = std::clamp(static_cast<int>(std::ceil(way / stride_)), 1, 16);
     const PoseSteps motion(from, to, reach_, stride_);
     for (int i = 1; i <= steps; ++i) {
-        const ShankContact contact =
-            standing(workpiece, mayTouch, motion.poseAt(static_cast<double>(i) / static_cast<double>(steps)));
+        const ShankContact contact = standing(motion.poseAt(static_cast<double>(i) / static_cast<double>(steps)));
         if (!contact.touches) continue;
-        const ShankContact before = standing(workpiece, mayTouch, from);
+        const ShankContact before = standing(from);
         if (!before.touches || contact.volume >= before.volume) return contact;
     }
     return {};

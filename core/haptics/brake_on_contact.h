@@ -15,18 +15,20 @@ class BrakeOnContact {
 public:
     BrakeOnContact(const Cutter& cutter, const Grid& grid);
 
+    /// @param owed what the workpiece shows though it is gone (MaterialRemoval::window), or null
     /// @param from where the tool stands; @param to where it is wanted; the axis turns evenly. No allocation.
-    ShankContact onTheWay(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept;
+    ShankContact onTheWay(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
+                          const ToolPose& to) noexcept;
     /// The same with the flutes, for a tool that can't cut: it must not move into stock that would stay.
-    ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept;
-    ShankContact at(const RunVolume& workpiece, const ToolPose& pose) noexcept;
+    ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
+                                    const ToolPose& to) noexcept;
+    ShankContact at(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& pose) noexcept;
     /// The workpiece changed otherwise than by cutting.
     void workpieceChanged() noexcept { check_.forget(); }
 
 private:
-    ShankContact standing(const RunVolume& workpiece, std::size_t mayTouch, const ToolPose& pose) noexcept;
-    ShankContact onTheWay(const RunVolume& workpiece, std::size_t mayTouch, const ToolPose& from,
-                          const ToolPose& to) noexcept;
+    ShankContact barred(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch, const ToolPose& from,
+                        const ToolPose& to) noexcept;
 
     std::vector<RevolvedPiece> tool_; ///< flutes, shank, holder
     std::size_t fluteCount_ = 1;

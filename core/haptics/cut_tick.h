@@ -32,7 +32,6 @@ public:
     /// anything. A motion that ran out of memory is taken back, as part of its way is uncut.
     CuttingForce operator()(ToolMotion& motion, double period, Sample& sample) noexcept;
 
-    bool settled() const noexcept { return removal_.settled(); }
     /// Writes what was cut to the workpiece. Nothing is ever put off between two ticks, so that there is nothing to
     /// count.
     void settle() noexcept;
@@ -40,6 +39,8 @@ public:
     void resume() noexcept { memoryFull_ = false; }
     void workpieceChanged() noexcept;
     const RunVolume& workpiece() const noexcept { return *workpiece_; }
+    /// What the workpiece is owed: gone, though it may show it still.
+    const GapWindow* owed() const noexcept { return removal_.window(); }
 
 private:
     CutResult take(const ToolPose& from, const ToolPose& to) noexcept;

@@ -76,7 +76,7 @@ bool ToolMover::start(const ToolPose& hand, const CutTick& cut) noexcept {
     layers_.settle();
     const ToolPose pose = wanted(hand);
     if (!proxy_.feasible(pose)) return false;
-    if (cut.spindleTurns() && brake_.at(cut.workpiece(), pose).touches) return false;
+    if (cut.spindleTurns() && brake_.at(cut.workpiece(), cut.owed(), pose).touches) return false;
     pose_ = pose;
     return true;
 }
@@ -126,15 +126,11 @@ ProxyStep ToolMover::aroundContact(const ToolPose& standing, const ToolPose& goa
 
 bool ToolMover::barred(const ToolPose& to, CutTick& cut, ToolMotion& motion) noexcept {
     if (!cut.spindleTurns()) return false;
-    ShankContact contact = brake_.onTheWay(cut.workpiece(), pose_, to);
-    // What is touched may be gone, though not yet written.
-    if (contact.touches && !cut.settled()) {
-        cut.settle();
-        contact = brake_.onTheWay(cut.workpiece(), pose_, to);
-    }
+    const ShankContact contact = brake_.onTheWay(cut.workpiece(), cut.owed(), pose_, to);
     if (contact.touches) shank_ = contact;
     motion.shankContact = motion.shankContact || contact.touches;
-    return contact.touches || (cut.memoryFull() && brake_.onTheWayWithFlutes(cut.workpiece(), pose_, to).touches);
+    return contact.touches ||
+           (cut.memoryFull() && brake_.onTheWayWithFlutes(cut.workpiece(), cut.owed(), pose_, to).touches);
 }
 
 void ToolMover::arrive(const ToolMotion& motion) noexcept {

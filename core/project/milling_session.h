@@ -46,8 +46,8 @@ struct SessionState {
     std::uint64_t missed = 0; ///< edges of the clock that were skipped since the session began
     std::uint64_t late = 0;   ///< ticks whose force was withheld, as it came too late
     SchedulingClass scheduling = SchedulingClass::normal;
-    double removalRate = 0.0;    ///< mm³/s, mean of the last 100 ms
-    std::uint8_t shankPiece = 0; ///< place in pieces(cutter) of what touches; meaningful with sampleShankContact
+    double removalRate = 0.0;     ///< mm³/s, mean of the last 100 ms
+    std::uint32_t shankPiece = 0; ///< place in pieces(cutter) of what touches; meaningful with sampleShankContact
     PropertyIndex shankTouches = airProperty; ///< what it touches
     std::array<GuideNews, GuideSettings::capacity> guides{};
     std::vector<LayerNews> layers; ///< by the number that ToolBounds::layers gives

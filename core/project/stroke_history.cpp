@@ -30,6 +30,7 @@ void StrokeHistory::tidy() {
 /// The volume's history gives steps up when they take more than its budget.
 void StrokeHistory::forgetBeyondMemory() {
     while (done_.size() > workpiece_.undoSteps()) done_.pop_front();
+    while (undone_.size() > workpiece_.redoSteps()) undone_.pop_front();
 }
 
 Result<void> StrokeHistory::undo(Project& project, RunVolume& workpiece) {

@@ -78,7 +78,7 @@ private:
     void cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
     void cutBrick(std::int32_t brick, std::uint64_t lines, UnitSum& removed);
     bool mayTouch(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to) const;
-    bool touches(const SweptPiece& piece) const;
+    bool touches(const SweptPiece& piece, RunPosition tolerance) const;
     void lookNear(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, std::uint32_t number);
     void lookNear(std::span<const RevolvedPiece> section, ToolSection which, double near, const glm::dvec3& from,
                   const glm::dvec3& to, std::uint32_t number);

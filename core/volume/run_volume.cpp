@@ -134,7 +134,7 @@ std::optional<Run> RunVolume::locate(VoxelIndex voxel) const noexcept {
 }
 
 bool RunVolume::insert(VoxelIndex voxel, PropertyIndex property) noexcept {
-    if (!grid().contains(voxel) || belongs(voxel)) return false;
+    if (property == airProperty || !grid().contains(voxel) || belongs(voxel)) return false;
     const auto from = static_cast<RunPosition>(grid().alongOf(voxel)) * unitsPerVoxel;
     return impl_->fillSpan(grid().lineOf(voxel), from, from + unitsPerVoxel, property);
 }

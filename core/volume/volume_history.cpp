@@ -125,10 +125,25 @@ void VolumeHistory::releaseMarks() {
     }
 }
 
+/// The oldest steps go first, then those that would be redone last.
 void VolumeHistory::keepBudget() {
-    std::size_t packed = totalCost().packedBytes, forgotten = 0;
+    std::size_t packed = totalCost().packedBytes, forgotten = 0, last = steps_.size();
     while (forgotten < present_ && packed > budget_.packedBytes) packed -= cost(forgotten++).packedBytes;
+    while (last > present_ && packed > budget_.packedBytes) packed -= cost(--last).packedBytes;
+    forgetFrom(last);
     forgetOldest(forgotten);
+}
+
+/// Gives up a step that can be redone, and all after it.
+void VolumeHistory::forgetFrom(std::size_t step) {
+    if (step >= steps_.size()) return;
+    if (packing_ && packing_->step >= step) packing_.reset();
+    steps_.resize(step);
+    marks_.resize(step + 1);
+    if (steps_.empty())
+        clear();
+    else
+        releaseMarks();
 }
 
 /// True: no more than that is held by snapshots.

@@ -19,9 +19,10 @@ class VolumeStore;
 class VolumeHistory {
 public:
     struct Budget {
-        std::size_t packedBytes = std::size_t{256} << 20; ///< for packed steps; the oldest go when they take more
-        std::size_t heldBytes = 0; ///< of the volume's reserve, for steps held by snapshots; 0: an eighth of it
-        std::size_t heldSteps = 4; ///< newest steps that stay held while memory allows
+        std::size_t packedBytes =
+            std::size_t{256} << 20; ///< for packed steps; the oldest go when they take more, then those redone last
+        std::size_t heldBytes = 0;  ///< of the volume's reserve, for steps held by snapshots; 0: an eighth of it
+        std::size_t heldSteps = 4;  ///< newest steps that stay held while memory allows
         /// A volume has 64 snapshots prepared; when more steps are held, `add` packs what `tidy` did not come to.
         std::size_t mostHeldSteps = 32;
     };
@@ -77,6 +78,7 @@ private:
     void startPacking(std::size_t step);
     void releaseMarks();
     void keepBudget();
+    void forgetFrom(std::size_t step);
 
     Budget budget_;
     std::deque<Step> steps_;

@@ -83,6 +83,59 @@ private slots:
         QVERIFY(shankContact(workpiece, tool(), {0.0, 0.0, -20.0 - 0.27 * 0.25}).touches);
     }
 
+    /// A holder drawn in many short steps is the holder drawn in one: the tolerance is the stack's. All pieces have
+    /// numbers, however many there are.
+    void shortStepsOfAHolderTouchAsOneDoes() {
+        const RunVolume workpiece = shaft(workGrid());
+        const glm::dvec3 tip(0.0, 0.0, -21.0); // holder 1 mm below the rim
+        const ShankContact whole = shankContact(workpiece, tool(), tip);
+        for (const int steps : {10, 200, 400}) {
+            std::vector<RevolvedPiece> stepped = tool();
+            const RevolvedPiece holder = stepped[2];
+            stepped.erase(stepped.begin() + 2);
+            for (int i = steps; i-- > 0;) {
+                RevolvedPiece step = holder;
+                step.bottom = holder.bottom + (holder.top - holder.bottom) * i / steps;
+                step.top = holder.bottom + (holder.top - holder.bottom) * (i + 1) / steps;
+                stepped.insert(stepped.begin() + 2, step);
+            }
+            const ShankContact contact = shankContact(workpiece, stepped, tip);
+            QVERIFY(contact.touches);
+            QVERIFY(std::abs(contact.volume / whole.volume - 1.0) < 0.02); // ends are rounded step by step
+            QVERIFY(glm::length(contact.place - whole.place) < 0.02);
+            QVERIFY(contact.piece >= 2 && contact.piece < stepped.size());
+            QVERIFY(stepped[contact.piece].bottom < holder.bottom + 1.0); // of what hangs below the rim
+        }
+        std::vector<RevolvedPiece> many = tool();
+        while (many.size() < 300) many.insert(many.begin() + 1, RevolvedPiece{8.0, 8.001, 3.0, 3.0, 0.0});
+        const ShankContact contact = shankContact(workpiece, many, tip);
+        QVERIFY(contact.touches);
+        QCOMPARE(many[contact.piece].bottom, 20.0); // the holder, not what its number would be in eight bits
+    }
+
+    /// Cuts that are still owed to the workpiece are gone: a shank that follows its flutes down touches nothing.
+    void whatIsOwedIsNotTouched() {
+        RunVolume workpiece = block(workGrid());
+        Cutter cutter = ball(6.0, 8.0);
+        cutter.shankDiameter = 5.0;
+        cutter.stickOut = 40.0;
+        MaterialRemoval removal(cutter, workGrid(), Writing::deferred);
+        const std::vector<RevolvedPiece> all = pieces(cutter);
+        const std::size_t flutes = flutePieces(cutter).size();
+        ContactCheck check(workGrid());
+        glm::dvec3 tip(0.1, 0.2, 1.0);
+        int shown = 0;
+        for (int tick = 0; tick < 45; ++tick) {
+            const glm::dvec3 next = tip - glm::dvec3(0.0, 0.0, 0.6);
+            (void)removal.cut(workpiece, tip, next);
+            tip = next;
+            const ToolPose pose{tip, {0.0, 0.0, 1.0}};
+            QVERIFY(!check.at(workpiece, all, flutes, pose, removal.window()).touches);
+            shown += ContactCheck(workGrid()).at(workpiece, all, flutes, pose).touches ? 1 : 0;
+        }
+        QVERIFY(shown > 0); // by what it shows itself, it did
+    }
+
     /// The part is touched as stock is; what is touched most is named.
     void namesWhatIsTouchedMost() {
         RunVolume workpiece = shaft(workGrid());

@@ -166,6 +166,28 @@ private slots:
         QCOMPARE(milled.present, 200 - steps);
     }
 
+    /// Steps that were all taken back count, too: those that would be redone last go.
+    void stepsTakenBackStayInTheBudget() {
+        VolumeHistory::Budget budget;
+        budget.packedBytes = 8'000;
+        budget.heldSteps = 30;
+        Milled milled(6, Content::sheets, budget);
+        for (int i = 0; i < 30; ++i) milled.mill(2);
+        for (int i = 0; i < 30; ++i) {
+            QVERIFY(milled.history.undo(milled.volume));
+            --milled.present;
+        }
+        milled.history.packAll();
+        QVERIFY(milled.history.totalCost().packedBytes <= budget.packedBytes);
+        const std::size_t steps = milled.history.redoSteps();
+        QVERIFY(steps > 0 && steps < 30);
+        while (milled.history.redo(milled.volume)) {
+            ++milled.present;
+            QVERIFY(milled.isAtPresent());
+        }
+        QCOMPARE(milled.present, steps);
+    }
+
     /// A reserve that others hold: the packed step is refused, nothing is changed; once they are gone it goes back.
     void withoutMemoryTheVolumeStaysAsItIs() {
         const Grid grid = cubeGrid({64, 64, 64});
