@@ -20,6 +20,7 @@ struct EmbedArguments {
     std::string stock = "box", material = "aluminium-6061";
     std::vector<std::string> bodyMaterials;
     SurroundingsArguments around;
+    bool replace = false;
 };
 
 /// "BODY=NAME" for each body that differs. Errors: argumentInvalid, nameUnknown.
@@ -55,7 +56,20 @@ Result<std::vector<Property>> materialsOf(const Setup& setup) {
     return materials;
 }
 
+/// What a hand recorded is not replaced unless somebody says so. A file that can't be opened is for the saving to
+/// judge.
+Result<void> mayBeReplaced(const EmbedArguments& arguments) {
+    if (arguments.replace || !std::filesystem::exists(arguments.output)) return {};
+    const Result<Project> standing = Project::open(arguments.output);
+    if (!standing) return {};
+    const Result<std::vector<TakeInfo>> takes = standing->takes();
+    if (!takes || takes->empty()) return {};
+    return Error{ErrorCode::argumentInvalid, "--output", arguments.output,
+                 "another name, or --replace: recordings: " + std::to_string(takes->size())};
+}
+
 int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
+    if (const Result<void> allowed = mayBeReplaced(arguments); !allowed) return context.fail(allowed.error());
     if (arguments.stock != "box")
         return context.fail({ErrorCode::notSupported, "--stock " + arguments.stock, "--stock box", {}});
     ImportOptions options;
@@ -130,6 +144,7 @@ void registerEmbed(CLI::App& program, CommandContext& context, int& status) {
     CLI::App* command = program.add_subcommand("embed", "Put a CAD model into stock and make a project of it");
     command->add_option("MODEL", arguments->model, "STEP, IGES, BREP or STL file")->required();
     command->add_option("-o,--output", arguments->output, "Project file to write (.burin)")->required();
+    command->add_flag("--replace", arguments->replace, "Replace a project that holds recordings");
     command->add_option("--voxel", arguments->voxel, "Edge of a voxel, mm")->capture_default_str();
     command->add_option("--stock", arguments->stock, "Shape of the stock: box")->capture_default_str();
     command->add_option("--margin", arguments->margin, "Stock around the part on every side, mm")

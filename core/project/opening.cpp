@@ -208,7 +208,7 @@ Result<OpenedCopy> saveUnderAnotherName(Database& from, const fs::path& file) {
     if (const Result<std::string> standing = standingSave(file); !standing) return standing.error();
     Result<fs::path> keptAside = makeRoom(**copy);
     if (!keptAside) return std::move(keptAside).error();
-    if (Result<void> saved = saveSnapshot(from, file); !saved) return std::move(saved).error();
+    if (Result<void> saved = saveCopy(from, file); !saved) return std::move(saved).error();
     Result<SavedFile> whole = openSaved(file);
     if (!whole) return std::move(whole).error();
     Result<OpenedCopy> opened = startFrom(std::move(*copy), *whole);

@@ -27,9 +27,9 @@ std::vector<std::string> headerLines(const Bench& bench, const std::vector<Tool>
         lines.push_back("Part: " + std::filesystem::path(bench.model->sourceFile).filename().string());
     lines.push_back("Stock: " + bench.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
     lines.push_back("Program zero: centre of the stock's top face; in the model's frame " +
-                    place(bench.setup.workOffset));
+                    place(bench.setup.workOffset) + " mm");
     lines.push_back("Stock in program coordinates: " + place(stock.low - bench.setup.workOffset) + " to " +
-                    place(stock.high - bench.setup.workOffset));
+                    place(stock.high - bench.setup.workOffset) + " mm");
     const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
     if (const Coolant advised = advisedCoolant(material); !bench.machine.has(advised))
         lines.push_back("Coolant: " + std::string(idOf(advised)) + " is advised for " + material.name +

@@ -86,6 +86,7 @@ Result<void> Project::saveAs(const fs::path& file) {
         if (readOnly()) static_cast<void>(impl_->database.execute("PRAGMA query_only = ON"));
         return std::move(opened).error();
     }
+    if (!readOnly()) impl_->copy->abandon();       // all of it is in the new file
     impl_->database = std::move(opened->database); // the old connection closes before its working copy goes
     impl_->copy = std::move(opened->copy);
     impl_->file = std::move(plain);

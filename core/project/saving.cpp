@@ -58,31 +58,45 @@ void keepRights(const fs::path& beside, const fs::path& file) {
     if (::stat(file.c_str(), &standing) == 0 && ::chmod(beside.c_str(), standing.st_mode & 07777) != 0) return;
 }
 
-} // namespace
-
-Result<void> saveSnapshot(Database& workingCopy, const fs::path& file) {
-    // A rename would replace a file that the user protected.
+/// Nothing that protects a file from being written is overcome by the rename.
+Result<void> mayBeReplaced(const fs::path& file) {
     if (::access(file.c_str(), W_OK) != 0 && errno != ENOENT) return writeError(file, errno);
-    Result<DocumentState> state = documentState(workingCopy);
-    if (!state) return std::move(state).error();
-    const std::string saveId = newSaveId();
-    if (Result<void> noted = run(workingCopy, "UPDATE document SET next_save_id = ?", BlobView{saveId}); !noted)
-        return noted;
+    return {};
+}
 
+Result<DocumentState> writeOver(Database& workingCopy, const fs::path& file, const std::string& saveId) {
     const fs::path beside = temporaryBeside(file);
-    const Result<DocumentState> saved = writeSnapshot(workingCopy, beside, saveId);
+    Result<DocumentState> saved = writeSnapshot(workingCopy, beside, saveId);
     if (!saved) {
         std::error_code ignored;
         fs::remove(beside, ignored);
-        return saved.error();
+        return saved;
     }
     keepRights(beside, file);
-    if (Result<void> replaced = replaceFile(beside, file); !replaced) return replaced;
+    if (Result<void> replaced = replaceFile(beside, file); !replaced) return std::move(replaced).error();
+    return saved;
+}
+
+} // namespace
+
+Result<void> saveSnapshot(Database& workingCopy, const fs::path& file) {
+    if (Result<void> allowed = mayBeReplaced(file); !allowed) return allowed;
+    const std::string saveId = newSaveId();
+    if (Result<void> noted = run(workingCopy, "UPDATE document SET next_save_id = ?", BlobView{saveId}); !noted)
+        return noted;
+    const Result<DocumentState> saved = writeOver(workingCopy, file, saveId);
+    if (!saved) return saved.error();
     // Should this fail, the file is saved all the same, and `next_save_id` lets the next open see it.
     static_cast<void>(run(workingCopy,
                           "UPDATE document SET save_id = ?, next_save_id = x'', revision = ?, saved_changes = ?",
                           BlobView{saveId}, saved->revision, saved->changes));
     return {};
+}
+
+Result<void> saveCopy(Database& workingCopy, const fs::path& file) {
+    if (Result<void> allowed = mayBeReplaced(file); !allowed) return allowed;
+    const Result<DocumentState> saved = writeOver(workingCopy, file, newSaveId());
+    return saved ? Result<void>() : Result<void>(saved.error());
 }
 
 } // namespace burin

@@ -165,6 +165,18 @@ void StagesTest::replaysATraceToTheSameCut() {
     QCOMPARE(felt["source"].toString(), QString("argument"));
     QCOMPARE(felt["gain"].toDouble(), 0.02);
     QCOMPARE(runBurin({"mill", second, "--felt", "0.5", "--seconds", "1"}).status, 2); // the operator has its own
+
+    // What a hand recorded is not replaced by accident.
+    const QStringList again{"embed", model_, "-o", second, "--voxel", "1", "--margin", "3"};
+    const auto takes = [&] { return runBurin({"info", second, "--json"}).json()["takes"].toArray().size(); };
+    const auto recorded = takes();
+    QVERIFY(recorded > 0);
+    const ProgramRun refused = runBurin(again);
+    QCOMPARE(refused.status, 2);
+    QVERIFY2(refused.messages.contains("--replace"), refused.messages.constData());
+    QCOMPARE(takes(), recorded);
+    QCOMPARE(runBurin(again + QStringList{"--replace"}).status, 0);
+    QCOMPARE(takes(), 0);
 }
 
 void StagesTest::millsThePapersBlock() {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/left_work.h"
+#include "core/project/working_copy.h"
 #include "tests/core/project/sample_project.h"
 
 #include <QTemporaryDir>
@@ -52,6 +53,26 @@ private slots:
         QCOMPARE(filesIn(scratch), QStringList());
         project = Project::create(scratch.filePath("other.burin").toStdString());
         QCOMPARE(nameIn(q), std::string("new"));
+    }
+    /// The way out where the project's own disk is full: nothing is written beside the old file. (Whoever holds the
+    /// copy's write lock stands for the full disk.)
+    void nothingIsWrittenToTheOldWorkingCopy() {
+        const QTemporaryDir folder, elsewhere;
+        const fs::path p = folder.filePath("p.burin").toStdString(), q = elsewhere.filePath("q.burin").toStdString();
+        Result<Project> project = Project::create(p);
+        QVERIFY(project && project->setModel(modelNamed("first")) && project->save());
+        QVERIFY(project->setModel(modelNamed("second")));
+        {
+            Result<Database> writer = Database::open(WorkingCopy::pathBeside(p), p.string(), Database::Access::write);
+            QVERIFY(writer && writer->execute("BEGIN IMMEDIATE"));
+            QVERIFY(!project->save());
+            QVERIFY(project->saveAs(q));
+        }
+        QCOMPARE(*project->unsaved(), false);
+        QVERIFY(project->setModel(modelNamed("third")) && project->save());
+        QCOMPARE(nameIn(p), std::string("first"));
+        project = Project::create(elsewhere.filePath("other.burin").toStdString());
+        QCOMPARE(nameIn(q), std::string("third"));
     }
     void anotherKindOfFileIsNeverReplaced() {
         const QTemporaryDir folder;
