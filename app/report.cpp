@@ -3,6 +3,7 @@
 #include "app/report.h"
 
 #include "core/base/numbers.h"
+#include "core/verify/excess.h"
 #include "core/verify/report_json.h"
 
 #include <sstream>
@@ -81,15 +82,6 @@ json jsonOf(const std::vector<LintMark>& marks) {
     return list;
 }
 
-std::string textOf(const std::vector<LintMark>& marks) {
-    std::ostringstream text;
-    for (std::size_t i = 0; i < marks.size() && i < 20; ++i)
-        text << "\n  line " << marks[i].line << ", column " << marks[i].column
-             << (marks[i].severity == LintSeverity::error ? ": rejected by the control: " : ": ") << marks[i].text;
-    if (marks.size() > 20) text << "\n  and " << marks.size() - 20 << " more";
-    return text.str();
-}
-
 std::string textOf(const Model& model) {
     std::ostringstream text;
     const glm::dvec3 size = model.box().size();
@@ -107,12 +99,28 @@ std::string textOf(const Model& model) {
     return text.str();
 }
 
-std::string textOf(const VerifyReport& report, double gougeTolerance) {
+namespace {
+
+/// Lines that follow others; empty: there are none.
+std::string linesOf(const std::vector<LintMark>& marks) {
     std::ostringstream text;
-    text << (report.passed() ? "passed" : "refused") << ": gouge " << formatFixed(report.gougeMax, 4)
+    for (std::size_t i = 0; i < marks.size() && i < 20; ++i)
+        text << "\n  line " << marks[i].line << ", column " << marks[i].column
+             << (marks[i].severity == LintSeverity::error ? ": rejected by the control: " : ": ") << marks[i].text;
+    if (marks.size() > 20) text << "\n  and " << marks.size() - 20 << " more";
+    return text.str();
+}
+
+} // namespace
+
+std::string textOf(const CheckedProgram& program, double gougeTolerance) {
+    const VerifyReport& report = program.report;
+    std::ostringstream text;
+    text << (program.passed() ? "passed" : "refused") << ": gouge " << formatFixed(report.gougeMax, 4)
          << " mm (tolerance " << formatFixed(gougeTolerance, 3) << " mm, " << report.samples << " places, "
          << report.exactSamples << " of them on exact geometry)\n"
-         << "  excess   " << formatFixed(report.excessMax, 3) << " mm at most, " << formatFixed(report.excessMean, 3)
+         << "  excess   " << formatFixed(report.excessMax, 3)
+         << (report.excessMax < longestExcess ? " mm at most, " : " mm or more, ") << formatFixed(report.excessMean, 3)
          << " mm in the mean, where the tool can reach\n"
          << "  removed  " << formatFixed(report.removed, 1) << " mm^3 in " << formatFixed(report.machiningSeconds, 0)
          << " s at the programmed feeds";
@@ -139,7 +147,7 @@ std::string textOf(const VerifyReport& report, double gougeTolerance) {
              << formatFixed(pass.place.z, 3) << ") mm";
     }
     if (report.nearPasses.size() > 20) text << "\n  and " << report.nearPasses.size() - 20 << " more warnings";
-    return text.str();
+    return text.str() + linesOf(program.lint);
 }
 
 } // namespace burin

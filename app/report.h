@@ -5,6 +5,7 @@
 #include "core/cad/model.h"
 #include "core/nc/lint.h"
 #include "core/path/evaluate.h"
+#include "core/project/program_job.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
 
@@ -26,7 +27,7 @@ nlohmann::json jsonOf(const std::vector<LintMark>& marks);
 
 /// The same for people, several lines.
 std::string textOf(const Model& model);
-std::string textOf(const VerifyReport& report, double gougeTolerance);
-std::string textOf(const std::vector<LintMark>& marks); ///< lines that follow others; empty: there are none
+/// What the check found and what the control would reject.
+std::string textOf(const CheckedProgram& program, double gougeTolerance);
 
 } // namespace burin

@@ -38,6 +38,10 @@ Result<std::vector<StoredPath>> chosenPaths(Project& project, const std::vector<
 }
 
 int runPost(const PostArguments& arguments, CommandContext& context) {
+    std::error_code absent;
+    if (std::filesystem::equivalent(arguments.project, arguments.output, absent))
+        return context.fail(
+            {ErrorCode::argumentInvalid, "--output", arguments.output, "another file than the project"});
     context.stage("Opening");
     Result<Project> project = Project::open(arguments.project);
     if (!project) return context.fail(project.error());
@@ -79,7 +83,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     for (const Tool& tool : edited->program.tools) answer["tools"].push_back(jsonOf(tool));
     answer["passed"] = program->passed();
     answer["lint"] = jsonOf(program->lint);
-    const std::string verdict = textOf(program->report, arguments.tolerance) + textOf(program->lint);
+    const std::string verdict = textOf(*program, arguments.tolerance);
     answer["overridden"] = program->overridden;
     if (!program->released()) {
         context.answer(answer, verdict);

@@ -68,7 +68,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
             return context.fail(written.error());
         answer["map"] = std::filesystem::absolute(arguments.map).lexically_normal().string();
     }
-    context.answer(answer, textOf(checked->report, arguments.tolerance) + textOf(checked->lint));
+    context.answer(answer, textOf(*checked, arguments.tolerance));
     return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 

@@ -13,7 +13,6 @@ namespace burin {
 
 namespace {
 
-constexpr double longestExcess = 20.0;  // mm; beyond it the stock was simply never touched
 constexpr double reachableDepth = 0.01; // mm: what the mesh's chord may cost
 
 /// A place with stock over it that faces a cutter from above: one of the tools may reach it.

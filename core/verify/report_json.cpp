@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/report_json.h"
 
+#include "core/verify/excess.h"
 #include "core/verify/load_chart.h"
 
 #include <nlohmann/json.hpp>
@@ -80,6 +81,7 @@ std::string toJson(const VerifyReport& report) {
                 {"gouge_max_mm", report.gougeMax},
                 {"gouge_max_mesh_mm", report.gougeMaxMesh},
                 {"excess_max_mm", report.excessMax},
+                {"excess_limit_mm", longestExcess},
                 {"excess_mean_mm", report.excessMean},
                 {"reachable_share", report.reachableShare},
                 {"removed_mm3", report.removed},

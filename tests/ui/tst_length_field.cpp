@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QShortcut>
 #include <QSignalSpy>
 #include <QWheelEvent>
 #include <QtTest>
@@ -176,6 +177,23 @@ private slots:
         QCOMPARE(bench.text(), QStringLiteral("5.000 mm"));
         bench.commit();
         QCOMPARE(bench.edited.size(), 0);
+    }
+
+    /// Ctrl+Z is the window's once the number is committed, and the text's while it is typed.
+    void undoIsTheWindowsUnlessTheUserTypes() {
+        Bench bench;
+        QVERIFY(bench.shown);
+        int undone = 0;
+        auto* undo = new QShortcut(QKeySequence::Undo, &bench.window);
+        connect(undo, &QShortcut::activated, this, [&] { ++undone; });
+        bench.type("12");
+        QTest::keyClick(&bench.field, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(undone, 0);
+        bench.type("12");
+        bench.commit();
+        QVERIFY(bench.field.hasFocus());
+        QTest::keyClick(&bench.field, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(undone, 1);
     }
 
     void stepsFitTheNumber_data() {

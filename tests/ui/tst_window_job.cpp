@@ -3,7 +3,9 @@
 #include "tests/ui/window_steps.h"
 #include "ui/messages/messages.h"
 
+#include <QAction>
 #include <QFile>
+#include <QMenu>
 #include <QtTest>
 
 #include <cmath>
@@ -80,6 +82,12 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QTest::qWait(500);                  // the window asks a moment after work on the project
     QVERIFY(!again.document.unsaved()); // it was only looked at
     QVERIFY(!driver.window().isWindowModified());
+    QAction* post = nullptr;
+    for (const QMenu* menu : driver.window().findChildren<QMenu*>())
+        for (QAction* action : menu->actions())
+            if (action->objectName() == QStringLiteral("postAction")) post = action;
+    QVERIFY(post != nullptr);
+    QVERIFY(post->isEnabled()); // by key and menu, as by the panel's button
     driver.shoot("07-reopened");
 }
 

@@ -50,6 +50,7 @@ class TestWindowProgram : public QObject {
 private slots:
     void aMoveAndItsLineLeadToEachOther();
     void textThatWasNotCheckedSurvivesAnEndFromOutside();
+    void textThatTheCheckRefusedSurvives();
     void whatIsTypedWhileItIsCheckedStays();
 };
 
@@ -98,6 +99,41 @@ void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
     QVERIFY(driver.waitFor([&] { return program.exportable(); }));
     QVERIFY(program.program()->text.starts_with("(fourth) (third)"));
     QVERIFY(text->toPlainText().startsWith("(fourth) (third)\n"));
+}
+
+/// What was written by hand stays in the project, whatever the check says of it.
+void TestWindowProgram::textThatTheCheckRefusedSurvives() {
+    WindowDriver driver;
+    QVERIFY(mill(driver));
+    QVERIFY(post(driver));
+    QVERIFY(driver.clickOn("editTextButton"));
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    QVERIFY(text != nullptr);
+    text->setFocus();
+    const int cut = int(text->toPlainText().indexOf("\nG1"));
+    QVERIFY(cut > 0);
+    QTextCursor cursor = text->textCursor();
+    cursor.setPosition(cut + 1);
+    text->setTextCursor(cursor);
+    QTest::keyClicks(text, "G1 Z-50 F100"); // through part and all
+    QTest::keyClick(text, Qt::Key_Return);
+    QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.edited(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    QVERIFY(driver.clickOn("checkTextButton"));
+    QVERIFY(driver.settle());
+    QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.refused(); }));
+    const QString file = driver.folder().filePath("refused.burin");
+    chooseFile(driver, file);
+    driver.key(Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(
+        driver.waitFor([&] { return QFile::exists(file) && !driver.window().workbench().document.unsaved(); }, 5000));
+    QVERIFY(driver.restart());
+    QVERIFY(driver.clickOn("recentFileButton"));
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }));
+    QVERIFY(driver.settle());
+    QVERIFY(bench.program.edited() && !bench.program.exportable());
+    QVERIFY(bench.program.storedText().contains("\nG1 Z-50 F100\n"));
 }
 
 void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {

@@ -10,6 +10,7 @@ ActionStates::ActionStates(Actions& actions, Workbench& workbench, QObject* pare
     : QObject(parent), actions_(actions), workbench_(workbench) {
     for (Controller* controller : workbench.controllers())
         connect(controller, &Controller::changed, this, &ActionStates::update);
+    connect(&workbench.path, &PathController::evaluatedAnew, this, &ActionStates::update);
     connect(&workbench.session, &SessionRunner::ticked, this, &ActionStates::update);
     connect(&workbench.undo(), &QUndoStack::indexChanged, this, &ActionStates::update);
     connect(actions[ActionId::undo], &QAction::triggered, &workbench, &Workbench::undoLast);

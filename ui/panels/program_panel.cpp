@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/program_panel.h"
 
+#include "core/verify/excess.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/deviation_card.h"
@@ -323,7 +324,9 @@ void ProgramPanel::Fields::refreshFigures() {
     gouge_->setValue(lengthText(report.gougeMax, unit_));
     gouge_->setToolTip(report.exactSamples > 0 ? ProgramPanel::tr("Judged on the exact surfaces at the worst places")
                                                : ProgramPanel::tr("Judged on the fine mesh"));
-    excess_->setValue(lengthNumber(report.excessMean, unit_) + QStringLiteral(" / ") +
+    // What is longer was not measured.
+    const QString atLeast = report.excessMax < longestExcess ? QString() : QStringLiteral("≥ ");
+    excess_->setValue(lengthNumber(report.excessMean, unit_) + QStringLiteral(" / ") + atLeast +
                       lengthText(report.excessMax, unit_));
     onPart_->setValue(QLocale().toString(100.0 * report.onPartShare, 'f', 1) + QChar(QChar::Nbsp) + QLatin1Char('%'));
     removed_->setValue(volumeText(report.removed, unit_));

@@ -20,6 +20,22 @@ namespace {
 constexpr int innerDecimals = 9;
 constexpr double largest = 1e6;
 
+/// Leaves undo and redo to the window while nothing is typed: a line of text would take the keys and do nothing.
+class UndoKeysOfWindow final : public QObject {
+public:
+    UndoKeysOfWindow(QObject* parent, QLineEdit* text) : QObject(parent), text_(text) {}
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() != QEvent::ShortcutOverride || text_->isModified()) return false;
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (!key->matches(QKeySequence::Undo) && !key->matches(QKeySequence::Redo)) return false;
+        event->ignore();
+        return true;
+    }
+
+private:
+    QLineEdit* text_;
+};
+
 /// A tenth of the size of `shown`, a power of ten, not below the last digit that is shown.
 double stepOf(double shown, int decimals) {
     const double smallest = std::pow(10.0, -decimals);
@@ -39,6 +55,7 @@ QuantityField::QuantityField(Quantity quantity, QWidget* parent) : QDoubleSpinBo
     setFocusPolicy(Qt::StrongFocus);
     setFont(numberFont(font()));
     setLengthUnit(unit_);
+    installEventFilter(new UndoKeysOfWindow(this, lineEdit()));
     connect(this, &QAbstractSpinBox::editingFinished, this, &QuantityField::commit);
 }
 

@@ -208,6 +208,7 @@ void BenchController::stopReaders(std::function<void()> then) {
 void BenchController::goOn() {
     --changes_;
     emit readersGoOn();
+    emit changed(); // what needs a bench that stands still may be done again
 }
 
 void BenchController::letGo(std::function<void()> then) {

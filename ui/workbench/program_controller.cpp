@@ -23,8 +23,11 @@ ProgramController::ProgramController(const Desk& desk, BenchController& bench, P
     connect(&target_, &Controller::changed, this, &Controller::changed);
 }
 
+/// What the user wrote is kept until it is part of a released program: also what the check refused.
 void ProgramController::storeDraft() {
-    store([draft = edited_ ? storedText_.toStdString() : std::string()](Project& project) {
+    const bool refusedByCheck = program_ && !program_->released() && byHand_;
+    const bool isDraft = edited_ || refusedByCheck;
+    store([draft = isDraft ? storedText_.toStdString() : std::string()](Project& project) {
         return project.setProgramDraft(draft);
     });
 }
@@ -41,14 +44,14 @@ void ProgramController::load(const std::vector<StoredProgram>& programs, const s
     desk_.tasks.abandon(TaskKind::program);
     program_.reset();
     problem_.reset();
-    edited_ = reading_ = false;
+    edited_ = byHand_ = reading_ = false;
     ++generation_;
     leftOut_.clear();
     lint_.clear();
     storedText_ = programs.empty() ? QString() : QString::fromStdString(programs.back().text);
     if (!draft.empty()) {
         storedText_ = QString::fromStdString(draft);
-        edited_ = true;
+        edited_ = byHand_ = true;
         lintText();
     }
     emit changed();
@@ -111,7 +114,7 @@ void ProgramController::post(const QString& name) {
     if (!postable() || busy()) return;
     emit textWanted();
     const ProgramRequest wanted = request(name);
-    read(postedPaths(), [this, wanted, asked = Asked{stored(wanted), basis(), textVersion_}](Matters matters) {
+    read(postedPaths(), [this, wanted, asked = Asked{stored(wanted), basis(), textVersion_, false}](Matters matters) {
         postPaths(std::move(matters), wanted, asked);
     });
 }
@@ -160,7 +163,7 @@ void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted,
 void ProgramController::editText(const QString& text) {
     if (text == storedText_) return;
     storedText_ = text;
-    edited_ = true;
+    edited_ = byHand_ = true;
     ++textVersion_;
     desk_.tasks.cancel(TaskKind::program); // it would be of another text
     draftDue_.start();
@@ -192,7 +195,7 @@ void ProgramController::check(const Matters& matters, ProgramRequest wanted, con
         [bench = bench_.bench(), text = storedText_.toStdString(), wanted](Progress& progress) {
             return checkProgram(*bench, text, wanted.name, wanted, progress);
         },
-        [this, asked = Asked{stored(wanted), basis, textVersion_}](Result<CheckedProgram> outcome) {
+        [this, asked = Asked{stored(wanted), basis, textVersion_, true}](Result<CheckedProgram> outcome) {
             take(asked, std::move(outcome));
         });
 }
@@ -210,7 +213,7 @@ void ProgramController::take(const Asked& asked, Result<CheckedProgram> outcome)
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*outcome));
     keep(asked.posted, *program);
-    const Shown next{program, QString::fromStdString(program->text), false, asked.basis};
+    const Shown next{program, QString::fromStdString(program->text), false, asked.basis, asked.byHand};
     edited_ ? change(next) : show(next); // what the user wrote is worth an undo
 }
 
@@ -223,8 +226,9 @@ void ProgramController::keep(const StoredProgram& posted, const CheckedProgram& 
 }
 
 void ProgramController::change(const Shown& next) {
-    desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1, {program_, storedText_, edited_, basis_},
-                                            next, [this](const Shown& value) { show(value); }));
+    desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1,
+                                            {program_, storedText_, edited_, basis_, byHand_}, next,
+                                            [this](const Shown& value) { show(value); }));
 }
 
 void ProgramController::overrideCheck(const QString& name, const QString& reason) {
@@ -237,7 +241,7 @@ void ProgramController::overrideCheck(const QString& name, const QString& reason
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*wanted));
     keep({name.toStdString(), program->dialect, machine.id, {}, {}}, *program);
-    change({program, QString::fromStdString(program->text), false, basis_});
+    change({program, QString::fromStdString(program->text), false, basis_, byHand_});
 }
 
 void ProgramController::show(const Shown& shown) {
@@ -245,8 +249,9 @@ void ProgramController::show(const Shown& shown) {
     ++textVersion_;
     program_ = shown.program;
     storedText_ = shown.text;
-    if (edited_ || shown.edited) draftDue_.start();
+    if (edited_ || byHand_ || shown.edited || shown.byHand) draftDue_.start();
     edited_ = shown.edited;
+    byHand_ = shown.byHand;
     if (edited_)
         lintText();
     else

@@ -81,7 +81,8 @@ private:
     struct Asked {
         StoredProgram posted;
         Basis basis;
-        quint64 text = 0; ///< version of the text then
+        quint64 text = 0;    ///< version of the text then
+        bool byHand = false; ///< as below
     };
     void take(const Asked& asked, Result<CheckedProgram> outcome);
     /// What the panel shows: a checked program, and the text, which may have been edited since.
@@ -90,6 +91,7 @@ private:
         QString text;
         bool edited = false;
         Basis basis;
+        bool byHand = false; ///< the user wrote in the text: it can't be posted anew
     };
     std::vector<StoredPath> postedPaths() const;
     using Matters = std::vector<PathMatter>;
@@ -111,7 +113,7 @@ private:
     std::shared_ptr<const CheckedProgram> program_;
     QString storedText_;
     std::vector<LintMark> lint_;
-    bool edited_ = false, reading_ = false;
+    bool edited_ = false, byHand_ = false, reading_ = false;
     Basis basis_;            ///< of the program in force
     quint64 generation_ = 0; ///< of what is read for a program
     quint64 textVersion_ = 0;
