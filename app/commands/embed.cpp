@@ -65,7 +65,7 @@ Result<void> mayBeReplaced(const EmbedArguments& arguments) {
     const Result<std::vector<TakeInfo>> takes = standing->takes();
     if (!takes || takes->empty()) return {};
     return Error{ErrorCode::argumentInvalid, "--output", arguments.output,
-                 "another name, or --replace: recordings: " + std::to_string(takes->size())};
+                 "another name, or --replace: the project there holds recordings, " + std::to_string(takes->size())};
 }
 
 int runEmbed(const EmbedArguments& arguments, CommandContext& context) {

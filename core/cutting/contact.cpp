@@ -17,20 +17,10 @@ namespace burin {
 
 namespace {
 
-constexpr RunPosition tolerance = unitsPerVoxel / 4;
-
 struct Overlap {
     std::array<std::uint64_t, 256> byProperty{}; ///< run units
     std::uint64_t units = 0;
     glm::dvec3 moment{0.0}; ///< mm times units, line frame
-};
-
-/// What is looked at: a workpiece of which a window may owe some, and the pieces of a tool that must not touch it.
-struct Guarded {
-    const RunVolume& workpiece;
-    const GapWindow* window; ///< or null
-    std::span<const RevolvedPiece> pieces;
-    ToolPose pose; ///< line frame
 };
 
 /// A piece that holds every point within `margin` of another one.
@@ -46,22 +36,22 @@ RevolvedPiece grown(const RevolvedPiece& piece, double margin) noexcept {
 /// One piece of a tool that must not touch, at a pose in the line frame.
 class GuardedPiece {
 public:
-    GuardedPiece(const Guarded& guarded, std::size_t number) noexcept
-        : guarded_(guarded)
-        , number_(number)
-        , workpiece_(guarded.workpiece)
-        , grid_(guarded.workpiece.grid())
-        , piece_(guarded.pieces[number])
-        , pose_(guarded.pose)
-        , nearBrick_(grown(piece_, halfDiagonal(OccupiedBricks::brickSide)), pose_.axis)
-        , nearBlock_(grown(piece_, halfDiagonal(OccupiedBricks::blockSide)), pose_.axis) {
-        const RevolvedPiece& piece = piece_;
-        const ToolPose& pose = pose_;
-        const double widest = piece.widestRadius();
+    /// @param window  what the workpiece is owed, or null
+    GuardedPiece(const RunVolume& workpiece, const GapWindow* window, const RevolvedPiece& piece,
+                 const ToolPose& pose) noexcept
+        : workpiece_(workpiece)
+        , window_(window)
+        , grid_(workpiece.grid())
+        , piece_(piece)
+        , pose_(pose)
+        , tolerance_(contactTolerance(piece, workpiece.grid()))
+        , nearBrick_(grown(piece, halfDiagonal(OccupiedBricks::brickSide)), pose.axis)
+        , nearBlock_(grown(piece, halfDiagonal(OccupiedBricks::blockSide)), pose.axis) {
+        const double widest = piece_.widestRadius();
         for (int i = 0; i < 3; ++i) {
-            const double across = widest * std::sqrt(std::max(0.0, 1.0 - pose.axis[i] * pose.axis[i]));
-            const double bottom = pose.tip[i] + piece.bottom * pose.axis[i];
-            const double top = pose.tip[i] + piece.top * pose.axis[i];
+            const double across = widest * std::sqrt(std::max(0.0, 1.0 - pose_.axis[i] * pose_.axis[i]));
+            const double bottom = pose_.tip[i] + piece_.bottom * pose_.axis[i];
+            const double top = pose_.tip[i] + piece_.top * pose_.axis[i];
             reach_.low[i] = std::min(bottom, top) - across;
             reach_.high[i] = std::max(bottom, top) + across;
         }
@@ -120,53 +110,28 @@ private:
             }
     }
     void addLine(LineIndex line, const Span& span, Overlap& overlap) const noexcept {
-        const std::uint64_t units = unitsIn(line, span);
-        if (units == 0 || (units <= tolerance && !(isShort() && exceedsWithNeighbours(line, span, units)))) return;
+        const RunPosition from = grid_.toRunPosition(span.low), to = grid_.toRunPosition(span.high);
+        if (from >= to) return;
+        std::uint64_t units = 0;
+        forEachPieceNotOwed(workpiece_, window_, line, from, to,
+                            [&](PropertyIndex, RunPosition start, RunPosition end) { units += end - start; });
+        if (units <= tolerance_) return;
         const glm::dvec2 centre = grid_.lineCentre(line);
-        forEachPieceNotOwed(workpiece_, guarded_.window, line, grid_.toRunPosition(span.low),
-                            grid_.toRunPosition(span.high),
-                            [&](PropertyIndex property, RunPosition start, RunPosition end) {
-                                const double middle = 0.5 * (grid_.toMillimetres(start) + grid_.toMillimetres(end));
-                                overlap.byProperty[property] += end - start;
-                                overlap.moment += static_cast<double>(end - start) * glm::dvec3(centre, middle);
-                            });
+        const auto add = [&](PropertyIndex property, RunPosition start, RunPosition end) {
+            const double middle = 0.5 * (grid_.toMillimetres(start) + grid_.toMillimetres(end));
+            overlap.byProperty[property] += end - start;
+            overlap.moment += static_cast<double>(end - start) * glm::dvec3(centre, middle);
+        };
+        forEachPieceNotOwed(workpiece_, window_, line, from, to, add);
         overlap.units += units;
     }
-    std::uint64_t unitsIn(LineIndex line, const Span& span) const noexcept {
-        std::uint64_t units = 0;
-        const RunPosition from = grid_.toRunPosition(span.low), to = grid_.toRunPosition(span.high);
-        if (from < to)
-            forEachPieceNotOwed(workpiece_, guarded_.window, line, from, to,
-                                [&](PropertyIndex, RunPosition start, RunPosition end) { units += end - start; });
-        return units;
-    }
-    /// A holder may be drawn in steps far smaller than the tolerance: it is that of all of them.
-    bool isShort() const noexcept { return piece_.top - piece_.bottom < grid_.edge(); }
-    bool exceedsWithNeighbours(LineIndex line, const Span& span, std::uint64_t units) const noexcept {
-        constexpr double joint = 1e-6; // mm
-        const glm::dvec2 place = grid_.lineCentre(line) - glm::dvec2(pose_.tip);
-        const auto add = [&](std::size_t number, Span& reached) noexcept {
-            const std::optional<Span> chord = PieceChord(guarded_.pieces[number], pose_.axis).along(place.x, place.y);
-            if (!chord) return false;
-            const Span next{pose_.tip.z + chord->low, pose_.tip.z + chord->high};
-            if (next.low > reached.high + joint || next.high < reached.low - joint) return false;
-            units += unitsIn(line, next);
-            reached = next;
-            return units <= tolerance;
-        };
-        Span reached = span;
-        for (std::size_t i = number_; i-- > 0 && add(i, reached);) continue;
-        reached = span;
-        for (std::size_t i = number_ + 1; i < guarded_.pieces.size() && add(i, reached); ++i) continue;
-        return units > tolerance;
-    }
 
-    const Guarded& guarded_;
-    std::size_t number_;
     const RunVolume& workpiece_;
+    const GapWindow* window_;
     const Grid& grid_;
     const RevolvedPiece& piece_;
     const ToolPose& pose_;
+    const RunPosition tolerance_;
     PieceChord nearBrick_, nearBlock_;
     Box reach_;
     double alongLow_ = 0.0;
@@ -193,16 +158,15 @@ ShankContact contactAt(const RunVolume& workpiece, const GapWindow* window, std:
     ShankContact contact;
     if (!isFinite(setupPose.tip) || !isFinite(setupPose.axis)) return contact;
     const Grid& grid = workpiece.grid();
-    const std::size_t first = std::min(fluteCount, tool.size());
-    const Guarded guarded{workpiece, window, tool.subspan(first), inLineFrame(grid, setupPose)};
+    const ToolPose pose = inLineFrame(grid, setupPose);
     Overlap overlap;
     std::uint64_t most = 0;
-    for (std::size_t i = 0; i < guarded.pieces.size(); ++i) {
+    for (std::size_t i = fluteCount; i < tool.size(); ++i) {
         const std::uint64_t before = overlap.units;
-        GuardedPiece(guarded, i).addTo(overlap, bricks);
+        GuardedPiece(workpiece, window, tool[i], pose).addTo(overlap, bricks);
         if (overlap.units - before <= most) continue;
         most = overlap.units - before;
-        contact.piece = static_cast<std::uint32_t>(first + i);
+        contact.piece = static_cast<std::uint32_t>(i);
     }
     if (overlap.units == 0) return contact;
     contact.touches = true;

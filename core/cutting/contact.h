@@ -37,9 +37,9 @@ struct ShankContact {
 
 /// Contact of shank and holder with everything in a workpiece, tick by tick (paper, 4.2). Remembers which bricks of the
 /// volume were empty, so that a tool in free space costs a look at the blocks beneath it and no scanline. Any axis of
-/// the tool, any axis of the runs. A scanline counts when it overlaps a piece by more than a quarter of a voxel, pieces
-/// shorter than a voxel with those that they follow on. One object a volume; between two calls of `at` the volume may
-/// only lose material, else `forget`. Thread: the writer's. No allocation, lock or exception after construction.
+/// the tool, any axis of the runs. A scanline counts when it overlaps a piece by more than a quarter of a voxel, or by
+/// more than half the height of a shorter piece. One object a volume; between two calls of `at` the volume may only
+/// lose material, else `forget`. Thread: the writer's. No allocation, lock or exception after construction.
 class ContactCheck {
 public:
     explicit ContactCheck(const Grid& grid) : bricks_(grid) {}

@@ -31,6 +31,13 @@ inline LineRange linesWithin(const Span& stretch, double low, double edge, std::
             static_cast<std::int32_t>(std::clamp(last, -1.0, static_cast<double>(count) - 1.0))};
 }
 
+/// Run units by which a piece that must not touch may overlap a line all the same: a quarter of a voxel, and of a piece
+/// that is shorter than two of those (a holder may be drawn in such steps) half its height.
+inline RunPosition contactTolerance(const RevolvedPiece& piece, const Grid& grid) noexcept {
+    const double half = 0.5 * (piece.top - piece.bottom) / grid.edge();
+    return static_cast<RunPosition>(std::min(0.25, half) * unitsPerVoxel);
+}
+
 /// Calls `visit(line, from, to)` for every scanline of some rows (v) whose centre line meets the swept piece in the
 /// grid, run positions from < to rounded by Grid's one rule; stops when it returns false.
 /// @param swept in the frame of the grid's lines (inLineFrame)

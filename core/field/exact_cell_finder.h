@@ -21,13 +21,13 @@ public:
         : triangles_(part, origin, voxel), voxel_(voxel) {}
 
     /// Of a brick's cells, replacing what it has. Cells beside those where the surface folds between samples (a slot, a
-    /// rib or a pin of less than two voxels) come along as far as it does.
+    /// rib or a pin of less than 2.5 voxels) come along as far as it does.
     /// @param corner  lowest, voxels from the origin  @param wanted  by what the samples say
     Found list(const glm::dvec3& corner, const CellMask& wanted, MadeBrick& made);
     /// The same, and every other cell in which the surface folds at all.
     Found listClosely(const glm::dvec3& corner, const CellMask& wanted, MadeBrick& made);
     /// Adds to a made brick cells where the surface folds between samples: some that are named, and those beside them.
-    /// @return whether there is any
+    /// @return whether more cells turned out to be so
     bool grow(const glm::dvec3& corner, const CellMask& seeds, MadeBrick& made);
 
 private:

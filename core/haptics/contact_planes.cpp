@@ -81,7 +81,6 @@ private:
                 share = reached;
                 blocking = i;
             }
-            if (!(share >= 0.0)) return false; // rounding: the new one itself pulls
             for (std::size_t i = 0; i < activeCount_; ++i) {
                 double& force = force_[at(active_[i])];
                 force += share * (wanted[i] - force);

@@ -17,13 +17,6 @@ namespace {
 constexpr glm::dvec3 toolAxis(0.0, 0.0, 1.0); // setup frame
 constexpr std::size_t movesBetweenLooks = 256;
 
-/// Run units that a piece may overlap a line by and not count, a quarter of a voxel, as for ContactCheck. A holder may
-/// be drawn in steps smaller than that: of such a piece half its height.
-RunPosition toleranceOf(const RevolvedPiece& piece, const Grid& grid) noexcept {
-    const double half = 0.5 * (piece.top - piece.bottom) / grid.edge() * unitsPerVoxel;
-    return static_cast<RunPosition>(std::min(0.25 * unitsPerVoxel, half));
-}
-
 /// The part of a straight way whose place along one axis lies in a stretch, as shares of the way; none: low > high.
 Span shareWithin(double from, double to, const Span& stretch) noexcept {
     const double way = to - from;
@@ -173,7 +166,7 @@ bool RowReplay::mayTouch(const ReplayTool& tool, const glm::dvec3& from, const g
     if (lowest >= reach_ * grid_.edge() / unitsPerVoxel) return false;
     const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
     for (std::size_t i = tool.fluteCount; i < tool.stack.size(); ++i)
-        if (touches(SweptPiece(tool.stack[i], from, to, axis), toleranceOf(tool.stack[i], grid_))) return true;
+        if (touches(SweptPiece(tool.stack[i], from, to, axis), contactTolerance(tool.stack[i], grid_))) return true;
     return false;
 }
 
@@ -236,7 +229,7 @@ void RowReplay::lookAt(const ReplayTool& tool, const glm::dvec3& tip, std::uint3
     for (std::size_t i = tool.fluteCount; i < tool.stack.size(); ++i) {
         UnitSum touched;
         const SweptPiece piece(tool.stack[i], tip, tip, axis);
-        const RunPosition tolerance = toleranceOf(tool.stack[i], grid_);
+        const RunPosition tolerance = contactTolerance(tool.stack[i], grid_);
         forEachSpanInRows(piece, grid_, rows(), [&](LineIndex line, RunPosition from, RunPosition to) {
             UnitSum here;
             if (stock_.overlap(line, from, to, here) > tolerance) touched.add(here);

@@ -33,6 +33,14 @@ bool post(WindowDriver& driver) {
     return postProgram(driver);
 }
 
+/// The text of a posted program, ready for keys; null where that fails.
+QPlainTextEdit* textToEdit(WindowDriver& driver) {
+    if (!mill(driver) || !post(driver) || !driver.clickOn("editTextButton")) return nullptr;
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    if (text != nullptr) text->setFocus();
+    return text;
+}
+
 /// The longest cutting move.
 const NcMotion* longestCut(const ParsedProgram& program) {
     const NcMotion* longest = nullptr;
@@ -104,12 +112,8 @@ void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
 /// What was written by hand stays in the project, whatever the check says of it.
 void TestWindowProgram::textThatTheCheckRefusedSurvives() {
     WindowDriver driver;
-    QVERIFY(mill(driver));
-    QVERIFY(post(driver));
-    QVERIFY(driver.clickOn("editTextButton"));
-    auto* text = driver.visible<QPlainTextEdit>("programText");
+    QPlainTextEdit* text = textToEdit(driver);
     QVERIFY(text != nullptr);
-    text->setFocus();
     const int cut = int(text->toPlainText().indexOf("\nG1"));
     QVERIFY(cut > 0);
     QTextCursor cursor = text->textCursor();
@@ -138,12 +142,8 @@ void TestWindowProgram::textThatTheCheckRefusedSurvives() {
 
 void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
     WindowDriver driver;
-    QVERIFY(mill(driver));
-    QVERIFY(post(driver));
-    QVERIFY(driver.clickOn("editTextButton"));
-    auto* text = driver.visible<QPlainTextEdit>("programText");
+    QPlainTextEdit* text = textToEdit(driver);
     QVERIFY(text != nullptr);
-    text->setFocus();
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "(half a thought)");
     QTest::keyClick(text, Qt::Key_Return);

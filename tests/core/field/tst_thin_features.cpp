@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/cad/import.h"
 #include "core/field/part_field.h"
 #include "core/geometry/mesh_distance.h"
 #include "tests/core/geometry/shapes.h"
-#include "tests/places.h"
+#include "tests/imported_mesh.h"
 
 #include <QtTest>
 
@@ -56,17 +55,6 @@ PartField built(const TriangleMesh& mesh, double edge, double reach) {
     return std::move(*field);
 }
 
-TriangleMesh meshOf(const char* file) {
-    ImportOptions options;
-    options.worker = std::filesystem::path(BURIN_BUILD_DIRECTORY) / "burin-import";
-    Progress progress;
-    const Result<Model> model = importModel(std::filesystem::path(BURIN_FIXTURES) / "models" / file, options, progress);
-    TriangleMesh mesh;
-    if (model)
-        for (const Body& body : model->bodies) append(mesh, body.mesh);
-    return mesh;
-}
-
 class Random {
 public:
     double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
@@ -112,7 +100,7 @@ private slots:
 
     /// A moulded part with details of about a voxel. Its own triangles, all of them, are the oracle.
     void aMouldedPartKeepsTheStatedBound() {
-        const TriangleMesh mesh = meshOf("mouse-cover.stl");
+        const TriangleMesh mesh = tests::importedMesh("mouse-cover.stl");
         QVERIFY(!mesh.empty());
         const MeshDistance exact(mesh);
         const Box box = boundingBox(mesh);

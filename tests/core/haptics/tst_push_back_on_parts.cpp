@@ -1,28 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/cad/import.h"
+#include "tests/imported_mesh.h"
 #include "tests/oracles/push_back_scenes.h"
-#include "tests/places.h"
 
 #include <QtTest>
 
 using namespace burin;
 using namespace burin::oracles;
-
-namespace {
-
-TriangleMesh meshOf(const char* file) {
-    ImportOptions options;
-    options.worker = std::filesystem::path(BURIN_BUILD_DIRECTORY) / "burin-import";
-    Progress progress;
-    const Result<Model> model = importModel(std::filesystem::path(BURIN_FIXTURES) / "models" / file, options, progress);
-    TriangleMesh mesh;
-    if (model)
-        for (const Body& body : model->bodies) append(mesh, body.mesh);
-    return mesh;
-}
-
-} // namespace
 
 class TestPushBackOnParts : public QObject {
     Q_OBJECT
@@ -36,7 +20,7 @@ private slots:
     void noToolEntersAPartOfCad() {
         QFETCH(QString, file);
         QFETCH(int, ticks);
-        const TriangleMesh mesh = meshOf(file.toLatin1().constData());
+        const TriangleMesh mesh = tests::importedMesh(file.toLatin1().constData());
         QVERIFY(!mesh.empty());
         const PushBackScene scene = partPushBackScene(file.toStdString(), mesh);
         int touching = 0;

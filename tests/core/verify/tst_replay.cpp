@@ -60,6 +60,17 @@ Tool toolOf(CutterType type) {
     return tool;
 }
 
+/// Its holder's cone is drawn in steps of a quarter of a voxel, none of which touches by a quarter of one.
+Tool withSteps(Tool tool) {
+    constexpr int steps = 40;
+    tool.cutter.holder.clear();
+    for (int i = 0; i < steps; ++i) {
+        const double diameter = 6.0 + 2.0 * (i + 0.5) / steps;
+        tool.cutter.holder.push_back({diameter, diameter, 4.0 / steps});
+    }
+    return tool;
+}
+
 /// Moves in and around the stock, some from nowhere, some rapid, some with a spindle that stands. None has an axis on a
 /// scanline: others would lie exactly on the tool's wall then (3, 4, 5 voxels), and the last bit decides of them.
 std::vector<ToolMove> someMoves(std::size_t tools) {
@@ -155,7 +166,7 @@ private slots:
 /// What is rounded to a run unit may differ by one where steps split a way; nothing else may.
 void ReplayTest::isThatOfOneStepAfterTheOther() {
     const std::vector<Tool> tools{toolOf(CutterType::ball), toolOf(CutterType::flat), toolOf(CutterType::bullNose),
-                                  toolOf(CutterType::drill)};
+                                  toolOf(CutterType::drill), withSteps(toolOf(CutterType::flat))};
     const bool holds = rc::check("whole moves by rows equal single steps over the whole grid", [&] {
         constexpr RunAxis axis = RunAxis::z; // across the tool a face may lie on a row of lines, and a bit decides
         const std::vector<ToolMove> moves = someMoves(tools.size());
