@@ -16,22 +16,14 @@ namespace {
 
 using nlohmann::json;
 
-/// s from the start of a take to its last sample; a loop that misses ticks has fewer samples than periods.
-Result<double> duration(const Project& project, const TakeInfo& info) {
-    if (info.sampleCount == 0) return 0.0;
-    const Result<Take> take = project.take(info.id);
-    if (!take) return take.error();
-    return take->samples.empty() ? 0.0 : take->samples.back().time;
-}
-
-json jsonOf(const TakeInfo& take, double seconds) {
+json jsonOf(const TakeInfo& take) {
     return {{"id", take.id},
             {"name", take.name},
             {"tool", take.toolId},
             {"allowance_mm", take.allowance},
             {"samples", take.sampleCount},
             {"tick_period_s", take.tickPeriod},
-            {"duration_s", seconds},
+            {"duration_s", take.seconds ? json(*take.seconds) : json(nullptr)},
             {"started_unix_s", take.startedUnixTime},
             {"stylus", take.stylus},
             {"complete", take.complete}};
@@ -81,12 +73,11 @@ int runInfo(const std::string& file, CommandContext& context) {
     if (setup) text << "\n  axis     " << textOf(around->axis);
     for (const Obstacle& obstacle : around->obstacles) text << "\n  " << textOf(obstacle);
     for (const TakeInfo& take : *takes) {
-        const Result<double> seconds = duration(*project, take);
-        if (!seconds) return context.fail(seconds.error());
         samples += take.sampleCount;
-        answer["takes"].push_back(jsonOf(take, *seconds));
+        answer["takes"].push_back(jsonOf(take));
         text << "\n  take     " << take.id << " " << take.name << ": " << take.sampleCount << " samples, "
-             << formatFixed(*seconds, 3) << " s, tool " << take.toolId << (take.complete ? "" : ", not ended properly");
+             << (take.seconds ? formatFixed(*take.seconds, 3) + " s" : "damaged") << ", tool " << take.toolId
+             << (take.complete ? "" : ", not ended properly");
     }
     answer["samples"] = samples;
     for (const StoredPath& path : *paths) {

@@ -13,7 +13,7 @@ namespace {
 /// A few ticks that the recorder lost don't tear a stroke apart.
 constexpr std::uint64_t longestGap = 5; // ticks
 /// A tip that is faster than any hand was moved by something else (another mapping): the way between is not work.
-constexpr double fastestHand = 2000.0; // mm/s, estimate
+constexpr double fastestHand = 2000.0; // mm/s, estimate; over the time that passed, missed ticks among it
 /// Shank or holder touched something, or the tool only moved.
 constexpr std::uint32_t notWork = sampleShankContact | sampleSpindleOff;
 constexpr double tiltTolerance = 1e-6; // of a unit vector's components
@@ -34,6 +34,7 @@ Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const Pa
     const double period = info.tickPeriod > 0.0 ? info.tickPeriod : context.tickPeriod;
     bool begins = true;
     std::uint64_t lastTick = 0, index = 0;
+    double lastTime = 0.0;
     UndoneSamples undone(take);
     for (const Sample& sample : take.samples) {
         if (undone.holds(index++) || (sample.flags & notWork) != 0 || !isFinite(sample.proxy.tip)) {
@@ -45,7 +46,7 @@ Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const Pa
                          "takes milled with the axis fixed at +Z (--axis fixed), unlike take " +
                              std::to_string(info.id),
                          "sample " + std::to_string(sample.tick)};
-        const double elapsed = period * static_cast<double>(sample.tick - lastTick);
+        const double elapsed = std::max(period * static_cast<double>(sample.tick - lastTick), sample.time - lastTime);
         if (begins || sample.tick > lastTick + longestGap ||
             glm::distance(sample.proxy.tip, strokes.back().points.back().tip) > fastestHand * elapsed) {
             strokes.push_back({info.id, info.allowance, info.allowance, period, {}});
@@ -54,6 +55,7 @@ Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const Pa
                                          (sample.flags & sampleOnBoundary) != 0});
         begins = false;
         lastTick = sample.tick;
+        lastTime = sample.time;
     }
     return {};
 }

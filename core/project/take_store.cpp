@@ -29,6 +29,23 @@ TakeInfo infoOf(const Statement& row) {
     return info;
 }
 
+/// The last chunk alone: a take may be an hour long.
+Result<void> loadSeconds(Database& database, TakeInfo& info) {
+    Result<Statement> rows = Statement::prepare(
+        database, "SELECT count, samples FROM sample_chunk WHERE take = ? ORDER BY first DESC LIMIT 1");
+    if (!rows) return std::move(rows).error();
+    if (Result<void> bound = rows->bind(info.id); !bound) return bound;
+    info.seconds = 0.0;
+    return forEachRow(*rows, [&]() -> Result<void> {
+        const std::int64_t count = rows->integer(0);
+        const std::optional<std::vector<Sample>> samples =
+            count < 0 ? std::nullopt : decodeSamples(rows->blob(1), static_cast<std::size_t>(count));
+        info.seconds.reset();
+        if (samples && !samples->empty()) info.seconds = samples->back().time;
+        return {};
+    });
+}
+
 Error unknownTake(Database& database, std::int64_t id) {
     const Result<std::vector<TakeInfo>> takes = loadTakes(database);
     if (!takes) return takes.error();
@@ -105,6 +122,7 @@ Result<std::vector<TakeInfo>> loadTakes(Database& database) {
     for (TakeInfo& info : takes) {
         std::vector<SampleRange> undone;
         if (read = loadUndone(database, info, undone); !read) return std::move(read).error();
+        if (read = loadSeconds(database, info); !read) return std::move(read).error();
     }
     return takes;
 }
@@ -122,6 +140,7 @@ Result<Take> loadTake(Database& database, std::int64_t id) {
     }
     if (Result<void> read = loadSamples(database, take); !read) return std::move(read).error();
     if (Result<void> read = loadUndone(database, take.info, take.undone); !read) return std::move(read).error();
+    take.info.seconds = take.samples.empty() ? 0.0 : take.samples.back().time;
     return take;
 }
 

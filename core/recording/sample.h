@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -69,6 +70,7 @@ struct TakeInfo {
     std::string stylus;            ///< description of the input
     std::uint64_t sampleCount = 0;
     std::uint64_t undoneCount = 0; ///< of these, taken back
+    std::optional<double> seconds; ///< from its start to its last sample, missed ticks among them; null: it is damaged
     bool complete = false;         ///< false: the program ended while it was recorded
 };
 

@@ -20,8 +20,8 @@ namespace {
 bool same(const TakeRow& one, const TakeRow& other) {
     return one.strokes == other.strokes && one.recording == other.recording && one.info.id == other.info.id &&
            one.info.name == other.info.name && one.info.toolId == other.info.toolId &&
-           one.info.sampleCount == other.info.sampleCount && one.info.complete == other.info.complete &&
-           one.info.stylus == other.info.stylus;
+           one.info.sampleCount == other.info.sampleCount && one.info.seconds == other.info.seconds &&
+           one.info.complete == other.info.complete && one.info.stylus == other.info.stylus;
 }
 
 QString detailOf(const TakeRow& take) {
@@ -100,7 +100,7 @@ TakeList::Row TakeList::makeRow(std::int64_t take) {
 
 void TakeList::show(const Row& row, const TakeRow& take) {
     row.name->setText(takeName(take.info.name));
-    row.duration->setText(durationText(static_cast<double>(take.info.sampleCount) * take.info.tickPeriod));
+    row.duration->setText(take.info.seconds ? durationText(*take.info.seconds) : tr("damaged"));
     row.detail->setText(detailOf(take));
 }
 

@@ -123,6 +123,7 @@ void MillPresenter::present() {
         if (!state.recording || take.id != session.take) continue;
         TakeInfo& growing = state.takes.back().info;
         growing.sampleCount = static_cast<std::uint64_t>(std::lround(session.recordedSeconds / take.tickPeriod));
+        growing.seconds = session.recordedSeconds;
         state.takes.back().recording = true;
     }
     state.showing = workbench_.showMe.showing();

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -221,6 +222,20 @@ private slots:
             strokes += point.kind == MoveKind::rapid ? 1 : 0;
         }
         QCOMPARE(strokes, std::size_t{2});
+    }
+
+    /// A loop that comes late has one tick for several periods: the hand has gone on meanwhile, and cut.
+    void aTickThatCameLateTearsNoStroke() {
+        for (const auto& [late, strokes] : {std::pair(0.004, 1), std::pair(0.0, 2)}) {
+            Take take = cut();
+            for (std::size_t i = 100; i < take.samples.size(); ++i) {
+                take.samples[i].time += late;
+                take.samples[i].proxy.tip.x += 4.0; // mm, at 800 mm/s with the time that it took
+            }
+            const auto path = run({take}, {}, context());
+            QVERIFY(path);
+            QCOMPARE(std::ranges::count(path->path.points, MoveKind::rapid, &PathPoint::kind), strokes);
+        }
     }
 
     void editsThatNeedThePartSaySo() {

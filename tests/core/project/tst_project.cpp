@@ -70,6 +70,21 @@ private slots:
         QVERIFY(*project->obstacles() == fixture::obstacles());
     }
 
+    /// A loop that misses ticks has fewer samples than periods, in one chunk or in several.
+    void howLongATakeIsComesFromItsTimes() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("late"));
+        QCOMPARE(project->takes()->front().seconds, std::optional(0.0));
+        std::vector<Sample> samples = fixture::handSamples(0, 40);
+        for (std::size_t i = 0; i < samples.size(); ++i) samples[i].time = 0.0025 * static_cast<double>(i);
+        QVERIFY(writer->append(std::span(samples).first(15)));
+        QCOMPARE(project->takes()->front().seconds, std::optional(0.0025 * 14.0));
+        QVERIFY(writer->append(std::span(samples).subspan(15)) && writer->finish());
+        QCOMPARE(project->takes()->front().seconds, std::optional(0.0025 * 39.0));
+        QCOMPARE(project->take(writer->id())->info.seconds, std::optional(0.0025 * 39.0));
+    }
+
     /// What is taken back stays in the file, is told, and comes again.
     void whatIsTakenBackIsKept() {
         const QTemporaryDir folder;
