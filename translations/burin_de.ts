@@ -1531,6 +1531,10 @@
         <source>&quot;%1&quot; may lead the tool into the part; put &quot;%2&quot; between it and &quot;%3&quot;.</source>
         <translation>„%1“ kann das Werkzeug ins Teil führen; setzen Sie „%2“ zwischen dies und „%3“.</translation>
     </message>
+    <message>
+        <source>There is not enough memory for &quot;%1&quot; (needed and free: %2); close other programs or choose larger voxels.</source>
+        <translation>Für „%1“ reicht der Speicher nicht (nötig und frei: %2); andere Programme schließen oder größere Voxel wählen.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -3030,6 +3034,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>overridden</source>
         <translation>übergangen</translation>
     </message>
+    <message>
+        <source>no boundary</source>
+        <translation>keine Grenzfläche</translation>
+    </message>
 </context>
 <context>
     <name>burin::LoadChart</name>
@@ -3063,10 +3071,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Burin ended before this work was saved; all of it is here again.</source>
-        <translation>Burin endete, bevor diese Arbeit gespeichert war; sie ist vollständig wieder da.</translation>
     </message>
     <message>
         <source>%1[*] — Burin</source>
@@ -3122,6 +3126,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Your reason. It goes into the program&apos;s header with what was found.</source>
         <translation>Ihr Grund. Er steht mit dem Gefundenen im Kopf des Programms.</translation>
+    </message>
+    <message>
+        <source>Burin ended before this work was saved; all that was entered and recorded is here again.</source>
+        <translation>Burin endete, bevor diese Arbeit gespeichert war; was eingegeben und aufgezeichnet wurde, ist alles wieder da.</translation>
     </message>
 </context>
 <context>
@@ -3525,6 +3533,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1 (not plugged in)</source>
         <translation>%1 (nicht angeschlossen)</translation>
+    </message>
+    <message>
+        <source>There is no boundary for the tool: choose another tool, or embed again, with larger voxels where memory was short.</source>
+        <translation>Für das Werkzeug gibt es keine Grenzfläche: ein anderes Werkzeug wählen oder neu einbetten, mit größeren Voxeln, wo der Speicher nicht reichte.</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@ namespace burin {
 enum class ErrorCode : std::uint16_t {
     // work that was stopped, resources of the machine
     cancelled,     ///< subject: the work
-    outOfMemory,   ///< subject: the work; detail: what was asked for
+    outOfMemory,   ///< subject: the work; place: what it needs and what is free, where known; detail
     internalFault, ///< a promise of our own code was broken; subject: where
     // files
     fileNotFound,      ///< subject: file

@@ -19,6 +19,9 @@ inline glm::ivec3 cornerOf(int i) noexcept {
 class BlockCorners {
 public:
     static constexpr int cubes = 64; ///< of 2 x 2 x 2 bricks, a block
+    static constexpr std::size_t bytesPerBlock() noexcept {
+        return (perBlock + evensPerBlock + CellGrid::samples) * sizeof(PartSample) + sizeof(std::uint64_t);
+    }
 
     /// @param places  of the divided blocks, in their order
     BlockCorners(const MeshDistance& part, PartFieldLayers& layers, const std::vector<glm::ivec3>& places);

@@ -23,6 +23,11 @@ public:
     BrickSampler(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
                  BrickField& field, const std::vector<std::uint32_t>& fine, const std::vector<TipSample>& corners);
 
+    /// What it and the field take for a fine brick, where none of them is smooth.
+    static constexpr std::size_t bytesPerBrick() noexcept {
+        return BrickField::samplesPerBrick * sizeof(std::int16_t) + (8 + 64) * sizeof(TipSample);
+    }
+
     /// Parallel, reported between the fractions.
     void fill(Progress& progress, double from, double to);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/field_builder.h"
 
+#include "core/base/available_memory.h"
 #include "core/field/brick_sampler.h"
 #include "core/field/spread.h"
 #include "core/field/tip_asker.h"
@@ -22,22 +23,22 @@ public:
         : part_(part), request_(request), progress_(progress), resolution_(fieldResolution(request)) {}
 
     Result<BrickField> build() {
-        if (!lay()) return tooLarge();
+        if (Result<void> laid = lay(); !laid) return laid.error();
         TipCorners corners(part_, request_, resolution_, field_);
         corners.sample(progress_, 0.0, 0.15);
-        if (!choose(corners)) return tooLarge();
+        if (Result<void> chosen = choose(corners); !chosen) return chosen.error();
         BrickSampler(part_, request_, resolution_, field_, fine_, corners.samples()).fill(progress_, 0.2, 1.0);
-        if (progress_.cancelled()) return Error{ErrorCode::cancelled, "boundary field of a tool", "", ""};
+        if (progress_.cancelled()) return Error{ErrorCode::cancelled, subject, "", ""};
         progress_.report(1.0);
         return std::move(field_);
     }
 
 private:
-    static Error tooLarge() {
-        return {ErrorCode::outOfMemory, "boundary field of a tool", "", "more bricks than a field can count"};
-    }
+    static constexpr const char* subject = "boundary field of a tool";
 
-    bool lay() {
+    static Error tooLarge() { return {ErrorCode::outOfMemory, subject, "", "more bricks than a field can count"}; }
+
+    Result<void> lay() {
         field_.tips = request_.tips;
         field_.spacing = resolution_.spacing;
         field_.interpolationBound = resolution_.interpolationBound;
@@ -50,17 +51,19 @@ private:
             const double along = std::max(
                 1.0, std::ceil((request_.tips.high[axis] - request_.tips.low[axis]) / field_.brickEdge() - 1e-9));
             count *= along + 1.0;
-            if (count > 1e9) return false;
+            if (count > 1e9) return tooLarge();
             field_.bricks[axis] = static_cast<int>(along);
         }
+        constexpr std::size_t each = sizeof(TipSample) + 3 * sizeof(float) + sizeof(std::uint8_t);
+        if (Result<void> fits = needMemory(subject, count * static_cast<double>(each)); !fits) return fits;
         field_.corners.assign(field_.cornerCount(), 0.0F);
         field_.coarseBound.assign(field_.brickCount(), 0.0F);
         field_.place.assign(field_.brickCount(), BrickField::coarse);
-        return true;
+        return {};
     }
 
     /// The bricks that are fine.
-    bool choose(const TipCorners& corners) {
+    Result<void> choose(const TipCorners& corners) {
         std::vector<std::uint8_t> wanted(field_.brickCount(), 0);
         spreadStretches(field_.brickCount(), 0.15, 0.2, progress_, [&](std::size_t first, std::size_t end) {
             TipAsker asker(part_, request_, {1e-4 * request_.voxel, -field_.brickEdge(), 0.1 * request_.voxel});
@@ -72,9 +75,11 @@ private:
                 field_.place[number] = static_cast<std::int32_t>(fine_.size());
                 fine_.push_back(static_cast<std::uint32_t>(number));
             }
-        if (fine_.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) return false;
+        if (fine_.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) return tooLarge();
+        const double needed = static_cast<double>(fine_.size()) * static_cast<double>(BrickSampler::bytesPerBrick());
+        if (Result<void> fits = needMemory(subject, needed); !fits) return fits;
         field_.samples.assign(fine_.size() * BrickField::samplesPerBrick, 0);
-        return true;
+        return {};
     }
 
     const MeshDistance& part_;

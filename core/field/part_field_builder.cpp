@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/part_field_builder.h"
 
+#include "core/base/available_memory.h"
 #include "core/field/block_corners.h"
 #include "core/field/coarse_bound.h"
 #include "core/field/spread.h"
@@ -32,9 +33,12 @@ public:
         if (!lay()) return Error{ErrorCode::outOfMemory, subject, "", "more blocks than a field can count"};
         sampleTop();
         divide();
+        if (Result<void> fits = needMemory(subject, blockBytes()); !fits) return fits.error();
+        layers_->divided.resize(places_.size());
         corners_.emplace(part_, *layers_, places_);
         corners_->sample(progress_, 0.02, 0.35);
         chooseCandidates();
+        if (Result<void> fits = needMemory(subject, candidateBytes()); !fits) return fits.error();
         sampleCandidates();
         makeBricks();
         checkSurface();
@@ -103,7 +107,17 @@ private:
                     l.topLeast.push_back(inMillimetres(bound.least));
                     if (wanted) places_.push_back({x, y, z});
                 }
-        l.divided.resize(places_.size());
+    }
+
+    double blockBytes() const noexcept {
+        return static_cast<double>(places_.size()) *
+               static_cast<double>(sizeof(FieldBlock) + BlockCorners::bytesPerBlock());
+    }
+    /// While they are made, and as they stay.
+    double candidateBytes() const noexcept {
+        constexpr std::size_t each = 8 * sizeof(PartSample) + sizeof(MadeBrick) + sizeof(FineBrick) +
+                                     static_cast<std::size_t>(PartFieldLayers::narrowStride);
+        return static_cast<double>(candidates_.size()) * static_cast<double>(each);
     }
 
     float inMillimetres(float voxels) const noexcept {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/setup/setup.h"
 
+#include "core/base/available_memory.h"
 #include "core/base/numbers.h"
 #include "core/geometry/pose.h"
-#include "core/volume/available_memory.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/block_arena.h"
 
+#include "core/base/available_memory.h"
 #include "core/base/parallel.h"
-#include "core/volume/available_memory.h"
 
 #include <algorithm>
 #include <limits>

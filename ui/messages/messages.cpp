@@ -36,7 +36,12 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::cancelled:
         return tr("\"%1\" was stopped as asked; start it again to finish it.").arg(subject);
     case ErrorCode::outOfMemory:
-        return tr("There is not enough memory for \"%1\"; close other programs or choose larger voxels.").arg(subject);
+        return place.isEmpty()
+                   ? tr("There is not enough memory for \"%1\"; close other programs or choose larger voxels.")
+                         .arg(subject)
+                   : tr("There is not enough memory for \"%1\" (needed and free: %2); close other programs or choose "
+                        "larger voxels.")
+                         .arg(subject, place);
     case ErrorCode::internalFault:
         return tr("Burin broke a rule of its own in \"%1\" (%2); save your work under another name and report this.")
             .arg(subject, detail);

@@ -68,6 +68,7 @@ JobStepState JobPresenter::mill() const {
     if (const int count = static_cast<int>(mill.takes().size()); count > 0)
         return {StepProgress::done, count == 1 ? tr("1 take") : tr("%n takes", nullptr, count)};
     if (workbench_.bench.ready()) return {StepProgress::ready, tr("no take yet")};
+    if (workbench_.bench.lacksBounds()) return {StepProgress::missing, tr("no boundary")};
     return {StepProgress::missing, workbench_.bench.embedded() ? tr("wait for the boundary") : tr("embed first")};
 }
 

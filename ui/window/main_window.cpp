@@ -283,7 +283,7 @@ void MainWindow::tellAboutOpened() {
                           "change it."));
     else if (document.recovered())
         message_->tell(Notice::Kind::information,
-                       tr("Burin ended before this work was saved; all of it is here again."));
+                       tr("Burin ended before this work was saved; all that was entered and recorded is here again."));
 }
 
 void MainWindow::tellAboutBattery(double share) {

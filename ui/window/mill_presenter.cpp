@@ -82,6 +82,9 @@ QString MillPresenter::missing() const {
     if (!workbench_.setup.hasPart()) return tr("Import a part first.");
     if (bench.embedding()) return tr("The part is being embedded.");
     if (!bench.embedded()) return tr("Embed the part in its stock first.");
+    if (bench.lacksBounds())
+        return tr("There is no boundary for the tool: choose another tool, or embed again, with larger voxels where "
+                  "memory was short.");
     if (!bench.bounds()) return tr("The boundary for the tool is being computed.");
     return {};
 }

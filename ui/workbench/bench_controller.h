@@ -37,6 +37,8 @@ public:
     bool embedding() const { return reading_ || desk_.tasks.running(TaskKind::embedding); }
     bool fieldBusy() const { return desk_.tasks.running(TaskKind::field); }
     bool ready() const; ///< it can be milled: workpiece and bounds are there
+    /// There are none and none are being made: that failed, or was cancelled.
+    bool lacksBounds() const { return embedded() && !bounds_ && !fieldBusy() && !changing(); }
 
     /// It is about to change: nothing may begin to read it.
     bool changing() const noexcept { return changes_ > 0; }

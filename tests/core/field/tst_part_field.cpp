@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/available_memory.h"
 #include "core/field/part_field.h"
 #include "tests/oracles/allocation_count.h"
 
@@ -395,7 +396,14 @@ void PartFieldTest::refusesWhatMakesNoField() {
     QCOMPARE(code({0.0, 1.0}), ErrorCode::argumentInvalid);
     QCOMPARE(code({std::nan(""), 1.0}), ErrorCode::argumentInvalid);
     QCOMPARE(code({0.5, std::numeric_limits<double>::infinity()}), ErrorCode::argumentInvalid);
-    QCOMPARE(code({1e-4, 1000.0}), ErrorCode::outOfMemory);
+    QCOMPARE(code({1e-4, 1000.0}), ErrorCode::outOfMemory); // more than can be counted
+
+    // Blocks of 64 voxels and some 30 kB, that many along an axis: one and a half times what there is.
+    const double blocks = std::cbrt(1.5 * static_cast<double>(availableMemory()) / 30e3), voxel = 0.05;
+    const PartFieldRequest large{voxel, 0.5 * 64.0 * voxel * blocks - 1.0};
+    const Result<PartField> field = PartField::build(shapes::box({-1, -1, -1}, {1, 1, 1}), large, progress);
+    QVERIFY(!field && field.error().code == ErrorCode::outOfMemory);
+    QVERIFY(!field.error().place.empty() || blocks > 200.0); // told before it is taken
 }
 
 QTEST_APPLESS_MAIN(PartFieldTest)

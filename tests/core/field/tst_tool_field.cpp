@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/available_memory.h"
 #include "core/field/tool_field.h"
 #include "tests/oracles/allocation_count.h"
 
@@ -370,6 +371,14 @@ void ToolFieldTest::refusesWhatMakesNoField() {
     QCOMPARE(code({tool(3.0, 0.0), tips, std::nan(""), 1.0}), ErrorCode::argumentInvalid);
     QCOMPARE(code({tool(3.0, 0.0), Box{}, 0.5, 1.0}), ErrorCode::argumentInvalid);
     QCOMPARE(code({tool(3.0, 0.0), {{-1e6, -1e6, -1e6}, {1e6, 1e6, 1e6}}, 1e-3, 1.0}), ErrorCode::outOfMemory);
+
+    // Bricks of 8 samples and some 33 bytes, that many along an axis: one and a half times what there is.
+    const double bricks = std::cbrt(1.5 * static_cast<double>(availableMemory()) / 33.0), voxel = 0.05;
+    const double half = 0.5 * 8.0 * voxel * bricks;
+    const ToolFieldRequest large{tool(3.0, 0.0), {glm::dvec3(-half), glm::dvec3(half)}, voxel, 1.0};
+    const Result<ToolField> field = ToolField::build(part, large, progress);
+    QVERIFY(!field && field.error().code == ErrorCode::outOfMemory);
+    QVERIFY(!field.error().place.empty() || bricks > 990.0); // told before it is taken
 }
 
 QTEST_APPLESS_MAIN(ToolFieldTest)
