@@ -1087,10 +1087,6 @@
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>N or mm³/s; 0: the mean that the path has where it cuts</source>
-        <translation>N oder mm³/s; 0: das Mittel der Bahn, wo sie schneidet</translation>
-    </message>
-    <message>
         <source>Smallest chip</source>
         <translation>Kleinster Span</translation>
     </message>
@@ -1237,6 +1233,10 @@
     <message>
         <source>Where the mirror&apos;s plane stands; it can be drawn in the view, as a line</source>
         <translation>Wo die Spiegelebene steht; sie lässt sich in der Ansicht als Linie zeichnen</translation>
+    </message>
+    <message>
+        <source>0: the mean that the path has where it cuts</source>
+        <translation>0: das Mittel der Bahn, wo sie schneidet</translation>
     </message>
 </context>
 <context>

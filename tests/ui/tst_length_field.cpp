@@ -296,6 +296,10 @@ private slots:
         row("time", Quantity::time, LengthUnit::millimetre, "0,15", 0.15, "0.15 s");
         row("milliseconds", Quantity::time, LengthUnit::millimetre, "250 ms", 0.25, "0.25 s");
         row("frequency", Quantity::frequency, LengthUnit::inch, "7.5 Hz", 7.5, "7.5 Hz");
+        row("force", Quantity::force, LengthUnit::inch, "40 N", 40.0, "40 N");
+        row("removal", Quantity::removalRate, LengthUnit::millimetre, "12.5 mm³/s", 12.5, "12.5 mm³/s");
+        row("removal a minute", Quantity::removalRate, LengthUnit::millimetre, "6 cm³/min", 100.0, "100 mm³/s");
+        row("removal in inches", Quantity::removalRate, LengthUnit::inch, "3", 819.3532, "3 in³/min");
     }
     void otherQuantitiesHaveTheirUnits() {
         QFETCH(int, quantity);

@@ -57,6 +57,19 @@ private slots:
         QCOMPARE(valueOf(panel, "pathPoints"), QStringLiteral("12,408"));
     }
 
+    void aLevelIsMeasuredAsItsGoalIs() {
+        PathPanel panel;
+        PathState state = examples::path();
+        state.path.edits = {Edit{LevelFeed{.goal = LevelFeed::Goal::force, .target = 40.0}}};
+        panel.setState(state);
+        show(panel);
+        const auto& target = child<QDoubleSpinBox>(panel, "edit0_target");
+        QCOMPARE(target.cleanText() + target.suffix().simplified(), QStringLiteral("40N"));
+        state.path.edits = {Edit{LevelFeed{.goal = LevelFeed::Goal::removal, .target = 40.0}}};
+        panel.setState(state);
+        QCOMPARE(target.cleanText() + target.suffix().simplified(), QStringLiteral("40mm³/s"));
+    }
+
     void aPathIsMadeAndUpdated() {
         PathPanel panel;
         QSignalSpy made(&panel, &PathPanel::newPathRequested), update(&panel, &PathPanel::evaluateRequested),

@@ -77,9 +77,9 @@ void EditCard::addFields(const QString& name) {
 void EditCard::showEdit(const Edit& edit) {
     edit_ = edit;
     switch_->show(Messages::text(titleOf(edit.parameters)), edit.enabled, {});
-    const std::vector<EditField> fields = fieldsOf(edit.parameters);
+    const std::vector<EditParameter> parameters = parametersOf(edit.parameters);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
-        fields_[i]->showValue(fields[i].value);
+        fields_[i]->showParameter(parameters[i]);
         fields_[i]->setEnabled(edit.enabled);
     }
 }

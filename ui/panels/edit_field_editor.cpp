@@ -119,6 +119,11 @@ void EditFieldEditor::setDrawing(bool drawing) {
     if (draw_ != nullptr) draw_->setChecked(drawing); // `clicked` is the user's alone
 }
 
+void EditFieldEditor::showParameter(const EditParameter& parameter) {
+    if (number_ != nullptr) number_->setQuantity(parameter.quantity);
+    showValue(parameter.field.value);
+}
+
 void EditFieldEditor::showValue(const EditValue& value) {
     value_ = value;
     if (number_ != nullptr) number_->showValue(std::get<double>(value));

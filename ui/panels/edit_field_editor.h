@@ -28,7 +28,8 @@ public:
     EditFieldEditor(const EditParameter& parameter, const QString& name, const QString& accessible,
                     QWidget* parent = nullptr);
 
-    void showValue(const EditValue& value); ///< of the kind that it was made for; without a signal
+    void showParameter(
+        const EditParameter& parameter); ///< the one that it was made for, with another value; without a signal
     void setUnit(LengthUnit unit);
     void setDrawing(bool drawing); ///< it is being drawn
 
@@ -43,6 +44,7 @@ private:
     void addPlace(const EditParameter& parameter, const QString& name, const QString& accessible);
     void addText(const EditParameter& parameter, const QString& name);
     void addPlaces(const EditParameter& parameter, const QString& name, const QString& accessible);
+    void showValue(const EditValue& value);
     QWidget* besideDrawing(QWidget* value, const QString& name, const QString& accessible);
 
     QuantityField* number_ = nullptr;

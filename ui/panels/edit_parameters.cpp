@@ -42,12 +42,19 @@ QString labelOf(std::string_view key) {
     return label;
 }
 
+/// Of a number. What a level of engagement measures, its goal says.
+Quantity quantityOf(const EditParameters& edit, std::string_view key) {
+    if (const auto* level = std::get_if<LevelFeed>(&edit); level != nullptr && key == "target")
+        return level->goal == LevelFeed::Goal::force ? Quantity::force : Quantity::removalRate;
+    const KeyUnit* unit = unitOf(key);
+    return unit != nullptr ? unit->quantity : Quantity::ratio;
+}
+
 EditParameter parameterOf(const EditParameters& edit, const EditField& field) {
     const EditWords* known = editWordsOf(idOf(edit), field.key);
-    const KeyUnit* unit = unitOf(field.key);
     return {field, known != nullptr ? EditParameterTexts::tr(known->label) : labelOf(field.key),
-            known != nullptr ? EditParameterTexts::tr(known->toolTip) : QString(),
-            unit != nullptr ? unit->quantity : Quantity::ratio, isDrawn(edit, field.key)};
+            known != nullptr ? EditParameterTexts::tr(known->toolTip) : QString(), quantityOf(edit, field.key),
+            isDrawn(edit, field.key)};
 }
 
 /// What a value that is told and not typed says.

@@ -292,7 +292,7 @@ constexpr std::array rows{
     Row{"level-feed",
         "target",
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Target"),
-         QT_TRANSLATE_NOOP("EditParameterTexts", "N or mm³/s; 0: the mean that the path has where it cuts")}},
+         QT_TRANSLATE_NOOP("EditParameterTexts", "0: the mean that the path has where it cuts")}},
     Row{"level-feed",
         "smallest_chip_mm",
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Smallest chip"),

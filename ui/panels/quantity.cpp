@@ -14,6 +14,7 @@ namespace burin {
 namespace {
 
 constexpr double radiansPerDegree = pi / 180.0;
+constexpr double cubicInch = millimetresPerInch * millimetresPerInch * millimetresPerInch; // mm³
 
 struct NamedUnit {
     Quantity quantity;
@@ -41,6 +42,10 @@ constexpr std::array namedUnits{
     NamedUnit{Quantity::frequency, "hz", 1.0},
     NamedUnit{Quantity::angle, "°", radiansPerDegree},
     NamedUnit{Quantity::angle, "rad", 1.0},
+    NamedUnit{Quantity::force, "n", 1.0},
+    NamedUnit{Quantity::removalRate, "mm³/s", 1.0},
+    NamedUnit{Quantity::removalRate, "cm³/min", 1000.0 / 60.0},
+    NamedUnit{Quantity::removalRate, "in³/min", cubicInch / 60.0},
     NamedUnit{Quantity::ratio, "×", 1.0},
     NamedUnit{Quantity::ratio, "x", 1.0},
 };
@@ -68,6 +73,11 @@ DisplayUnit displayUnit(Quantity quantity, LengthUnit unit) {
         return {QStringLiteral("Hz"), 1.0, 2, false};
     case Quantity::angle:
         return {QStringLiteral("°"), radiansPerDegree, 2, false};
+    case Quantity::force:
+        return {QStringLiteral("N"), 1.0, 2, false};
+    case Quantity::removalRate:
+        return inch ? DisplayUnit{QStringLiteral("in³/min"), cubicInch / 60.0, 3, false}
+                    : DisplayUnit{QStringLiteral("mm³/s"), 1.0, 2, false};
     case Quantity::ratio:
         return {QStringLiteral("×"), 1.0, 3, false};
     }

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// What a number on a panel measures. Inside: mm, mm/s, s, Hz, rad, 1.
-enum class Quantity { length, speed, time, frequency, angle, ratio };
+/// What a number on a panel measures. Inside: mm, mm/s, s, Hz, rad, N, mm³/s, 1.
+enum class Quantity { length, speed, time, frequency, angle, force, removalRate, ratio };
 
 /// How a quantity is shown.
 struct DisplayUnit {

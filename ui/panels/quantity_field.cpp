@@ -66,6 +66,12 @@ void QuantityField::setLengthUnit(LengthUnit unit) {
     setSuffix(QChar(QChar::Nbsp) + displayUnit(quantity_, unit).text);
 }
 
+void QuantityField::setQuantity(Quantity quantity) {
+    if (quantity == quantity_) return;
+    quantity_ = quantity;
+    setLengthUnit(unit_);
+}
+
 void QuantityField::limit(double low, double high) {
     if (low == minimum() && high == maximum()) return;
     const QSignalBlocker quiet(this);
@@ -101,7 +107,7 @@ QValidator::State QuantityField::validate(QString& text, int&) const {
     const std::optional<double> typed = read(text);
     if (!typed) {
         const bool possible = std::ranges::all_of(text, [](QChar c) {
-            return c.isDigit() || c.isLetter() || c.isSpace() || QStringLiteral(".,+-−/\"″°×").contains(c);
+            return c.isDigit() || c.isLetter() || c.isSpace() || QStringLiteral(".,+-−/\"″°×³").contains(c);
         });
         return possible ? QValidator::Intermediate : QValidator::Invalid;
     }

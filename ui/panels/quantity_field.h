@@ -17,6 +17,7 @@ public:
     explicit QuantityField(Quantity quantity, QWidget* parent = nullptr);
 
     void setLengthUnit(LengthUnit unit);
+    void setQuantity(Quantity quantity);
     /// What may be entered, in the inner unit, without a signal.
     void limit(double low, double high);
     /// Shows a value without a signal. While the user types, the text stays; their entry then counts against this
