@@ -123,7 +123,7 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
 void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     WindowDriver driver;
     Workbench& bench = driver.window().workbench();
-    QVERIFY(makeReady(driver));
+    QVERIFY(makeReady(driver, 0.2));
     QVERIFY(recordLine(driver, {-15, 0}, {15, 0}));
     QVERIFY(makePath(driver));
     const glm::dvec3 zero = bench.bench.bench()->setup.workOffset;

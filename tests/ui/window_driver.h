@@ -15,7 +15,7 @@ namespace burin::testing {
 /// A window of its own that knows nothing of the tester's settings and projects, worked by mouse and keyboard.
 class WindowDriver {
 public:
-    explicit WindowDriver(const QSize& size = QSize(1600, 1000));
+    explicit WindowDriver(const QSize& size = QSize(1280, 800));
     ~WindowDriver();
     WindowDriver(const WindowDriver&) = delete;
     WindowDriver& operator=(const WindowDriver&) = delete;

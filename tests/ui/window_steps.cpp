@@ -39,12 +39,12 @@ QString writeBlock(const WindowDriver& driver) {
     return file.fileName();
 }
 
-bool makeReady(WindowDriver& driver) {
+bool makeReady(WindowDriver& driver, double voxel) {
     Workbench& bench = driver.window().workbench();
     drop(driver.window(), writeBlock(driver));
     if (!driver.waitFor([&] { return bench.model.model() != nullptr; })) return false;
-    // Coarser than what suits the block: these tests ask how the window behaves, not how finely it mills.
-    if (!driver.step(JobStep::stock) || !driver.enter("voxelField", "0.5") || !driver.clickOn("embedButton"))
+    if (!driver.step(JobStep::stock) || !driver.settle() || !driver.enter("voxelField", QString::number(voxel)) ||
+        !driver.waitFor([&] { return bench.setup.setup().voxel == voxel; }) || !driver.clickOn("embedButton"))
         return false;
     return driver.waitFor([&] { return bench.bench.ready(); }) && driver.settle();
 }

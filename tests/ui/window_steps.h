@@ -16,8 +16,9 @@ bool answer(QWidget& dialog, const char* button);
 void drop(MainWindow& window, const QString& file);
 /// A block of 40 x 30 x 20 mm as an STL file: read in a moment.
 QString writeBlock(const WindowDriver& driver);
-/// Drops the block on the window and embeds it; ready to be milled.
-bool makeReady(WindowDriver& driver);
+/// Drops the block on the window and embeds it; ready to be milled. Coarse voxels do where a test asks how the window
+/// behaves, not how finely it mills. @param voxel  mm
+bool makeReady(WindowDriver& driver, double voxel = 0.5);
 /// Draws a line on the stock's top with the left button down. Places in mm from the middle of the stock's top.
 void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to);
 /// Records a take of one such line, in mill mode and out of it again.

@@ -4,13 +4,14 @@
 
 #include <QUndoCommand>
 
+#include <chrono>
 #include <functional>
 #include <utility>
 
 namespace burin {
 
-/// Setting one value, as an entry of the undo stack. Entries of the same kind that follow each other become one, so
-/// that turning a field up by ten steps is one undo.
+/// Setting one value, as an entry of the undo stack. Entries of the same kind that follow each other at once become
+/// one, so that turning a field up by ten steps is one undo, and what is entered later another.
 template <class T>
 class ValueCommand final : public QUndoCommand {
 public:
@@ -26,14 +27,21 @@ public:
     void redo() override { apply_(after_); }
     void undo() override { apply_(before_); }
     bool mergeWith(const QUndoCommand* next) override {
-        after_ = static_cast<const ValueCommand*>(next)->after_; // one id, one type
+        const auto* later = static_cast<const ValueCommand*>(next); // one id, one type
+        if (later->made_ - made_ > mergedWithin) return false;
+        after_ = later->after_;
+        made_ = later->made_;
         return true;
     }
 
 private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::milliseconds mergedWithin{1000};
+
     int kind_;
     T before_, after_;
     std::function<void(const T&)> apply_;
+    Clock::time_point made_ = Clock::now();
 };
 
 /// Kinds of values, for merging.
@@ -41,7 +49,6 @@ enum ValueKind : int {
     allowanceValue = 1,
     voxelValue,
     marginValue,
-    pathEditValue,
     guideValue, ///< and, with its place, of each guide
     axisValue = 500,
     obstacleValue = 1000, ///< and, with its place, of each obstacle
