@@ -4,6 +4,7 @@
 #include "tests/ui/panel_examples.h"
 #include "ui/panels/allowance_panel.h"
 #include "ui/panels/bounds_panel.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/guide_panel.h"
 #include "ui/panels/hand_panel.h"
@@ -21,6 +22,7 @@
 #include "ui/theme/theme.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractScrollArea>
 #include <QDir>
 #include <QMetaMethod>
@@ -183,6 +185,21 @@ private slots:
     void init() {
         QLocale::setDefault(QLocale(QStringLiteral("en_US")));
         applyTheme(*qApp, *loadPalette(Theme::dark));
+    }
+
+    void everyRowOfAChoiceIsSeen() {
+        for (const int count : {2, 5, 10}) {
+            ChoiceBox box;
+            for (int i = 0; i < count; ++i) box.addItem(QStringLiteral("choice %1").arg(i));
+            box.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&box));
+            box.showPopup();
+            QTRY_VERIFY(box.view()->isVisible());
+            QTest::qWait(50); // scrolling begins a moment later
+            const QRect last = box.view()->visualRect(box.model()->index(count - 1, 0));
+            QVERIFY(last.isValid() && box.view()->viewport()->rect().contains(last));
+            box.hidePopup();
+        }
     }
 
     void pictures_data() {
