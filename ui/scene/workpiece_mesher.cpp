@@ -33,6 +33,17 @@ constexpr const std::array<SurfaceDetail, 6>& details(SurfaceLayer which) {
     return which == SurfaceLayer::moving ? movingDetails : restDetails;
 }
 
+/// Tiles are kept by the ten thousand: the room that simplification left is given back.
+void giveBackUnused(SurfaceMesh& mesh) {
+    const auto fit = [](auto& values) {
+        if (values.capacity() > 2 * values.size()) values.shrink_to_fit();
+    };
+    fit(mesh.points);
+    fit(mesh.normals);
+    fit(mesh.properties);
+    fit(mesh.triangles);
+}
+
 } // namespace
 
 void WorkpieceMesher::Layer::start(const WorkpieceGroups& groups) {
@@ -241,6 +252,7 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
     wanted.tolerance *= 0.5 * shown_.grid().edge(); // the other half is for the whole group
     const std::size_t place = groups_.place(tile);
     extractor_.extract(shown_, tile, wanted, layer(which).tiles[place]);
+    giveBackUnused(layer(which).tiles[place]);
     layer(which).staleTiles[place] = 0;
     if (which == SurfaceLayer::rest) {
         const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
