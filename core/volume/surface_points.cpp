@@ -130,9 +130,10 @@ BURIN_INLINE void storeVectors(const EightFloats (&axes)[3], glm::vec3* to) noex
 
 } // namespace
 
-BURIN_VECTORISED void placeSurfacePoints(const SurfaceFrame& frame, const std::array<SurfaceField::Row, 2>& rows,
-                                         std::span<const std::uint32_t> cubes, glm::vec3* points,
-                                         glm::vec3* normals) noexcept {
+BURIN_VECTORISED_TO_AVX512 void placeSurfacePoints(const SurfaceFrame& frame,
+                                                   const std::array<SurfaceField::Row, 2>& rows,
+                                                   std::span<const std::uint32_t> cubes, glm::vec3* points,
+                                                   glm::vec3* normals) noexcept {
     const SurfaceField::Row low = rows[0], high = rows[1];
     const auto axisU = static_cast<std::size_t>(frame.axes[0]), axisV = static_cast<std::size_t>(frame.axes[1]),
                axisN = static_cast<std::size_t>(frame.axes[2]);
