@@ -827,10 +827,6 @@
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>Place of the upright axis that it turns about</source>
-        <translation>Ort der senkrechten Achse, um die gedreht wird</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
@@ -907,16 +903,8 @@
         <translation>Von</translation>
     </message>
     <message>
-        <source>Lowest height of the area</source>
-        <translation>Unterste Höhe des Bereichs</translation>
-    </message>
-    <message>
         <source>Up to</source>
         <translation>Bis</translation>
-    </message>
-    <message>
-        <source>Greatest height of the area</source>
-        <translation>Oberste Höhe des Bereichs</translation>
     </message>
     <message>
         <source>Lift</source>
@@ -1231,12 +1219,24 @@
         <translation>tief, und um Hindernisse herum</translation>
     </message>
     <message>
-        <source>Where the mirror&apos;s plane stands; it can be drawn in the view, as a line</source>
-        <translation>Wo die Spiegelebene steht; sie lässt sich in der Ansicht als Linie zeichnen</translation>
-    </message>
-    <message>
         <source>0: the mean that the path has where it cuts</source>
         <translation>0: das Mittel der Bahn, wo sie schneidet</translation>
+    </message>
+    <message>
+        <source>Where the mirror&apos;s plane stands, from program zero; it can be drawn in the view, as a line</source>
+        <translation>Wo die Spiegelebene steht, vom Programmnullpunkt aus; sie lässt sich in der Ansicht als Linie zeichnen</translation>
+    </message>
+    <message>
+        <source>Place of the upright axis that it turns about, from program zero</source>
+        <translation>Ort der senkrechten Achse, um die gedreht wird, vom Programmnullpunkt aus</translation>
+    </message>
+    <message>
+        <source>Lowest height of the area, from program zero</source>
+        <translation>Unterste Höhe des Bereichs, vom Programmnullpunkt aus</translation>
+    </message>
+    <message>
+        <source>Greatest height of the area, from program zero</source>
+        <translation>Oberste Höhe des Bereichs, vom Programmnullpunkt aus</translation>
     </message>
 </context>
 <context>

@@ -70,6 +70,40 @@ private slots:
         QCOMPARE(target.cleanText() + target.suffix().simplified(), QStringLiteral("40mm³/s"));
     }
 
+    /// As the tip's place and the program's own numbers do.
+    void placesCountFromProgramZero() {
+        PathPanel panel;
+        PathState state = examples::path();
+        state.zero = {70.0, 16.0, 34.0};
+        RemoveArea area;
+        area.low = 20.0;
+        area.high = 40.0;
+        Rotate rotate;
+        rotate.centre = {72.0, 15.0, 34.0};
+        Mirror mirror;
+        mirror.across = Mirror::Across::y;
+        mirror.at = 26.0;
+        state.path.edits = {Edit{area}, Edit{rotate}, Edit{mirror}};
+        panel.setState(state);
+        show(panel);
+        const auto shown = [&](const char* name) { return child<QDoubleSpinBox>(panel, name).cleanText(); };
+        QCOMPARE(shown("edit0_low_mm"), QStringLiteral("-14.000"));
+        QCOMPARE(shown("edit0_high_mm"), QStringLiteral("6.000"));
+        QCOMPARE(shown("edit1_centre_mmX"), QStringLiteral("2.000"));
+        QCOMPARE(shown("edit1_centre_mmY"), QStringLiteral("-1.000"));
+        QCOMPARE(shown("edit2_at_mm"), QStringLiteral("10.000"));
+        std::vector<Edit> changed;
+        connect(&panel, &PathPanel::editChanged, this,
+                [&changed](std::size_t, const Edit& edit) { changed.push_back(edit); });
+        type(panel, "edit0_low_mm", "-5");
+        type(panel, "edit1_centre_mmX", "0");
+        type(panel, "edit2_at_mm", "1");
+        QCOMPARE(changed.size(), std::size_t{3});
+        QCOMPARE(std::get<RemoveArea>(changed[0].parameters).low, 29.0);
+        QCOMPARE(std::get<Rotate>(changed[1].parameters).centre, glm::dvec3(70.0, 15.0, 34.0));
+        QCOMPARE(std::get<Mirror>(changed[2].parameters).at, 17.0);
+    }
+
     void aPathIsMadeAndUpdated() {
         PathPanel panel;
         QSignalSpy made(&panel, &PathPanel::newPathRequested), update(&panel, &PathPanel::evaluateRequested),
@@ -101,7 +135,7 @@ private slots:
     void everyParameterOfAnEditHasItsField() {
         for (const Edit& edit : everyEdit()) {
             const std::string json = toJson(edit);
-            for (const EditParameter& parameter : parametersOf(edit.parameters)) {
+            for (const EditParameter& parameter : parametersOf(edit.parameters, {})) {
                 const EditField& field = parameter.field;
                 const QByteArray key =
                     QByteArray::fromStdString(std::string(idOf(edit.parameters)) + ", " + std::string(field.key));

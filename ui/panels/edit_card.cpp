@@ -28,7 +28,7 @@ EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent) : QFram
     report_->setProperty("look", "small");
     report_->setFont(numberFont(report_->font()));
     column->addWidget(report_);
-    showEdit(edit);
+    showEdit(edit, zero_);
     showReport(nullptr, LengthUnit::millimetre);
 }
 
@@ -36,7 +36,7 @@ void EditCard::addHead(const QString& name) {
     switch_ = new NamedSwitch(name, tr("Switch this edit on or off"), this);
     connect(switch_, &NamedSwitch::switched, this, [this](bool on) {
         edit_.enabled = on;
-        showEdit(edit_);
+        showEdit(edit_, zero_);
         emit edited(edit_);
     });
     const auto button = [&](const char* icon, const QString& toolTip, const char* part) {
@@ -57,7 +57,7 @@ void EditCard::addHead(const QString& name) {
 
 void EditCard::addFields(const QString& name) {
     const QString title = Messages::text(titleOf(edit_.parameters));
-    for (const EditParameter& parameter : parametersOf(edit_.parameters)) {
+    for (const EditParameter& parameter : parametersOf(edit_.parameters, zero_)) {
         const std::string_view key = parameter.field.key;
         auto* field = new EditFieldEditor(
             parameter, name + QLatin1Char('_') + QLatin1String(key.data(), static_cast<qsizetype>(key.size())),
@@ -74,10 +74,11 @@ void EditCard::addFields(const QString& name) {
     }
 }
 
-void EditCard::showEdit(const Edit& edit) {
+void EditCard::showEdit(const Edit& edit, const glm::dvec3& zero) {
     edit_ = edit;
+    zero_ = zero;
     switch_->show(Messages::text(titleOf(edit.parameters)), edit.enabled, {});
-    const std::vector<EditParameter> parameters = parametersOf(edit.parameters);
+    const std::vector<EditParameter> parameters = parametersOf(edit.parameters, zero);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         fields_[i]->showParameter(parameters[i]);
         fields_[i]->setEnabled(edit.enabled);

@@ -24,8 +24,9 @@ public:
     /// @param place in the path, from 0: part of the object names ("edit2Switch", "edit2_tolerance_mm", "edit2Earlier")
     EditCard(std::size_t place, const Edit& edit, QWidget* parent = nullptr);
 
-    /// Shows values without a signal. The kind of edit must be the one it was made for.
-    void showEdit(const Edit& edit);
+    /// Shows values without a signal. The kind of edit must be the one it was made for. @param zero  mm, of the
+    /// program, in the setup frame
+    void showEdit(const Edit& edit, const glm::dvec3& zero);
     void showReport(const EditReport* report, LengthUnit unit); ///< null: none (switched off, or not evaluated)
     void setUnit(LengthUnit unit);
     /// Whether the edit may go one place up, one down.
@@ -44,6 +45,7 @@ private:
     void addFields(const QString& name);
 
     Edit edit_;
+    glm::dvec3 zero_{0.0};
     NamedSwitch* switch_ = nullptr;
     QToolButton *earlier_ = nullptr, *later_ = nullptr;
     std::vector<EditFieldEditor*> fields_;

@@ -36,18 +36,18 @@ EditFieldEditor::EditFieldEditor(const EditParameter& parameter, const QString& 
         addPlaces(parameter, name, accessible);
     else
         addText(parameter, name);
-    showValue(value_);
+    showParameter(parameter);
 }
 
 void EditFieldEditor::addNumber(const EditParameter& parameter, const QString& name, const QString& accessible) {
     number_ = new QuantityField(parameter.quantity, this);
     number_->setObjectName(name);
-    number_->limit(parameter.field.low, parameter.field.high);
     layout()->addWidget(new FieldRow(parameter.label,
                                      parameter.drawn ? besideDrawing(number_, name, accessible) : number_,
                                      parameter.toolTip, this));
     number_->setAccessibleName(accessible);
-    connect(number_, &QuantityField::valueEdited, this, [this](double value) { emit edited(value_ = value); });
+    connect(number_, &QuantityField::valueEdited, this,
+            [this](double value) { emit edited(value_ = value + zero_.x); });
 }
 
 void EditFieldEditor::addSwitch(const EditParameter& parameter, const QString& name) {
@@ -72,13 +72,12 @@ void EditFieldEditor::addPlace(const EditParameter& parameter, const QString& na
         QuantityField*& field = place_[static_cast<std::size_t>(axis)];
         field = new LengthField(this);
         field->setObjectName(name + axisLetter(axis));
-        field->limit(parameter.field.low, parameter.field.high);
         layout()->addWidget(
             new FieldRow(parameter.label + QLatin1Char(' ') + axisLetter(axis), field, parameter.toolTip, this));
         field->setAccessibleName(accessible + QLatin1Char(' ') + axisLetter(axis));
         connect(field, &QuantityField::valueEdited, this, [this, axis](double value) {
             glm::dvec3 place = std::get<glm::dvec3>(value_);
-            place[axis] = value;
+            place[axis] = value + zero_[axis];
             emit edited(value_ = place);
         });
     }
@@ -120,13 +119,21 @@ void EditFieldEditor::setDrawing(bool drawing) {
 }
 
 void EditFieldEditor::showParameter(const EditParameter& parameter) {
-    if (number_ != nullptr) number_->setQuantity(parameter.quantity);
+    zero_ = parameter.zero;
+    const double low = parameter.field.low, high = parameter.field.high;
+    if (number_ != nullptr) {
+        number_->setQuantity(parameter.quantity);
+        number_->limit(low - zero_.x, high - zero_.x);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (QuantityField* field = place_[static_cast<std::size_t>(axis)])
+            field->limit(low - zero_[axis], high - zero_[axis]);
     showValue(parameter.field.value);
 }
 
 void EditFieldEditor::showValue(const EditValue& value) {
     value_ = value;
-    if (number_ != nullptr) number_->showValue(std::get<double>(value));
+    if (number_ != nullptr) number_->showValue(std::get<double>(value) - zero_.x);
     if (switch_ != nullptr) switch_->setChecked(std::get<bool>(value)); // `clicked` is the user's alone
     if (choice_ != nullptr) {
         const auto found = std::ranges::find(choices_, std::get<std::string_view>(value));
@@ -134,7 +141,7 @@ void EditFieldEditor::showValue(const EditValue& value) {
     }
     for (int axis = 0; axis < 3; ++axis)
         if (QuantityField* field = place_[static_cast<std::size_t>(axis)])
-            field->showValue(std::get<glm::dvec3>(value)[axis]);
+            field->showValue(std::get<glm::dvec3>(value)[axis] - zero_[axis]);
     if (text_ != nullptr) text_->setText(valueText(value));
 }
 

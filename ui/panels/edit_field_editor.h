@@ -55,6 +55,7 @@ private:
     std::array<QuantityField*, 3> place_{};
     std::span<const std::string_view> choices_;
     EditValue value_;
+    glm::dvec3 zero_{0.0}; ///< see EditParameter
 };
 
 } // namespace burin

@@ -50,11 +50,23 @@ Quantity quantityOf(const EditParameters& edit, std::string_view key) {
     return unit != nullptr ? unit->quantity : Quantity::ratio;
 }
 
-EditParameter parameterOf(const EditParameters& edit, const EditField& field) {
+/// What a field is shown from, if it is a place or one of its coordinates.
+glm::dvec3 zeroOf(const EditParameters& edit, std::string_view key, const glm::dvec3& zero) {
+    if (key == "low_mm" || key == "high_mm") return {zero.z, 0.0, 0.0};
+    if (key == "centre_mm") return zero;
+    if (const auto* mirror = std::get_if<Mirror>(&edit); mirror != nullptr && key == "at_mm")
+        return {mirror->across == Mirror::Across::x ? zero.x : zero.y, 0.0, 0.0};
+    return glm::dvec3(0.0);
+}
+
+EditParameter parameterOf(const EditParameters& edit, const EditField& field, const glm::dvec3& zero) {
     const EditWords* known = editWordsOf(idOf(edit), field.key);
-    return {field, known != nullptr ? EditParameterTexts::tr(known->label) : labelOf(field.key),
-            known != nullptr ? EditParameterTexts::tr(known->toolTip) : QString(), quantityOf(edit, field.key),
-            isDrawn(edit, field.key)};
+    return {field,
+            known != nullptr ? EditParameterTexts::tr(known->label) : labelOf(field.key),
+            known != nullptr ? EditParameterTexts::tr(known->toolTip) : QString(),
+            quantityOf(edit, field.key),
+            isDrawn(edit, field.key),
+            zeroOf(edit, field.key, zero)};
 }
 
 /// What a value that is told and not typed says.
@@ -71,9 +83,9 @@ struct ValueTexts {
 
 } // namespace
 
-std::vector<EditParameter> parametersOf(const EditParameters& edit) {
+std::vector<EditParameter> parametersOf(const EditParameters& edit, const glm::dvec3& zero) {
     std::vector<EditParameter> parameters;
-    for (const EditField& field : fieldsOf(edit)) parameters.push_back(parameterOf(edit, field));
+    for (const EditField& field : fieldsOf(edit)) parameters.push_back(parameterOf(edit, field, zero));
     return parameters;
 }
 

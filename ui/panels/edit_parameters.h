@@ -15,10 +15,12 @@ struct EditParameter {
     QString label, toolTip;
     Quantity quantity = Quantity::length; ///< of a number
     bool drawn = false;                   ///< it may be drawn in the view
+    glm::dvec3 zero{0.0};                 ///< mm, setup frame: what a place is shown from; of a single coordinate, in x
 };
 
 /// Every parameter of an edit, in order; none for one that has none.
-std::vector<EditParameter> parametersOf(const EditParameters& edit);
+/// @param zero  mm, of the program, in the setup frame
+std::vector<EditParameter> parametersOf(const EditParameters& edit, const glm::dvec3& zero);
 
 QString choiceText(std::string_view choice); ///< one of a field's names in words
 QString stretchText(const TakeStretch& stretch);

@@ -86,6 +86,7 @@ void PathPresenter::present() {
     state.hasOtherTakes = !workbench_.mill.takes().empty();
     state.exists = path.stored() != nullptr;
     if (path.stored()) state.path = *path.stored();
+    if (workbench_.bench.bench()) state.zero = workbench_.bench.bench()->setup.workOffset;
     if (path.evaluated()) {
         state.reports = path.evaluated()->reports;
         state.errorBudget = path.evaluated()->errorBudget;
