@@ -117,6 +117,15 @@ double ClearedHeights::freeHeight(const glm::dvec3& from, const glm::dvec3& to) 
     return height;
 }
 
+double ClearedHeights::risenHeight(const glm::dvec3& tip) const {
+    const std::span<const RevolvedPiece> flutes = std::span(pieces_).first(fluteCount_);
+    RevolvedPiece column;
+    column.bottomRadius = column.topRadius = widestOf(flutes);
+    column.top = stock_.high.z - stock_.low.z;
+    const double length = flutes.back().top;
+    return std::max(tip.z, restingHeight(tip.x, tip.y, std::span(&column, 1), tip.z + length) - length);
+}
+
 double ClearedHeights::restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor,
                                      double slack) const {
     double resting = floor;

@@ -35,6 +35,9 @@ public:
     double freeHeight(const glm::dvec3& from, const glm::dvec3& to) const;
     /// Above which height it is empty there, mm; very low beside the stock.
     double heightAt(const glm::dvec3& place) const;
+    /// How far the flutes have to rise from a tip until what is above them is empty, so that they cut nothing farther
+    /// up: the height of the tip then, mm. Above more than their own length of stock only a neck has been.
+    double risenHeight(const glm::dvec3& tip) const;
     /// Whether shank and holder are in empty space.
     bool shankIsFree(const glm::dvec3& tip) const {
         return restingHeight(tip.x, tip.y, std::span(pieces_).subspan(fluteCount_), tip.z) <= tip.z;

@@ -160,10 +160,10 @@ private:
         std::vector<glm::dvec2> corners;
     };
 
-    /// A little way up, which is made at the feed.
+    /// A little way up, which is made at the feed; and on as long as the flutes cut on it.
     glm::dvec3 lift(double height) const {
         const glm::dvec3& tip = points.back().tip;
-        return {tip.x, tip.y, std::min(tip.z + approach_, height)};
+        return {tip.x, tip.y, std::min(std::max(tip.z + approach_, cleared_.risenHeight(tip)), height)};
     }
 
     /// Up, across, and rapidly down to the approach above what is left over an entry.

@@ -8,17 +8,18 @@ namespace burin {
 
 // Edits that make strokes one path of a machine: links, then feeds.
 
-/// Joins the stretches: retract to `clearanceAbove` over the top of the stock and of what stands there, rapid across,
-/// rapid down to `approach` above what is left at the entry, plunge. What is left is known from a conservative height
-/// map of the strokes before. Ends no farther apart than the cutter's diameter are joined straight at the cutting feed,
-/// where that keeps the allowance and shank and holder stay in empty space. Under an overhang the tool leaves along the
-/// way it came. Instead of over everything it may travel at the lowest height at which the whole tool, on its straight
-/// way across, stays `approach` above what the height map says is left, and clear of part and obstacles; a machine
-/// whose axes run independently goes askew over everything all the same. Where the straight way is not clear so low, it
-/// may go round what stands there, at the height and on the way that are shortest of some that were looked at, where
-/// that is shorter than over everything. Corners between rapid moves may be rounded, inside, by arcs in chords, as far
-/// as what is inside stays clear in the same way; and level strokes are then left, and entered, tangent to them by a
-/// quarter of a circle at the feed, where that keeps what the stroke keeps.
+/// Joins the stretches: retract, at the feed as long as the flutes may cut on the way up, then rapidly, to
+/// `clearanceAbove` over the top of the stock and of what stands there, rapid across, rapid down to `approach` above
+/// what is left at the entry, plunge. What is left is known from a conservative height map of the strokes before. Ends
+/// no farther apart than the cutter's diameter are joined straight at the cutting feed, where that keeps the allowance
+/// and shank and holder stay in empty space. Under an overhang the tool leaves along the way it came. Instead of over
+/// everything it may travel at the lowest height at which the whole tool, on its straight way across, stays `approach`
+/// above what the height map says is left, and clear of part and obstacles; a machine whose axes run independently goes
+/// askew over everything all the same. Where the straight way is not clear so low, it may go round what stands there,
+/// at the height and on the way that are shortest of some that were looked at, where that is shorter than over
+/// everything. Corners between rapid moves may be rounded, inside, by arcs in chords, as far as what is inside stays
+/// clear in the same way; and level strokes are then left, and entered, tangent to them by a quarter of a circle at the
+/// feed, where that keeps what the stroke keeps.
 struct Link {
     enum class Travel { safe, lowest, around };
     double clearanceAbove = 5.0; ///< mm

@@ -284,6 +284,30 @@ private slots:
         QVERIFY(lowest >= -4.0 && lowest <= 1.0);
     }
 
+    /// Deeper than the flutes are long a neck has been above them: what it left they cut on their way up.
+    void aDeepPlaceIsNotLeftRapidlyThroughStock() {
+        Tool tool = ballTool(4.0);
+        tool.cutter.fluteLength = 4.0;
+        tool.cutter.shankDiameter = 3.0;
+        const Box stock{{-8, -8, -20}, {8, 8, 0}};
+        const auto path =
+            run({takeOf(along({{-6, 0, -1}, {6, 0, -9}}, 40.0))}, linkedEdits, contextOf(nothing_, tool, stock));
+        QVERIFY(path);
+        PointStock left(stock);
+        const RevolvedPiece flutes = pieces(tool.cutter).front();
+        std::size_t rapidsInStock = 0;
+        double highestFeed = -20.0;
+        walk(path->path.points, 0.25, [&](const PathPoint& end, const glm::dvec3& place) {
+            if (end.kind == MoveKind::rapid)
+                rapidsInStock += left.meets(flutes, place) ? 1U : 0U;
+            else
+                left.remove(flutes, place);
+            if (end.kind == MoveKind::retract) highestFeed = std::max(highestFeed, place.z);
+        });
+        QCOMPARE(rapidsInStock, std::size_t{0});
+        QCOMPARE(highestFeed, -4.0); // the flutes' upper end has reached the top of the stock
+    }
+
     void anOverhangIsLeftTheWayItWasEntered() {
         // A slotting cutter with a thin neck under a ledge: straight up would be through the part.
         Tool tool = flatTool(8.0);
