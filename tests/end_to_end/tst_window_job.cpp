@@ -156,9 +156,7 @@ void WindowJobTest::editsThePath() {
 
 void WindowJobTest::isSavedAndOpenedAgain() {
     const std::size_t points = bench().path.evaluated()->path.points.size();
-    chooseFile(*driver_, project_);
-    driver_->key(Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(driver_->waitFor([&] { return QFile::exists(project_) && !bench().document.unsaved(); }, 10000));
+    QVERIFY(burin::testing::saveAs(*driver_, project_));
     QVERIFY(driver_->restart());
     chooseFile(*driver_, project_);
     driver_->key(Qt::Key_O, Qt::ControlModifier);

@@ -5,7 +5,6 @@
 
 #include <QAction>
 #include <QFile>
-#include <QMenu>
 #include <QtTest>
 
 #include <cmath>
@@ -64,9 +63,7 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QVERIFY(driver.waitFor([&] { return QFile::exists(program); }, 5000));
 
     const QString file = driver.folder().filePath("groove.burin");
-    chooseFile(driver, file);
-    driver.key(Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return QFile::exists(file) && !bench.document.unsaved(); }, 5000));
+    QVERIFY(saveAs(driver, file));
     QCOMPARE(bench.document.title(), QString("groove"));
     QVERIFY(driver.restart());
     driver.shoot("06-welcome-recent");
@@ -82,10 +79,7 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QTest::qWait(500);                  // the window asks a moment after work on the project
     QVERIFY(!again.document.unsaved()); // it was only looked at
     QVERIFY(!driver.window().isWindowModified());
-    QAction* post = nullptr;
-    for (const QMenu* menu : driver.window().findChildren<QMenu*>())
-        for (QAction* action : menu->actions())
-            if (action->objectName() == QStringLiteral("postAction")) post = action;
+    const auto* post = menuAction(driver, "postAction");
     QVERIFY(post != nullptr);
     QVERIFY(post->isEnabled()); // by key and menu, as by the panel's button
     driver.shoot("07-reopened");
@@ -108,10 +102,7 @@ void TestWindowJob::aProjectsOwnMaterialIsMilled() {
     QVERIFY(postProgram(driver));
     const double before = energy();
     const QString file = driver.folder().filePath("own.burin");
-    chooseFile(driver, file);
-    driver.key(Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(
-        driver.waitFor([&] { return QFile::exists(file) && !driver.window().workbench().document.unsaved(); }, 5000));
+    QVERIFY(saveAs(driver, file));
     QVERIFY(driver.restart());
     {
         Result<Project> project = Project::open(file.toStdString());

@@ -127,10 +127,7 @@ void TestWindowProgram::textThatTheCheckRefusedSurvives() {
     QVERIFY(driver.settle());
     QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.refused(); }));
     const QString file = driver.folder().filePath("refused.burin");
-    chooseFile(driver, file);
-    driver.key(Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(
-        driver.waitFor([&] { return QFile::exists(file) && !driver.window().workbench().document.unsaved(); }, 5000));
+    QVERIFY(saveAs(driver, file));
     QVERIFY(driver.restart());
     QVERIFY(driver.clickOn("recentFileButton"));
     Workbench& bench = driver.window().workbench();

@@ -102,9 +102,7 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
     bench.guides.add(GuideKind::levels);
 
     const QString file = driver.folder().filePath("clamped.burin");
-    chooseFile(driver, file);
-    driver.key(Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return QFile::exists(file) && !bench.document.unsaved(); }, 5000));
+    QVERIFY(saveAs(driver, file));
     QVERIFY(driver.restart());
     QVERIFY(driver.clickOn("recentFileButton"));
     Workbench& again = driver.window().workbench();

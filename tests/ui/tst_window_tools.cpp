@@ -6,7 +6,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QMenu>
 #include <QtTest>
 
 #include <cmath>
@@ -174,11 +173,8 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     };
     QVERIFY(driver.waitFor([&] { return isBehind(bench.path.evaluated()); }));
     driver.shoot("32-other-tools-path");
-    const QList<QAction*> views = driver.window().findChild<QMenu*>("viewMenu")->actions();
-    const auto found = std::ranges::find(views, QStringLiteral("showOtherPathsAction"), &QAction::objectName);
-    QVERIFY(found != views.end());
-    QAction* const shown = *found;
-    QVERIFY(shown->isChecked() && !shown->toolTip().isEmpty());
+    const auto* shown = menuAction(driver, "showOtherPathsAction");
+    QVERIFY(shown != nullptr && shown->isChecked() && !shown->toolTip().isEmpty());
     auto* viewport = driver.visible<Viewport>("viewport");
     QTest::qWait(800); // until it is drawn at rest
     const QImage with = viewport->grabFramebuffer();

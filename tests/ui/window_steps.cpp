@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QtTest>
@@ -93,6 +94,20 @@ void chooseFile(WindowDriver& driver, const QString& file) {
         for (const auto button : {QDialogButtonBox::Save, QDialogButtonBox::Open})
             if (QPushButton* accept = buttons->button(button)) QTest::mouseClick(accept, Qt::LeftButton);
     });
+}
+
+QAction* menuAction(WindowDriver& driver, const QString& name) {
+    for (const QMenu* menu : driver.window().findChildren<QMenu*>())
+        for (QAction* action : menu->actions())
+            if (action->objectName() == name) return action;
+    return nullptr;
+}
+
+bool saveAs(WindowDriver& driver, const QString& file) {
+    chooseFile(driver, file);
+    driver.key(Qt::Key_S, Qt::ControlModifier);
+    return driver.waitFor([&] { return QFile::exists(file) && !driver.window().workbench().document.unsaved(); },
+                          10000);
 }
 
 bool answer(QWidget& dialog, const char* button) {

@@ -12,6 +12,10 @@ namespace burin::testing {
 void chooseFile(WindowDriver& driver, const QString& file);
 /// Clicks a button of a dialog. False: there is none of that name.
 bool answer(QWidget& dialog, const char* button);
+/// An action of one of the menus, by its object's name; null where there is none.
+QAction* menuAction(WindowDriver& driver, const QString& name);
+/// Saves the project under a name by key and dialogue; true once nothing is left to save.
+bool saveAs(WindowDriver& driver, const QString& file);
 /// Lets a file fall on the window.
 void drop(MainWindow& window, const QString& file);
 /// A block of 40 x 30 x 20 mm as an STL file: read in a moment.
