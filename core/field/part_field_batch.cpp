@@ -13,6 +13,8 @@ namespace burin {
 namespace {
 
 constexpr std::size_t chunkPoints = 64;
+/// So many points are handed what their stretch has, as many as it may have: mostly it has no more.
+constexpr std::size_t overrun = 16;
 template <class Number>
 using Row = std::array<Number, chunkPoints>;
 
@@ -22,14 +24,23 @@ struct Chunk {
     std::array<Row<float>, 3> along;                                ///< voxels from the brick's lowest corner
     std::array<std::array<std::int32_t, chunkPoints + 1>, 3> brick; ///< counted from the origin; point 0 in place 1
     Row<std::int32_t> first;                                        ///< of the cell's samples in the brick
-    Row<const FineBrick*> header;
-    Row<const std::int8_t*> narrow; ///< residuals at the cell's lowest corner; of no meaning in a brick of wide ones
-    const std::int16_t* wide = nullptr; ///< those of all bricks
+    std::array<const FineBrick*, chunkPoints + overrun> header;
+    std::array<const std::int8_t*, chunkPoints + overrun> narrow; ///< the brick's residuals, unless they are wide
+    const std::int16_t* wide = nullptr;                           ///< those of all bricks
 };
 
+/// Where the layers lie, as registers want it: the coordinates that follow each other in points, from x on.
 struct Frame {
-    glm::dvec3 origin, voxelCount;
-    double perVoxel;
+    std::array<double, 6> origin;        ///< x y, z x, y z, mm
+    double perVoxel;                     ///< 1/mm
+    std::array<std::uint32_t, 3> voxels; ///< along each axis
+
+    Frame(const glm::dvec3& low, const glm::ivec3& count, double scale) noexcept
+        : origin{low.x, low.y, low.z, low.x, low.y, low.z}, perVoxel(scale) {
+        for (int axis = 0; axis < 3; ++axis)
+            voxels[static_cast<std::size_t>(axis)] = std::min(static_cast<std::uint32_t>(count[axis]), mostVoxels);
+    }
+    static constexpr std::uint32_t mostVoxels = 1U << 19; ///< of more, placing knows only the first
 };
 
 using TwoDoubles = double __attribute__((vector_size(16)));
@@ -44,37 +55,41 @@ BURIN_INLINE FourDoubles pairs(const double* low, const double* high) noexcept {
     return __builtin_shufflevector(first, second, 0, 1, 2, 3);
 }
 
-/// One coordinate of eight points: of 0, 1, 4, 5, and of 2, 3, 6, 7, which needs no exchange between halves.
-struct Coordinate {
-    FourDoubles low, high;
-};
-BURIN_INLINE std::array<Coordinate, 3> coordinates(const double* p) noexcept {
-    const FourDoubles a = pairs(p, p + 12), b = pairs(p + 2, p + 14), c = pairs(p + 4, p + 16),
-                      d = pairs(p + 6, p + 18), e = pairs(p + 8, p + 20), f = pairs(p + 10, p + 22);
-    return {Coordinate{__builtin_shufflevector(a, b, 0, 5, 2, 7), __builtin_shufflevector(d, e, 0, 5, 2, 7)},
-            Coordinate{__builtin_shufflevector(a, c, 1, 4, 3, 6), __builtin_shufflevector(d, f, 1, 4, 3, 6)},
-            Coordinate{__builtin_shufflevector(b, c, 0, 5, 2, 7), __builtin_shufflevector(e, f, 0, 5, 2, 7)}};
+/// A number of voxels in fixed point: a double that is added to it keeps 32 bits behind the point, in the lower word,
+/// and the whole voxels above it, in the upper. Off by 2^-33 voxel at most, so that a place so near to the border of a
+/// cell may count for either; values are the same from both sides.
+constexpr double fixedPoint = 1.5 * (1 << 20);
+constexpr std::uint32_t fixedPointUpper = 0x41380000;
+
+/// One word each of eight coordinates, by axis.
+using PerAxis = std::array<Words, 3>;
+
+/// @param at lower words x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3 of points 0 … 3, upper ones likewise of 4 … 7
+BURIN_INLINE PerAxis byAxis(const PerAxis& at) noexcept {
+    const Words xy = __builtin_shufflevector(at[1], at[2], 2, 3, 9, 10, 6, 7, 13, 14);
+    const Words yz = __builtin_shufflevector(at[0], at[1], 1, 2, 8, 9, 5, 6, 12, 13);
+    return {__builtin_shufflevector(at[0], xy, 0, 3, 8, 10, 4, 7, 12, 14),
+            __builtin_shufflevector(yz, xy, 0, 2, 9, 11, 4, 6, 13, 15),
+            __builtin_shufflevector(yz, at[2], 1, 3, 8, 11, 5, 7, 12, 15)};
 }
 
-/// Whole part and share of numbers that are not negative, and below 2^31.
-struct Split {
-    FourDoubles whole, share;
+/// Places of eight points in fixed point.
+struct FixedPlaces {
+    PerAxis voxel, share; ///< of a place beside the layers' low side, or that is no number, a huge voxel
 };
-constexpr double wholeBits = 6755399441055744.0; // 1.5 * 2^52: a double that is added to it loses its fraction
-BURIN_INLINE Split split(FourDoubles number) noexcept {
-    const FourDoubles nearest = (number + wholeBits) - wholeBits;
-    const FourDoubles whole = nearest - (nearest > number ? FourDoubles{} + 1.0 : FourDoubles{});
-    return {whole, number - whole};
-}
-BURIN_INLINE Integers integersOf(FourDoubles low, FourDoubles high) noexcept {
-    const FourDoubles a = low + wholeBits, b = high + wholeBits;
-    return __builtin_shufflevector(reinterpret_cast<Integers>(a), reinterpret_cast<Integers>(b), 0, 2, 8, 10, 4, 6, 12,
-                                   14);
-}
-BURIN_INLINE Floats narrowed(FourDoubles low, FourDoubles high) noexcept {
-    const Floats both = __builtin_shufflevector(__builtin_convertvector(low, FourFloats),
-                                                __builtin_convertvector(high, FourFloats), 0, 1, 2, 3, 4, 5, 6, 7);
-    return __builtin_shufflevector(both, both, 0, 1, 4, 5, 2, 3, 6, 7);
+BURIN_INLINE FixedPlaces fixedPlaces(const double* points, const Frame& frame) noexcept {
+    PerAxis lower, upper;
+    const auto placed = [&](std::size_t from, std::size_t axis) noexcept {
+        const FourDoubles origin = pairs(&frame.origin[axis], &frame.origin[axis]);
+        return reinterpret_cast<Words>((pairs(points + from, points + 12 + from) - origin) * frame.perVoxel +
+                                       fixedPoint);
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Words one = placed(4 * i, 4 * i % 6), next = placed(4 * i + 2, (4 * i + 2) % 6);
+        lower[i] = __builtin_shufflevector(one, next, 0, 2, 8, 10, 4, 6, 12, 14);
+        upper[i] = __builtin_shufflevector(one, next, 1, 3, 9, 11, 5, 7, 13, 15) - fixedPointUpper;
+    }
+    return {byAxis(upper), byAxis(lower)};
 }
 
 template <class Lanes>
@@ -83,30 +98,28 @@ BURIN_INLINE void store(const Lanes& values, void* to) noexcept {
 }
 
 /// @return whether all of them are in the box of the layers; if not, the chunk is of no use
-BURIN_VECTORISED_TO_AVX512 bool placeAll(const glm::dvec3* points, const Frame& frame, Chunk& chunk) noexcept {
+BURIN_VECTORISED_TO_AVX512 bool placeAll(const glm::dvec3* points, const Frame& where, Chunk& chunk) noexcept {
     static_assert(sizeof(glm::dvec3) == 3 * sizeof(double));
-    auto inside = FourDoubles{} == FourDoubles{};
+    const Frame frame = where; // which what is written to the chunk can't change: it stays in registers
+    PerAxis highest{};
     for (std::size_t from = 0; from < chunkPoints; from += lanes) {
-        const std::array<Coordinate, 3> of = coordinates(&points[from].x);
+        const FixedPlaces places = fixedPlaces(&points[from].x, frame);
         Integers first{};
-        for (int axis = 2; axis >= 0; --axis) {
-            const auto a = static_cast<std::size_t>(axis);
-            const auto place = [&](FourDoubles coordinate) noexcept {
-                const FourDoubles wanted = (coordinate - frame.origin[axis]) * frame.perVoxel;
-                inside &= (wanted >= FourDoubles{}) & (wanted < frame.voxelCount[axis]);
-                return wanted;
-            };
-            const Split low = split(place(of[a].low)), high = split(place(of[a].high));
-            const Integers voxel = integersOf(low.whole, high.whole), cell = voxel & (CellGrid::cells - 1);
-            const Floats share = narrowed(low.share, high.share);
-            store(share, chunk.share[a].data() + from);
-            store(floatsOf(cell) + share, chunk.along[a].data() + from);
-            store(voxel >> 3, chunk.brick[a].data() + 1 + from);
+        for (std::size_t axis = 3; axis-- > 0;) {
+            const Words voxel = places.voxel[axis];
+            highest[axis] = voxel > highest[axis] ? voxel : highest[axis];
+            const auto cell = reinterpret_cast<Integers>(voxel & (CellGrid::cells - 1));
+            const Floats share = floatsOf(reinterpret_cast<Integers>(places.share[axis] >> 8)) * 0x1p-24F;
+            store(share, chunk.share[axis].data() + from);
+            store(floatsOf(cell) + share, chunk.along[axis].data() + from);
+            store(voxel >> 3, chunk.brick[axis].data() + 1 + from);
             first = CellGrid::along * first + cell;
         }
         store(first, chunk.first.data() + from);
     }
-    return (inside[0] & inside[1] & inside[2] & inside[3]) != 0;
+    auto outside = highest[0] >= frame.voxels[0];
+    for (std::size_t axis = 1; axis < 3; ++axis) outside |= highest[axis] >= frame.voxels[axis];
+    return !anyOf(outside);
 }
 
 /// A bit for each point that lies in another brick than the one before; the first always has one.
@@ -145,13 +158,14 @@ BURIN_INLINE Integers cellAt(const std::int8_t* first) noexcept {
                                                               17, 25, 26));
 }
 /// Of four cells: a word each for their lower corners, and behind these for their upper ones.
-BURIN_INLINE Integers fourCells(const std::int8_t* const* first) noexcept {
-    const Integers ab = __builtin_shufflevector(cellAt(first[0]), cellAt(first[1]), 0, 9, 2, 11, 4, 13, 6, 15);
-    const Integers cd = __builtin_shufflevector(cellAt(first[2]), cellAt(first[3]), 0, 9, 2, 11, 4, 13, 6, 15);
+BURIN_INLINE Integers fourCells(const Chunk& chunk, std::size_t from) noexcept {
+    const auto cell = [&](std::size_t i) noexcept { return cellAt(chunk.narrow[from + i] + chunk.first[from + i]); };
+    const Integers ab = __builtin_shufflevector(cell(0), cell(1), 0, 9, 2, 11, 4, 13, 6, 15);
+    const Integers cd = __builtin_shufflevector(cell(2), cell(3), 0, 9, 2, 11, 4, 13, 6, 15);
     return __builtin_shufflevector(ab, cd, 0, 1, 10, 11, 4, 5, 14, 15);
 }
-BURIN_INLINE void gatherNarrow(const std::int8_t* const* first, Corners& corners) noexcept {
-    const Integers one = fourCells(first), other = fourCells(first + 4);
+BURIN_INLINE void gatherNarrow(const Chunk& chunk, std::size_t from, Corners& corners) noexcept {
+    const Integers one = fourCells(chunk, from), other = fourCells(chunk, from + 4);
     const std::array<Integers, 2> layers{__builtin_shufflevector(one, other, 0, 1, 2, 3, 8, 9, 10, 11),
                                          __builtin_shufflevector(one, other, 4, 5, 6, 7, 12, 13, 14, 15)};
     for (std::size_t layer = 0; layer < 2; ++layer)
@@ -167,7 +181,7 @@ BURIN_INLINE void gatherAny(const Chunk& chunk, std::size_t from, Corners& corne
         };
         const FineBrick& brick = *chunk.header[from + lane];
         if (brick.wide == 0)
-            take(chunk.narrow[from + lane]);
+            take(chunk.narrow[from + lane] + chunk.first[from + lane]);
         else
             take(chunk.wide + std::size_t{brick.samples} * CellGrid::samples + chunk.first[from + lane]);
     }
@@ -267,7 +281,7 @@ BURIN_VECTORISED_TO_AVX512 void computeAll(const Chunk& chunk, const Groups& gro
     for (std::size_t from = 0; from < chunkPoints; from += lanes) {
         Corners corners;
         if (((groups.wide >> (from / lanes)) & 1U) == 0)
-            gatherNarrow(chunk.narrow.data() + from, corners);
+            gatherNarrow(chunk, from, corners);
         else
             gatherAny(chunk, from, corners);
         if (((groups.mixed >> (from / lanes)) & 1U) == 0)
@@ -279,6 +293,25 @@ BURIN_VECTORISED_TO_AVX512 void computeAll(const Chunk& chunk, const Groups& gro
 
 constexpr FineBrick noBrick{};
 constexpr std::array<std::int8_t, PartFieldLayers::narrowStride> noResiduals{};
+
+/// Points one after the other in one brick, up to where the next begins.
+struct Stretch {
+    const FineBrick* header = &noBrick;
+    const std::int8_t* narrow = noResiduals.data();
+    std::size_t first = 0;
+};
+
+/// Hands each point what its stretch has. What a short stretch writes too far, the next writes over.
+BURIN_VECTORISED void spread(const Stretch* stretches, std::size_t count, Chunk& chunk) noexcept {
+    for (std::size_t n = 0; n < count; ++n) {
+        const auto [header, narrow, begin] = stretches[n];
+        const std::size_t end = n + 1 < count ? stretches[n + 1].first : chunkPoints;
+        for (std::size_t first = begin; first < end; first += overrun) {
+            std::fill_n(&chunk.header[first], overrun, header);
+            std::fill_n(&chunk.narrow[first], overrun, narrow);
+        }
+    }
+}
 
 /// A group that a brick begins in lies in several, unless it begins with the group.
 std::uint32_t mixedGroups(std::uint64_t begins) noexcept {
@@ -294,7 +327,7 @@ std::uint32_t mixedGroups(std::uint64_t begins) noexcept {
 class PartFieldLayers::Batch {
 public:
     explicit Batch(const PartFieldLayers& layers) noexcept
-        : layers_(layers), frame_{layers.origin, layers.voxelCount_, layers.perVoxel_} {
+        : layers_(layers), frame_{layers.origin, layers.blocks * blockVoxels, layers.perVoxel_} {
         chunk_.wide = layers.wide.data();
         for (auto& places : chunk_.brick) places[0] = -1;
     }
@@ -310,12 +343,6 @@ public:
     }
 
 private:
-    /// Points one after the other in one brick.
-    struct Stretch {
-        const FineBrick* header = &noBrick;
-        const std::int8_t* narrow = noResiduals.data();
-    };
-
     /// @param points, answers so many as a chunk has; `count` of them matter
     void answer(const glm::dvec3* points, std::size_t count, PartDistance* answers) noexcept {
         if (!placeAll(points, frame_, chunk_)) {
@@ -324,14 +351,14 @@ private:
         }
         const std::uint64_t begins = brickBegins(chunk_);
         groups_ = {0, mixedGroups(begins)};
-        findStretches(begins);
-        spread(begins);
+        spread(stretches_.data(), findStretches(begins), chunk_);
         computeAll(chunk_, groups_, static_cast<float>(layers_.perVoxel_), answers);
         for (std::size_t i = 0; i < otherCount_ && others_[i] < count; ++i)
             answers[others_[i]] = layers_.sample(points[others_[i]]);
     }
 
-    void findStretches(std::uint64_t begins) noexcept {
+    /// @return how many there are
+    std::size_t findStretches(std::uint64_t begins) noexcept {
         otherCount_ = 0;
         std::size_t found = 0;
         for (; begins != 0; ++found) {
@@ -341,6 +368,7 @@ private:
             const glm::ivec3 at(chunk_.brick[0][first + 1], chunk_.brick[1][first + 1], chunk_.brick[2][first + 1]);
             stretches_[found] = stretchIn(layers_.fineBrickAt(at << 3), first, end);
         }
+        return found;
     }
 
     /// A stretch of points; what is not in a fine brick's trilinear cell is put with the others.
@@ -349,21 +377,10 @@ private:
             for (std::size_t i = first; i < end; ++i)
                 if (brick == nullptr || layers_.isExact(*brick, CellGrid::cellOf(chunk_.first[i])))
                     others_[otherCount_++] = static_cast<std::uint8_t>(i);
-        if (brick == nullptr) return {};
-        if (brick->wide == 0) return {brick, layers_.narrow.data() + std::size_t{brick->samples} * narrowStride};
+        if (brick == nullptr) return {&noBrick, noResiduals.data(), first};
+        if (brick->wide == 0) return {brick, layers_.narrow.data() + std::size_t{brick->samples} * narrowStride, first};
         for (std::size_t group = first / lanes; group * lanes < end; ++group) groups_.wide |= 1U << group;
-        return {brick, noResiduals.data()};
-    }
-
-    /// Hands each point what its stretch has, without a branch that depends on the points.
-    void spread(std::uint64_t begins) noexcept {
-        std::size_t begun = 0;
-        for (std::size_t i = 0; i < chunkPoints; ++i, begins >>= 1) {
-            begun += begins & 1U;
-            const Stretch& stretch = stretches_[begun - 1];
-            chunk_.header[i] = stretch.header;
-            chunk_.narrow[i] = stretch.narrow + chunk_.first[i];
-        }
+        return {brick, noResiduals.data(), first};
     }
 
     const PartFieldLayers& layers_;
