@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/vectorised.h"
 #include "core/field/part_field_layers.h"
+#include "core/field/placed_points.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,131 +13,19 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t chunkPoints = 64;
+constexpr std::size_t chunkPoints = PlacedPoints::most;
 /// So many points are handed what their stretch has, as many as it may have: mostly it has no more.
 constexpr std::size_t overrun = 16;
-template <class Number>
-using Row = std::array<Number, chunkPoints>;
 
 /// Points side by side: placed and computed eight at a time, looked up one by one in between.
-struct Chunk {
-    std::array<Row<float>, 3> share;                                ///< of the cell
-    std::array<Row<float>, 3> along;                                ///< voxels from the brick's lowest corner
-    std::array<std::array<std::int32_t, chunkPoints + 1>, 3> brick; ///< counted from the origin; point 0 in place 1
-    Row<std::int32_t> first;                                        ///< of the cell's samples in the brick
+struct Chunk : PlacedPoints {
     std::array<const FineBrick*, chunkPoints + overrun> header;
     std::array<const std::int8_t*, chunkPoints + overrun> narrow; ///< the brick's residuals, unless they are wide
     const std::int16_t* wide = nullptr;                           ///< those of all bricks
 };
 
-/// Where the layers lie, as registers want it: the coordinates that follow each other in points, from x on.
-struct Frame {
-    std::array<double, 6> origin;        ///< x y, z x, y z, mm
-    double perVoxel;                     ///< 1/mm
-    std::array<std::uint32_t, 3> voxels; ///< along each axis
-
-    Frame(const glm::dvec3& low, const glm::ivec3& count, double scale) noexcept
-        : origin{low.x, low.y, low.z, low.x, low.y, low.z}, perVoxel(scale) {
-        for (int axis = 0; axis < 3; ++axis)
-            voxels[static_cast<std::size_t>(axis)] = std::min(static_cast<std::uint32_t>(count[axis]), mostVoxels);
-    }
-    static constexpr std::uint32_t mostVoxels = 1U << 19; ///< of more, placing knows only the first
-};
-
 using TwoDoubles = double __attribute__((vector_size(16)));
-using FourDoubles = double __attribute__((vector_size(32)));
 using FourFloats = float __attribute__((vector_size(16)));
-
-/// Two numbers from each of two places.
-BURIN_INLINE FourDoubles pairs(const double* low, const double* high) noexcept {
-    TwoDoubles first, second;
-    std::memcpy(&first, low, sizeof first);
-    std::memcpy(&second, high, sizeof second);
-    return __builtin_shufflevector(first, second, 0, 1, 2, 3);
-}
-
-/// A number of voxels in fixed point: a double that is added to it keeps 32 bits behind the point, in the lower word,
-/// and the whole voxels above it, in the upper. Off by 2^-33 voxel at most, so that a place so near to the border of a
-/// cell may count for either; values are the same from both sides.
-constexpr double fixedPoint = 1.5 * (1 << 20);
-constexpr std::uint32_t fixedPointUpper = 0x41380000;
-
-/// One word each of eight coordinates, by axis.
-using PerAxis = std::array<Words, 3>;
-
-/// @param at lower words x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3 of points 0 … 3, upper ones likewise of 4 … 7
-BURIN_INLINE PerAxis byAxis(const PerAxis& at) noexcept {
-    const Words xy = __builtin_shufflevector(at[1], at[2], 2, 3, 9, 10, 6, 7, 13, 14);
-    const Words yz = __builtin_shufflevector(at[0], at[1], 1, 2, 8, 9, 5, 6, 12, 13);
-    return {__builtin_shufflevector(at[0], xy, 0, 3, 8, 10, 4, 7, 12, 14),
-            __builtin_shufflevector(yz, xy, 0, 2, 9, 11, 4, 6, 13, 15),
-            __builtin_shufflevector(yz, at[2], 1, 3, 8, 11, 5, 7, 12, 15)};
-}
-
-/// Places of eight points in fixed point.
-struct FixedPlaces {
-    PerAxis voxel, share; ///< of a place beside the layers' low side, or that is no number, a huge voxel
-};
-BURIN_INLINE FixedPlaces fixedPlaces(const double* points, const Frame& frame) noexcept {
-    PerAxis lower, upper;
-    const auto placed = [&](std::size_t from, std::size_t axis) noexcept {
-        const FourDoubles origin = pairs(&frame.origin[axis], &frame.origin[axis]);
-        return reinterpret_cast<Words>((pairs(points + from, points + 12 + from) - origin) * frame.perVoxel +
-                                       fixedPoint);
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Words one = placed(4 * i, 4 * i % 6), next = placed(4 * i + 2, (4 * i + 2) % 6);
-        lower[i] = __builtin_shufflevector(one, next, 0, 2, 8, 10, 4, 6, 12, 14);
-        upper[i] = __builtin_shufflevector(one, next, 1, 3, 9, 11, 5, 7, 13, 15) - fixedPointUpper;
-    }
-    return {byAxis(upper), byAxis(lower)};
-}
-
-template <class Lanes>
-BURIN_INLINE void store(const Lanes& values, void* to) noexcept {
-    std::memcpy(to, &values, sizeof values);
-}
-
-/// @return whether all of them are in the box of the layers; if not, the chunk is of no use
-BURIN_VECTORISED_TO_AVX512 bool placeAll(const glm::dvec3* points, const Frame& where, Chunk& chunk) noexcept {
-    static_assert(sizeof(glm::dvec3) == 3 * sizeof(double));
-    const Frame frame = where; // which what is written to the chunk can't change: it stays in registers
-    PerAxis highest{};
-    for (std::size_t from = 0; from < chunkPoints; from += lanes) {
-        const FixedPlaces places = fixedPlaces(&points[from].x, frame);
-        Integers first{};
-        for (std::size_t axis = 3; axis-- > 0;) {
-            const Words voxel = places.voxel[axis];
-            highest[axis] = voxel > highest[axis] ? voxel : highest[axis];
-            const auto cell = reinterpret_cast<Integers>(voxel & (CellGrid::cells - 1));
-            const Floats share = floatsOf(reinterpret_cast<Integers>(places.share[axis] >> 8)) * 0x1p-24F;
-            store(share, chunk.share[axis].data() + from);
-            store(floatsOf(cell) + share, chunk.along[axis].data() + from);
-            store(voxel >> 3, chunk.brick[axis].data() + 1 + from);
-            first = CellGrid::along * first + cell;
-        }
-        store(first, chunk.first.data() + from);
-    }
-    auto outside = highest[0] >= frame.voxels[0];
-    for (std::size_t axis = 1; axis < 3; ++axis) outside |= highest[axis] >= frame.voxels[axis];
-    return !anyOf(outside);
-}
-
-/// A bit for each point that lies in another brick than the one before; the first always has one.
-BURIN_VECTORISED_TO_AVX512 std::uint64_t brickBegins(const Chunk& chunk) noexcept {
-    std::uint64_t begins = 0;
-    for (std::size_t from = 0; from < chunkPoints; from += lanes) {
-        Integers unlike{};
-        for (const auto& places : chunk.brick) {
-            Integers before, here;
-            std::memcpy(&before, places.data() + from, sizeof before);
-            std::memcpy(&here, places.data() + 1 + from, sizeof here);
-            unlike |= before ^ here;
-        }
-        begins |= std::uint64_t{bitsOf(unlike != Integers{})} << from;
-    }
-    return begins | 1U;
-}
 
 /// The eight corners of a cell, x running fastest, of eight cells.
 struct Corners {
@@ -243,9 +132,9 @@ BURIN_INLINE void put(Floats distance, Floats x, Floats y, Floats z, PartDistanc
                                      __builtin_shufflevector(lower0, lower1, 2, 3, 10, 11, 6, 7, 14, 15),
                                      __builtin_shufflevector(upper0, upper1, 0, 1, 8, 9, 4, 5, 12, 13),
                                      __builtin_shufflevector(upper0, upper1, 2, 3, 10, 11, 6, 7, 14, 15)};
-    for (std::size_t i = 0; i < 4; ++i) { // lanes i and i + 4
-        const FourFloats low = __builtin_shufflevector(rows[i], rows[i], 0, 1, 2, 3);
-        const FourFloats high = __builtin_shufflevector(rows[i], rows[i], 4, 5, 6, 7);
+    for (std::size_t i = 0; i < 4; i += 2) { // row i is of lanes i and i + 4
+        const Floats low = __builtin_shufflevector(rows[i], rows[i + 1], 0, 1, 2, 3, 8, 9, 10, 11);
+        const Floats high = __builtin_shufflevector(rows[i], rows[i + 1], 4, 5, 6, 7, 12, 13, 14, 15);
         std::memcpy(static_cast<void*>(answers + i), &low, sizeof low);
         std::memcpy(static_cast<void*>(answers + i + 4), &high, sizeof high);
     }
@@ -270,15 +159,16 @@ BURIN_INLINE void computeGroup(const Chunk& chunk, std::size_t from, const Corne
 }
 
 /// A bit a group of eight.
+static_assert(chunkPoints / lanes <= 32);
 struct Groups {
     std::uint32_t wide = 0;  ///< some of its bricks have residuals of 16 bits
     std::uint32_t mixed = 0; ///< it is of several bricks
 };
 
-BURIN_VECTORISED_TO_AVX512 void computeAll(const Chunk& chunk, const Groups& groups, float perVoxel,
-                                           PartDistance* answers) noexcept {
+BURIN_VECTORISED void computeAll(const Chunk& chunk, std::size_t count, const Groups& groups, float perVoxel,
+                                 PartDistance* answers) noexcept {
     const Floats scale = floats(perVoxel);
-    for (std::size_t from = 0; from < chunkPoints; from += lanes) {
+    for (std::size_t from = 0; from < count; from += lanes) {
         Corners corners;
         if (((groups.wide >> (from / lanes)) & 1U) == 0)
             gatherNarrow(chunk, from, corners);
@@ -296,16 +186,17 @@ constexpr std::array<std::int8_t, PartFieldLayers::narrowStride> noResiduals{};
 
 /// Points one after the other in one brick, up to where the next begins.
 struct Stretch {
-    const FineBrick* header = &noBrick;
-    const std::int8_t* narrow = noResiduals.data();
-    std::size_t first = 0;
+    const FineBrick* header;
+    const std::int8_t* narrow;
+    std::size_t first;
 };
 
 /// Hands each point what its stretch has. What a short stretch writes too far, the next writes over.
+/// @param stretches and behind them one that begins where they end
 BURIN_VECTORISED void spread(const Stretch* stretches, std::size_t count, Chunk& chunk) noexcept {
     for (std::size_t n = 0; n < count; ++n) {
         const auto [header, narrow, begin] = stretches[n];
-        const std::size_t end = n + 1 < count ? stretches[n + 1].first : chunkPoints;
+        const std::size_t end = stretches[n + 1].first;
         for (std::size_t first = begin; first < end; first += overrun) {
             std::fill_n(&chunk.header[first], overrun, header);
             std::fill_n(&chunk.narrow[first], overrun, narrow);
@@ -314,88 +205,102 @@ BURIN_VECTORISED void spread(const Stretch* stretches, std::size_t count, Chunk&
 }
 
 /// A group that a brick begins in lies in several, unless it begins with the group.
-std::uint32_t mixedGroups(std::uint64_t begins) noexcept {
+std::uint32_t mixedGroups(const PlacedPoints& placed, std::size_t count) noexcept {
     std::uint32_t mixed = 0;
-    for (std::size_t group = 0; group < chunkPoints / lanes; ++group)
-        mixed |= std::uint32_t{(begins >> (group * lanes) & 0xfeU) != 0} << group;
+    for (std::size_t group = 0; group < count / lanes; ++group)
+        mixed |= std::uint32_t{(placed.begins[group] & 0xfeU) != 0} << group;
     return mixed;
 }
 
 } // namespace
 
-/// Answers points of one field, up to `chunkPoints` at a time.
+/// Answers points of one field.
 class PartFieldLayers::Batch {
 public:
     explicit Batch(const PartFieldLayers& layers) noexcept
         : layers_(layers), frame_{layers.origin, layers.blocks * blockVoxels, layers.perVoxel_} {
         chunk_.wide = layers.wide.data();
-        for (auto& places : chunk_.brick) places[0] = -1;
     }
 
     void answer(std::span<const glm::dvec3> points, PartDistance* answers) noexcept {
-        if (points.size() == chunkPoints) return answer(points.data(), chunkPoints, answers);
-        std::array<glm::dvec3, chunkPoints> padded;
-        std::array<PartDistance, chunkPoints> found;
-        const auto rest = std::ranges::copy(points, padded.begin()).out;
-        std::fill(rest, padded.end(), points.front());
-        answer(padded.data(), points.size(), found.data());
-        std::copy_n(found.begin(), points.size(), answers);
+        const std::size_t rest = points.size() % lanes, whole = points.size() - rest;
+        for (std::size_t first = 0; first < whole; first += chunkPoints)
+            answer(&points[first], std::min(chunkPoints, whole - first), answers + first);
+        if (rest == 0) return;
+        std::array<glm::dvec3, lanes> padded;
+        std::array<PartDistance, lanes> found;
+        padded.fill(points.back());
+        std::ranges::copy(points.last(rest), padded.begin());
+        answer(padded.data(), lanes, found.data());
+        std::copy_n(found.begin(), rest, answers + whole);
     }
 
 private:
-    /// @param points, answers so many as a chunk has; `count` of them matter
+    /// @param count a multiple of `lanes`, `chunkPoints` at most
     void answer(const glm::dvec3* points, std::size_t count, PartDistance* answers) noexcept {
-        if (!placeAll(points, frame_, chunk_)) {
-            for (std::size_t i = 0; i < count; ++i) answers[i] = layers_.sample(points[i]);
-            return;
+        if (!placePoints(points, count, frame_, chunk_)) return answerApart(points, count, answers);
+        groups_ = {0, mixedGroups(chunk_, count)};
+        spread(stretches_.data(), findStretches(count), chunk_);
+        computeAll(chunk_, count, groups_, static_cast<float>(layers_.perVoxel_), answers);
+        for (std::size_t i = 0; i < otherCount_; ++i) answers[others_[i]] = layers_.sample(points[others_[i]]);
+    }
+
+    /// Some lie beside the layers' box: those next to them are answered one by one.
+    void answerApart(const glm::dvec3* points, std::size_t count, PartDistance* answers) noexcept {
+        constexpr std::size_t fewer = 32;
+        for (std::size_t first = 0; first < count; first += fewer) {
+            const std::size_t some = std::min(fewer, count - first);
+            if (count > fewer)
+                answer(points + first, some, answers + first);
+            else
+                for (std::size_t i = 0; i < some; ++i) answers[i] = layers_.sample(points[i]);
         }
-        const std::uint64_t begins = brickBegins(chunk_);
-        groups_ = {0, mixedGroups(begins)};
-        spread(stretches_.data(), findStretches(begins), chunk_);
-        computeAll(chunk_, groups_, static_cast<float>(layers_.perVoxel_), answers);
-        for (std::size_t i = 0; i < otherCount_ && others_[i] < count; ++i)
-            answers[others_[i]] = layers_.sample(points[others_[i]]);
     }
 
     /// @return how many there are
-    std::size_t findStretches(std::uint64_t begins) noexcept {
-        otherCount_ = 0;
+    std::size_t findStretches(std::size_t count) noexcept {
         std::size_t found = 0;
-        for (; begins != 0; ++found) {
-            const auto first = static_cast<std::size_t>(std::countr_zero(begins));
-            begins &= begins - 1;
-            const std::size_t end = begins == 0 ? chunkPoints : static_cast<std::size_t>(std::countr_zero(begins));
-            const glm::ivec3 at(chunk_.brick[0][first + 1], chunk_.brick[1][first + 1], chunk_.brick[2][first + 1]);
-            stretches_[found] = stretchIn(layers_.fineBrickAt(at << 3), first, end);
+        for (std::size_t from = 0; from < count; from += 64) {
+            std::uint64_t begins = 0;
+            std::memcpy(&begins, &chunk_.begins[from / lanes], std::min<std::size_t>(count - from, 64) / lanes);
+            for (; begins != 0; begins &= begins - 1) // x86: the lowest byte is the first
+                stretches_[found++].first = from + static_cast<std::size_t>(std::countr_zero(begins));
         }
+        stretches_[found].first = count;
+        otherCount_ = 0;
+        for (std::size_t i = 0; i < found; ++i) fillStretch(stretches_[i], stretches_[i + 1].first);
         return found;
     }
 
-    /// A stretch of points; what is not in a fine brick's trilinear cell is put with the others.
-    Stretch stretchIn(const FineBrick* brick, std::size_t first, std::size_t end) noexcept {
+    /// What is not in a fine brick's trilinear cell is put with the others.
+    void fillStretch(Stretch& stretch, std::size_t end) noexcept {
+        const std::size_t first = stretch.first;
+        const glm::ivec3 at(chunk_.brick[0][first], chunk_.brick[1][first], chunk_.brick[2][first]);
+        const FineBrick* const brick = layers_.fineBrickAt(at << 3);
+        stretch.header = brick == nullptr ? &noBrick : brick;
+        stretch.narrow = noResiduals.data();
         if (brick == nullptr || brick->exact != FineBrick::none)
             for (std::size_t i = first; i < end; ++i)
                 if (brick == nullptr || layers_.isExact(*brick, CellGrid::cellOf(chunk_.first[i])))
                     others_[otherCount_++] = static_cast<std::uint8_t>(i);
-        if (brick == nullptr) return {&noBrick, noResiduals.data(), first};
-        if (brick->wide == 0) return {brick, layers_.narrow.data() + std::size_t{brick->samples} * narrowStride, first};
-        for (std::size_t group = first / lanes; group * lanes < end; ++group) groups_.wide |= 1U << group;
-        return {brick, noResiduals.data(), first};
+        if (brick == nullptr) return;
+        if (brick->wide == 0)
+            stretch.narrow = layers_.narrow.data() + std::size_t{brick->samples} * narrowStride;
+        else
+            for (std::size_t group = first / lanes; group * lanes < end; ++group) groups_.wide |= 1U << group;
     }
 
     const PartFieldLayers& layers_;
-    Frame frame_;
+    FieldFrame frame_;
     Chunk chunk_;
     Groups groups_;
-    std::array<Stretch, chunkPoints> stretches_;
+    std::array<Stretch, chunkPoints + 1> stretches_;
     std::array<std::uint8_t, chunkPoints> others_; ///< in rising order
     std::size_t otherCount_ = 0;
 };
 
 void PartFieldLayers::sample(std::span<const glm::dvec3> points, std::span<PartDistance> answers) const noexcept {
-    Batch batch(*this);
-    for (std::size_t first = 0; first < points.size(); first += chunkPoints)
-        batch.answer(points.subspan(first, std::min(chunkPoints, points.size() - first)), answers.data() + first);
+    Batch(*this).answer(points, answers.data());
 }
 
 } // namespace burin

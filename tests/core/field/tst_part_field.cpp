@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include <functional>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -126,7 +127,10 @@ private slots:
     void farPointsAreWithinTheirBound();
     void lowerBoundIsNeverTooMuch();
     void gradientPointsAway();
+    void manyAtOnceAreTheSame_data();
     void manyAtOnceAreTheSame();
+    void manyOnBordersOfCellsAreWithinTheBound();
+    void manyMayHoldWhatIsNoNumber();
     void takesAtMostFiveBytesABandVoxel();
     void emptyPartIsFar();
     void askingDoesNotAllocate();
@@ -327,18 +331,62 @@ void PartFieldTest::gradientPointsAway() {
     }
 }
 
+void PartFieldTest::manyAtOnceAreTheSame_data() {
+    QTest::addColumn<int>("everyFarAway");
+    QTest::newRow("all within the field's box") << 0;
+    QTest::newRow("one in five beyond it") << 5;
+    QTest::newRow("one in 301 beyond it") << 301;
+}
+
 void PartFieldTest::manyAtOnceAreTheSame() {
+    QFETCH(int, everyFarAway);
     const PartField field = built(turned(shapes::box({-6, -5, -4}, {6, 5, 4}), 0.3), 6.0);
     Points points;
-    for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{64}, std::size_t{1001}}) {
+    for (const std::size_t count : std::initializer_list<std::size_t>{1, 7, 8, 9, 64, 255, 256, 257, 1001}) {
         std::vector<glm::dvec3> places;
-        for (std::size_t i = 0; i < count; ++i) places.push_back(points.around(i % 5 == 0 ? 60.0 : 9.0));
+        for (int i = 0; i < static_cast<int>(count); ++i)
+            places.push_back(points.around(everyFarAway != 0 && i % everyFarAway == 0 ? 60.0 : 9.0));
         std::vector<PartDistance> answers(count);
         field.at(places, answers);
         for (std::size_t i = 0; i < count; ++i) {
             const PartDistance one = field.at(places[i]);
             QVERIFY(std::abs(one.distance - answers[i].distance) <= 1e-5F * (1.0F + std::abs(one.distance)));
             QVERIFY(glm::length(one.gradient - answers[i].gradient) <= 1e-4F);
+        }
+    }
+}
+
+/// The values of both cells, or bricks, are right there.
+void PartFieldTest::manyOnBordersOfCellsAreWithinTheBound() {
+    const TriangleMesh mesh = turned(shapes::box({-6, -5, -4}, {6, 5, 4}), 0.3);
+    const PartField field = built(mesh, 6.0);
+    std::vector<glm::dvec3> places;
+    for (int i = 0; i < 3000; ++i)
+        for (const double beside : {-1e-10, -1e-13, 0.0, 1e-13, 1e-10})
+            places.push_back(glm::dvec3(i % 37 - 18, i % 31 - 15, i % 29 - 14) * (0.5 * voxel) + beside);
+    std::vector<PartDistance> answers(places.size());
+    field.at(places, answers);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double off =
+            std::abs(static_cast<double>(answers[i].distance) - field.exact().closest(places[i]).signedDistance);
+        QVERIFY2(off <= field.errorBoundAt(places[i]) + 1e-5, qPrintable(QString::number(off)));
+    }
+}
+
+void PartFieldTest::manyMayHoldWhatIsNoNumber() {
+    const PartField field = built(turned(shapes::box({-6, -5, -4}, {6, 5, 4}), 0.3), 6.0);
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Points points;
+    for (const double odd : {std::nan(""), -std::nan(""), infinite, -infinite, 1e300, -1e300}) {
+        std::vector<glm::dvec3> places;
+        for (int i = 0; i < 300; ++i) places.push_back(points.around(9.0));
+        for (int axis = 0; axis < 3; ++axis) places[static_cast<std::size_t>(50 + 70 * axis)][axis] = odd;
+        std::vector<PartDistance> answers(places.size());
+        field.at(places, answers);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const float one = field.at(places[i]).distance;
+            QVERIFY(one == answers[i].distance ||
+                    std::abs(one - answers[i].distance) <= 1e-5F * (1.0F + std::abs(one)));
         }
     }
 }
