@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 namespace burin {
 
@@ -22,18 +21,14 @@ struct AlikeRow {
     int level = 0;
 };
 
-/// Whether lines hold material where they enter a window, and where they leave it.
-struct AlikeEnds {
-    bool solidAtBegin = false, solidAtEnd = false;
-};
-
 /// Reads the lines at once if they are alike: all of them skip so many segments, and go on with the same ones in the
 /// window, which change between material and air once at most.
 /// @param lines         written, one a line
 /// @param firstSegments likewise: the first segment that ends within the window or behind it
 /// @param seen          by property: set to 1 where one occurs
-/// @return nothing: they are not alike, or the processor has no AVX-512
-std::optional<AlikeEnds> readAlikeRow(const AlikeRow& row, SurfaceLine* lines, const Segment** firstSegments,
-                                      std::uint8_t* seen) noexcept;
+/// @param changes       what is known where they enter the window and leave it is added
+/// @return false: they are not alike, or the processor has no AVX-512
+bool readAlikeRow(const AlikeRow& row, SurfaceLine* lines, const Segment** firstSegments, std::uint8_t* seen,
+                  SurfaceChanges& changes) noexcept;
 
 } // namespace burin

@@ -38,6 +38,7 @@ struct SurfaceBox {
 struct SurfaceChanges {
     std::int16_t lowest = SurfaceLine::beyond, highest = -SurfaceLine::beyond; ///< places of all further changes
     unsigned atBegin = 0, atEnd = 0; ///< 1: lines are air there, 2: lines are solid, 3: both
+    static unsigned bitOf(bool solid) noexcept { return solid ? 2 : 1; }
 };
 
 /// @param lines row after row of scanlines, each filled up to whole `surfaceLineLanes` with copies of its last line

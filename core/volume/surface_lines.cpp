@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <utility>
 
 namespace burin {
@@ -24,9 +25,6 @@ bool solidIn(const Segment& segment) {
 /// Rises with the end first.
 std::uint32_t packed(Segment segment) {
     return std::bit_cast<std::uint32_t>(segment);
-}
-unsigned stateBit(bool solid) {
-    return solid ? 2 : 1;
 }
 
 } // namespace
@@ -74,8 +72,8 @@ private:
     void addOutside() {
         std::ranges::fill(lines_.lines_, SurfaceLine{});
         std::ranges::fill(lines_.firstSegments_, nullptr);
-        changes_.atBegin |= stateBit(false);
-        changes_.atEnd |= stateBit(false);
+        changes_.atBegin |= SurfaceChanges::bitOf(false);
+        changes_.atEnd |= SurfaceChanges::bitOf(false);
     }
     /// So that lines can be looked at in whole lanes.
     void fillUp() {
@@ -110,12 +108,8 @@ private:
         const AlikeRow row{last.segments, last.offsets, count,    static_cast<std::uint32_t>(last.skipped),
                            packedLow_,    packedHigh_,  low_ < 0, rounding_,
                            level_};
-        if (const std::optional<AlikeEnds> ends = readAlikeRow(row, lines, firstSegments, seen_)) {
-            changes_.atBegin |= stateBit(ends->solidAtBegin);
-            changes_.atEnd |= stateBit(ends->solidAtEnd);
-        } else {
+        if (!readAlikeRow(row, lines, firstSegments, seen_, changes_))
             addEach(last, count, lines, firstSegments, where);
-        }
     }
     /// Hardly any line has more than one end within a window.
     void addEach(LastLine& last, std::size_t count, SurfaceLine* lines, const Segment** firstSegments, Further where) {
@@ -148,14 +142,14 @@ private:
     }
     void see(Segment before, Segment behind) {
         seen_[before.property()] = seen_[behind.property()] = 1;
-        changes_.atBegin |= stateBit(solidIn(before));
-        changes_.atEnd |= stateBit(solidIn(behind));
+        changes_.atBegin |= SurfaceChanges::bitOf(solidIn(before));
+        changes_.atEnd |= SurfaceChanges::bitOf(solidIn(behind));
     }
     /// @param segment the first that ends within the window or behind it
     SurfaceLine anyEnds(const Segment* segment, const Segment* end, Further where) {
         bool solid = low_ >= 0 && solidIn(*segment), any = false;
         seen_[segment->property()] = 1;
-        changes_.atBegin |= stateBit(solid);
+        changes_.atBegin |= SurfaceChanges::bitOf(solid);
         SurfaceLine first;
         const auto turn = [&](std::int32_t position) {
             const SurfaceLine line = change(position, solid);
@@ -177,7 +171,7 @@ private:
             seen_[segment[1].property()] = 1;
             if (solidIn(segment[1]) != solid) turn(endOf(*segment));
         }
-        changes_.atEnd |= stateBit(solid);
+        changes_.atEnd |= SurfaceChanges::bitOf(solid);
         return any ? first : uniformLine(solid);
     }
     SurfaceLine change(std::int32_t position, bool fromSolid) const {
@@ -243,8 +237,12 @@ bool SurfaceLines::holdsProtected(const PropertyList& properties) const {
 
 template <class Visit>
 void SurfaceLines::eachMaterial(Visit visit) const {
-    for (std::size_t property = 1; property < seen_.size(); ++property)
-        if (seen_[property] != 0) visit(static_cast<PropertyIndex>(property));
+    std::uint64_t eight = 0;
+    for (std::size_t first = 0; first < seen_.size(); first += sizeof eight) {
+        std::memcpy(&eight, &seen_[first], sizeof eight);
+        for (std::size_t i = first; eight != 0 && i < first + sizeof eight; ++i) // mostly there is none among them
+            if (seen_[i] != 0 && i != airProperty) visit(static_cast<PropertyIndex>(i));
+    }
 }
 
 } // namespace burin
