@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/places.h"
 #include "tests/ui/window_steps.h"
+#include "ui/scene/viewport.h"
 
 #include <QComboBox>
 #include <QFile>
@@ -57,17 +58,26 @@ void TestWindow::unitAndThemeChangeAtOnce() {
     WindowDriver driver;
     QVERIFY(makeReady(driver));
     QVERIFY(driver.step(JobStep::allowance));
+    auto* viewport = driver.visible<Viewport>("viewport");
+    QVERIFY(viewport != nullptr);
+    const auto scaleBar = [&] { return viewport->grabFramebuffer().copy(0, viewport->height() - 44, 300, 44); };
+    bool scaleBarFollows = false;
     driver.whenDialogStands([&](QWidget& dialog) {
-        for (const char* choice : {"unitChoice", "themeChoice"}) {
+        const QImage millimetres = scaleBar();
+        const auto chooseNext = [&](const char* choice) {
             auto* box = dialog.findChild<QComboBox*>(choice);
             box->setFocus();
             QTest::keyClick(box, Qt::Key_Down);
-        }
+        };
+        chooseNext("unitChoice");
+        scaleBarFollows = driver.waitFor([&] { return scaleBar() != millimetres; }, 5000);
+        chooseNext("themeChoice");
         QTest::qWait(200);
         dialog.grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/08-preferences.png"));
         QTest::keyClick(&dialog, Qt::Key_Escape);
     });
     driver.key(Qt::Key_Comma, Qt::ControlModifier);
+    QVERIFY(scaleBarFollows);
     driver.shoot("09-light-inch");
     QCOMPARE(driver.window().palette().color(QPalette::Window).lightness() > 128, true);
     auto* step = driver.visible<QWidget>("stepAllowance");

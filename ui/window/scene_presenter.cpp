@@ -67,6 +67,11 @@ void ScenePresenter::placeTool() {
     viewport_.setToolMarks(marks);
 }
 
+void ScenePresenter::setUnit(LengthUnit unit) {
+    viewport_.setLengthUnit(unit);
+    Presenter::setUnit(unit);
+}
+
 void ScenePresenter::showBarePart(bool bare) {
     if (bare == bare_) return;
     bare_ = bare;

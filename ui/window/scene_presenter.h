@@ -15,6 +15,7 @@ class ScenePresenter final : public Presenter {
     Q_OBJECT
 public:
     ScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions, QObject* parent);
+    void setUnit(LengthUnit unit) override;
     /// The bare part in the workpiece's stead.
     void showBarePart(bool bare);
     /// Where a tool stands while no session moves it. @param tip mm, setup frame @param tool null: the one in force
