@@ -12,6 +12,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallestStep = 1e-11; // mm; where a line grazes, what is left is as long as the last step
+// By so much a line beside a face counts as in it: what roundings make of a metre.
+constexpr double besideFace = 1e-12; // mm
 
 bool clip(Span& span, double low, double high) noexcept {
     span.low = std::max(span.low, low);
@@ -57,9 +59,7 @@ std::optional<Span> PieceChord::along(double x, double y) const noexcept {
 
 /// A line across the axis may lie in the face in which two pieces of a stack meet: each has it then, or neither had.
 bool PieceChord::clipToFaces(const Line& line, Span& span) const noexcept {
-    const double offset = line.before * lean_;
-    if (rise_ == 0.0) return piece_.bottom <= offset && offset <= piece_.top;
-    return clipToSlab(span, rise_, offset, piece_.bottom, piece_.top);
+    return clipToSlab(span, rise_, line.before * lean_, piece_.bottom - besideFace, piece_.top + besideFace);
 }
 
 bool PieceChord::clipToCylinder(const Line& line, Span& span) const noexcept {
