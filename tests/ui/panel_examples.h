@@ -69,7 +69,7 @@ inline TakeRow take(std::int64_t id, const char* name, std::uint64_t samples, st
     TakeRow row;
     row.info.id = id;
     row.info.name = name;
-    row.info.toolId = "ball-6";
+    row.tool = QStringLiteral("Ball-end mill 6 mm");
     row.info.sampleCount = samples;
     row.info.complete = true;
     row.strokes = strokes;

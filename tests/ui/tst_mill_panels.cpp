@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/panel_bench.h"
 #include "tests/ui/panel_examples.h"
+#include "ui/panels/elided_label.h"
 #include "ui/panels/job_line.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
 #include "ui/panels/notice.h"
+#include "ui/panels/take_list.h"
 #include "ui/theme/theme.h"
 
 #include <QComboBox>
@@ -63,6 +65,22 @@ private slots:
         click(panel, "millButton");
         QCOMPARE(record.size() + mill.size(), 4);
         QCOMPARE(child<Notice>(panel, "millMissing").sentence(), state.missing);
+    }
+
+    /// By the tool's name and all that was recorded; how many samples a growing take has is known when it ends.
+    void takesSayWhatTheyHold() {
+        MillPanel panel;
+        MillState state = examples::mill();
+        state.takes[1].recording = true;
+        state.takes[1].info.seconds = 12.0;
+        panel.setState(state);
+        show(panel);
+        QStringList texts;
+        for (const ElidedLabel* label : panel.findChild<TakeList*>()->findChildren<ElidedLabel*>())
+            texts.append(label->text());
+        QVERIFY2(texts.contains(QStringLiteral("Ball-end mill 6 mm · 12 strokes · 58,210 samples")),
+                 qPrintable(texts.join(QLatin1Char('\n'))));
+        QVERIFY(texts.contains(QStringLiteral("Ball-end mill 6 mm · 1 stroke · recording")));
     }
 
     /// Devices come and go; what only the pointer needs goes with it; nothing is chosen while the tool is in use.

@@ -92,6 +92,7 @@ enum class DepthChoice { level, part };
 
 struct TakeRow {
     TakeInfo info;
+    QString tool; ///< its name
     std::size_t strokes = 0;
     bool recording = false; ///< it grows
 };

@@ -19,20 +19,21 @@ namespace {
 
 bool same(const TakeRow& one, const TakeRow& other) {
     return one.strokes == other.strokes && one.recording == other.recording && one.info.id == other.info.id &&
-           one.info.name == other.info.name && one.info.toolId == other.info.toolId &&
+           one.info.name == other.info.name && one.tool == other.tool &&
            one.info.sampleCount == other.info.sampleCount && one.info.seconds == other.info.seconds &&
            one.info.complete == other.info.complete && one.info.stylus == other.info.stylus;
 }
 
 QString detailOf(const TakeRow& take) {
-    QStringList parts{QString::fromStdString(take.info.toolId)};
+    QStringList parts{take.tool};
     parts.append(take.strokes == 1 ? TakeList::tr("1 stroke")
                                    : TakeList::tr("%n strokes", nullptr, static_cast<int>(take.strokes)));
+    if (take.recording) {
+        parts.append(TakeList::tr("recording")); // how many samples there are is known when they are written
+        return parts.join(QStringLiteral(" · "));
+    }
     parts.append(TakeList::tr("%1 samples").arg(countText(take.info.sampleCount)));
-    if (take.recording)
-        parts.append(TakeList::tr("recording"));
-    else if (!take.info.complete)
-        parts.append(TakeList::tr("incomplete"));
+    if (!take.info.complete) parts.append(TakeList::tr("incomplete"));
     return parts.join(QStringLiteral(" · "));
 }
 

@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -70,6 +71,11 @@ QString withoutTrailingZeros(QString number) {
 
 QString toolName(const Tool& tool) {
     return shippedName(tool.name);
+}
+
+QString toolName(const std::vector<Tool>& tools, const std::string& id) {
+    const auto tool = std::ranges::find(tools, id, &Tool::id);
+    return tool == tools.end() ? QString::fromStdString(id) : toolName(*tool);
 }
 
 QString materialName(const Property& material) {

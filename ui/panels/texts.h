@@ -11,14 +11,18 @@
 
 #include <QString>
 
+#include <string>
+#include <vector>
+
 namespace burin {
 
 // How panels word what core records. All of it for display alone.
 
-QString toolName(const Tool& tool);                     ///< of a tool that Burin is shipped with in the user's language
-QString toolSummary(const Tool& tool, LengthUnit unit); ///< "Ø 10 mm, R 2 mm, 4 flutes"
-QString materialName(const Property& material);         ///< as `toolName`
-QString takeName(const std::string& name);              ///< as `toolName`, of a take of the virtual operator
+QString toolName(const Tool& tool); ///< of a tool that Burin is shipped with in the user's language
+QString toolName(const std::vector<Tool>& tools, const std::string& id); ///< the id where none of them has it
+QString toolSummary(const Tool& tool, LengthUnit unit);                  ///< "Ø 10 mm, R 2 mm, 4 flutes"
+QString materialName(const Property& material);                          ///< as `toolName`
+QString takeName(const std::string& name); ///< as `toolName`, of a take of the virtual operator
 /// "specific_cutting_energy" in words; a name that Burin does not know, with spaces.
 QString valueNameText(const std::string& name);
 QString prettyUnit(const std::string& unit); ///< "J/mm^3" with a raised 3; empty for "1"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/mill_presenter.h"
 
+#include "ui/panels/texts.h"
 #include "ui/window/session_words.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace burin {
 
@@ -122,12 +122,10 @@ void MillPresenter::present() {
         state.alarm = alarmSentence(session, *workbench_.bench.bench());
     state.hint = hint();
     for (const TakeInfo& take : mill.takes()) {
-        state.takes.push_back({take, workbench_.mill.strokesOf(take.id), false});
-        if (!state.recording || take.id != session.take) continue;
-        TakeInfo& growing = state.takes.back().info;
-        growing.sampleCount = static_cast<std::uint64_t>(std::lround(session.recordedSeconds / take.tickPeriod));
-        growing.seconds = session.recordedSeconds;
-        state.takes.back().recording = true;
+        TakeRow row{take, toolName(workbench_.tool.tools(), take.toolId), workbench_.mill.strokesOf(take.id), false};
+        row.recording = state.recording && take.id == session.take;
+        if (row.recording) row.info.seconds = session.recordedSeconds;
+        state.takes.push_back(std::move(row));
     }
     state.showing = workbench_.showMe.showing();
     for (const StylusController::Choice& choice : workbench_.styluses.choices())

@@ -5,8 +5,8 @@
 #include "core/path/hand_stretch.h"
 #include "core/path/milling_side.h"
 #include "ui/messages/messages.h"
+#include "ui/panels/texts.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -37,16 +37,9 @@ std::optional<MillingSide> sideOf(const EvaluatedPath& path, const TakeStretch& 
     return side;
 }
 
-QString toolName(const Workbench& workbench, const std::string& id) {
-    const std::vector<Tool>& tools = workbench.tool.tools();
-    const auto tool = std::ranges::find(tools, id, &Tool::id);
-    return tool == tools.end() ? QString::fromStdString(id)
-                               : QCoreApplication::translate("Resource", tool->name.c_str());
-}
-
 QString toolNames(const Workbench& workbench, const std::vector<std::string>& ids) {
     QStringList names;
-    for (const std::string& id : ids) names.append(toolName(workbench, id));
+    for (const std::string& id : ids) names.append(toolName(workbench.tool.tools(), id));
     return names.join(QStringLiteral(", "));
 }
 
@@ -133,7 +126,7 @@ void ProgramPresenter::showPaths(ProgramState& state) const {
     const PathController& path = workbench_.path;
     for (const StoredPath& each : path.jobPaths()) {
         state.paths.push_back(
-            {each.id, toolName(workbench_, path.toolOf(each.id)), workbench_.program.includes(each.id)});
+            {each.id, toolName(workbench_.tool.tools(), path.toolOf(each.id)), workbench_.program.includes(each.id)});
         state.hasPath = state.hasPath || state.paths.back().included;
     }
     state.upToDate = path.stored() == nullptr || (path.evaluated() && !path.outdated());
