@@ -55,6 +55,20 @@ Result<void> loadParts(Database& database, StoredPath& path) {
     });
 }
 
+Result<void> eraseParts(Database& database, std::int64_t id) {
+    for (const char* erase : {"DELETE FROM path_take WHERE path = ?", "DELETE FROM path_edit WHERE path = ?"})
+        if (Result<void> done = run(database, erase, id); !done) return done;
+    return {};
+}
+
+/// What was just changed was no path: there is none of that id.
+Result<void> requireChange(Database& database, std::int64_t id) {
+    const Result<std::int64_t> found = database.integer("SELECT changes()");
+    if (!found) return found.error();
+    if (*found == 0) return Error{ErrorCode::nameUnknown, "path", std::to_string(id), {}};
+    return {};
+}
+
 } // namespace
 
 Result<std::int64_t> storePath(Database& database, const StoredPath& path) {
@@ -71,11 +85,21 @@ Result<void> replacePath(Database& database, const StoredPath& path) {
     if (Result<void> known = requireTakes(database, path.takes); !known) return known;
     if (Result<void> done = run(database, "UPDATE path SET name = ? WHERE id = ?", path.name, path.id); !done)
         return done;
-    const Result<std::int64_t> found = database.integer("SELECT changes()");
-    if (!found) return found.error();
-    if (*found == 0) return Error{ErrorCode::nameUnknown, "path", std::to_string(path.id), {}};
-    for (const char* erase : {"DELETE FROM path_take WHERE path = ?", "DELETE FROM path_edit WHERE path = ?"})
-        if (Result<void> done = run(database, erase, path.id); !done) return done;
+    if (Result<void> known = requireChange(database, path.id); !known) return known;
+    if (Result<void> erased = eraseParts(database, path.id); !erased) return erased;
+    return storeParts(database, path.id, path);
+}
+
+Result<void> erasePath(Database& database, std::int64_t id) {
+    if (Result<void> erased = eraseParts(database, id); !erased) return erased;
+    if (Result<void> erased = run(database, "DELETE FROM path WHERE id = ?", id); !erased) return erased;
+    return requireChange(database, id);
+}
+
+Result<void> restorePath(Database& database, const StoredPath& path) {
+    if (Result<void> known = requireTakes(database, path.takes); !known) return known;
+    if (Result<void> done = run(database, "INSERT INTO path(id, name) VALUES(?, ?)", path.id, path.name); !done)
+        return done;
     return storeParts(database, path.id, path);
 }
 

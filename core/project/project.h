@@ -130,6 +130,10 @@ public:
     Result<std::int64_t> addPath(const StoredPath& path);
     /// Errors: nameUnknown (the path, a take).
     Result<void> setPath(const StoredPath& path);
+    /// Its id is never given again. Errors: nameUnknown.
+    Result<void> removePath(std::int64_t id);
+    /// Puts a path that was removed back, with its id. Errors: nameUnknown (a take).
+    Result<void> restorePath(const StoredPath& path);
     Result<std::vector<StoredPath>> paths() const;
 
     Result<void> addProgram(const StoredProgram& program);

@@ -74,6 +74,12 @@ Result<std::int64_t> Project::addPath(const StoredPath& path) {
 Result<void> Project::setPath(const StoredPath& path) {
     return impl_->change([&](Database& database) { return replacePath(database, path); });
 }
+Result<void> Project::removePath(std::int64_t id) {
+    return impl_->change([&](Database& database) { return erasePath(database, id); });
+}
+Result<void> Project::restorePath(const StoredPath& path) {
+    return impl_->change([&](Database& database) { return burin::restorePath(database, path); });
+}
 Result<std::vector<StoredPath>> Project::paths() const {
     return impl_->read(loadPaths);
 }

@@ -49,6 +49,8 @@ Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRang
 // path_store.cpp
 Result<std::int64_t> storePath(Database& database, const StoredPath& path); ///< as a new one; its id
 Result<void> replacePath(Database& database, const StoredPath& path);
+Result<void> erasePath(Database& database, std::int64_t id);
+Result<void> restorePath(Database& database, const StoredPath& path); ///< with its id, as before it was erased
 Result<std::vector<StoredPath>> loadPaths(Database& database);
 Result<void> storeProgram(Database& database, const StoredProgram& program);
 Result<std::vector<StoredProgram>> loadPrograms(Database& database);

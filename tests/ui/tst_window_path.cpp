@@ -104,6 +104,20 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     const std::vector<std::string> before = editsOf(bench);
     driver.shoot("23-path");
 
+    // The path itself can be undone, and comes back as the same.
+    const std::int64_t made = bench.path.stored()->id;
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(driver.waitFor([&] { return bench.path.stored() == nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QAbstractButton>("newPathButton") != nullptr; }, 3000));
+    driver.shoot("23-path-undone");
+    driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(driver.waitFor([&] { return bench.path.stored() != nullptr; }, 3000));
+    QCOMPARE(bench.path.stored()->id, made);
+    QCOMPARE(editsOf(bench), before);
+    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
+    QVERIFY(evaluatedAgain(driver));
+    QVERIFY(driver.settle());
+
     // A place in the groove's middle is dragged sideways by 4 mm, on its level.
     const PathPoint middle = pointNear(bench, {0.0, 0.0});
     const glm::dvec3 aside = middle.tip + glm::dvec3(0.0, 4.0, 0.0);

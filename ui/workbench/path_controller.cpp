@@ -68,7 +68,7 @@ PathController::PathController(const Desk& desk, BenchController& bench, const T
         else
             emit othersChanged();
     });
-    connect(&evaluation_, &JobEvaluation::recordingsAdded, this, &PathController::keepKnown);
+    connect(&evaluation_, &JobEvaluation::recordingsAdded, this, &PathController::keepTakes);
 }
 
 void PathController::load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes) {
@@ -202,8 +202,7 @@ void PathController::makeNew() {
                            if (load != loads_) return; // another project
                            making_ = false;
                            if (path) {
-                               keepKnown(*path);
-                               evaluate();
+                               keepNew(*path);
                            } else if (tool == tool_) {
                                notMade_ = path.error();
                            }
@@ -320,17 +319,39 @@ void PathController::evaluate() {
     evaluation_.start();
 }
 
-/// The project has it, whatever became of the wish for it.
-void PathController::keepKnown(const StoredPath& path) {
+/// The project has it already, whatever became of the wish for it.
+void PathController::keepNew(const StoredPath& path) {
     notMade_.reset();
-    const auto same = std::ranges::find(paths_, path.id, &StoredPath::id);
-    const bool isNew = same == paths_.end();
-    if (isNew)
+    paths_.push_back(path);
+    desk_.undo.push(new ValueCommand<bool>(tr("new path"), -1, false, true,
+                                           [this, path](bool present) { setPresent(path, present); }));
+}
+
+/// @param path as it was made: what was edited since is undone before it goes
+void PathController::setPresent(const StoredPath& path, bool present) {
+    const auto known = std::ranges::find(paths_, path.id, &StoredPath::id);
+    if (present && known == paths_.end()) {
         paths_.push_back(path);
-    else
-        same->takes = path.takes; // its edits may have been changed meanwhile
+        store([path](Project& project) { return project.restorePath(path); });
+    } else if (!present && known != paths_.end()) {
+        if (path.id == inForce()) selection_.reset();
+        paths_.erase(known);
+        store([id = path.id](Project& project) { return project.removePath(id); });
+    }
     updateJob();
-    if (isNew) countVersion();
+    countVersion();
+    emit evaluatedAnew();
+    emit othersChanged();
+    emit changed();
+    evaluate();
+}
+
+/// Recordings were added to a path in the project. (It may have been taken back meanwhile.)
+void PathController::keepTakes(const StoredPath& path) {
+    const auto known = std::ranges::find(paths_, path.id, &StoredPath::id);
+    if (known == paths_.end()) return;
+    known->takes = path.takes; // its edits may have been changed meanwhile
+    updateJob();
 }
 
 } // namespace burin

@@ -46,7 +46,7 @@ public:
     /// Counts changes of edits, takes and what stands around, of any path: what was posted before is out of date.
     quint64 version() const noexcept { return version_; }
 
-    void makeNew();                                       ///< the edits of the main job; undone where there was a path
+    void makeNew();                                       ///< the edits of the main job; an entry of the undo stack
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
     /// Entries of the undo stack; each evaluates the path. A new edit comes as late as the order of edits allows.
     /// @return its place
@@ -81,7 +81,9 @@ private:
     void push(const QString& text, std::vector<Edit> edits);
     void apply(std::int64_t path, const std::vector<Edit>& edits);
     void countVersion();
-    void keepKnown(const StoredPath& path);
+    void keepNew(const StoredPath& path);
+    void setPresent(const StoredPath& path, bool present);
+    void keepTakes(const StoredPath& path);
 
     BenchController& bench_;
     const ToolController& tools_;

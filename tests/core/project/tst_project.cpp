@@ -253,6 +253,29 @@ private slots:
         QCOMPARE(project->setPath(path).error().subject, std::string("path"));
     }
 
+    /// With its number, its takes and its edits, so that what names it means it again; the file reads it all back.
+    void aPathGoesAndComesBackAsItWas() {
+        const QTemporaryDir folder;
+        QVERIFY(fixture::fillProject(fileIn(folder)));
+        {
+            Result<Project> project = Project::open(fileIn(folder));
+            const StoredPath path = project->paths()->front();
+            QVERIFY(project->removePath(path.id));
+            QVERIFY(project->paths()->empty());
+            QCOMPARE(project->removePath(path.id).error().code, ErrorCode::nameUnknown);
+            QVERIFY(project->restorePath(path));
+            QVERIFY(fixture::holdsFixture(*project));
+            QVERIFY(!project->restorePath(path)); // it is there
+            QVERIFY(project->removePath(path.id));
+            QVERIFY(*project->addPath(path) > path.id);
+            for (const std::int64_t take : path.takes) QVERIFY(!project->removeTake(take)); // the new one uses it
+            QVERIFY(project->removePath(project->paths()->front().id));
+            QVERIFY(project->restorePath(path));
+        }
+        Result<Project> again = Project::open(fileIn(folder));
+        QVERIFY(fixture::holdsFixture(*again));
+    }
+
     /// A take's number is never given again, so that no path and no program can mean another one by it.
     void numbersOfTakesAreNotReused() {
         const QTemporaryDir folder;
