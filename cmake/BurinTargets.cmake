@@ -134,6 +134,20 @@ function(burin_test place name)
     if(BURIN_SANITIZE) # up to twenty times slower
         math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 10")
     endif()
-    set_tests_properties(${place}.${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}"
+    set_tests_properties(${place}.${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}" PROCESSORS 2
         ENVIRONMENT "QTEST_FUNCTION_TIMEOUT=${arg_TIMEOUT}000;QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
+endfunction()
+
+# burin_test_load(WAITING|DISTURBED TEST ...)
+# tests/run shares four slots out, for two cores. A test keeps a core busy and has two of them; WAITING ones, which let
+# time pass, have one; DISTURBED ones, which measure time or run the haptic loop by the clock for long, have three, so
+# that they only run beside a waiting one. Both begin first, as they go together.
+function(burin_test_load load)
+    if(load STREQUAL WAITING)
+        set_tests_properties(${ARGN} PROPERTIES PROCESSORS 1 COST 1000)
+    elseif(load STREQUAL DISTURBED)
+        set_tests_properties(${ARGN} PROPERTIES PROCESSORS 3 COST 2000)
+    else()
+        message(FATAL_ERROR "burin_test_load: ${load} is no load")
+    endif()
 endfunction()

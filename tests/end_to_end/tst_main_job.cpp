@@ -9,6 +9,7 @@
 #include "tests/places.h"
 
 #include <QFileInfo>
+#include <QImage>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
@@ -42,6 +43,7 @@ private slots:
     void initTestCase();
     void answersWithEveryFigure();
     void leavesFilesBehind();
+    void pictureShowsPartStockAndTool();
     void volumesAgree();
     void interpreterAcceptsTheProgramAndNothingGouges();
     void finishingLiesOnThePart();
@@ -80,9 +82,27 @@ void MainJobTest::leavesFilesBehind() {
         const QFileInfo file(answer_[key].toString());
         QVERIFY2(file.isAbsolute() && file.size() > 1000, key);
     }
-    QFile picture(answer_["picture"].toString());
-    QVERIFY(picture.open(QIODevice::ReadOnly));
-    QVERIFY(picture.read(8) == QByteArray("\x89PNG\r\n\x1a\n", 8));
+}
+
+void MainJobTest::pictureShowsPartStockAndTool() {
+    const QImage picture(answer_["picture"].toString(), "PNG");
+    QVERIFY(picture.width() >= 1280 && picture.height() >= 800);
+    // Bare part is blue, the stock is pale, the background dark: each fills a good share of the picture.
+    int blue = 0, pale = 0, dark = 0;
+    for (int y = 0; y < picture.height(); y += 4)
+        for (int x = 0; x < picture.width(); x += 4) {
+            const QColor colour = picture.pixelColor(x, y);
+            if (colour.blue() > colour.red() + 40 && colour.blue() > 70)
+                ++blue;
+            else if (colour.lightness() > 110)
+                ++pale;
+            else if (colour.lightness() < 70)
+                ++dark;
+        }
+    const int all = (picture.width() / 4) * (picture.height() / 4);
+    QVERIFY2(blue > all / 40, qPrintable(QString::number(blue)));
+    QVERIFY2(pale > all / 60, qPrintable(QString::number(pale)));
+    QVERIFY2(dark > all / 5, qPrintable(QString::number(dark)));
 }
 
 void MainJobTest::volumesAgree() {
