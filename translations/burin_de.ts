@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>Fixture from a &amp;file…</source>
-        <translation>Vorrichtung aus einer &amp;Datei …</translation>
+        <translation>Vorrichtung aus einer &amp;Datei…</translation>
     </message>
     <message>
         <source>Read a fixture that the tool keeps out of, as it lies in the part&apos;s frame.</source>
@@ -405,7 +405,7 @@
     </message>
     <message>
         <source>&amp;Override the check…</source>
-        <translation>Prüfung ü&amp;bergehen …</translation>
+        <translation>Prüfung ü&amp;bergehen…</translation>
     </message>
     <message>
         <source>Give the reason why a program is wanted that its check refused.</source>
@@ -2139,6 +2139,30 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Taper ball mill 1 mm, 5° a side</source>
         <translation>Kegelkugelfräser 1 mm, 5° je Seite</translation>
     </message>
+    <message>
+        <source>Ball-screw router with grblHAL (typical)</source>
+        <translation>Fräse mit Kugelgewindetrieben und grblHAL (typisch)</translation>
+    </message>
+    <message>
+        <source>Desktop router with GRBL 1.1 (Shapeoko 3 settings)</source>
+        <translation>Tischfräse mit GRBL 1.1 (Einstellungen der Shapeoko 3)</translation>
+    </message>
+    <message>
+        <source>Hobby mill with Mach3 (typical)</source>
+        <translation>Hobbyfräse mit Mach3 (typisch)</translation>
+    </message>
+    <message>
+        <source>Three-axis mill with LinuxCNC (example)</source>
+        <translation>Dreiachsfräse mit LinuxCNC (Beispiel)</translation>
+    </message>
+    <message>
+        <source>Vertical machining centre with a Fanuc control (typical)</source>
+        <translation>Vertikales Bearbeitungszentrum mit Fanuc-Steuerung (typisch)</translation>
+    </message>
+    <message>
+        <source>Vertical machining centre with a Haas control (typical)</source>
+        <translation>Vertikales Bearbeitungszentrum mit Haas-Steuerung (typisch)</translation>
+    </message>
 </context>
 <context>
     <name>Subject</name>
@@ -3840,7 +3864,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>The workpiece is being made; then the edits are applied…</source>
-        <translation>Das Werkstück entsteht; danach werden die Bearbeitungen angewandt …</translation>
+        <translation>Das Werkstück entsteht; danach werden die Bearbeitungen angewandt…</translation>
     </message>
     <message>
         <source>Add an edit</source>
@@ -4036,10 +4060,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Die Bahn hat sich geändert: Geben Sie sie neu aus und prüfen Sie sie.</translation>
     </message>
     <message>
-        <source>The program is not checked yet.</source>
-        <translation>Das Programm ist noch nicht geprüft.</translation>
-    </message>
-    <message>
         <source>The program did not pass its check.</source>
         <translation>Das Programm hat die Prüfung nicht bestanden.</translation>
     </message>
@@ -4092,7 +4112,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Override the check…</source>
-        <translation>Prüfung übergehen …</translation>
+        <translation>Prüfung übergehen…</translation>
     </message>
     <message>
         <source>Give a reason that goes into the program&apos;s header; then it can be exported</source>
@@ -4161,6 +4181,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Takes or edits changed: update the path first.</source>
         <translation>Aufnahmen oder Bearbeitungen haben sich geändert: Aktualisieren Sie zuerst die Bahn.</translation>
+    </message>
+    <message>
+        <source>The program is not checked yet: post and check it.</source>
+        <translation>Das Programm ist noch nicht geprüft: Geben Sie es aus und prüfen Sie es.</translation>
     </message>
 </context>
 <context>
@@ -4619,7 +4643,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Fixture from a file…</source>
-        <translation>Vorrichtung aus Datei …</translation>
+        <translation>Vorrichtung aus Datei…</translation>
     </message>
     <message>
         <source>Keep out: box</source>

@@ -207,9 +207,13 @@ private slots:
         ProgramState state = examples::program();
         state.outdated = true;
         QVERIFY(refuses(state));
-        state = examples::program();
+        // What a project was opened with is not checked, whether or not its path is still the same.
+        const QString changed = child<QPushButton>(panel, "exportButton").toolTip();
         state.report.reset();
         QVERIFY(refuses(state));
+        const QString unchecked = child<QPushButton>(panel, "exportButton").toolTip();
+        QVERIFY(unchecked != changed && unchecked.contains(QStringLiteral("not checked")));
+        QCOMPARE(child<Notice>(panel, "programNotice").sentence(), unchecked);
         QVERIFY(refuses(examples::failedProgram()));
         QVERIFY(refuses({}));
     }

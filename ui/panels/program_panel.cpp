@@ -236,8 +236,8 @@ QString ProgramPanel::Fields::reasonAgainstExport() const {
     if (state.text.isEmpty()) return ProgramPanel::tr("Post the path first.");
     if (state.busy) return ProgramPanel::tr("Work is under way.");
     if (state.edited) return ProgramPanel::tr("The text was edited: check it first.");
+    if (!state.report) return ProgramPanel::tr("The program is not checked yet: post and check it.");
     if (state.outdated) return ProgramPanel::tr("The path changed since: post and check it again.");
-    if (!state.report) return ProgramPanel::tr("The program is not checked yet.");
     if (!state.released) return ProgramPanel::tr("The program did not pass its check.");
     return {};
 }
@@ -297,6 +297,8 @@ void ProgramPanel::Fields::refreshVerdict() {
         notice_->tell(Notice::Kind::information, ProgramPanel::tr("Make a path first."));
     else if (state.edited)
         notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The text was edited: check it first."));
+    else if (!state.text.isEmpty() && !state.report)
+        notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The program is not checked yet: post and check it."));
     else if (!state.text.isEmpty() && state.outdated)
         notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The path changed since: post and check it again."));
     else

@@ -41,6 +41,12 @@ class PanelTexts {
     QT_TRANSLATE_NOOP("Resource", "End mill 6 mm"),
     QT_TRANSLATE_NOOP("Resource", "Lollipop mill 6 mm"),
     QT_TRANSLATE_NOOP("Resource", "Taper ball mill 1 mm, 5° a side"),
+    QT_TRANSLATE_NOOP("Resource", "Ball-screw router with grblHAL (typical)"),
+    QT_TRANSLATE_NOOP("Resource", "Desktop router with GRBL 1.1 (Shapeoko 3 settings)"),
+    QT_TRANSLATE_NOOP("Resource", "Hobby mill with Mach3 (typical)"),
+    QT_TRANSLATE_NOOP("Resource", "Three-axis mill with LinuxCNC (example)"),
+    QT_TRANSLATE_NOOP("Resource", "Vertical machining centre with a Fanuc control (typical)"),
+    QT_TRANSLATE_NOOP("Resource", "Vertical machining centre with a Haas control (typical)"),
 };
 
 QString shippedName(const std::string& name) {
