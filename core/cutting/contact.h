@@ -44,11 +44,10 @@ class ContactCheck {
 public:
     explicit ContactCheck(const Grid& grid) : bricks_(grid) {}
 
-    /// @param tool       pieces(cutter)
+    /// @param tool pieces(cutter)
     /// @param fluteCount so many of them, from the tip, may touch: flutePieces(cutter).size()
-    /// @param window     what the workpiece is owed where cuts are deferred (MaterialRemoval::window): that is gone;
-    /// null:
-    ///                   nothing
+    /// @param window what the workpiece is owed where cuts are deferred (MaterialRemoval::window): that counts as gone;
+    /// null: nothing
     /// A pose that is not finite touches nothing.
     ShankContact at(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
                     const ToolPose& pose, const GapWindow* window = nullptr) noexcept;

@@ -55,6 +55,7 @@ private slots:
         QCOMPARE(valueOf(panel, "pathErrorBudget"), QStringLiteral("0.033 mm"));
         QCOMPARE(valueOf(panel, "pathSides"), QStringLiteral("62 % / 31 %"));
         QCOMPARE(valueOf(panel, "pathPoints"), QStringLiteral("12,408"));
+        QCOMPARE(valueOf(panel, "pathLength"), QStringLiteral("8,422 mm"));
     }
 
     void aLevelIsMeasuredAsItsGoalIs() {

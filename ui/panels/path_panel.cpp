@@ -169,7 +169,7 @@ void PathPanel::Fields::refreshFigures() {
     const QString none = QStringLiteral("–");
     takes_->setValue(countText(state.path.takes.size()));
     points_->setValue(evaluated ? countText(state.points) : none);
-    length_->setValue(evaluated ? lengthText(state.cuttingLength, unit) : none);
+    length_->setValue(evaluated ? wayText(state.cuttingLength, unit) : none);
     const double length = std::max(state.cuttingLength, 1e-9);
     sides_->setValue(evaluated ? shareText(state.climbLength / length) + QStringLiteral(" / ") +
                                      shareText(state.conventionalLength / length)

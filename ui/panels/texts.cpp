@@ -126,6 +126,12 @@ QString countText(std::size_t count) {
     return QLocale().toString(static_cast<qulonglong>(count));
 }
 
+QString wayText(double millimetres, LengthUnit unit) {
+    const bool inches = unit == LengthUnit::inch;
+    return withUnit(QLocale().toString(inches ? millimetres / millimetresPerInch : millimetres, 'f', inches ? 1 : 0),
+                    unitText(unit));
+}
+
 QString shortLength(double millimetres, LengthUnit unit) {
     return withUnit(withoutTrailingZeros(lengthNumber(millimetres, unit)), unitText(unit));
 }

@@ -29,6 +29,7 @@ QString prettyUnit(const std::string& unit); ///< "J/mm^3" with a raised 3; empt
 
 QString countText(std::size_t count);                                ///< grouped: "12,408"
 QString shortLength(double millimetres, LengthUnit unit);            ///< without trailing zeros, with its unit
+QString wayText(double millimetres, LengthUnit unit);                ///< grouped, to the millimetre: "38,393 mm"
 QString sizeText(const glm::dvec3& size, LengthUnit unit);           ///< "120 × 70 × 45 mm"
 QString volumeText(double cubicMillimetres, LengthUnit unit);        ///< "24.51 cm³", "1.496 in³"
 QString rateText(double cubicMillimetresPerSecond, LengthUnit unit); ///< "412 mm³/s"
