@@ -3062,6 +3062,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>no boundary</source>
         <translation>keine Grenzfläche</translation>
     </message>
+    <message>
+        <source>not checked</source>
+        <translation>ungeprüft</translation>
+    </message>
 </context>
 <context>
     <name>burin::LoadChart</name>

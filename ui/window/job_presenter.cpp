@@ -88,7 +88,8 @@ JobStepState JobPresenter::program() const {
     if (program.busy()) return {StepProgress::current, tr("checking")};
     if (workbench_.path.jobPaths().empty()) return {StepProgress::missing, tr("no path yet")};
     if (program.problem()) return {StepProgress::ready, tr("not possible")};
-    if (!program.program()) return {StepProgress::ready, tr("not yet")};
+    if (!program.program())
+        return {StepProgress::ready, program.storedText().isEmpty() ? tr("not yet") : tr("not checked")};
     if (program.outdated()) return {StepProgress::ready, tr("out of date")};
     if (program.edited()) return {StepProgress::ready, tr("edited")};
     if (!program.exportable()) return {StepProgress::objected, tr("refused")};
