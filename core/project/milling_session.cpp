@@ -7,6 +7,7 @@
 #include "core/haptics/trace_recorder.h"
 #include "core/project/session_faults.h"
 #include "core/project/session_loop.h"
+#include "core/project/session_settings.h"
 
 #include <algorithm>
 #include <array>
@@ -25,53 +26,8 @@ constexpr std::chrono::milliseconds viewPatience{3};
 /// Between two looks at what the loop does: a fraction of a tick.
 constexpr std::chrono::microseconds glance{200};
 
-/// s of a tick.
-double periodOf(const StylusHandle& stylus, const SessionRequest& request) {
-    const double rate = stylus.device().description().rate.value;
-    if (stylus.selfPaced() != nullptr && rate > 0.0) return 1.0 / rate; // nobody else can
-    return request.period > 0.0 ? request.period : ServoSettings{}.period;
-}
-
-HapticSettings hapticSettings(const Bench& bench, const AxisMode& axis, const StylusHandle& stylus,
-                              const SessionRequest& request) {
-    HapticSettings settings;
-    settings.axis = axis;
-    settings.mapping = request.mapping;
-    settings.stylus = stylus.device().description();
-    settings.tickPeriod = periodOf(stylus, request);
-    settings.allowance = request.allowance;
-    settings.cuttingSpeed = bench.conditions.surfaceSpeed;
-    settings.cutsOnButton = request.cutsOnButton;
-    settings.forceButtons = request.forceButtons;
-    settings.felt = request.felt;
-    return settings;
-}
-
-ServoSettings servoSettings(const StylusHandle& stylus, const SessionRequest& request) {
-    ServoSettings settings;
-    settings.period = periodOf(stylus, request);
-    settings.pace = request.pace;
-    settings.maximumSeconds = request.maximumSeconds;
-    settings.ticksPerEdge = request.ticksPerEdge;
-    return settings;
-}
-
-/// None where time is simulated: there is no hand.
-std::filesystem::path flightsOf(const Project& project, const SessionRequest& request) {
-    if (request.pace != Pace::realtime || request.ticksPerEdge > 1) return {};
-    return request.flights.empty() ? SessionFaults::folderBeside(project.file()) : request.flights;
-}
-
 Error nothingToDo(const char* what, const char* needed) {
     return {ErrorCode::argumentInvalid, what, {}, needed};
-}
-
-/// By bit of their number.
-std::uint64_t layersOn(const std::vector<BoundLayer>& layers) {
-    std::uint64_t on = 0;
-    for (std::size_t i = 0; i < layers.size(); ++i)
-        if (layers[i].on) on |= std::uint64_t{1} << i;
-    return on;
 }
 
 /// The owner's side.
@@ -91,7 +47,7 @@ public:
         , step_(bench.embedded.workpiece, bounds.boundaryLayers(), bench.tool,
                 hapticSettings(bench, bounds.axis(), stylus, request))
         , loop_(step_, bench.embedded.workpiece, request.undoable, stop_)
-        , faults_(stylus.device(), servo_.period, flightsOf(project, request), loop_) {}
+        , faults_(stylus.device(), servo_.period, flightFolder(project, request), loop_) {}
     ~LiveSession() override { static_cast<void>(end()); }
     LiveSession(const LiveSession&) = delete;
     LiveSession& operator=(const LiveSession&) = delete;
@@ -313,29 +269,7 @@ bool LiveSession::newest(SessionState& state) {
     TickNews news;
     if (!loop_.takeNews(news)) return false;
     makeRoom(news);
-    state = {};
-    state.sample = news.sample;
-    state.wallTime = Clock::time_point(std::chrono::nanoseconds(news.timing.over));
-    state.recording = news.take != 0;
-    state.take = news.take;
-    state.recordedSeconds = state.recording ? news.sample.time : 0.0;
-    state.cutting = news.cutting;
-    state.rateHz = figures_.rateHz;
-    state.cpuP999 = figures_.cpuP999;
-    state.workP999 = figures_.workP999;
-    state.intervalP999 = figures_.intervalP999;
-    state.late = figures_.late;
-    state.ticks = news.ticks;
-    state.missed = news.timing.missed;
-    state.scheduling = news.timing.scheduling;
-    state.removalRate = news.removalRate * bench_.embedded.workpiece.grid().unitVolume();
-    state.shankPiece = news.shank.piece;
-    state.shankTouches = news.shank.property;
-    state.guides = news.guides;
-    for (std::size_t i = 0; i < layerCount_; ++i)
-        state.layers.push_back({news.layers.state(i), news.layers.holds(i), news.layers.ticksHeld[i]});
-    state.workspaceScale = news.workspaceScale;
-    state.clutched = news.clutched;
+    state = sessionState(news, figures_, layerCount_, bench_.embedded.workpiece.grid().unitVolume());
     return true;
 }
 
