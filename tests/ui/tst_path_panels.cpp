@@ -20,6 +20,8 @@
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTextBlock>
 #include <QToolButton>
@@ -285,6 +287,41 @@ private slots:
         child<QWidget>(panel, "pathVisibleButton").setFocus();
         finish();
         QCOMPARE(focused(), QStringLiteral("pathVisibleButton"));
+    }
+
+    /// Whoever works far down the list stays there while edits change, move, come and go.
+    void theListOfEditsDoesNotJump() {
+        QScrollArea area;
+        auto* panel = new PathPanel;
+        area.setWidget(panel);
+        area.setWidgetResizable(true);
+        PathState state = examples::path();
+        panel->setState(state);
+        area.resize(panelWidth + 24, 400);
+        area.show();
+        area.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&area));
+        QScrollBar* bar = area.verticalScrollBar();
+        QVERIFY(bar->maximum() > 500);
+        bar->setValue(400);
+        std::vector<int> places;
+        connect(bar, &QScrollBar::valueChanged, &area, [&places](int place) { places.push_back(place); });
+        const auto stays = [&] {
+            panel->setState(state);
+            QTest::qWait(20);
+            return places.empty() && bar->value() == 400;
+        };
+        child<QWidget>(*panel, "edit2_tolerance_mm").setFocus();
+        std::swap(state.path.edits[1], state.path.edits[2]);
+        state.busy = true;
+        QVERIFY(stays());
+        state.busy = false;
+        QVERIFY(stays());
+        const Edit first = state.path.edits.front();
+        state.path.edits.push_back(first);
+        QVERIFY(stays());
+        state.path.edits.pop_back();
+        QVERIFY(stays());
     }
 
     /// The list of marks that comes above the text while one types makes it smaller, and the typed line stays in sight.

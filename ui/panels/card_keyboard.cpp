@@ -17,8 +17,10 @@ void CardKeyboard::takeFrom(const std::vector<QWidget*>& cards) {
     QWidget* const focus = list_->window()->focusWidget();
     for (std::size_t i = 0; focus != nullptr && i < cards.size(); ++i) {
         const QString name = prefix_ + QString::number(i);
-        if (!cards[i]->isAncestorOf(focus) || !focus->objectName().startsWith(name)) continue;
-        place_ = Place{moved_ && moved_->from == i ? moved_->to : i, focus->objectName().mid(name.size()), false};
+        const bool isPart = cards[i]->isAncestorOf(focus) && focus->objectName().startsWith(name);
+        if (!isPart && focus != cards[i]) continue;
+        const QString part = isPart ? focus->objectName().mid(name.size()) : QString();
+        place_ = Place{moved_ && moved_->from == i ? moved_->to : i, part, false};
         list_->setFocus(Qt::OtherFocusReason);
     }
     moved_.reset();

@@ -43,7 +43,7 @@ private:
     };
     struct Place {
         std::size_t card = 0;
-        QString part; ///< what the widget's name says behind the card's number
+        QString part; ///< what the widget's name says behind the card's number; empty: the card itself
         bool isNew = false;
     };
 

@@ -98,7 +98,7 @@ void GuidePanel::Fields::rebuildCards() {
     for (std::size_t i = 0; i < state.guides.size(); ++i) {
         auto* card = new GuideCard(i, state.guides[i], panel_);
         card->setUnit(unit_);
-        list_->addWidget(card);
+        addCard(list_, card);
         connect(card, &GuideCard::edited, this, [this, i](const Guide& guide) { emit panel_->guideEdited(i, guide); });
         connect(card, &GuideCard::removalRequested, this, [this, i] { emit panel_->guideRemovalRequested(i); });
         cards_.push_back(card);

@@ -88,6 +88,11 @@ void bringIntoView(QWidget* widget) {
     QTimer::singleShot(0, widget, scroll);
 }
 
+void addCard(QBoxLayout* list, QWidget* card, int place) {
+    list->insertWidget(place, card);
+    card->show();
+}
+
 void setLook(QWidget* widget, const char* look) {
     if (widget->property("look").toByteArray() == look) return;
     widget->setProperty("look", QByteArray(look));

@@ -20,6 +20,9 @@ void setWrappedText(QLabel* label, const QString& text);
 
 /// Scrolls what a widget lies in so that it is seen, as soon as that has been laid out.
 void bringIntoView(QWidget* widget);
+/// A card of a list that is made anew, shown at once: a list that is short for a moment scrolls to its top.
+/// @param place in the list; -1: its end
+void addCard(QBoxLayout* list, QWidget* card, int place = -1);
 
 /// Changes the look that the style sheet gives a widget (ui/theme/style_sheet.h); nothing is done when it has it.
 void setLook(QWidget* widget, const char* look);

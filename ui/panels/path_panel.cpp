@@ -218,7 +218,7 @@ void PathPanel::Fields::makeCard(std::size_t place) {
         emit panel_->fieldDrawingWanted({place, key.toStdString()}, wanted);
     });
     card->setMovable(place > 0, place + 1 < state.path.edits.size());
-    list_->addWidget(card);
+    addCard(list_, card);
     cards_.push_back(card);
 }
 

@@ -147,7 +147,7 @@ void SurroundingsPanel::Fields::rebuildCards() {
     for (std::size_t i = 0; i < state.obstacles.size(); ++i) {
         auto* card = new ObstacleCard(i, *state.obstacles[i].obstacle, panel_);
         card->setUnit(unit_);
-        list_->addWidget(card);
+        addCard(list_, card);
         connect(card, &ObstacleCard::edited, this,
                 [this, i](const Obstacle& obstacle) { emit panel_->obstacleEdited(i, obstacle); });
         connect(card, &ObstacleCard::switched, this, [this, i](bool on) { emit panel_->obstacleSwitched(i, on); });

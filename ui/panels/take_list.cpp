@@ -63,7 +63,7 @@ void TakeList::makeRows(const std::vector<TakeRow>& takes) {
     }
     for (const TakeRow& take : takes) {
         rows_.push_back(makeRow(take.info.id));
-        layout_->insertWidget(0, rows_.back().widget); // the newest first
+        addCard(layout_, rows_.back().widget, 0); // the newest first
     }
 }
 
