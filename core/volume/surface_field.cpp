@@ -32,15 +32,6 @@ BURIN_INLINE Nodes seen(Nodes centres, SurfaceLine line) noexcept {
     return (seen(centres, line.place) ^ line.toAir) - line.toAir; // turned over where material ends
 }
 
-/// One scanline a column.
-BURIN_VECTORISED void seeLines(const SurfaceLine* lines, Columns columns, int firstNode, std::int16_t* nodes) noexcept {
-    for (int n = 0; n < columns.stride; n += nodeLanes) {
-        const Nodes centres = centresFrom(firstNode + n);
-        for (int column = 0; column < columns.count; ++column)
-            storeNodes(seen(centres, lines[column]), nodes + column * columns.stride + n);
-    }
-}
-
 /// Many scanlines a column: sums over them.
 /// @param step from a scanline to the next along v
 BURIN_VECTORISED void addLines(const SurfaceLine* lines, std::size_t step, Columns columns, int level, int firstNode,
@@ -78,25 +69,33 @@ BURIN_VECTORISED void takeMean(Columns columns, int level, std::int16_t* nodes) 
         storeNodes((loadNodes(nodes + i) + half) >> (2 * level), nodes + i);
 }
 
-/// 1-2-1 in two steps: sums of two, and sums of two of those.
+/// Where a row's averages go. Two rows of each kind are kept; the newest takes the place of the one two before it.
 struct Averaging {
-    const std::int16_t* seen;                                        ///< newest row
-    std::int16_t *alongU, *alongUPair, *values;                      ///< of the row before
-    std::uint64_t* inside;                                           ///< likewise
-    std::int16_t *acrossRuns, *alongNodes, *alongNodesPair, *smooth; ///< the last of the one before that
+    std::int16_t *alongU, *values; ///< of the newest row; of the one before
+    const std::int16_t* alongUBefore;
+    std::uint64_t* inside;                          ///< likewise
+    std::int16_t *acrossRuns, *alongNodes, *smooth; ///< of that row; of that row; of the one before that
+    const std::int16_t* alongNodesBefore;
 };
 
+/// 1-2-1.
+BURIN_INLINE Nodes average(Nodes before, Nodes middle, Nodes behind) noexcept {
+    return (before + middle) + (middle + behind);
+}
+
 /// Columns 1 … count - 2 of `values` and `inside`, 2 … count - 3 of `acrossRuns`.
-BURIN_INLINE void averageAcross(const Averaging& row, Columns columns, int n) noexcept {
+/// @param seenIn what the nodes of a column see
+template <class Column>
+BURIN_INLINE void averageAcross(const Averaging& row, Columns columns, int n, Column seenIn) noexcept {
     const int stride = columns.stride;
-    Nodes at = loadNodes(row.seen + stride + n), pair = loadNodes(row.seen + n) + at;
+    Nodes at = seenIn(1), pair = seenIn(0) + at;
     Nodes value{}, valuePair{};
     for (int column = 1, place = stride + n; column < columns.count - 1; ++column, place += stride) {
-        const Nodes next = loadNodes(row.seen + place + stride), nextPair = at + next;
-        const Nodes alongU = pair + nextPair, alongUPair = loadNodes(row.alongU + place) + alongU;
-        const Nodes nextValue = loadNodes(row.alongUPair + place) + alongUPair, nextValuePair = value + nextValue;
+        const Nodes next = seenIn(column + 1), nextPair = at + next;
+        const Nodes alongU = pair + nextPair;
+        const Nodes nextValue = average(loadNodes(row.alongU + place), loadNodes(row.alongUBefore + place), alongU);
+        const Nodes nextValuePair = value + nextValue;
         storeNodes(alongU, row.alongU + place);
-        storeNodes(alongUPair, row.alongUPair + place);
         storeNodes(nextValue, row.values + place);
         storeNodes((valuePair + nextValuePair) >> 2, row.acrossRuns + place - stride);
         row.inside[column] |= notNegative(nextValue) << n;
@@ -107,17 +106,34 @@ BURIN_INLINE void averageAcross(const Averaging& row, Columns columns, int n) no
     }
 }
 
-BURIN_VECTORISED void average(const Averaging& row, Columns columns) noexcept {
-    for (int column = 0; column < columns.count; ++column) row.inside[column] = 0;
-    for (int n = 0; n < columns.stride; n += nodeLanes) averageAcross(row, columns, n);
+BURIN_INLINE void averageAlong(const Averaging& row, Columns columns) noexcept {
     for (int i = 2 * columns.stride; i < (columns.count - 2) * columns.stride; i += nodeLanes) {
-        const Nodes middle = loadNodes(row.acrossRuns + i);
-        const Nodes sides = loadNodes(row.acrossRuns + i - 1) + loadNodes(row.acrossRuns + i + 1);
-        const Nodes alongNodes = (sides + middle + middle) >> 2, pair = loadNodes(row.alongNodes + i) + alongNodes;
-        storeNodes(loadNodes(row.alongNodesPair + i) + pair, row.smooth + i);
+        const Nodes alongNodes = average(loadNodes(row.acrossRuns + i - 1), loadNodes(row.acrossRuns + i),
+                                         loadNodes(row.acrossRuns + i + 1)) >>
+                                 2;
+        storeNodes(average(loadNodes(row.alongNodes + i), loadNodes(row.alongNodesBefore + i), alongNodes),
+                   row.smooth + i);
         storeNodes(alongNodes, row.alongNodes + i);
-        storeNodes(pair, row.alongNodesPair + i);
     }
+}
+
+/// Of a row whose columns have one scanline each, with one change at most.
+BURIN_VECTORISED void averageLines(const Averaging& row, Columns columns, const SurfaceLine* lines,
+                                   int firstNode) noexcept {
+    for (int column = 0; column < columns.count; ++column) row.inside[column] = 0;
+    for (int n = 0; n < columns.stride; n += nodeLanes) {
+        const Nodes centres = centresFrom(firstNode + n);
+        averageAcross(row, columns, n, [&](int column) noexcept { return seen(centres, lines[column]); });
+    }
+    averageAlong(row, columns);
+}
+
+BURIN_VECTORISED void averageNodes(const Averaging& row, Columns columns, const std::int16_t* nodes) noexcept {
+    for (int column = 0; column < columns.count; ++column) row.inside[column] = 0;
+    for (int n = 0; n < columns.stride; n += nodeLanes)
+        averageAcross(row, columns, n,
+                      [&](int column) noexcept { return loadNodes(nodes + column * columns.stride + n); });
+    averageAlong(row, columns);
 }
 
 } // namespace
@@ -134,19 +150,21 @@ void SurfaceField::advance() {
     const Columns columns{box.columns.count, stride_};
     const int level = window_->level, firstNode = box.nodes.first;
     const SurfaceLine* const lines = lines_->at(row_, box.columns.first);
-    if (level == 0)
-        seeLines(lines, columns, firstNode, seen_.data());
-    else
-        addLines(lines, lines_->step(), columns, level, firstNode, seen_.data());
     const std::span<const SurfaceLines::Further> further = lines_->further(row_);
-    if (!further.empty())
-        addFurther(further.data(), further.size(), box.columns.first, stride_, firstNode, seen_.data());
-    if (level != 0) takeMean(columns, level, seen_.data());
     // Of the first rows, what comes of rows before the box is written over before it is looked at.
-    const auto before = static_cast<std::size_t>(row_ + 5);
-    average({seen_.data(), alongU_.data(), alongUPair_.data(), values_[before % 3].data(), inside_[before % 3].data(),
-             acrossRuns_.data(), alongNodes_.data(), alongNodesPair_.data(), smooth_[(before - 1) % 2].data()},
-            columns);
+    const auto before = static_cast<std::size_t>(row_ + 5), newest = before % 2;
+    const Averaging row{
+        alongU_[newest].data(), values_[before % 3].data(), alongU_[1 - newest].data(), inside_[before % 3].data(),
+        acrossRuns_.data(),     alongNodes_[newest].data(), smooth_[1 - newest].data(), alongNodes_[1 - newest].data()};
+    if (level == 0 && further.empty()) {
+        averageLines(row, columns, lines, firstNode);
+    } else {
+        addLines(lines, lines_->step(), columns, level, firstNode, seen_.data());
+        if (!further.empty())
+            addFurther(further.data(), further.size(), box.columns.first, stride_, firstNode, seen_.data());
+        if (level != 0) takeMean(columns, level, seen_.data());
+        averageNodes(row, columns, seen_.data());
+    }
     ++row_;
 }
 

@@ -58,10 +58,10 @@ private:
     std::array<Plane, 3> values_;
     std::array<Plane, 2> smooth_;
     std::array<std::array<std::uint64_t, SurfaceWindow::mostColumns + 2>, 3> inside_{};
-    Plane seen_;                        ///< of the newest row, not averaged yet
-    Plane alongU_, alongUPair_;         ///< averaged along u: the newest row, and its sum with the one before
-    Plane acrossRuns_;                  ///< values averaged along u once more
-    Plane alongNodes_, alongNodesPair_; ///< and along the nodes, likewise
+    Plane seen_;                      ///< of the newest row, not averaged yet
+    std::array<Plane, 2> alongU_;     ///< averaged along u: the two newest rows
+    Plane acrossRuns_;                ///< values averaged along u once more
+    std::array<Plane, 2> alongNodes_; ///< and along the nodes, of the last two rows
 };
 
 } // namespace burin
