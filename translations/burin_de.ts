@@ -4226,8 +4226,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>%1 W</translation>
     </message>
     <message>
-        <source>the hand: %1, %2 s</source>
-        <translation>die Hand: %1, %2 s</translation>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation>Messpunkt %1</translation>
+    </message>
+    <message>
+        <source>the hand: %1, %2</source>
+        <translation>die Hand: %1, %2</translation>
     </message>
 </context>
 <context>

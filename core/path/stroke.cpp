@@ -6,6 +6,7 @@
 #include "core/path/apply.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin {
 namespace {
@@ -26,6 +27,49 @@ bool isUpright(const glm::dvec3& axis) noexcept {
     return std::abs(axis.x) < tiltTolerance && std::abs(axis.y) < tiltTolerance && axis.z > 0.0;
 }
 
+/// Of the longest stand of the loop that a stroke goes on over, 0.1 s at 1 kHz; a longer one counts as one as long.
+constexpr std::int64_t mostFilled = 100; // points
+
+/// Tells how many points are missing between two samples, for them to be as far apart in time as filters take them to
+/// be: a loop that comes late has one tick for several periods.
+class EvenTicks {
+public:
+    explicit EvenTicks(double period) : period_(period) {}
+
+    void begin(const Sample& sample) noexcept {
+        tick_ = sample.tick;
+        time_ = sample.time;
+        last_ = 0;
+    }
+    /// Counted from the first sample and not from the last one, so that odds of a period don't add up.
+    std::int64_t missingBefore(const Sample& sample) noexcept {
+        const double ticks = static_cast<double>(sample.tick - tick_), periods = (sample.time - time_) / period_;
+        const auto place = static_cast<std::int64_t>(std::round(std::min(std::max(ticks, periods), farthest)));
+        const std::int64_t missing = std::clamp<std::int64_t>(place - last_ - 1, 0, mostFilled);
+        last_ = std::max(last_ + 1, place);
+        return missing;
+    }
+
+private:
+    static constexpr double farthest = 1e12; // periods; what a damaged clock says may be anything
+    double period_;
+    std::uint64_t tick_ = 0;
+    double time_ = 0.0;
+    std::int64_t last_ = 0; ///< periods from the first sample
+};
+
+/// The tool went straight from the last point to this one: what holds of its end holds of all places on the way.
+void fillUp(std::vector<StrokePoint>& points, const StrokePoint& to, std::int64_t missing) {
+    const StrokePoint from = points.back();
+    for (std::int64_t i = 1; i <= missing; ++i) {
+        StrokePoint between = to;
+        between.tip = glm::mix(from.tip, to.tip, static_cast<double>(i) / static_cast<double>(missing + 1));
+        between.sample = from.sample;
+        between.onBoundary = from.onBoundary && to.onBoundary;
+        points.push_back(between);
+    }
+}
+
 Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const PathContext& context) {
     const TakeInfo& info = take.info;
     if (!info.toolId.empty() && info.toolId != context.tool.id)
@@ -35,6 +79,7 @@ Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const Pa
     bool begins = true;
     std::uint64_t lastTick = 0, index = 0;
     double lastTime = 0.0;
+    EvenTicks ticks(period);
     UndoneSamples undone(take);
     for (const Sample& sample : take.samples) {
         if (undone.holds(index++) || (sample.flags & notWork) != 0 || !isFinite(sample.proxy.tip)) {
@@ -50,9 +95,13 @@ Result<void> append(std::vector<PathStroke>& strokes, const Take& take, const Pa
         if (begins || sample.tick > lastTick + longestGap ||
             glm::distance(sample.proxy.tip, strokes.back().points.back().tip) > fastestHand * elapsed) {
             strokes.push_back({info.id, info.allowance, info.allowance, period, {}});
+            ticks.begin(sample);
         }
-        strokes.back().points.push_back({sample.proxy.tip, static_cast<std::int64_t>(sample.tick), removes(sample),
-                                         (sample.flags & sampleOnBoundary) != 0});
+        std::vector<StrokePoint>& points = strokes.back().points;
+        const StrokePoint point{sample.proxy.tip, static_cast<std::int64_t>(sample.tick), removes(sample),
+                                (sample.flags & sampleOnBoundary) != 0};
+        if (!points.empty()) fillUp(points, point, ticks.missingBefore(sample));
+        points.push_back(point);
         begins = false;
         lastTick = sample.tick;
         lastTime = sample.time;

@@ -55,10 +55,11 @@ struct PathUnderEdit {
     std::size_t count() const noexcept;
 };
 
-/// The strokes of takes, in order: the proxy's tip at every tick. A stretch in which shank or holder touched something,
-/// in which the spindle stood, or which was taken back, is left out. A new stroke begins there, with each take, where
-/// more than a few ticks are missing, and where the tip went faster than a hand can. Errors: notSupported (an axis that
-/// is not +Z), argumentInvalid (a take of another tool).
+/// The strokes of takes, in order: the proxy's tip at every tick. Where the loop came late, points on the straight way
+/// that the tool went are put between, up to 100, so that points stay a tick apart in time. A stretch in which shank or
+/// holder touched something, in which the spindle stood, or which was taken back, is left out. A new stroke begins
+/// there, with each take, where more than a few ticks are missing, and where the tip went faster than a hand can.
+/// Errors: notSupported (an axis that is not +Z), argumentInvalid (a take of another tool).
 Result<PathUnderEdit> strokesOf(const std::vector<Take>& takes, const PathContext& context);
 
 /// The points of a state: its linked points, or the strokes one behind the other, each reached by a rapid move.

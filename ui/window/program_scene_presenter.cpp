@@ -155,10 +155,13 @@ QString ProgramScenePresenter::handText(std::size_t motion) const {
     const auto& takes = workbench_.mill.takes();
     const auto take = std::ranges::find(takes, moment.take, &TakeInfo::id);
     if (take == takes.end()) return {};
-    return QLatin1Char('\n') +
-           tr("the hand: %1, %2 s")
-               .arg(takeName(take->name),
-                    QLocale().toString(static_cast<double>(moment.tick) * take->tickPeriod, 'f', 2));
+    // A take that missed ticks is longer than its ticks: when one was is known to its recording alone.
+    const double ticks = static_cast<double>(take->sampleCount) * take->tickPeriod;
+    const bool even = take->seconds && *take->seconds <= ticks;
+    const QString when =
+        even ? tr("%1 s").arg(QLocale().toString(static_cast<double>(moment.tick) * take->tickPeriod, 'f', 2))
+             : tr("sample %1").arg(QLocale().toString(static_cast<qlonglong>(moment.tick)));
+    return QLatin1Char('\n') + tr("the hand: %1, %2").arg(takeName(take->name), when);
 }
 
 } // namespace burin

@@ -66,6 +66,33 @@ private slots:
         QVERIFY2(std::abs(amplitude / 0.1 - left) < 0.01 * left + 1e-4, qPrintable(QString::number(amplitude)));
     }
 
+    /// A loop that comes late has one tick for several periods. The hand does not tremble faster for that.
+    void tremorIsTheSameWhereTicksAreLate() {
+        for (const bool spline : {false, true}) {
+            Take take = takeOf(std::vector<Tick>(6000));
+            std::mt19937 random(7);
+            std::uniform_int_distribution<int> late(1, 4);
+            std::int64_t period = 0;
+            for (Sample& sample : take.samples) {
+                sample.time = 0.001 * static_cast<double>(period);
+                const double angle = 2 * pi * 10.0 * sample.time;
+                sample.proxy.tip = {0.02 * static_cast<double>(period), 0.1 * std::sin(angle), -1.0};
+                period += late(random);
+            }
+            const auto path = run({take}, {spline ? Edit{SmoothSpline{5.0, 1.0}} : Edit{Smooth{5.0, 1.0}}},
+                                  contextOf(nothing_, ballTool(), stock_));
+            QVERIFY(path);
+            double amplitude = 0.0;
+            const std::vector<PathPoint>& points = path->path.points;
+            for (std::size_t i = points.size() / 4; i < points.size() / 4 * 3; ++i)
+                amplitude = std::max(amplitude, std::abs(points[i].tip.y));
+            const double left = 1.0 / (1.0 + std::pow(2.0, spline ? 6 : 4)); // twice the cut-off
+            // The way between late ticks is a chord: up to 0.8 % of the amplitude off a sine.
+            QVERIFY2(std::abs(amplitude / 0.1 - left) < 0.05 * left,
+                     qPrintable(QString::number(amplitude / 0.1 / left)));
+        }
+    }
+
     void aCircleShrinksByTheStatedFigure_data() {
         QTest::addColumn<double>("radius");
         QTest::addColumn<double>("speed");
