@@ -1535,6 +1535,10 @@
         <source>There is not enough memory for &quot;%1&quot; (needed and free: %2); close other programs or choose larger voxels.</source>
         <translation>Für „%1“ reicht der Speicher nicht (nötig und frei: %2); andere Programme schließen oder größere Voxel wählen.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; reaches %2 from its origin, and a part may reach %3; choose its unit, or export it again.</source>
+        <translation>„%1“ reicht %2 vom Ursprung weg, und ein Teil darf %3 weit reichen; wählen Sie seine Einheit oder exportieren Sie es neu.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>

@@ -33,6 +33,7 @@ enum class ErrorCode : std::uint16_t {
     importCrashed,      ///< subject: file; detail: signal
     modelHasNoSolid,    ///< subject: file; place: what it holds instead
     modelNotWatertight, ///< subject: file; place: number of open edges and the body
+    modelTooLarge,      ///< subject: file; place: how far it reaches; detail: how far it may
     meshIncomplete,     ///< subject: file; place: faces without triangles
     // volume and setup
     volumeTooLarge,    ///< subject: size asked for; place: the limit

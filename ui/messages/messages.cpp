@@ -84,6 +84,9 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::modelNotWatertight:
         return tr("The surface of \"%1\" is open (%2); close it in your CAD program and export it again.")
             .arg(file, place);
+    case ErrorCode::modelTooLarge:
+        return tr("\"%1\" reaches %2 from its origin, and a part may reach %3; choose its unit, or export it again.")
+            .arg(file, place, detail);
     case ErrorCode::meshIncomplete:
         return tr("Some faces of \"%1\" can't be meshed (%2); repair them in your CAD program and export it again.")
             .arg(file, place);

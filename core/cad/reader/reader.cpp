@@ -10,6 +10,7 @@
 #include "core/cad/reader/exact_distance.h"
 #include "core/cad/reader/file_format.h"
 #include "core/cad/reader/measure.h"
+#include "core/cad/reader/model_size.h"
 #include "core/cad/reader/solids.h"
 #include "core/cad/reader/stl_model.h"
 
@@ -184,7 +185,12 @@ Result<TopoDS_Shape> shapeOf(const std::string& brep) {
 } // namespace
 
 Result<Model> readModel(const ReadRequest& request, const std::function<void(double)>& report) {
-    return guarded<Model>([&] { return readAnyModel(request, report); });
+    return guarded<Model>([&]() -> Result<Model> {
+        Result<Model> model = readAnyModel(request, report);
+        if (!model) return model;
+        if (Result<void> usable = judgeSize(*model); !usable) return std::move(usable).error();
+        return model;
+    });
 }
 
 Result<std::vector<double>> measureDistances(const DistanceRequest& request,

@@ -124,6 +124,47 @@ private slots:
             QVERIFY(!model->bodies.empty());
     }
 
+    void partsOfNoSensibleSize_data() {
+        QTest::addColumn<QString>("side"); // of a tetrahedron, as the file has it
+        QTest::addColumn<bool>("refused");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("beyond any figure") << "1e300" << true << "1e+300 mm";
+        QTest::newRow("2 km") << "2000000" << true << "2e+06 mm";
+        QTest::newRow("20 m") << "20000" << false << "2e+04 mm";
+        QTest::newRow("10 m") << "10000" << false << "";
+        QTest::newRow("1 mm") << "1" << false << "";
+        QTest::newRow("in metres") << "0.05" << false << "0.05 mm";
+        QTest::newRow("too small for a float") << "1e-30" << false << "1e-30 mm";
+    }
+    void partsOfNoSensibleSize() {
+        QFETCH(QString, side);
+        QFETCH(bool, refused);
+        QFETCH(QString, said);
+        const std::array<std::array<int, 3>, 4> faces{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+        QString text = "solid a\n";
+        for (const std::array<int, 3>& face : faces) {
+            text += "facet normal 0 0 1\nouter loop\n";
+            for (const int corner : face) {
+                QStringList place{"0", "0", "0"};
+                if (corner > 0) place[corner - 1] = side;
+                text += "vertex " + place.join(' ') + "\n";
+            }
+            text += "endloop\nendfacet\n";
+        }
+        const Result<Model> model = import(write("size.stl", (text + "endsolid a\n").toStdString()));
+        QCOMPARE(!model, refused);
+        if (!model) {
+            QCOMPARE(model.error().code, ErrorCode::modelTooLarge);
+            QCOMPARE(QString::fromStdString(model.error().place), said);
+            return;
+        }
+        QStringList warnings;
+        for (const ImportNote& note : model->notes)
+            if (note.kind == ImportNote::Kind::warning) warnings << QString::fromStdString(note.text);
+        QCOMPARE(warnings.size(), said.isEmpty() ? 0 : 1);
+        if (!said.isEmpty()) QVERIFY2(warnings.first().contains(said), qPrintable(warnings.first()));
+    }
+
     void contentDecidesNotTheSuffix_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("name");
