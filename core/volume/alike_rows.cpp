@@ -3,6 +3,7 @@
 #include "core/volume/alike_rows.h"
 
 #include "core/base/vector_masks.h"
+#include "core/volume/tile.h"
 
 #include <bit>
 
@@ -16,85 +17,119 @@ namespace {
 static_assert(sizeof(SurfaceLine) == sizeof(std::uint32_t) && sizeof(Segment*) == sizeof(std::uint64_t) &&
               std::endian::native == std::endian::little);
 
-/// Where lines begin to be read. Behind the last of fewer than eight lines stands the first again.
-struct alignas(32) Firsts {
-    std::uint32_t at[8];
+/// Four segments of each line: the one before its first (of a brick's first line what stands before its segments) and
+/// what follows. They are within the arena, whatever they mean (BlockArena::overread).
+struct Fours {
+    __m256i before, first, second, third;
 };
-/// One segment of each line: so many behind the first. Loaded one by one, which is faster than a gathering load on
-/// the processors that were measured.
-BURIN_INLINE __m256i segmentsAt(const AlikeRow& row, const Firsts& firsts, std::ptrdiff_t behind) noexcept {
+/// @param firsts of fewer than eight lines, the others' are those of some line
+BURIN_INLINE Fours foursAt(const Segment* segments, __m256i firsts) noexcept {
+    static_assert(BlockArena::overread >= 2 * sizeof(Segment));
+    alignas(32) std::uint32_t places[8];
+    _mm256_store_si256(reinterpret_cast<__m256i*>(places), firsts);
     const auto at = [&](int line) noexcept {
-        std::int32_t segment;
-        __builtin_memcpy(&segment, row.segments + firsts.at[line] + behind, sizeof segment);
-        return segment;
+        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(segments + places[line] - 1));
     };
-    return _mm256_setr_epi32(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
+    const auto both = [&](int line) noexcept {
+        return _mm256_inserti128_si256(_mm256_castsi128_si256(at(line)), at(line + 4), 1);
+    };
+    const __m256i a = both(0), b = both(1), c = both(2), d = both(3);
+    const __m256i lowAb = _mm256_unpacklo_epi32(a, b), highAb = _mm256_unpackhi_epi32(a, b),
+                  lowCd = _mm256_unpacklo_epi32(c, d), highCd = _mm256_unpackhi_epi32(c, d);
+    return {_mm256_unpacklo_epi64(lowAb, lowCd), _mm256_unpackhi_epi64(lowAb, lowCd),
+            _mm256_unpacklo_epi64(highAb, highCd), _mm256_unpackhi_epi64(highAb, highCd)};
 }
-BURIN_INLINE std::uint8_t propertyOfFirst(__m256i segments) noexcept {
-    return static_cast<std::uint8_t>(_mm256_cvtsi256_si32(segments));
+/// What scanlines see of a window, and where they enter and leave it.
+struct Seen {
+    __m256i lines;                 ///< each a SurfaceLine
+    unsigned begins = 0, ends = 0; ///< 1: air, 2: solid, 3: both
+};
+BURIN_INLINE unsigned bitOf(bool solid) noexcept {
+    return SurfaceChanges::bitOf(solid);
 }
-/// Lines whose segment has another property than the first line's.
-BURIN_INLINE __mmask8 unlikeFirst(__m256i segments, __mmask8 lines) noexcept {
-    const __m256i first = _mm256_broadcastd_epi32(_mm256_castsi256_si128(segments));
-    return _mm256_mask_test_epi32_mask(lines, _mm256_xor_si256(segments, first), _mm256_set1_epi32(0xff));
-}
-
-/// What is written for lines that change at the ends of these segments.
-BURIN_INLINE __m256i changesAt(const AlikeRow& row, __m256i segments, bool toAir) noexcept {
-    const __m256i position = _mm256_sub_epi32(_mm256_srli_epi32(segments, 8), _mm256_set1_epi32(row.rounding));
-    const __m256i place = _mm256_sra_epi32(position, _mm_cvtsi32_si128(row.level));
-    return _mm256_or_si256(_mm256_and_si256(place, _mm256_set1_epi32(0xffff)), _mm256_set1_epi32(toAir ? ~0xffff : 0));
-}
+/// Without a change.
 BURIN_INLINE __m256i uniform(bool solid) noexcept {
     return _mm256_set1_epi32(static_cast<std::uint16_t>(solid ? -SurfaceLine::beyond : SurfaceLine::beyond));
 }
+/// Places of the ends of segments, in the lower halves.
+BURIN_INLINE __m256i placesOf(const AlikeRows& rows, __m256i segments) noexcept {
+    const __m256i position = _mm256_sub_epi32(_mm256_srli_epi32(segments, 8), _mm256_set1_epi32(rows.rounding));
+    return _mm256_and_si256(_mm256_sra_epi32(position, _mm_cvtsi32_si128(rows.level)), _mm256_set1_epi32(0xffff));
+}
+constexpr int toAir = ~0xffff; ///< in the upper half
+/// Those that are less, as unsigned numbers.
+BURIN_INLINE __mmask8 less(__m256i a, __m256i b) noexcept {
+    return _mm256_cmplt_epu32_mask(a, b);
+}
 
-bool readRow(const AlikeRow& row, SurfaceLine* lines, const Segment** firstSegments, std::uint8_t* seen,
-             SurfaceChanges& changes) noexcept {
-    const auto all = static_cast<__mmask8>((1U << row.count) - 1);
-    const __m256i end = _mm256_maskz_loadu_epi32(all, row.offsets + 1), one = _mm256_set1_epi32(1);
-    const __m256i low = _mm256_set1_epi32(static_cast<int>(row.low)),
-                  high = _mm256_set1_epi32(static_cast<int>(row.high));
-    const __m256i first =
-        _mm256_add_epi32(_mm256_maskz_loadu_epi32(all, row.offsets), _mm256_set1_epi32(static_cast<int>(row.skipped)));
-    if (_mm256_mask_cmpge_epu32_mask(all, first, end) != 0) return false;
-    Firsts firsts;
-    _mm256_store_si256(reinterpret_cast<__m256i*>(firsts.at),
-                       _mm256_mask_blend_epi32(all, _mm256_broadcastd_epi32(_mm256_castsi256_si128(first)), first));
-    __m256i segment = segmentsAt(row, firsts, 0);
-    unsigned unlike = _mm256_mask_cmple_epu32_mask(all, segment, low) | unlikeFirst(segment, all);
-    if (row.skipped > 0) unlike |= _mm256_mask_cmpgt_epu32_mask(all, segmentsAt(row, firsts, -1), low);
-    const bool solidAtBegin = propertyOfFirst(segment) != airProperty;
-    bool solidAtEnd = solidAtBegin;
-    if (unlike != 0 || (row.opens && solidAtBegin)) return false;
-    seen[propertyOfFirst(segment)] = 1;
+/// A row, to be read from the segments that its lines skip to.
+struct Row {
+    __mmask8 all; ///< its lines
+    __m256i firsts, ends;
+    Fours fours;
+};
 
-    __m256i line = uniform(solidAtBegin);
-    bool changed = false;
-    __m256i place = first;
-    for (std::ptrdiff_t behind = 1; _mm256_mask_cmplt_epu32_mask(all, segment, high) != 0; ++behind) {
-        place = _mm256_add_epi32(place, one);
-        if (_mm256_mask_cmpge_epu32_mask(all, segment, high) != 0 || _mm256_mask_cmpge_epu32_mask(all, place, end) != 0)
-            return false;
-        const __m256i next = segmentsAt(row, firsts, behind);
-        const bool solid = propertyOfFirst(next) != airProperty;
-        if (unlikeFirst(next, all) != 0 || (changed && solid != solidAtEnd)) return false;
-        if (solid != solidAtEnd) {
-            line = changesAt(row, segment, !solid);
-            changed = true;
-        }
-        solidAtEnd = solid;
-        seen[propertyOfFirst(next)] = 1;
-        segment = next;
+/// False: the row's lines are not alike.
+BURIN_INLINE bool readRow(const AlikeRows& rows, const Row& row, bool skips, std::uint8_t* seen, Seen& read) noexcept {
+    const __m256i low = _mm256_set1_epi32(static_cast<int>(rows.low)),
+                  high = _mm256_set1_epi32(static_cast<int>(rows.high));
+    const auto propertyOf = [](__m256i segments) noexcept {
+        return static_cast<std::uint8_t>(_mm256_cvtsi256_si32(segments));
+    };
+    const auto same = [&](__m256i segments) noexcept {
+        const __m256i first = _mm256_broadcastd_epi32(_mm256_castsi256_si128(segments));
+        return _mm256_mask_test_epi32_mask(row.all, _mm256_xor_si256(segments, first), _mm256_set1_epi32(0xff)) == 0;
+    };
+    const auto& [before, first, second, third] = row.fours;
+    const bool solid = propertyOf(first) != airProperty;
+    if ((less(low, first) & row.all) != row.all || (skips && (less(low, before) & row.all) != 0) || !same(first) ||
+        (rows.opens && solid))
+        return false;
+    seen[propertyOf(first)] = 1;
+    read = {uniform(solid), bitOf(solid), bitOf(solid)};
+    bool changed = false, solidBehind = solid;
+    const auto goesOn = [&](__m256i segment) noexcept { return (less(segment, high) & row.all) != 0; };
+    const auto goOn = [&](__m256i segment, __m256i next, int behind) noexcept {
+        const __m256i place = _mm256_add_epi32(row.firsts, _mm256_set1_epi32(behind));
+        if ((less(segment, high) & less(place, row.ends) & row.all) != row.all || !same(next)) return false;
+        seen[propertyOf(next)] = 1;
+        if ((propertyOf(next) != airProperty) == solidBehind) return true;
+        if (changed) return false;
+        solidBehind = !solidBehind;
+        read.lines = _mm256_or_si256(placesOf(rows, segment), _mm256_set1_epi32(solidBehind ? 0 : toAir));
+        read.ends = bitOf(solidBehind);
+        return changed = true;
+    };
+    if (!goesOn(first)) return true;
+    if (!goOn(first, second, 1)) return false;
+    if (!goesOn(second)) return true;
+    return goOn(second, third, 2) && !goesOn(third);
+}
+
+std::size_t readRows(const AlikeRows& rows, std::uint32_t skipped, const ReadRows& to,
+                     SurfaceChanges& changes) noexcept {
+    const auto all = static_cast<__mmask8>((1U << rows.lines) - 1);
+    const __m256i skips = _mm256_set1_epi32(static_cast<int>(skipped));
+    const __m512i base = _mm512_set1_epi64(reinterpret_cast<std::int64_t>(rows.segments));
+    for (std::size_t i = 0; i < rows.rows; ++i) {
+        const std::uint32_t* const offsets = rows.offsets + i * tileSide;
+        Row row{all,
+                _mm256_add_epi32(_mm256_maskz_loadu_epi32(all, offsets), skips),
+                _mm256_maskz_loadu_epi32(all, offsets + 1),
+                {}};
+        if ((less(row.firsts, row.ends) & all) != all) return i;
+        const __m256i some = _mm256_broadcastd_epi32(_mm256_castsi256_si128(row.firsts));
+        row.fours = foursAt(rows.segments, _mm256_mask_blend_epi32(all, some, row.firsts));
+        Seen read;
+        if (!readRow(rows, row, skipped > 0, to.seen, read)) return i;
+        _mm256_mask_storeu_epi32(to.lines + i * to.step, all, read.lines);
+        const __m512i bytes = _mm512_maskz_slli_epi64(all, _mm512_maskz_cvtepu32_epi64(all, row.firsts),
+                                                      std::countr_zero(sizeof(Segment)));
+        _mm512_mask_storeu_epi64(to.firstSegments + i * to.step, all, _mm512_add_epi64(base, bytes));
+        changes.atBegin |= read.begins;
+        changes.atEnd |= read.ends;
     }
-    _mm256_mask_storeu_epi32(lines, all, line);
-    const __m512i bytes =
-        _mm512_maskz_slli_epi64(all, _mm512_maskz_cvtepu32_epi64(all, first), std::countr_zero(sizeof(Segment)));
-    const __m512i base = _mm512_set1_epi64(reinterpret_cast<std::int64_t>(row.segments));
-    _mm512_mask_storeu_epi64(firstSegments, all, _mm512_add_epi64(base, bytes));
-    changes.atBegin |= SurfaceChanges::bitOf(solidAtBegin);
-    changes.atEnd |= SurfaceChanges::bitOf(solidAtEnd);
-    return true;
+    return rows.rows;
 }
 
 } // namespace
@@ -102,13 +137,12 @@ bool readRow(const AlikeRow& row, SurfaceLine* lines, const Segment** firstSegme
 BURIN_AVX512_END
 #endif
 
-bool readAlikeRow([[maybe_unused]] const AlikeRow& row, [[maybe_unused]] SurfaceLine* lines,
-                  [[maybe_unused]] const Segment** firstSegments, [[maybe_unused]] std::uint8_t* seen,
-                  [[maybe_unused]] SurfaceChanges& changes) noexcept {
+std::size_t readAlikeRows([[maybe_unused]] const AlikeRows& rows, [[maybe_unused]] std::uint32_t skipped,
+                          [[maybe_unused]] const ReadRows& to, [[maybe_unused]] SurfaceChanges& changes) noexcept {
 #ifdef BURIN_AVX512
-    if (hasAvx512) return readRow(row, lines, firstSegments, seen, changes);
+    if (hasAvx512) return readRows(rows, skipped, to, changes);
 #endif
-    return false;
+    return 0;
 }
 
 } // namespace burin

@@ -9,26 +9,32 @@
 
 namespace burin {
 
-/// Up to eight scanlines side by side in a brick, as a window sees them.
-struct AlikeRow {
-    const Segment* segments = nullptr;      ///< of the brick
-    const std::uint32_t* offsets = nullptr; ///< where the lines begin, and the end of the last
-    std::size_t count = 0;                  ///< lines
-    std::uint32_t skipped = 0;              ///< segments of each before the window
-    std::uint32_t low = 0, high = 0;        ///< packed: a segment ends behind low if above, before high if below
-    bool opens = false;                     ///< the window begins before the grid, where all is air
-    std::int32_t rounding = 0;              ///< run units: place 0 of a `SurfaceLine`
+/// Some rows of a brick, of each up to eight scanlines side by side, as a window sees them.
+struct AlikeRows {
+    const Segment* segments = nullptr; ///< of the brick
+    const std::uint32_t* offsets =
+        nullptr;                     ///< where the lines of the first row begin; the next row's are `tileSide` on
+    std::size_t lines = 0, rows = 0; ///< of a row; how many
+    std::uint32_t low = 0, high = 0; ///< packed: a segment ends behind low if above, before high if below
+    bool opens = false;              ///< the window begins before the grid, where all is air
+    std::int32_t rounding = 0;       ///< run units: place 0 of a `SurfaceLine`
     int level = 0;
 };
 
-/// Reads the lines at once if they are alike: all of them skip so many segments, and go on with the same ones in the
-/// window, which change between material and air once at most.
-/// @param lines         written, one a line
-/// @param firstSegments likewise: the first segment that ends within the window or behind it
-/// @param seen          by property: set to 1 where one occurs
-/// @param changes       what is known where they enter the window and leave it is added
-/// @return false: they are not alike, or the processor has no AVX-512
-bool readAlikeRow(const AlikeRow& row, SurfaceLine* lines, const Segment** firstSegments, std::uint8_t* seen,
-                  SurfaceChanges& changes) noexcept;
+/// Where rows that were read are kept, `step` from row to row.
+struct ReadRows {
+    SurfaceLine* lines = nullptr;
+    const Segment** firstSegments = nullptr; ///< the first that ends within the window or behind it
+    std::size_t step = 0;
+    std::uint8_t* seen = nullptr; ///< by property: set to 1 where one occurs
+};
+
+/// Reads rows whose lines are alike at once: all of a row skip so many segments, and go on with the same up to three in
+/// the window, which change between material and air once at most.
+/// @param skipped segments of each line before the window
+/// @param changes what is known where lines enter the window and leave it is added
+/// @return how many rows it read: up to one that is not like that; none without AVX-512
+std::size_t readAlikeRows(const AlikeRows& rows, std::uint32_t skipped, const ReadRows& to,
+                          SurfaceChanges& changes) noexcept;
 
 } // namespace burin

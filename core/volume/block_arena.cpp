@@ -34,7 +34,7 @@ static_assert(classSizes.back() > (1U << 28), "a class for every tile that 16.8-
 
 std::unique_ptr<BlockArena> BlockArena::make(std::size_t bytes) {
     constexpr std::size_t page = std::size_t{2} << 20;
-    const std::size_t mapped = (std::max(bytes, unitBytes * 2) + page - 1) / page * page;
+    const std::size_t mapped = (std::max(bytes, unitBytes * 2) + overread + page - 1) / page * page;
     if (bytes > std::numeric_limits<BlockIndex>::max() * unitBytes) return nullptr;
     // The system promises more than it has; touching it would end in its out-of-memory killer.
     if (mapped > availableMemory()) return nullptr;

@@ -52,6 +52,9 @@ public:
     std::size_t reservedBytes() const noexcept { return std::size_t{unitCount_} * unitBytes; }
     std::size_t usedBytes() const noexcept;
 
+    /// Behind the last block so many bytes may be read as well, so that a block's end can be read in whole registers.
+    static constexpr std::size_t overread = 64;
+
 private:
     static constexpr std::size_t unitBytes = 64;
     static constexpr std::size_t classCount = 176;

@@ -73,7 +73,7 @@ BURIN_VECTORISED void takeMean(Columns columns, int level, std::int16_t* nodes) 
 struct Averaging {
     std::int16_t *alongU, *values; ///< of the newest row; of the one before
     const std::int16_t* alongUBefore;
-    std::uint64_t* inside;                          ///< likewise
+    std::uint64_t* below;                           ///< likewise
     std::int16_t *acrossRuns, *alongNodes, *smooth; ///< of that row; of that row; of the one before that
     const std::int16_t* alongNodesBefore;
 };
@@ -83,7 +83,7 @@ BURIN_INLINE Nodes average(Nodes before, Nodes middle, Nodes behind) noexcept {
     return (before + middle) + (middle + behind);
 }
 
-/// Columns 1 … count - 2 of `values` and `inside`, 2 … count - 3 of `acrossRuns`.
+/// Columns 1 … count - 2 of `values` and `below`, 2 … count - 3 of `acrossRuns`.
 /// @param seenIn what the nodes of a column see
 template <class Column>
 BURIN_INLINE void averageAcross(const Averaging& row, Columns columns, int n, Column seenIn) noexcept {
@@ -98,7 +98,7 @@ BURIN_INLINE void averageAcross(const Averaging& row, Columns columns, int n, Co
         storeNodes(alongU, row.alongU + place);
         storeNodes(nextValue, row.values + place);
         storeNodes((valuePair + nextValuePair) >> 2, row.acrossRuns + place - stride);
-        row.inside[column] |= notNegative(nextValue) << n;
+        row.below[column] |= negative(nextValue) << n;
         at = next;
         pair = nextPair;
         value = nextValue;
@@ -120,7 +120,7 @@ BURIN_INLINE void averageAlong(const Averaging& row, Columns columns) noexcept {
 /// Of a row whose columns have one scanline each, with one change at most.
 BURIN_VECTORISED void averageLines(const Averaging& row, Columns columns, const SurfaceLine* lines,
                                    int firstNode) noexcept {
-    for (int column = 0; column < columns.count; ++column) row.inside[column] = 0;
+    for (int column = 0; column < columns.count; ++column) row.below[column] = 0;
     for (int n = 0; n < columns.stride; n += nodeLanes) {
         const Nodes centres = centresFrom(firstNode + n);
         averageAcross(row, columns, n, [&](int column) noexcept { return seen(centres, lines[column]); });
@@ -129,7 +129,7 @@ BURIN_VECTORISED void averageLines(const Averaging& row, Columns columns, const 
 }
 
 BURIN_VECTORISED void averageNodes(const Averaging& row, Columns columns, const std::int16_t* nodes) noexcept {
-    for (int column = 0; column < columns.count; ++column) row.inside[column] = 0;
+    for (int column = 0; column < columns.count; ++column) row.below[column] = 0;
     for (int n = 0; n < columns.stride; n += nodeLanes)
         averageAcross(row, columns, n,
                       [&](int column) noexcept { return loadNodes(nodes + column * columns.stride + n); });
@@ -154,7 +154,7 @@ void SurfaceField::advance() {
     // Of the first rows, what comes of rows before the box is written over before it is looked at.
     const auto before = static_cast<std::size_t>(row_ + 5), newest = before % 2;
     const Averaging row{
-        alongU_[newest].data(), values_[before % 3].data(), alongU_[1 - newest].data(), inside_[before % 3].data(),
+        alongU_[newest].data(), values_[before % 3].data(), alongU_[1 - newest].data(), below_[before % 3].data(),
         acrossRuns_.data(),     alongNodes_[newest].data(), smooth_[1 - newest].data(), alongNodes_[1 - newest].data()};
     if (level == 0 && further.empty()) {
         averageLines(row, columns, lines, firstNode);
@@ -166,6 +166,7 @@ void SurfaceField::advance() {
         averageNodes(row, columns, seen_.data());
     }
     ++row_;
+    rowPair_ = {rowAt(row_ - delay), rowAt(row_ - delay + 1)};
 }
 
 } // namespace burin

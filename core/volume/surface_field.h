@@ -24,7 +24,7 @@ public:
         /// The same averaged once more, 1-2-1 along all axes, from column 2 and node 1 on. For the normals: the eye
         /// takes a ripple of the normals for a ripple of the surface.
         const std::int16_t* smooth = nullptr;
-        const std::uint64_t* inside = nullptr; ///< by column, a bit a node: its value is not below 0
+        const std::uint64_t* below = nullptr; ///< by column, a bit a node: its value is below 0
     };
     /// Both must stay until the last row.
     void start(const SurfaceWindow& window, const SurfaceLines& lines);
@@ -33,7 +33,7 @@ public:
     /// The first of two rows between which all is known, those `delay` and `delay` - 1 behind the next row. From two
     /// rows behind the box's first on.
     int row() const { return row_ - delay; }
-    std::array<Row, 2> rowPair() const { return {rowAt(row_ - delay), rowAt(row_ - delay + 1)}; }
+    const std::array<Row, 2>& rowPair() const { return rowPair_; }
     int stride() const { return stride_; }
 
     static constexpr int mostNodes = 48, mostPlaces = SurfaceWindow::mostColumns * mostNodes; ///< of a row
@@ -48,16 +48,17 @@ private:
     };
     Row rowAt(int row) const {
         return {values_[static_cast<std::size_t>(row) % 3].data(), smooth_[static_cast<std::size_t>(row) % 2].data(),
-                inside_[static_cast<std::size_t>(row) % 3].data()};
+                below_[static_cast<std::size_t>(row) % 3].data()};
     }
 
     const SurfaceWindow* window_ = nullptr;
     const SurfaceLines* lines_ = nullptr;
     int row_ = 0; ///< the next
+    std::array<Row, 2> rowPair_;
     int stride_ = 0;
     std::array<Plane, 3> values_;
     std::array<Plane, 2> smooth_;
-    std::array<std::array<std::uint64_t, SurfaceWindow::mostColumns + 2>, 3> inside_{};
+    std::array<std::array<std::uint64_t, SurfaceWindow::mostColumns + 2>, 3> below_{};
     Plane seen_;                      ///< of the newest row, not averaged yet
     std::array<Plane, 2> alongU_;     ///< averaged along u: the two newest rows
     Plane acrossRuns_;                ///< values averaged along u once more

@@ -24,16 +24,16 @@ BURIN_INLINE void storeNodes(Nodes values, std::int16_t* to) noexcept {
 BURIN_INLINE Nodes nodes(std::int16_t value) noexcept {
     return Nodes{} + value;
 }
-/// A bit for each of sixteen nodes that is not below 0.
-BURIN_INLINE std::uint64_t notNegative(Nodes values) noexcept {
+/// A bit for each of sixteen nodes that is below 0.
+BURIN_INLINE std::uint64_t negative(Nodes values) noexcept {
 #ifdef __SSE2__ // as every x86-64 has; the compiler does not find it by itself
     const auto low = __builtin_shufflevector(values, values, 0, 1, 2, 3, 4, 5, 6, 7);
     const auto high = __builtin_shufflevector(values, values, 8, 9, 10, 11, 12, 13, 14, 15);
     const __m128i bytes = _mm_packs_epi16(reinterpret_cast<__m128i>(low), reinterpret_cast<__m128i>(high));
-    return static_cast<std::uint32_t>(~_mm_movemask_epi8(bytes) & 0xffff);
+    return static_cast<std::uint32_t>(_mm_movemask_epi8(bytes));
 #else
     std::uint64_t bits = 0;
-    for (int i = 0; i < nodeLanes; ++i) bits |= std::uint64_t{values[i] >= 0} << i;
+    for (int i = 0; i < nodeLanes; ++i) bits |= std::uint64_t{values[i] < 0} << i;
     return bits;
 #endif
 }

@@ -53,15 +53,13 @@ public:
         const LineIndex inside{std::max(low.u, 0), std::max(low.v, 0)};
         const LineIndex end{std::min(high.u, grid_.lineCountU()), std::min(high.v, grid_.lineCountV())};
         if (inside != low || end != high) addOutside();
-        for (std::int32_t v = inside.v; v < end.v;) {
-            const std::int32_t nextV = std::min((v / tileSide + 1) * tileSide, end.v);
-            for (std::int32_t u = inside.u; u < end.u;) {
-                const std::int32_t nextU = std::min((u / tileSide + 1) * tileSide, end.u);
-                addFrom(state_.store->tile(VolumeAccess::tileAt(state_, u / tileSide, v / tileSide)), {u, v},
-                        {nextU, nextV});
-                u = nextU;
+        for (std::int32_t v = inside.v, nextV = 0; v < end.v; v = nextV) {
+            nextV = std::min((v / tileSide + 1) * tileSide, end.v);
+            for (std::int32_t u = inside.u, nextU = 0; u < end.u; u = nextU) {
+                nextU = std::min((u / tileSide + 1) * tileSide, end.u);
+                const Tile tile = state_.store->tile(VolumeAccess::tileAt(state_, u / tileSide, v / tileSide));
+                addFrom(tile, {u, v}, {nextU, nextV});
             }
-            v = nextV;
         }
         fillUp();
     }
@@ -87,30 +85,46 @@ private:
         last_.segments = tile.segments();
         TileOffsets offsets;
         tile.readOffsets(offsets);
-        for (std::int32_t v = low.v; v < high.v; ++v) {
-            const std::int32_t row = v - (window_.firstV << level_), place = low.u - (window_.firstU << level_);
-            const std::size_t at = static_cast<std::size_t>(row) * lines_.step_ + static_cast<std::size_t>(place);
-            const auto count = static_cast<std::size_t>(high.u - low.u);
+        const LineIndex origin{window_.firstU << level_, window_.firstV << level_};
+        const auto count = static_cast<std::size_t>(high.u - low.u);
+        for (std::int32_t v = low.v;; ++v) {
+            v += static_cast<std::int32_t>(addAlike(offsets, {low.u, v}, high));
+            if (v >= high.v) return;
+            const Further where{v - origin.v, low.u - origin.u, {}};
+            const std::size_t at = placeOf(where);
             last_.offsets = offsets.data() + TileTable::lineInTile({low.u, v});
-            addRow(last_, count, &lines_.lines_[at], &lines_.firstSegments_[at], {row >> level_, place, {}});
+            addEach(last_, count, &lines_.lines_[at], &lines_.firstSegments_[at],
+                    {where.row >> level_, where.column, {}});
         }
+    }
+    /// Of a line by its row and place among the scanlines that are read.
+    std::size_t placeOf(const Further& where) const {
+        return static_cast<std::size_t>(where.row) * lines_.step_ + static_cast<std::size_t>(where.column);
+    }
+    /// The next rows of a brick, from a line on, up to one whose lines are not alike. @return how many
+    std::size_t addAlike(const TileOffsets& offsets, LineIndex low, LineIndex high) {
+        const AlikeRows rows{last_.segments,
+                             offsets.data() + TileTable::lineInTile(low),
+                             static_cast<std::size_t>(high.u - low.u),
+                             static_cast<std::size_t>(high.v - low.v),
+                             packedLow_,
+                             packedHigh_,
+                             low_ < 0,
+                             rounding_,
+                             level_};
+        const std::size_t at = placeOf({low.v - (window_.firstV << level_), low.u - (window_.firstU << level_), {}});
+        return readAlikeRows(rows, last_.skipped, {&lines_.lines_[at], &lines_.firstSegments_[at], lines_.step_, seen_},
+                             changes_);
     }
     /// What is kept from line to line: mostly the next is like the last.
     struct LastLine {
         const Segment* segments = nullptr;      ///< of the brick
         const std::uint32_t* offsets = nullptr; ///< of the lines of one row
-        std::ptrdiff_t skipped = 0;             ///< segments before the window
+        std::uint32_t skipped = 0;              ///< segments before the window
         unsigned properties = ~0U;              ///< of the two segments that it may see
         bool changes = false, solid = false;    ///< one of them alone is air; the first is not
         SurfaceLine line;                       ///< if both are alike
     };
-    void addRow(LastLine& last, std::size_t count, SurfaceLine* lines, const Segment** firstSegments, Further where) {
-        const AlikeRow row{last.segments, last.offsets, count,    static_cast<std::uint32_t>(last.skipped),
-                           packedLow_,    packedHigh_,  low_ < 0, rounding_,
-                           level_};
-        if (!readAlikeRow(row, lines, firstSegments, seen_, changes_))
-            addEach(last, count, lines, firstSegments, where);
-    }
     /// Hardly any line has more than one end within a window.
     void addEach(LastLine& last, std::size_t count, SurfaceLine* lines, const Segment** firstSegments, Further where) {
         const std::uint32_t low = packedLow_, high = packedHigh_;
@@ -138,7 +152,7 @@ private:
             }
             lines[i] = last.changes ? change(endOf(*segment), last.solid) : last.line;
         }
-        last.skipped = skipped;
+        last.skipped = static_cast<std::uint32_t>(skipped);
     }
     void see(Segment before, Segment behind) {
         seen_[before.property()] = seen_[behind.property()] = 1;

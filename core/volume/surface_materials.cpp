@@ -3,6 +3,9 @@
 #include "core/volume/surface_materials.h"
 
 #include "core/base/vectorised.h"
+#include "core/geometry/four_floats.h"
+
+#include <algorithm>
 
 namespace burin {
 
@@ -15,40 +18,70 @@ using Frame = SurfaceMaterials::Frame;
 /// Below a point, voxels. So far down the part counts for more than what lies on it.
 constexpr std::array<float, 3> partDepths{0.3F, 0.6F, 0.9F};
 
-/// One coordinate of eight vectors.
-BURIN_INLINE Floats eightOf(const glm::vec3* vectors, int axis) noexcept {
-    const float* const at = &vectors->x + axis;
-    return Floats{at[0], at[3], at[6], at[9], at[12], at[15], at[18], at[21]};
+/// The coordinates of eight vectors, by axis; one number behind them is read.
+struct EightVectors {
+    Floats along[3];
+};
+BURIN_INLINE EightVectors eightAt(const glm::vec3* vectors) noexcept {
+    const auto both = [&](int i) noexcept -> Floats { // i, and in the upper half 4 + i
+        const FourFloats low = fourAt(&vectors[i].x), high = fourAt(&vectors[4 + i].x);
+        return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    };
+    const Floats a = both(0), b = both(1), c = both(2), d = both(3);
+    const Floats lowAb = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
+                 lowCd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13),
+                 highAb = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15),
+                 highCd = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+    return {{__builtin_shufflevector(lowAb, lowCd, 0, 1, 8, 9, 4, 5, 12, 13),
+             __builtin_shufflevector(lowAb, lowCd, 2, 3, 10, 11, 6, 7, 14, 15),
+             __builtin_shufflevector(highAb, highCd, 0, 1, 8, 9, 4, 5, 12, 13)}};
 }
-/// Voxels from the grid's low end at a depth below eight points.
-BURIN_INLINE Floats voxelsBelow(const Frame& frame, const glm::vec3* points, const glm::vec3* normals, float depth,
-                                std::size_t axis) noexcept {
-    const Floats way = eightOf(points, frame.axes[axis]) - frame.low[axis];
-    return way * frame.perMillimetre - depth * eightOf(normals, frame.axes[axis]);
+/// By u, v and the runs instead of x, y and z.
+template <int axisOfRuns>
+BURIN_INLINE EightVectors turned(const EightVectors& eight) noexcept {
+    return {{eight.along[(axisOfRuns + 1) % 3], eight.along[(axisOfRuns + 2) % 3], eight.along[axisOfRuns]}};
 }
 BURIN_INLINE Integers clamped(Integers values, std::int32_t end) noexcept {
     return least(most(values, integers(0)), integers(end - 1));
 }
 
 /// Places beside the grid are moved to its border.
+template <int axisOfRuns>
+BURIN_INLINE void placesAlong(const Frame& frame, const glm::vec3* points, const glm::vec3* normals, std::size_t count,
+                              float depth, Place* places) noexcept {
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const EightVectors point = turned<axisOfRuns>(eightAt(points + i)),
+                           normal = turned<axisOfRuns>(eightAt(normals + i));
+        const auto below = [&](std::size_t axis) noexcept { // voxels from the grid's low end
+            return (point.along[axis] - frame.low[axis]) * frame.perMillimetre - depth * normal.along[axis];
+        };
+        const Integers u = clamped(wholeOf(below(0)), frame.count[0]), v = clamped(wholeOf(below(1)), frame.count[1]);
+        const Integers line = (v - frame.first[1]) * frame.step + (u - frame.first[0]);
+        const Integers position = clamped(wholeOf(below(2) * float{unitsPerVoxel} + 0.5F), frame.count[2]);
+        const Integers low = __builtin_shufflevector(line, position, 0, 8, 1, 9, 2, 10, 3, 11),
+                       high = __builtin_shufflevector(line, position, 4, 12, 5, 13, 6, 14, 7, 15);
+        static_assert(sizeof(Place) * lanes == sizeof low + sizeof high);
+        __builtin_memcpy(static_cast<void*>(places + i), &low, sizeof low);
+        __builtin_memcpy(static_cast<void*>(places + i + lanes / 2), &high, sizeof high);
+    }
+}
 BURIN_VECTORISED void placesBelow(const Frame& frame, const glm::vec3* points, const glm::vec3* normals,
                                   std::size_t count, float depth, Place* places) noexcept {
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const Integers u = wholeOf(voxelsBelow(frame, points + i, normals + i, depth, 0));
-        const Integers v = wholeOf(voxelsBelow(frame, points + i, normals + i, depth, 1));
-        const Floats along = voxelsBelow(frame, points + i, normals + i, depth, 2) * float{unitsPerVoxel} + 0.5F;
-        const Integers line =
-            (clamped(v, frame.count[1]) - frame.first[1]) * frame.step + (clamped(u, frame.count[0]) - frame.first[0]);
-        const Integers position = clamped(wholeOf(along), frame.count[2]);
-        for (int lane = 0; lane < lanes; ++lane)
-            places[i + static_cast<std::size_t>(lane)] = {line[lane], position[lane]};
+    switch (frame.axisOfRuns) {
+    case 0:
+        return placesAlong<0>(frame, points, normals, count, depth, places);
+    case 1:
+        return placesAlong<1>(frame, points, normals, count, depth, places);
+    default:
+        return placesAlong<2>(frame, points, normals, count, depth, places);
     }
 }
 
 Frame frameOf(const Grid& grid, const SurfaceWindow& window, const SurfaceLines& lines) {
     Frame frame;
-    frame.axes = {grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
-    for (std::size_t i = 0; i < 3; ++i) frame.low[i] = static_cast<float>(grid.low()[frame.axes[i]]);
+    frame.axisOfRuns = grid.axisOfRuns();
+    const std::array axes{grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
+    for (std::size_t i = 0; i < 3; ++i) frame.low[i] = static_cast<float>(grid.low()[axes[i]]);
     frame.perMillimetre = static_cast<float>(1.0 / grid.edge());
     frame.first = {window.firstU << window.level, window.firstV << window.level};
     frame.count = {grid.lineCountU(), grid.lineCountV(), static_cast<std::int32_t>(grid.lineEnd())};
@@ -67,15 +100,21 @@ void SurfaceMaterials::find(const VolumeSnapshot& workpiece, const SurfaceWindow
         if (places_[depth].size() < points.size() + spare) places_[depth].resize(2 * points.size() + spare);
         placesBelow(frame_, points.data(), normals, points.size(), partDepths[depth], places_[depth].data());
     }
-    const std::array further{0.6F, 0.9F, 1.3F, 1.8F, 1.8F * static_cast<float>(window.cell())};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        PropertyIndex found = airProperty;
-        for (std::size_t depth = 0; depth < depths; ++depth) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+        properties[i] = lines.propertyAt(places_[0][i].line, places_[0][i].position);
+    for (std::size_t depth = 1; depth < depths; ++depth)
+        for (std::size_t i = 0; i < points.size(); ++i) {
             const PropertyIndex property = lines.propertyAt(places_[depth][i].line, places_[depth][i].position);
-            const bool first = found == airProperty || (list.isProtected(property) && !list.isProtected(found));
-            found = first ? property : found;
+            const bool first =
+                properties[i] == airProperty || (list.isProtected(property) && !list.isProtected(properties[i]));
+            if (first) properties[i] = property;
         }
-        properties[i] = found != airProperty ? found : search(lines, points.subspan(i), normals + i, further);
+    const std::array further{0.6F, 0.9F, 1.3F, 1.8F, 1.8F * static_cast<float>(window.cell())};
+    const std::span<PropertyIndex> all(properties, points.size());
+    for (auto found = std::ranges::find(all, airProperty); found != all.end();
+         found = std::find(found + 1, all.end(), airProperty)) {
+        const auto i = static_cast<std::size_t>(found - all.begin());
+        *found = search(lines, points.subspan(i), normals + i, further);
     }
 }
 

@@ -33,7 +33,7 @@ public:
     };
     /// What makes places of millimetres; by u, v and the runs.
     struct Frame {
-        std::array<int, 3> axes{};           ///< x, y or z (0, 1, 2)
+        int axisOfRuns = 2;                  ///< x, y or z: 0, 1, 2
         std::array<float, 3> low{};          ///< mm, of the grid
         float perMillimetre = 1.0F;          ///< voxels
         std::array<std::int32_t, 2> first{}; ///< the window's first scanline

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface_net.h"
 
-#include "core/volume/surface_faces.h"
-
 #include <algorithm>
 
 namespace burin {
@@ -23,24 +21,25 @@ int firstOwned(int firstCell) {
     return firstCell < 0 ? firstCube : margin;
 }
 
-SurfaceCrossings::Owned ownedOf(const SurfaceWindow& window, const SurfaceBox& box) {
+SurfaceCubes::Owned ownedOf(const SurfaceWindow& window, const SurfaceBox& box) {
     const int first = marginNodes - box.nodes.first, end = std::min(first + window.owned, box.nodes.count - 1);
-    SurfaceCrossings::Owned owned;
-    owned.firstColumn = firstCube;
-    owned.endColumn = box.columns.count - margin;
-    owned.firstEdgeColumn = std::max(firstOwned(window.firstU) - box.columns.first, firstCube);
-    owned.cubes = bitsBetween(std::max(first - 1, 0), end);
-    owned.nodes = bitsBetween(std::max(first, 0), end);
-    return owned;
+    return {firstCube, box.columns.count - margin, bitsBetween(std::max(first - 1, 0), end)};
 }
 
-SurfaceFrame frameOf(const SurfaceWindow& window, const SurfaceBox& box, const Grid& grid) {
+SurfaceFrame frameOf(const SurfaceWindow& window, const SurfaceBox& box, int stride, const Grid& grid) {
     SurfaceFrame frame;
+    frame.stride = stride;
+    frame.placesPerRow = box.columns.count * stride;
     frame.firstU = window.firstU + box.columns.first;
+    frame.firstV = window.firstV + box.rows.first;
     frame.firstNode = window.firstNode + box.nodes.first;
-    frame.axes = {grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
+    frame.firstEdgeColumn = firstOwned(window.firstU) - box.columns.first;
+    frame.firstEdgeRow = firstOwned(window.firstV) - box.rows.first;
+    frame.firstEdgeNode = marginNodes - box.nodes.first;
+    frame.axisOfRuns = grid.axisOfRuns();
+    const std::array axes{grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
     const double size = grid.edge() * window.cell();
-    for (std::size_t i = 0; i < 3; ++i) frame.low[i] = static_cast<float>(grid.low()[frame.axes[i]] + 0.5 * size);
+    for (std::size_t i = 0; i < 3; ++i) frame.low[i] = static_cast<float>(grid.low()[axes[i]] + 0.5 * size);
     frame.size = static_cast<float>(size);
     return frame;
 }
@@ -67,47 +66,71 @@ void SurfaceNet::finish() {
 void SurfaceNet::add(const SurfaceWindow& window, const SurfaceLines& lines, const Grid& grid) {
     const SurfaceBox& box = lines.box();
     if (box.empty()) return;
-    const SurfaceCrossings::Owned owned = ownedOf(window, box);
+    const SurfaceCubes::Owned owned = ownedOf(window, box);
     field_.start(window, lines);
-    frame_ = frameOf(window, box, grid);
-    frame_.stride = field_.stride();
+    frame_ = frameOf(window, box, field_.stride(), grid);
     for (int i = 0; i < box.rows.count; ++i) {
         field_.advance();
-        const int row = field_.row();
-        if (row < box.rows.first + firstCube) continue;
-        crossings_.find(field_.rowPair(), field_.stride(), owned, row >= firstOwned(window.firstV));
-        frame_.v = window.firstV + row;
-        addPoints(row);
-        addFaces(row);
+        const int row = field_.row() - box.rows.first;
+        if (row < firstCube) continue;
+        cubes_.find(field_.rowPair(), field_.stride(), owned);
+        addCubes(row);
+    }
+    addBatch();
+    writeFaces();
+}
+
+void SurfaceNet::addCubes(int row) {
+    constexpr int rowsKept = SurfaceFrame::rowsKept;
+    if (batch_.count() == 0) firstRow_ = row;
+    if (row - firstRow_ == rowsKept - 1) { // the row before the batch's first is looked back at
+        addBatch();
+        firstRow_ = row;
+    }
+    const int slot = row % rowsKept;
+    std::uint32_t* const here = pointAt_.data() + placesBefore + slot * frame_.placesPerRow;
+    const auto firstPoint = static_cast<std::uint32_t>(pointCount_ + batch_.count());
+    if (slot == rowsKept - 1) {
+        std::uint32_t* const again = pointAt_.data() + placesBefore - frame_.placesPerRow;
+        auto point = firstPoint;
+        for (const std::uint32_t cube : cubes_.listed()) again[SurfaceCubes::placeOf(cube)] = point++;
+    }
+    const SurfaceBatch::Row of{field_.rowPair(), static_cast<std::uint32_t>(row), frame_.stride};
+    for (std::span<const std::uint32_t> cubes = cubes_.listed(); !cubes.empty();) {
+        cubes = batch_.add(cubes, of, here, static_cast<std::uint32_t>(pointCount_ + batch_.count()));
+        if (batch_.full()) addBatch();
     }
 }
 
-void SurfaceNet::addPoints(int row) {
-    const std::span<const std::uint32_t> cubes = crossings_.cubes();
-    if (cubes.empty()) return;
-    std::uint32_t* const points = pointsOf(row).data();
-    auto point = static_cast<std::uint32_t>(pointCount_);
-    for (const std::uint32_t cube : cubes) points[SurfaceCrossings::placeOf(cube)] = point++;
-    const std::size_t room = pointCount_ + cubes.size() + SurfaceFrame::spare;
+void SurfaceNet::addBatch() {
+    if (batch_.count() == 0) return;
+    const std::size_t room = pointCount_ + batch_.count() + SurfaceFrame::spare;
     makeRoom(mesh_->points, room);
     makeRoom(mesh_->normals, room);
-    placeSurfacePoints(frame_, field_.rowPair(), cubes, mesh_->points.data() + pointCount_,
-                       mesh_->normals.data() + pointCount_);
-    pointCount_ += cubes.size();
+    placeSurfacePoints(frame_, batch_, mesh_->points.data() + pointCount_, mesh_->normals.data() + pointCount_, edges_);
+    pointCount_ += batch_.count();
+    batch_.clear();
+    addFaces();
 }
 
-void SurfaceNet::addFaces(int row) {
-    const std::uint32_t *here = pointsOf(row).data(), *before = pointsOf(row - 1).data();
-    const int stride = field_.stride();
+void SurfaceNet::addFaces() {
+    const std::uint32_t *here = pointAt_.data() + placesBefore, *before = here - frame_.placesPerRow;
+    const int stride = frame_.stride;
     const std::array<QuadrangleCorners, 3> corners{{{before - 1, here - 1, here, before},
                                                     {here - stride - 1, here - stride, here, here - 1},
                                                     {before - stride, before, here, here - stride}}};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::span<const std::uint32_t> edges = crossings_.edges(axis);
-        makeRoom(mesh_->triangles, cornerCount_ + 6 * edges.size());
-        writeSurfaceFaces(edges, corners[axis], mesh_->points.data(), mesh_->triangles.data() + cornerCount_);
-        cornerCount_ += 6 * edges.size();
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::span<const std::uint32_t> edges = edges_.listed(axis); !edges.empty();) {
+            edges = faces_.lookUp(edges, corners[axis], mesh_->points.data());
+            if (faces_.full()) writeFaces();
+        }
+}
+
+void SurfaceNet::writeFaces() {
+    const std::size_t written = faces_.cornerCount();
+    makeRoom(mesh_->triangles, cornerCount_ + written + SurfaceFaces::spareCorners);
+    faces_.write(mesh_->triangles.data() + cornerCount_);
+    cornerCount_ += written;
 }
 
 } // namespace burin

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/surface_crossings.h"
+#include "core/volume/surface_cubes.h"
+#include "core/volume/surface_faces.h"
 #include "core/volume/surface_field.h"
 #include "core/volume/surface_points.h"
 
@@ -28,21 +29,22 @@ public:
     void finish();
 
 private:
-    /// The points of a row, from 0 on, by the place of their cube; only those of cubes that are crossed are set.
-    struct PointRow {
-        static constexpr std::size_t before = SurfaceField::mostNodes + 1; ///< how far back faces look from a place
-        std::array<std::uint32_t, before + SurfaceField::mostPlaces> points;
-        std::uint32_t* data() { return points.data() + before; }
-    };
-
-    void addPoints(int row);
-    void addFaces(int row);
-    PointRow& pointsOf(int row) { return pointRows_[static_cast<std::size_t>(row) % 2]; }
+    void addCubes(int row);
+    void addBatch();
+    void addFaces();
+    void writeFaces();
 
     SurfaceField field_;
-    SurfaceCrossings crossings_;
+    SurfaceCubes cubes_;
+    SurfaceBatch batch_; ///< cubes whose points are to be added
+    SurfaceEdges edges_; ///< of the batch that was added last
+    SurfaceFaces faces_;
     SurfaceFrame frame_;
-    std::array<PointRow, 2> pointRows_;
+    int firstRow_ = 0; ///< of the batch
+    /// Points by the place of their cube, of the last rows; only those of cubes that are crossed are set. In front of
+    /// the first row stands the last one again, and places that faces look back at.
+    static constexpr std::size_t placesBefore = SurfaceField::mostPlaces + SurfaceField::mostNodes + 1;
+    std::array<std::uint32_t, placesBefore + SurfaceFrame::rowsKept * SurfaceField::mostPlaces> pointAt_;
     SurfaceMesh* mesh_ = nullptr;
     std::size_t pointCount_ = 0, cornerCount_ = 0;
 };

@@ -2,34 +2,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/volume/surface_field.h"
+#include "core/volume/surface_edges.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 
 namespace burin {
 
-/// Where the cubes between two rows of a field lie in the setup frame.
+/// Where a field's cubes lie in the setup frame.
 struct SurfaceFrame {
-    int stride = 0;                         ///< from column to column
-    int firstU = 0, v = 0, firstNode = 0;   ///< the grid's count of column 0, of the first row, of node 0
-    std::array<int, 3> axes{};              ///< x, y or z (0, 1, 2) of u, v and the runs
-    std::array<float, 3> low{};             ///< mm, of the grid's first node along those
-    float size = 1.0F;                      ///< mm, of a cell
-    static constexpr std::size_t spare = 8; ///< room behind the points that may be written to
+    int firstU = 0, firstV = 0, firstNode = 0; ///< the grid's count of column 0, of row 0, of node 0
+    /// Cubes from this column, row and node on own the edges that start at their lowest corner.
+    int firstEdgeColumn = 0, firstEdgeRow = 0, firstEdgeNode = 0;
+    /// From column to column of a row, and from row to row: places of nodes. As many rows are told apart as `rowsKept`.
+    int stride = 0, placesPerRow = 0;
+    static constexpr int rowsKept = 8;
+    int axisOfRuns = 2;         ///< x, y or z: 0, 1, 2
+    std::array<float, 3> low{}; ///< mm, of the grid's first node along u, v and the runs
+    float size = 1.0F;          ///< mm, of a cell
+    /// Room behind the points that may be written to.
+    static constexpr std::size_t spare = SurfaceBatch::spare;
 };
 
-/// One point for each cube (`SurfaceCrossings`), in the middle of the crossings on its edges (Gibson 1998), and its
-/// normal: downhill in the smooth field there, unit length. Places come from the grid's own counts, so that they are
-/// alike in every window.
-/// @param cubes   the surface crosses each; behind them so many more may be read as there is room for points
+/// One point for each cube, in the middle of the crossings on its edges (Gibson 1998), and its normal: downhill in the
+/// smooth field there, unit length. Places come from the grid's own counts, so that they are alike in every window.
 /// @param points  mm, setup frame
 /// @param normals likewise
-void placeSurfacePoints(const SurfaceFrame& frame, const std::array<SurfaceField::Row, 2>& rows,
-                        std::span<const std::uint32_t> cubes, glm::vec3* points, glm::vec3* normals) noexcept;
+/// @param edges   is given those that the cubes own
+void placeSurfacePoints(const SurfaceFrame& frame, const SurfaceBatch& cubes, glm::vec3* points, glm::vec3* normals,
+                        SurfaceEdges& edges) noexcept;
+/// The same for processors without AVX-512; to the last bit, which a test asks of it.
+namespace any_processor {
+void placeSurfacePoints(const SurfaceFrame& frame, const SurfaceBatch& cubes, glm::vec3* points, glm::vec3* normals,
+                        SurfaceEdges& edges) noexcept;
+}
 
 } // namespace burin
