@@ -427,6 +427,14 @@
         <source>Draw the area, the guide or the mirror&apos;s plane of the last edit that has one.</source>
         <translation>Zeichnet die Fläche, die Leitlinie oder die Spiegelebene der letzten Bearbeitung, die eine hat.</translation>
     </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>All shortcuts, and what the mouse does.</source>
+        <translation>Alle Tastenkürzel und was die Maus tut.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -2722,6 +2730,133 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::HandKeys</name>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>The tool floats over the workpiece.</source>
+        <translation>Das Werkzeug schwebt über dem Werkstück.</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Links ziehen</translation>
+    </message>
+    <message>
+        <source>Cuts a stroke.</source>
+        <translation>Schneidet einen Zug.</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>Raises and lowers the tool.</source>
+        <translation>Hebt und senkt das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Makes pointer and wheel fine.</source>
+        <translation>Macht Zeiger und Mausrad fein.</translation>
+    </message>
+    <message>
+        <source>Right drag</source>
+        <translation>Rechts ziehen</translation>
+    </message>
+    <message>
+        <source>Turns the view.</source>
+        <translation>Dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>Move the tool by a voxel.</source>
+        <translation>Bewegen das Werkzeug um ein Voxel.</translation>
+    </message>
+    <message>
+        <source>Page up, down</source>
+        <translation>Bild auf, ab</translation>
+    </message>
+    <message>
+        <source>Raise and lower the tool.</source>
+        <translation>Heben und senken das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Holds the spindle on.</source>
+        <translation>Lässt die Spindel laufen.</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Leaves mill mode.</source>
+        <translation>Verlässt den Fräsmodus.</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Chooses a place of the path, or a move of the program.</source>
+        <translation>Wählt eine Stelle der Bahn oder eine Bewegung des Programms.</translation>
+    </message>
+    <message>
+        <source>Shift and click</source>
+        <translation>Umschalt und Klick</translation>
+    </message>
+    <message>
+        <source>Chooses all from the place chosen before to this one.</source>
+        <translation>Wählt alles von der zuvor gewählten Stelle bis zu dieser.</translation>
+    </message>
+    <message>
+        <source>Moves the place; while something is drawn, draws it.</source>
+        <translation>Verschiebt die Stelle; wird gerade gezeichnet, zeichnet es.</translation>
+    </message>
+    <message>
+        <source>Gives up what is under way, else what is chosen.</source>
+        <translation>Bricht ab, was im Gange ist, sonst die Auswahl.</translation>
+    </message>
+    <message>
+        <source>Right or middle drag</source>
+        <translation>Rechts oder Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>Turns the view about the place under the pointer.</source>
+        <translation>Dreht die Ansicht um die Stelle unter dem Zeiger.</translation>
+    </message>
+    <message>
+        <source>Shift and middle drag</source>
+        <translation>Umschalt und Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>Shifts the view; so does a drag with both buttons.</source>
+        <translation>Verschiebt die Ansicht; Ziehen mit beiden Tasten auch.</translation>
+    </message>
+    <message>
+        <source>Brings the place under the pointer nearer.</source>
+        <translation>Holt die Stelle unter dem Zeiger näher.</translation>
+    </message>
+    <message>
+        <source>Click on the cube</source>
+        <translation>Klick auf den Würfel</translation>
+    </message>
+    <message>
+        <source>Looks at that side.</source>
+        <translation>Blickt auf diese Seite.</translation>
+    </message>
+</context>
+<context>
     <name>burin::HandPanel</name>
     <message>
         <source>Hand and tool</source>
@@ -2838,81 +2973,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The mouse points at the bench itself. With a device in hand, its movements are scaled here.</source>
         <translation>Die Maus zeigt direkt auf die Werkbank. Mit einem Gerät in der Hand werden dessen Bewegungen hier skaliert.</translation>
-    </message>
-</context>
-<context>
-    <name>burin::HowToMill</name>
-    <message>
-        <source>Move</source>
-        <translation>Bewegen</translation>
-    </message>
-    <message>
-        <source>The tool floats over the workpiece.</source>
-        <translation>Das Werkzeug schwebt über dem Werkstück.</translation>
-    </message>
-    <message>
-        <source>Left drag</source>
-        <translation>Links ziehen</translation>
-    </message>
-    <message>
-        <source>Cuts a stroke.</source>
-        <translation>Schneidet einen Zug.</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Mausrad</translation>
-    </message>
-    <message>
-        <source>Raises and lowers the tool.</source>
-        <translation>Hebt und senkt das Werkzeug.</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Umschalt</translation>
-    </message>
-    <message>
-        <source>Makes pointer and wheel fine.</source>
-        <translation>Macht Zeiger und Mausrad fein.</translation>
-    </message>
-    <message>
-        <source>Right drag</source>
-        <translation>Rechts ziehen</translation>
-    </message>
-    <message>
-        <source>Turns the view.</source>
-        <translation>Dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>Pfeile</translation>
-    </message>
-    <message>
-        <source>Move the tool by a voxel.</source>
-        <translation>Bewegen das Werkzeug um ein Voxel.</translation>
-    </message>
-    <message>
-        <source>Page up, down</source>
-        <translation>Bild auf, ab</translation>
-    </message>
-    <message>
-        <source>Raise and lower the tool.</source>
-        <translation>Heben und senken das Werkzeug.</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Leertaste</translation>
-    </message>
-    <message>
-        <source>Holds the spindle on.</source>
-        <translation>Lässt die Spindel laufen.</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Leaves mill mode.</source>
-        <translation>Verlässt den Fräsmodus.</translation>
     </message>
 </context>
 <context>
@@ -3072,6 +3132,33 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::KeyList</name>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Look for a key or for what it does</source>
+        <translation>Nach einer Taste oder ihrer Wirkung suchen</translation>
+    </message>
+    <message>
+        <source>Only lines that hold this text are shown.</source>
+        <translation>Nur Zeilen mit diesem Text werden gezeigt.</translation>
+    </message>
+    <message>
+        <source>No key does that.</source>
+        <translation>Das tut keine Taste.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this page.</source>
+        <translation>Schließt diese Seite.</translation>
+    </message>
+</context>
+<context>
     <name>burin::LoadChart</name>
     <message>
         <source>Cutting force over the machining time; click for the line that is cut then</source>
@@ -3162,6 +3249,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Burin ended before this work was saved; all that was entered and recorded is here again.</source>
         <translation>Burin endete, bevor diese Arbeit gespeichert war; was eingegeben und aufgezeichnet wurde, ist alles wieder da.</translation>
+    </message>
+    <message>
+        <source>Mouse in the view</source>
+        <translation>Maus in der Ansicht</translation>
+    </message>
+    <message>
+        <source>In mill mode</source>
+        <translation>Im Fräsmodus</translation>
+    </message>
+    <message>
+        <source>On the path</source>
+        <translation>Auf der Bahn</translation>
     </message>
 </context>
 <context>

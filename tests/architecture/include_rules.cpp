@@ -41,7 +41,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> uses{
     {"ui/input", {"core", "ui/messages", "ui/scene"}},
     {"ui/panels", {"core", "ui/messages", "ui/theme"}},
     {"ui/dialogs", {"core", "ui/messages", "ui/theme"}},
-    {"ui/help", {"core", "ui/messages", "ui/theme"}},
+    {"ui/help", {"core", "ui/messages", "ui/theme", "ui/panels"}},
     {"ui/workbench", {"core", "ui/messages", "ui/input"}},
     {"ui/actions", {"core", "ui/messages", "ui/workbench"}},
     {"ui/window", {"core", "ui"}},

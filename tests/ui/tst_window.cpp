@@ -6,6 +6,8 @@
 
 #include <QComboBox>
 #include <QFile>
+#include <QLabel>
+#include <QLineEdit>
 #include <QtTest>
 
 using namespace burin;
@@ -16,6 +18,7 @@ class TestWindow : public QObject {
 private slots:
     void settingsCanBeTakenBack();
     void unitAndThemeChangeAtOnce();
+    void allKeysAreListed();
     void unsavedChangesAreGuarded();
     void aWrongFileCostsOneSentence();
     void unsavedWorkIsThereAfterAnEndFromOutside();
@@ -86,6 +89,40 @@ void TestWindow::unitAndThemeChangeAtOnce() {
     QCOMPARE(UserSettings().preferences().unit, LengthUnit::inch);
     QCOMPARE(UserSettings().preferences().theme, Theme::light);
     driver.shoot("10-light-welcome");
+}
+
+void TestWindow::allKeysAreListed() {
+    WindowDriver driver;
+    driver.key(Qt::Key_F1, Qt::ControlModifier);
+    auto* list = driver.window().findChild<KeyList*>();
+    QVERIFY(list != nullptr && list->isVisible());
+    const auto shown = [&] {
+        QStringList texts;
+        for (const QLabel* label : list->findChildren<QLabel*>())
+            if (label->isVisible()) texts << label->text();
+        return texts;
+    };
+    const QStringList all = shown();
+    int shortcuts = 0;
+    for (const QAction* action : driver.window().actions()) {
+        if (action->shortcut().isEmpty()) continue;
+        ++shortcuts;
+        QVERIFY2(all.contains(action->shortcut().toString(QKeySequence::NativeText)), qPrintable(action->text()));
+    }
+    QVERIFY(shortcuts > 40);
+    list->grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/24-keys.png"));
+    auto* search = list->findChild<QLineEdit*>(QStringLiteral("keySearch"));
+    QTest::keyClicks(search, "spindle");
+    QVERIFY(shown().contains(QStringLiteral("Space")));
+    QVERIFY(!shown().contains(QStringLiteral("Ctrl+S")));
+    QTest::keyClicks(search, "xyz");
+    QVERIFY(shown().contains(QStringLiteral("No key does that.")));
+    search->clear();
+    QCOMPARE(shown(), all);
+    driver.key(Qt::Key_F1, Qt::ControlModifier);
+    QCOMPARE(driver.window().findChildren<KeyList*>().size(), 1);
+    QTest::keyClick(list, Qt::Key_Escape);
+    QTRY_VERIFY(driver.window().findChild<KeyList*>() == nullptr);
 }
 
 void TestWindow::unsavedChangesAreGuarded() {

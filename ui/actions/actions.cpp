@@ -130,6 +130,8 @@ constexpr std::array rows{
         "Ctrl+Shift+E"},
     Row{ActionId::welcome, "welcomeAction", QT_TRANSLATE_NOOP("Actions", "&Welcome page"),
         QT_TRANSLATE_NOOP("Actions", "Show how to begin."), "F1"},
+    Row{ActionId::keyList, "keyListAction", QT_TRANSLATE_NOOP("Actions", "&Keys and mouse"),
+        QT_TRANSLATE_NOOP("Actions", "All shortcuts, and what the mouse does."), "Ctrl+F1"},
     Row{ActionId::about, "aboutAction", QT_TRANSLATE_NOOP("Actions", "&About Burin"),
         QT_TRANSLATE_NOOP("Actions", "Version, licence and sources."), "Shift+F1"},
 };

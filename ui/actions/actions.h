@@ -64,6 +64,7 @@ enum class ActionId : std::size_t {
     findInProgram,
     overrideCheck,
     welcome,
+    keyList,
     about,
     count
 };

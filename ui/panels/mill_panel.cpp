@@ -5,7 +5,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
-#include "ui/panels/how_to_mill.h"
+#include "ui/panels/key_lines.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
@@ -78,7 +78,7 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
     column_->addWidget(show_);
     keysTitle_ = makeSectionTitle(MillPanel::tr("Mouse and keys"), panel);
     column_->addWidget(keysTitle_);
-    keys_ = new HowToMill(panel);
+    keys_ = new KeyLines(HandKeys::inMillMode(), panel);
     column_->addWidget(keys_);
     column_->addStretch(1);
 }

@@ -176,6 +176,7 @@ void MainWindow::connectActions() {
     on(ActionId::overrideCheck, [this] { overrideCheck(); });
     connect(panels_->program, &ProgramPanel::overrideRequested, actions_[ActionId::overrideCheck], &QAction::trigger);
     on(ActionId::welcome, [this] { pages_->currentWidget() == welcome_ ? showBench(true) : showWelcome(); });
+    on(ActionId::keyList, [this] { showKeys(); });
     on(ActionId::about, [this] { showAbout(this, QCoreApplication::applicationVersion()); });
     connect(panels_->part, &PartPanel::importRequested, &flow_, &DocumentFlow::import);
     connect(panels_->part, &PartPanel::stlUnitChosen, &flow_, &DocumentFlow::importAgain);
@@ -320,6 +321,21 @@ void MainWindow::showPreferences() {
         apply(preferences);
     });
     dialog.exec();
+}
+
+void MainWindow::showKeys() {
+    auto* list = findChild<KeyList*>();
+    if (list == nullptr) {
+        std::vector<KeySection> sections{{tr("Mouse in the view"), HandKeys::ofTheView()},
+                                         {tr("In mill mode"), HandKeys::inMillMode()},
+                                         {tr("On the path"), HandKeys::onThePath()}};
+        std::ranges::move(menus_->keys(), std::back_inserter(sections));
+        list = new KeyList(sections, this);
+        list->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    list->show();
+    list->raise();
+    list->activateWindow();
 }
 
 void MainWindow::removeTake(qint64 take) {

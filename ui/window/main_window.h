@@ -48,6 +48,7 @@ private:
     void dress(Theme theme);
     void apply(const Preferences& preferences);
     void showPreferences();
+    void showKeys();
     void removeTake(qint64 take);
     void overrideCheck();
     void tellAboutOpened();

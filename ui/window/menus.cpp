@@ -28,7 +28,7 @@ QMenu* addMenu(QMenuBar& bar, const QString& title, const char* name, const Acti
 
 } // namespace
 
-Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar) {
+Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     using enum ActionId;
     constexpr auto line = std::nullopt;
     QMenu* file = addMenu(
@@ -47,8 +47,22 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar) {
              alignHand, finerHand,      coarserHand, rateControl, line,     showMe, stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions, {post, exportProgram, overrideCheck, line, findInProgram});
-    addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, about});
+    addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, keyList, about});
     setRecentFiles({});
+}
+
+std::vector<KeySection> Menus::keys() const {
+    const auto textOf = [](const QAction& action) { return action.iconText().remove(QChar(0x2026)); }; // "…"
+    std::vector<KeySection> sections;
+    for (const QAction* entry : bar_.actions()) {
+        KeySection section{entry->iconText(), {}};
+        for (const QAction* action : entry->menu()->actions())
+            if (!action->shortcut().isEmpty())
+                section.lines.push_back(
+                    {action->shortcut().toString(QKeySequence::NativeText), textOf(*action), action->toolTip()});
+        sections.push_back(std::move(section));
+    }
+    return sections;
 }
 
 void Menus::setRecentFiles(const QStringList& files) {

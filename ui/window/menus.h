@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/actions/actions.h"
+#include "ui/help/key_list.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -15,12 +16,15 @@ class Menus final : public QObject {
     Q_OBJECT
 public:
     Menus(QMenuBar& bar, const Actions& actions);
+    /// Shortcuts, menu by menu.
+    std::vector<KeySection> keys() const;
     void setRecentFiles(const QStringList& files);
 
 signals:
     void recentChosen(const QString& file);
 
 private:
+    QMenuBar& bar_;
     QMenu* recent_ = nullptr;
 };
 

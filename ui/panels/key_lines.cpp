@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/key_lines.h"
+
+#include "ui/panels/panel_layout.h"
+
+#include <QGridLayout>
+
+#include <algorithm>
+
+namespace burin {
+
+KeyLines::KeyLines(const std::vector<KeyLine>& lines, QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setHorizontalSpacing(12);
+    grid_->setVerticalSpacing(4);
+    grid_->setColumnStretch(1, 1);
+    for (const KeyLine& line : lines) {
+        auto* key = new QLabel(line.input, this);
+        key->setProperty("look", "key");
+        QLabel* effect = makeWrappedLabel(this);
+        effect->setProperty("look", "small");
+        effect->setToolTip(line.explanation);
+        setWrappedText(effect, line.effect);
+        const auto row = static_cast<int>(rows_.size());
+        grid_->addWidget(key, row, 0, Qt::AlignLeft | Qt::AlignTop);
+        grid_->addWidget(effect, row, 1);
+        rows_.push_back({line.input + QLatin1Char('\n') + line.effect, key, effect});
+    }
+}
+
+bool KeyLines::showOnly(const QString& text) {
+    bool any = false;
+    for (const Row& row : rows_) {
+        const bool shown = row.text.contains(text, Qt::CaseInsensitive);
+        row.key->setVisible(shown);
+        row.effect->setVisible(shown);
+        any = any || shown;
+    }
+    return any;
+}
+
+int KeyLines::keyWidth() const {
+    int widest = 0;
+    for (const Row& row : rows_) {
+        row.key->ensurePolished(); // the window's style sheet has a say
+        widest = std::max(widest, row.key->sizeHint().width());
+    }
+    return widest;
+}
+
+void KeyLines::setKeyWidth(int pixels) {
+    grid_->setColumnMinimumWidth(0, pixels);
+}
+
+std::vector<KeyLine> HandKeys::inMillMode() {
+    return {
+        {tr("Move"), tr("The tool floats over the workpiece.")},
+        {tr("Left drag"), tr("Cuts a stroke.")},
+        {tr("Wheel"), tr("Raises and lowers the tool.")},
+        {tr("Shift"), tr("Makes pointer and wheel fine.")},
+        {tr("Right drag"), tr("Turns the view.")},
+        {tr("Arrows"), tr("Move the tool by a voxel.")},
+        {tr("Page up, down"), tr("Raise and lower the tool.")},
+        {tr("Space"), tr("Holds the spindle on.")},
+        {tr("Esc"), tr("Leaves mill mode.")},
+    };
+}
+
+std::vector<KeyLine> HandKeys::onThePath() {
+    return {
+        {tr("Click"), tr("Chooses a place of the path, or a move of the program.")},
+        {tr("Shift and click"), tr("Chooses all from the place chosen before to this one.")},
+        {tr("Left drag"), tr("Moves the place; while something is drawn, draws it.")},
+        {tr("Esc"), tr("Gives up what is under way, else what is chosen.")},
+    };
+}
+
+std::vector<KeyLine> HandKeys::ofTheView() {
+    return {
+        {tr("Right or middle drag"), tr("Turns the view about the place under the pointer.")},
+        {tr("Shift and middle drag"), tr("Shifts the view; so does a drag with both buttons.")},
+        {tr("Wheel"), tr("Brings the place under the pointer nearer.")},
+        {tr("Click on the cube"), tr("Looks at that side.")},
+    };
+}
+
+} // namespace burin
