@@ -136,7 +136,7 @@ void walksAtOneVoxel(Session& session) {
     if (small && session.wants("cut.ball.r50.m1.512.p50.against_csg_difference")) {
         session.stage("cut.ball.r50.m1.512, OpenVDB csgDifference");
         const std::string name = "cut.ball.r50.m1.512.p50.against_csg_difference";
-        const auto times = csgDifferenceTimes(512.0, 50.0, walkFromAbove(512.0, 50.0, 1.0, 60));
+        const auto times = csgDifferenceTimes(512.0, 50.0, walkFromAbove(512.0, 50.0, 1.0, 2000));
         if (times)
             session.add(against(figure(name, small->p50, "us"), "OpenVDB level set, csgDifference",
                                 percentile(session.least(name, *times), 0.5), 1000.0));
