@@ -43,9 +43,19 @@ BURIN_INLINE void add(Nodes low, Nodes high, EightExtents& to) noexcept {
     to.most = high > to.most ? high : to.most;
 }
 BURIN_INLINE Extent ofAll(const EightExtents& eight) noexcept {
-    Extent extent = nothing;
-    for (int i = 0; i < nodeLanes; i += 2) extent.add({eight.least[i], eight.most[i]});
-    return extent;
+    Nodes least = eight.least, most = eight.most;
+    const auto add = [&](Nodes otherLeast, Nodes otherMost) noexcept {
+        least = otherLeast < least ? otherLeast : least;
+        most = otherMost > most ? otherMost : most;
+    };
+    // Lanes that an even number parts, so that places stay among places.
+    add(__builtin_shufflevector(least, least, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7),
+        __builtin_shufflevector(most, most, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+    add(__builtin_shufflevector(least, least, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11),
+        __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11));
+    add(__builtin_shufflevector(least, least, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13),
+        __builtin_shufflevector(most, most, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));
+    return {least[0], most[0]};
 }
 
 BURIN_VECTORISED void findExtents(const SurfaceLine* lines, std::size_t step, std::size_t rows,

@@ -35,15 +35,25 @@ public:
         const auto at = static_cast<std::size_t>(row);
         return std::span(further_).subspan(firstFurther_[at], firstFurther_[at + 1] - firstFurther_[at]);
     }
-    /// Of the material at a place, as far as the window sees; air beside the grid.
-    /// @param line     row after row of scanlines, `step` apart, from the window's first on
-    /// @param position run units
-    PropertyIndex propertyAt(std::int32_t line, std::int32_t position) const {
-        const Segment* segment = firstSegments_[static_cast<std::size_t>(line)];
-        if (segment == nullptr || position >= lineEnd_) return airProperty;
-        while (static_cast<std::int32_t>(segment->end()) <= position) ++segment;
-        return segment->property();
-    }
+    /// Tells the material at a place, as far as the window sees; air beside the grid. A copy of what it needs, which no
+    /// store into properties can change, as far as the compiler knows.
+    class Materials {
+    public:
+        explicit Materials(const SurfaceLines& lines)
+            : firstSegments_(lines.firstSegments_.data()), lineEnd_(lines.lineEnd_) {}
+        /// @param line     row after row of scanlines, `step` apart, from the window's first on
+        /// @param position run units
+        PropertyIndex at(std::int32_t line, std::int32_t position) const {
+            const Segment* segment = firstSegments_[line];
+            if (segment == nullptr || position >= lineEnd_) return airProperty;
+            while (static_cast<std::int32_t>(segment->end()) <= position) ++segment;
+            return segment->property();
+        }
+
+    private:
+        const Segment* const* firstSegments_;
+        std::int32_t lineEnd_;
+    };
     /// The one material in the window, airProperty when there are several.
     PropertyIndex onlyProperty() const;
     /// Whether any of them is protected.

@@ -100,14 +100,15 @@ void SurfaceMaterials::find(const VolumeSnapshot& workpiece, const SurfaceWindow
         if (places_[depth].size() < points.size() + spare) places_[depth].resize(2 * points.size() + spare);
         placesBelow(frame_, points.data(), normals, points.size(), partDepths[depth], places_[depth].data());
     }
-    for (std::size_t i = 0; i < points.size(); ++i)
-        properties[i] = lines.propertyAt(places_[0][i].line, places_[0][i].position);
+    const SurfaceLines::Materials materials(lines);
+    const Place* const first = places_[0].data();
+    for (std::size_t i = 0; i < points.size(); ++i) properties[i] = materials.at(first[i].line, first[i].position);
     for (std::size_t depth = 1; depth < depths; ++depth)
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const PropertyIndex property = lines.propertyAt(places_[depth][i].line, places_[depth][i].position);
-            const bool first =
+            const PropertyIndex property = materials.at(places_[depth][i].line, places_[depth][i].position);
+            const bool counts =
                 properties[i] == airProperty || (list.isProtected(property) && !list.isProtected(properties[i]));
-            if (first) properties[i] = property;
+            if (counts) properties[i] = property;
         }
     const std::array further{0.6F, 0.9F, 1.3F, 1.8F, 1.8F * static_cast<float>(window.cell())};
     const std::span<PropertyIndex> all(properties, points.size());
@@ -121,10 +122,11 @@ void SurfaceMaterials::find(const VolumeSnapshot& workpiece, const SurfaceWindow
 /// Where the first depths found nothing: further down, then (a splinter thinner than that) in the voxels around.
 PropertyIndex SurfaceMaterials::search(const SurfaceLines& lines, std::span<const glm::vec3> point,
                                        const glm::vec3* normal, std::span<const float> depths) const {
+    const SurfaceLines::Materials materials(lines);
     std::array<Place, lanes> places;
     for (const float depth : depths) {
         placesBelow(frame_, point.data(), normal, 1, depth, places.data());
-        const PropertyIndex property = lines.propertyAt(places[0].line, places[0].position);
+        const PropertyIndex property = materials.at(places[0].line, places[0].position);
         if (property != airProperty) return property;
     }
     constexpr auto half = static_cast<std::int32_t>(unitsPerVoxel / 2);
@@ -133,7 +135,7 @@ PropertyIndex SurfaceMaterials::search(const SurfaceLines& lines, std::span<cons
         for (std::int32_t u = -1; u <= 1; ++u)
             for (std::int32_t n = -2; n <= 2; ++n) {
                 const PropertyIndex property =
-                    lines.propertyAt(places[0].line + v * frame_.step + u, places[0].position + n * half);
+                    materials.at(places[0].line + v * frame_.step + u, places[0].position + n * half);
                 if (property != airProperty) return property;
             }
     return airProperty;

@@ -27,7 +27,7 @@ public:
               std::span<const glm::vec3> points, const glm::vec3* normals, PropertyIndex* properties);
     static constexpr std::size_t spare = 8;
 
-    /// A place in a window: the scanline, as `SurfaceLines::propertyAt` counts, and how far along it, run units.
+    /// A place in a window: the scanline, as `SurfaceLines::Materials` counts, and how far along it, run units.
     struct Place {
         std::int32_t line = 0, position = 0;
     };
