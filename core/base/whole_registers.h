@@ -56,25 +56,30 @@ BURIN_INLINE std::uint32_t* append(Words words, Mask mask, std::uint32_t* to) no
     }
     return to;
 }
-/// Reads words, four that belong together and then the next four: the first of each four, then the second, …
+/// The first of fours of numbers, the second, …
+template <class Lanes>
+struct Fours {
+    Lanes of[4];
+};
+/// Reads numbers, four that belong together and then the next four: the first of each four, then the second, …
 /// @tparam step from four to four
-template <int step>
-BURIN_INLINE void loadFours(const std::uint32_t* from, Words (&each)[4]) noexcept {
-    const auto both = [&](int i) noexcept -> Words { // of i and of 4 + i
-        std::uint32_t __attribute__((vector_size(16))) low, high;
+template <class Lanes, int step, class Number>
+BURIN_INLINE Fours<Lanes> foursAt(const Number* from) noexcept {
+    const auto both = [&](int i) noexcept -> Lanes { // of i and of 4 + i
+        Number __attribute__((vector_size(16))) low, high;
         __builtin_memcpy(&low, from + step * i, sizeof low);
         __builtin_memcpy(&high, from + step * (4 + i), sizeof high);
         return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
     };
-    const Words a = both(0), b = both(1), c = both(2), d = both(3);
-    const Words lowAb = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
+    const Lanes a = both(0), b = both(1), c = both(2), d = both(3);
+    const Lanes lowAb = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
                 lowCd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13),
                 highAb = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15),
                 highCd = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
-    each[0] = __builtin_shufflevector(lowAb, lowCd, 0, 1, 8, 9, 4, 5, 12, 13);
-    each[1] = __builtin_shufflevector(lowAb, lowCd, 2, 3, 10, 11, 6, 7, 14, 15);
-    each[2] = __builtin_shufflevector(highAb, highCd, 0, 1, 8, 9, 4, 5, 12, 13);
-    each[3] = __builtin_shufflevector(highAb, highCd, 2, 3, 10, 11, 6, 7, 14, 15);
+    return {{__builtin_shufflevector(lowAb, lowCd, 0, 1, 8, 9, 4, 5, 12, 13),
+             __builtin_shufflevector(lowAb, lowCd, 2, 3, 10, 11, 6, 7, 14, 15),
+             __builtin_shufflevector(highAb, highCd, 0, 1, 8, 9, 4, 5, 12, 13),
+             __builtin_shufflevector(highAb, highCd, 2, 3, 10, 11, 6, 7, 14, 15)}};
 }
 /// Writes vectors, and one number more.
 BURIN_INLINE void storeVectors(Floats x, Floats y, Floats z, float* to) noexcept {
@@ -151,8 +156,9 @@ BURIN_INLINE std::uint32_t* append(Words words, Mask mask, std::uint32_t* to) no
     _mm512_storeu_si512(to, chosen);
     return to + std::popcount(mask.bits);
 }
-template <int step>
-BURIN_INLINE void loadFours(const std::uint32_t* from, Words (&each)[4]) noexcept {
+using eight_lanes::Fours;
+template <class Lanes, int step>
+BURIN_INLINE Fours<Lanes> foursAt(const std::uint32_t* from) noexcept {
     const auto four = [&](int i) noexcept { // of i, 4 + i, 8 + i, 12 + i
         const auto at = [&](int place) noexcept {
             return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + step * place));
@@ -168,10 +174,7 @@ BURIN_INLINE void loadFours(const std::uint32_t* from, Words (&each)[4]) noexcep
     };
     const Words a = four(0), b = four(1), c = four(2), d = four(3);
     const Words lowAc = low(a, c), lowBd = low(b, d), highAc = high(a, c), highBd = high(b, d);
-    each[0] = low(lowAc, lowBd);
-    each[1] = high(lowAc, lowBd);
-    each[2] = low(highAc, highBd);
-    each[3] = high(highAc, highBd);
+    return {{low(lowAc, lowBd), high(lowAc, lowBd), low(highAc, highBd), high(highAc, highBd)}};
 }
 BURIN_INLINE void storeVectors(Floats x, Floats y, Floats z, float* to) noexcept {
     // A third of the numbers in each register: x and y where they belong, then z between.

@@ -52,7 +52,8 @@ public:
     std::size_t reservedBytes() const noexcept { return std::size_t{unitCount_} * unitBytes; }
     std::size_t usedBytes() const noexcept;
 
-    /// Behind the last block so many bytes may be read as well, so that a block's end can be read in whole registers.
+    /// Behind any block so many bytes may be read as well, so that its end can be read in whole registers. What stands
+    /// there means nothing, and a writer may be changing it.
     static constexpr std::size_t overread = 64;
 
 private:

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface_materials.h"
 
-#include "core/base/vectorised.h"
-#include "core/geometry/four_floats.h"
+#include "core/base/whole_registers.h"
 
 #include <algorithm>
 
@@ -18,28 +17,14 @@ using Frame = SurfaceMaterials::Frame;
 /// Below a point, voxels. So far down the part counts for more than what lies on it.
 constexpr std::array<float, 3> partDepths{0.3F, 0.6F, 0.9F};
 
-/// The coordinates of eight vectors, by axis; one number behind them is read.
+/// The coordinates of eight vectors, along u, v and the runs; one number behind them is read.
 struct EightVectors {
     Floats along[3];
 };
-BURIN_INLINE EightVectors eightAt(const glm::vec3* vectors) noexcept {
-    const auto both = [&](int i) noexcept -> Floats { // i, and in the upper half 4 + i
-        const FourFloats low = fourAt(&vectors[i].x), high = fourAt(&vectors[4 + i].x);
-        return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-    };
-    const Floats a = both(0), b = both(1), c = both(2), d = both(3);
-    const Floats lowAb = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
-                 lowCd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13),
-                 highAb = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15),
-                 highCd = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
-    return {{__builtin_shufflevector(lowAb, lowCd, 0, 1, 8, 9, 4, 5, 12, 13),
-             __builtin_shufflevector(lowAb, lowCd, 2, 3, 10, 11, 6, 7, 14, 15),
-             __builtin_shufflevector(highAb, highCd, 0, 1, 8, 9, 4, 5, 12, 13)}};
-}
-/// By u, v and the runs instead of x, y and z.
 template <int axisOfRuns>
-BURIN_INLINE EightVectors turned(const EightVectors& eight) noexcept {
-    return {{eight.along[(axisOfRuns + 1) % 3], eight.along[(axisOfRuns + 2) % 3], eight.along[axisOfRuns]}};
+BURIN_INLINE EightVectors eightAt(const glm::vec3* vectors) noexcept {
+    const auto [xyz] = eight_lanes::foursAt<Floats, 3>(&vectors->x); // and the next vector's x
+    return {{xyz[(axisOfRuns + 1) % 3], xyz[(axisOfRuns + 2) % 3], xyz[axisOfRuns]}};
 }
 BURIN_INLINE Integers clamped(Integers values, std::int32_t end) noexcept {
     return least(most(values, integers(0)), integers(end - 1));
@@ -50,8 +35,7 @@ template <int axisOfRuns>
 BURIN_INLINE void placesAlong(const Frame& frame, const glm::vec3* points, const glm::vec3* normals, std::size_t count,
                               float depth, Place* places) noexcept {
     for (std::size_t i = 0; i < count; i += lanes) {
-        const EightVectors point = turned<axisOfRuns>(eightAt(points + i)),
-                           normal = turned<axisOfRuns>(eightAt(normals + i));
+        const EightVectors point = eightAt<axisOfRuns>(points + i), normal = eightAt<axisOfRuns>(normals + i);
         const auto below = [&](std::size_t axis) noexcept { // voxels from the grid's low end
             return (point.along[axis] - frame.low[axis]) * frame.perMillimetre - depth * normal.along[axis];
         };

@@ -26,12 +26,11 @@ constexpr int cornerWords = sizeof(SurfaceBatch::Corners) / sizeof(std::uint32_t
 /// of them.
 /// @param first of what cubes have at their corners
 BURIN_INLINE Corners cornersOf(const std::uint32_t (&first)[4]) noexcept {
-    Words pairs[4];
-    loadFours<cornerWords>(first, pairs);
+    const auto pairs = foursAt<Words, cornerWords>(first);
     Corners corners;
     for (int u = 0; u < 2; ++u)
         for (int v = 0; v < 2; ++v) {
-            const Words both = pairs[u + 2 * v];
+            const Words both = pairs.of[u + 2 * v];
             corners.at[u][v][0] = floatsOf(reinterpret_cast<Integers>(both << 16));
             corners.at[u][v][1] = floatsOf(reinterpret_cast<Integers>(both & 0xffff0000U));
         }
