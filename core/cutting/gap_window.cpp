@@ -15,6 +15,47 @@ namespace {
 
 constexpr std::int32_t far = 1 << 29; ///< beyond any run position; two of them and one of those still add up
 
+bool isMachinable(const PropertyList& properties, PropertyIndex property) noexcept {
+    return property != airProperty && !properties.isProtected(property);
+}
+
+/// The lines of a brick, one after another: their gaps about one place.
+class LinesAbout {
+public:
+    LinesAbout(const RunVolume& workpiece, LineIndex corner, std::int32_t place) noexcept
+        : properties_(workpiece.properties())
+        , next_(workpiece.brick(corner).data())
+        , lineEnd_(static_cast<std::int32_t>(workpiece.grid().lineEnd()))
+        , place_(place) {}
+
+    GapWindow::LineGap next() noexcept {
+        GapWindow::LineGap gap{0, lineEnd_, 0, 0};
+        std::int32_t start = 0;
+        for (bool passed = false; start != lineEnd_; ++next_) {
+            const auto end = static_cast<std::int32_t>(next_->end());
+            const PropertyIndex property = next_->property();
+            if (!passed && isMachinable(properties_, property)) {
+                if (start < place_) {
+                    gap.low = std::min(end, place_);
+                    gap.left = static_cast<std::uint32_t>(start) << 8 | property;
+                }
+                if (end > place_) {
+                    gap.high = std::max(start, place_);
+                    gap.right = static_cast<std::uint32_t>(end) << 8 | property;
+                    passed = true;
+                }
+            }
+            start = end;
+        }
+        return gap;
+    }
+
+private:
+    const PropertyList& properties_;
+    const Segment* next_;
+    std::int32_t lineEnd_, place_;
+};
+
 /// A sum over lanes.
 template <class Lanes>
 double sumOf(const Lanes& values) noexcept {
@@ -44,6 +85,7 @@ GapWindow::GapWindow(const Grid& grid, double reach) : lineCountU_(grid.lineCoun
 
 /// Gives a brick's place to other lines, of which nothing is known yet.
 void GapWindow::claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept {
+    brick.known = false;
     brick.u = u;
     brick.v = v;
     for (std::int32_t row = v * 8; row < v * 8 + 8; ++row) {
@@ -167,7 +209,7 @@ void GapWindow::forget() noexcept {
     for (Brick& brick : bricks_) {
         brick.u = brick.v = -1;
         brick.owing = 0;
-        brick.queued = brick.ready = false;
+        brick.queued = brick.ready = brick.known = false;
         brick.room = {};
     }
     pendingBricks_ = queueCount_ = 0;
@@ -199,12 +241,37 @@ int GapWindow::takeSome(RunVolume& workpiece, std::span<const RowSpans> spans, R
     }
     sums_.rows += static_cast<int>(spans.size());
     kernels::Growth growth{open_.data()};
-    while (!kernels::growGaps(rows, sums_, growth))
-        if (!expectCuts(workpiece, bricks[(spans[growth.row].firstGroup + growth.group) & mask_])) {
+    int read = 0;
+    while (!kernels::growGaps(rows, sums_, growth)) {
+        const RowSpans& row = spans[growth.row];
+        Brick& brick = bricks[(row.firstGroup + growth.group) & mask_];
+        if (const int cost = know(workpiece, brick, row, growth.group); cost > 0) {
+            read += cost; // and see what is left to take
+            continue;
+        }
+        if (!expectCuts(workpiece, brick)) {
             removed.outOfMemory = true;
             break;
         }
-    return takeOpen(workpiece, spans, std::span(open_).first(growth.openCount), removed);
+    }
+    return read + takeOpen(workpiece, spans, std::span(open_).first(growth.openCount), removed);
+}
+
+/// Reads all lines of a brick, one after another as they lie in memory: far less than each for itself when a span first
+/// comes to it.
+/// @param place of all gaps: where the first span that comes to the brick is
+void GapWindow::learn(const RunVolume& workpiece, Brick& brick, std::int32_t place) noexcept {
+    brick.known = true;
+    const LineIndex corner{brick.u * lanes, brick.v * lanes};
+    const int rows = std::min(lanes, lineCountV_ - corner.v), columns = std::min(lanes, lineCountU_ - corner.u);
+    LinesAbout lines(workpiece, corner, place);
+    for (int row = 0; row < rows; ++row) {
+        Gap& gap = gaps_[gapAt(corner.v + row, brick.u)];
+        for (int lane = 0; lane < lanes; ++lane) {
+            const LineGap found = lines.next();
+            if (lane < columns) keep(gap, lane, found);
+        }
+    }
 }
 
 /// The lines that arithmetic could not serve.
@@ -255,10 +322,7 @@ GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex lin
                                        RemovedUnits& removed) noexcept {
     const PropertyList& properties = workpiece.properties();
     const std::span<const Segment> segments = workpiece.line(line);
-    const auto machinable = [&](PropertyIndex property) {
-        return property != airProperty && !properties.isProtected(property);
-    };
-    Found found{around.low, around.high, 0, 0, 0};
+    Found found{{around.low, around.high, 0, 0}, 0};
     const auto take = [&](PropertyIndex property, std::int32_t from, std::int32_t to) {
         const std::int32_t units = std::max(to - from, 0);
         removed.byProperty[property] += static_cast<std::uint64_t>(units);
@@ -270,7 +334,7 @@ GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex lin
     while (holdsHigh != last && static_cast<std::int32_t>(holdsHigh->end()) <= around.high) ++holdsHigh;
     for (const Segment* segment = holdsHigh; segment != last; ++segment) {
         const auto end = static_cast<std::int32_t>(segment->end());
-        if (const PropertyIndex property = segment->property(); machinable(property)) {
+        if (const PropertyIndex property = segment->property(); isMachinable(properties, property)) {
             const std::int32_t reached = end > span.high ? std::max(found.high, span.high) : end;
             take(property, found.high, reached);
             found.high = reached;
@@ -284,7 +348,7 @@ GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex lin
         --segment;
         const std::int32_t start = segment == first ? 0 : static_cast<std::int32_t>(segment[-1].end());
         if (start >= found.low) continue;
-        if (const PropertyIndex property = segment->property(); machinable(property)) {
+        if (const PropertyIndex property = segment->property(); isMachinable(properties, property)) {
             const std::int32_t reached = start < span.low ? std::min(found.low, span.low) : start;
             take(property, reached, found.low);
             found.low = reached;
@@ -297,20 +361,19 @@ GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex lin
     return found;
 }
 
-void GapWindow::keep(Gap& gap, int lane, const Found& found) noexcept {
+void GapWindow::keep(Gap& gap, int lane, const LineGap& found) noexcept {
     gap.low[lane] = found.low;
     gap.high[lane] = found.high;
     gap.left[lane] = found.left;
     gap.right[lane] = found.right;
 }
 
-/// Takes a span that its neighbours do not hold: over the border of two materials, apart from the gap, or of a line
-/// that was not known.
+/// Takes a span that its neighbours do not hold: over the border of two materials, or apart from the gap.
 bool GapWindow::widen(RunVolume& workpiece, LineIndex line, Brick& brick, Gap& gap, Bounds span,
                       RemovedUnits& removed) noexcept {
     const int lane = line.u & 7;
     Bounds around{gap.low[lane], gap.high[lane]};
-    if (around.low > around.high || span.low > around.high || span.high < around.low) {
+    if (span.low > around.high || span.high < around.low) {
         if ((brick.owing >> bitOf(line) & 1) != 0 && !write(workpiece, brick)) return false;
         around = {span.low, span.low};
     }
@@ -325,20 +388,22 @@ bool GapWindow::widen(RunVolume& workpiece, LineIndex line, Brick& brick, Gap& g
     return true;
 }
 
+/// Reads the lines of a brick if there is a span in a group of it and they are not known. @return what it cost, in
+/// lines
+int GapWindow::know(const RunVolume& workpiece, Brick& brick, const RowSpans& row, std::int32_t group) noexcept {
+    if (brick.known) return 0;
+    for (int lane = 0; lane < lanes; ++lane)
+        if (row.low[group][lane] < row.high[group][lane]) {
+            learn(workpiece, brick, row.high[group][lane]);
+            return brickInLines;
+        }
+    return 0;
+}
+
 int GapWindow::look(const RunVolume& workpiece, const RowSpans& row) noexcept {
     int read = 0;
-    RemovedUnits nothing;
-    for (std::int32_t group = 0; group < row.groups; ++group) {
-        const EightIntegers &low = row.low[group], &high = row.high[group];
-        Gap& gap = gaps_[gapAt(row.v, row.firstGroup + group)];
-        std::uint32_t unknown = bitsOf((load(gap.low) > load(gap.high)) & (load(low) < load(high)));
-        for (; unknown != 0; unknown &= unknown - 1, ++read) {
-            const int lane = std::countr_zero(unknown);
-            const std::int32_t middle = low[lane] + (high[lane] - low[lane]) / 2;
-            const LineIndex line{(row.firstGroup + group) * lanes + lane, row.v};
-            keep(gap, lane, lookAround(workpiece, line, {middle, middle}, {middle, middle}, nothing));
-        }
-    }
+    for (std::int32_t group = 0; group < row.groups; ++group)
+        read += know(workpiece, bricks_[brickAt(row.firstGroup + group, row.v >> 3)], row, group);
     return read;
 }
 

@@ -23,6 +23,7 @@ namespace burin {
 class GapWindow {
 public:
     static constexpr int longestDelay = 16; ///< ticks that a cut is owed at most
+    static constexpr int brickInLines = 8;  ///< what reading a brick at once costs, with what its first cut needs
 
     /// Allocates. @param reach lines from the tool's tip that a cut may lie away, the way counted in
     GapWindow(const Grid& grid, double reach);
@@ -35,11 +36,11 @@ public:
     std::optional<int> cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
                              std::int32_t lastGroup) noexcept;
     /// Takes spans out of rows that share their bricks. Stops at a brick for which no memory is left: see RemovedUnits.
-    /// @return lines for which the volume was read
+    /// @return lines for which the volume was read; a brick at once counts as `brickInLines`
     int take(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept;
     /// Adds what `take` has summed up so far; to be called after its last row.
     void collect(RemovedUnits& removed) noexcept;
-    /// Gets lines ready of which a cut may ask soon. @return lines for which the volume was read
+    /// Gets bricks ready of which a cut may ask soon. @return as `take`
     int look(const RunVolume& workpiece, const RowSpans& row) noexcept;
 
     /// Bricks that `writeDue` would write now, and more the more is taken before.
@@ -88,6 +89,11 @@ public:
         EightWords left;         ///< start << 8 | property, of the segment that ends at `low`; 0: none
         EightWords right;        ///< end << 8 | property, of the segment that begins at `high`; 0: none
     };
+    /// One line of these.
+    struct LineGap {
+        std::int32_t low = 0, high = 0;
+        std::uint32_t left = 0, right = 0;
+    };
     /// Sums over some rows, lane by lane.
     struct alignas(64) Sums {
         std::array<EightIntegers, 256> byProperty{};
@@ -106,6 +112,7 @@ public:
         std::uint8_t due = 0;    ///< tick, of 16
         bool queued = false;
         bool ready = false; ///< for cuts: queued, and with room
+        bool known = false; ///< its lines were read
     };
     /// Rows of the window that share their bricks.
     struct Rows {
@@ -130,9 +137,7 @@ private:
         std::int32_t low = 0, high = 0; ///< run units
     };
     /// A gap as the volume shows it.
-    struct Found {
-        std::int32_t low = 0, high = 0;
-        std::uint32_t left = 0, right = 0;
+    struct Found : LineGap {
         std::uint64_t taken = 0; ///< run units
     };
     static int bitOf(LineIndex line) noexcept { return (line.v & 7) * 8 + (line.u & 7); }
@@ -145,6 +150,8 @@ private:
     }
     void claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept;
     bool expectCuts(RunVolume& workpiece, Brick& brick) noexcept;
+    int know(const RunVolume& workpiece, Brick& brick, const RowSpans& row, std::int32_t group) noexcept;
+    void learn(const RunVolume& workpiece, Brick& brick, std::int32_t place) noexcept;
     int takeSome(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept;
     int takeOpen(RunVolume& workpiece, std::span<const RowSpans> rows, std::span<const Open> open,
                  RemovedUnits& removed) noexcept;
@@ -156,7 +163,7 @@ private:
                RemovedUnits& removed) noexcept;
     static Found lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, Bounds span,
                             RemovedUnits& removed) noexcept;
-    static void keep(Gap& gap, int lane, const Found& found) noexcept;
+    static void keep(Gap& gap, int lane, const LineGap& found) noexcept;
 
     std::int32_t lineCountU_, lineCountV_;
     std::size_t side_ = 0;                ///< bricks

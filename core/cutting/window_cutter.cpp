@@ -13,7 +13,7 @@ namespace burin {
 namespace {
 
 /// What a tick may cost, in groups of eight lines. The longest that comes of it, a ball's of R 200 at first contact,
-/// took 0.63 to 0.93 ms (cut.first_contact.r200): 1 ms is when the next one is due.
+/// took 0.31 to 0.57 ms (cut.first_contact.r200): 1 ms is when the next one is due.
 constexpr double tickBudget = 40000.0;
 constexpr double leastBudget = 15000.0; // what is put off must come to an end, whatever else a tick has to do
 constexpr double costOfReading = 5.0;   // of a line of the volume, in groups

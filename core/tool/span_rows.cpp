@@ -116,7 +116,7 @@ void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withSta
     const bool topStays = rise <= 0.0 || !upright_.topRises;
     upright_.clipsLow = !withStart && upright_.moves && (rise >= 0.0 || shape_ == Shape::ball);
     upright_.clips = upright_.clipsLow && topStays;
-    upright_.behind = upright_.clipsLow ? std::max(0.0F, -static_cast<float>(rise)) * upright_.perReach : 0.0F;
+    upright_.slope = upright_.clipsLow && shape_ == Shape::ball ? static_cast<float>(rise) * upright_.perReach : 0.0F;
     rows_ = {wholeOf(std::min(from.tip.y, toTip.y) - radius_), wholeOf(std::max(from.tip.y, toTip.y) + radius_) + 1};
     columns_ = {wholeOf(std::min(from.tip.x, toTip.x) - radius_), wholeOf(std::max(from.tip.x, toTip.x) + radius_) + 1};
 }

@@ -115,7 +115,7 @@ public:
         bool withStart = true, moves = false;
         bool clipsLow = false; ///< lines behind the piece can't be lower than at the start
         bool clips = false;    ///< lines behind the piece can't have more
-        float behind = 0.0F;   ///< slope of the way downwards: how far behind its axis a ball still goes deeper
+        float slope = 0.0F;    ///< of a ball's way; 0 for others
     };
     /// Rows of lines that an upright piece meets, a lane each. Groups are those of eight lines, counted from the
     /// grid's.

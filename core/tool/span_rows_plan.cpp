@@ -48,9 +48,10 @@ BURIN_INLINE Extent extentOf(const Upright& piece, const Across& across, Floats 
     if (piece.withStart || piece.moves) extent.includeCircle(across.from, fromSquare);
     const float rise = piece.reach * piece.wayY; // the way's share across the rows
     if (!piece.moves || rise == 0.0F) return extent;
+    const float perRise = 1.0F / rise;
     // The two straight sides between the circles, where a row meets them.
     for (const float side : {-piece.radius, piece.radius}) {
-        const Floats part = (fromY - side * piece.wayX) / rise;
+        const Floats part = (fromY - side * piece.wayX) * perRise;
         extent.include(across.from - side * piece.wayY + part * (piece.reach * piece.wayX),
                        (part >= Floats{}) & (part <= floats(1.0F)));
     }
@@ -58,29 +59,39 @@ BURIN_INLINE Extent extentOf(const Upright& piece, const Across& across, Floats 
 }
 
 /// First and last line of each row that can be lower than at the start of the way. The height of the piece over a line
-/// is convex along the way: where it does not fall at the start, it never does. Behind the axis a piece that does not
-/// sink never falls, and a ball that sinks does not from `behind` · (half its chord) on.
+/// is convex along the way: where it does not fall at the start, it never does. It falls where the way leads into the
+/// lower face's outside: of a ball where ahead > slope * height of the centre over the face, so that the lines of a row
+/// end at an ellipse; of a flat face that does not sink, ahead of the axis.
 BURIN_INLINE void findDeeper(const Upright& piece, const Across& across, Floats ahead, Floats fromSquare,
                              Extent& deeper) noexcept {
     deeper.low = floats(-far);
     deeper.high = floats(far);
     if (!piece.clipsLow) return;
-    const Floats least = -clipMargin - piece.behind * rootsOf(fromSquare) - ahead; // of x · wayX
-    const float slant = piece.wayX < 0.0F ? -piece.wayX : piece.wayX;
-    if (slant * (piece.radius + piece.reach) < clipMargin) { // the rows lie across the way
-        deeper.high = least > floats(clipMargin) ? floats(-far) : floats(far);
+    // Of x towards the way: fall(x) = x * along + past - slope * root(square - x^2).
+    const float along = piece.wayX < 0.0F ? -piece.wayX : piece.wayX, slope = piece.slope;
+    const float steep = along * along + slope * slope, size = __builtin_sqrtf(steep);
+    const Floats zero{}, past = ahead + clipMargin, square = most(fromSquare, zero), half = rootsOf(square);
+    const Floats last = past + half * along;
+    const float sinking = slope < 0.0F ? size : 0.0F;
+    if (size * (piece.radius + piece.reach) < clipMargin) { // all lines of a row nearly alike
+        deeper.low = last + clipMargin + half * sinking < zero ? floats(far) : floats(-far);
         return;
     }
-    const Floats edge = across.from + least / piece.wayX;
-    const Floats held = edge < floats(-far) ? floats(-far) : edge > floats(far) ? floats(far) : edge;
-    (piece.wayX > 0.0F ? deeper.low : deeper.high) = held;
+    const Floats middle = past * (-along / steep);
+    const Floats apart = rootsOf(square * steep - past * past) * (slope / steep);
+    const Integers none = (last <= zero) & (past + half * sinking <= zero);
+    const Floats low = past - half * along > zero ? floats(-far) : middle + apart;
+    const Floats high = last > zero ? floats(far) : middle - apart;
+    deeper.low = none ? floats(far) : across.from + (piece.wayX < 0.0F ? -high : low);
+    deeper.high = none ? floats(far) : across.from + (piece.wayX < 0.0F ? -low : high);
 }
 
 /// Places of a row between two distances ahead of the way's start.
 BURIN_INLINE Extent placesAhead(const Upright& piece, const Across& across, Floats ahead, Floats low,
                                 Floats high) noexcept {
     constexpr float slack = 0.5F; // voxels, for roundings
-    const Floats one = (low - slack - ahead) / piece.wayX, other = (high + slack - ahead) / piece.wayX;
+    const float perWay = 1.0F / piece.wayX;
+    const Floats one = (low - slack - ahead) * perWay, other = (high + slack - ahead) * perWay;
     Extent places;
     places.low = most(least(one, other) + across.from, floats(-far));
     places.high = least(most(one, other) + across.from, floats(far));
@@ -101,7 +112,7 @@ BURIN_INLINE Extent betweenOf(const Upright& piece, const Across& across, Floats
     }
     Floats leastChord{}, mostChord = radius;
     Extent between;
-    for (int closer = 0; closer < 3; ++closer) {
+    for (int closer = 0; closer < 2; ++closer) {
         const Floats low = piece.sine * (piece.sine < 0.0F ? mostChord : leastChord);
         const Floats high = piece.sine * (piece.sine < 0.0F ? leastChord : mostChord) + piece.reach;
         between = placesAhead(piece, across, ahead, low, high);

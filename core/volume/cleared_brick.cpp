@@ -54,34 +54,42 @@ Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition 
     return std::copy(next, last, place);
 }
 
-/// A line whose air is widened within the runs on either side, as most are: two ends move, no more.
-/// @param copy of the line, which is changed
-/// @return whether it is one; otherwise the copy is as it was
-BURIN_INLINE bool widenAir(const Segment* line, const Segment* lineEnd, RunPosition from, RunPosition to,
-                           const Machinable& machinable, Segment* copy, RunAmounts& amounts) noexcept {
-    const Segment* air = line;
+/// A line whose air is widened within the runs on either side, or whose last run is cut down, as most are: no more than
+/// two ends move.
+/// @param copy of the line, with room for a segment more, which is changed
+/// @return segments of the changed copy; 0: the line is none of those, and the copy is as it was
+BURIN_INLINE std::uint32_t moveEnds(const Segment* line, std::uint32_t count, RunPosition from, RunPosition to,
+                                    const Machinable& machinable, Segment* copy, RunAmounts& amounts,
+                                    std::uint64_t& cleared) noexcept {
+    const Segment *const lineEnd = line + count, *air = line;
     RunPosition start = 0;
     for (; air->end() <= from; ++air) start = air->end();
     RunPosition below = 0, above = 0;
     PropertyIndex left = airProperty, right = airProperty;
     if (air->property() != airProperty) {
         left = air->property();
-        if (!machinable[left] || start == from || ++air == lineEnd || air->property() != airProperty) return false;
-        below = air[-1].end() - from;
+        if (!machinable[left] || start == from) return 0;
+        below = air->end() - from;
+        if (++air == lineEnd) {
+            if (below != to - from) return 0;
+            ++count;
+        } else if (air->property() != airProperty) {
+            return 0;
+        }
     }
-    if (air->end() != to) {
-        if (air->end() > to || air + 1 == lineEnd || to >= air[1].end()) return false;
+    if (air != lineEnd && air->end() != to) {
+        if (air->end() > to || air + 1 == lineEnd || to >= air[1].end()) return 0;
         right = air[1].property();
-        if (!machinable[right]) return false;
+        if (!machinable[right]) return 0;
         above = to - air->end();
     }
     amounts.units[left] -= below;
-    amounts.units[right] -= above;
-    amounts.units[airProperty] += below + above;
+    if (above > 0) amounts.units[right] -= above;
+    cleared += below + above;
     Segment* const place = copy + (air - line);
     if (below > 0) place[-1] = Segment(from, left);
     *place = Segment(to, airProperty);
-    return true;
+    return count;
 }
 
 /// Lines of so few segments, nearly all, are copied at once.
@@ -98,23 +106,26 @@ BURIN_VECTORISED void writeCleared(const Tile& present, const BrickSpans& spans,
     Segment* place = begin;
     // Up to where eight segments can be read, and written whatever the lines before became.
     const std::uint32_t readable = present.header().capacity, writable = cleared.header().capacity;
-    std::uint64_t left = spans.lines;
+    std::uint64_t left = spans.lines, moved = 0;
     for (std::size_t line = 0; line < linesPerTile; ++line, left >>= 1) {
         const std::uint32_t first = before[line], end = before[line + 1], count = end - first;
         const Segment* const from = segments + first;
         const auto at = static_cast<std::uint32_t>(place - begin);
         after[line] = at;
-        const bool copied = count <= few && first + few <= readable && at + few <= writable;
+        const bool copied = count <= few && first + few <= readable && at + few < writable;
         if (copied)
             copyFew(from, place);
         else if ((left & 1) == 0)
             std::copy(from, segments + end, place);
-        if ((left & 1) == 0 ||
-            (copied && widenAir(from, segments + end, spans.from[line], spans.to[line], machinable, place, amounts)))
+        if ((left & 1) == 0) {
             place += count;
-        else
-            place = clearLine({from, count}, spans.from[line], spans.to[line], machinable, place, amounts);
+            continue;
+        }
+        const RunPosition low = spans.from[line], high = spans.to[line];
+        const std::uint32_t changed = copied ? moveEnds(from, count, low, high, machinable, place, amounts, moved) : 0;
+        place = changed > 0 ? place + changed : clearLine({from, count}, low, high, machinable, place, amounts);
     }
+    amounts.units[airProperty] += moved;
     after[linesPerTile] = static_cast<std::uint32_t>(place - begin);
     cleared.writeOffsets(after);
 }

@@ -290,7 +290,7 @@ private slots:
     void putsOffWhatATickCanNotTake() {
         int putOffs = 0;
         const bool held = holds("first contacts", 15, [&putOffs] {
-            const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {220, 213, 60});
+            const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {580, 573, 60});
             const double radius = real(60.0, 100.0);
             const Cutter cutter = cutterOf(*rc::gen::inRange(0, 3), 0.5 * radius);
             RunVolume workpiece = motleyWorkpiece(fine), expected = motleyWorkpiece(fine);
@@ -329,14 +329,14 @@ private slots:
         QTest::addColumn<int>("kind");
         QTest::addColumn<double>("radius");
         for (int kind = 0; kind < 3; ++kind)
-            for (const double radius : {60.0, 80.0, 100.0}) QTest::addRow("%d, %g", kind, radius) << kind << radius;
+            for (const double radius : {200.0, 240.0, 280.0}) QTest::addRow("%d, %g", kind, radius) << kind << radius;
     }
     void approachingSparesTheFirstCut() {
         QFETCH(const int, kind);
         QFETCH(const double, radius);
-        const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {220, 213, 60});
+        const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {580, 573, 60});
         const Cutter cutter = cutterOf(kind, 0.5 * radius);
-        const glm::dvec3 tip(54.0, 55.0, 1.0), next = tip + glm::dvec3(0.3, 0.1, -0.1);
+        const glm::dvec3 tip(144.0, 145.0, 1.0), next = tip + glm::dvec3(0.3, 0.1, -0.1);
         RunVolume workpiece = block(fine), unready = block(fine), expected = block(fine);
         const RunAmounts before = workpiece.amounts();
 
@@ -344,7 +344,7 @@ private slots:
         QVERIFY(unprepared.cut(unready, tip, next).putOff);
 
         MaterialRemoval removal(cutter, fine, Writing::deferred);
-        const int ticks = static_cast<int>(std::ceil(3.2 * radius * radius * 5.4 / 40000.0)) + 1;
+        const int ticks = static_cast<int>(std::ceil(3.2 * radius * radius / 40000.0)) + 2;
         for (int tick = 0; tick < ticks; ++tick) removal.approach(workpiece, {tip, {0.0, 0.0, 1.0}});
         QVERIFY(removal.settled());
         QVERIFY(workpiece.amounts() == before);
