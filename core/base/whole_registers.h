@@ -19,6 +19,19 @@ using burin::Words;
 using Mask = Integers;
 inline constexpr std::size_t width = 8;
 
+/// `width` numbers that stand side by side in memory.
+template <class Lanes, class Number>
+BURIN_INLINE Lanes lanesAt(const Number* from) noexcept {
+    static_assert(sizeof(Lanes) == width * sizeof(Number));
+    Lanes values;
+    __builtin_memcpy(&values, from, sizeof values);
+    return values;
+}
+template <class Lanes, class Number>
+BURIN_INLINE void storeAt(const Lanes& values, Number* to) noexcept {
+    static_assert(sizeof(Lanes) == width * sizeof(Number));
+    __builtin_memcpy(to, &values, sizeof values);
+}
 BURIN_INLINE Floats each(float value) noexcept {
     return floats(value);
 }
@@ -36,6 +49,23 @@ BURIN_INLINE Mask greater(Integers a, Integers b) noexcept {
 }
 BURIN_INLINE Mask greater(Floats a, Floats b) noexcept {
     return a > b;
+}
+BURIN_INLINE Mask unlike(Integers a, Integers b) noexcept {
+    return a != b;
+}
+using burin::bitsOf;
+using burin::least;
+using burin::most;
+/// The lanes of rows of eight lines of which a bit says so.
+BURIN_INLINE Mask rowsOf(std::uint32_t bits) noexcept {
+    return integers(-static_cast<std::int32_t>(bits & 1U));
+}
+/// The rows that those lanes belong to: 0, and 1 where a register holds two.
+BURIN_INLINE Floats rowNumbers() noexcept {
+    return Floats{};
+}
+BURIN_INLINE Integers select(Mask mask, Integers then, Integers otherwise) noexcept {
+    return mask ? then : otherwise;
 }
 BURIN_INLINE Mask hasSign(Floats numbers) noexcept {
     return reinterpret_cast<Integers>(numbers) >> 31;
@@ -112,10 +142,24 @@ using Words = std::uint32_t __attribute__((vector_size(64)));
 struct Mask {
     __mmask16 bits;
     BURIN_INLINE friend Mask operator&(Mask a, Mask b) noexcept { return {_kand_mask16(a.bits, b.bits)}; }
+    BURIN_INLINE friend Mask operator|(Mask a, Mask b) noexcept { return {_kor_mask16(a.bits, b.bits)}; }
     BURIN_INLINE friend Mask operator^(Mask a, Mask b) noexcept { return {_kxor_mask16(a.bits, b.bits)}; }
+    BURIN_INLINE friend Mask operator~(Mask a) noexcept { return {_knot_mask16(a.bits)}; }
 };
 inline constexpr std::size_t width = 16;
 
+template <class Lanes, class Number>
+BURIN_INLINE Lanes lanesAt(const Number* from) noexcept {
+    static_assert(sizeof(Lanes) == width * sizeof(Number));
+    Lanes values;
+    __builtin_memcpy(&values, from, sizeof values);
+    return values;
+}
+template <class Lanes, class Number>
+BURIN_INLINE void storeAt(const Lanes& values, Number* to) noexcept {
+    static_assert(sizeof(Lanes) == width * sizeof(Number));
+    __builtin_memcpy(to, &values, sizeof values);
+}
 BURIN_INLINE Floats each(float value) noexcept {
     return reinterpret_cast<Floats>(_mm512_set1_ps(value));
 }
@@ -135,6 +179,32 @@ BURIN_INLINE Floats rootsOf(Floats squares) noexcept {
 }
 BURIN_INLINE Mask greater(Integers a, Integers b) noexcept {
     return {_mm512_cmpgt_epi32_mask(reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b))};
+}
+BURIN_INLINE Mask unlike(Integers a, Integers b) noexcept {
+    return {_mm512_cmpneq_epi32_mask(reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b))};
+}
+BURIN_INLINE std::uint32_t bitsOf(Mask mask) noexcept {
+    return mask.bits;
+}
+BURIN_INLINE Integers least(Integers a, Integers b) noexcept {
+    constexpr __mmask16 all = 0xffff; // as in rootsOf
+    return reinterpret_cast<Integers>(
+        _mm512_maskz_min_epi32(all, reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b)));
+}
+BURIN_INLINE Integers most(Integers a, Integers b) noexcept {
+    constexpr __mmask16 all = 0xffff; // as in rootsOf
+    return reinterpret_cast<Integers>(
+        _mm512_maskz_max_epi32(all, reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b)));
+}
+BURIN_INLINE Mask rowsOf(std::uint32_t bits) noexcept {
+    return {static_cast<__mmask16>((bits & 1U) * 0x00ffU + (bits >> 1 & 1U) * 0xff00U)};
+}
+BURIN_INLINE Floats rowNumbers() noexcept {
+    return Floats{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
+}
+BURIN_INLINE Integers select(Mask mask, Integers then, Integers otherwise) noexcept {
+    return reinterpret_cast<Integers>(
+        _mm512_mask_blend_epi32(mask.bits, reinterpret_cast<__m512i>(otherwise), reinterpret_cast<__m512i>(then)));
 }
 BURIN_INLINE Mask greater(Floats a, Floats b) noexcept {
     return {_mm512_cmp_ps_mask(reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b), _CMP_GT_OQ)};

@@ -57,10 +57,9 @@ private:
 };
 
 /// A sum over lanes.
-template <class Lanes>
-double sumOf(const Lanes& values) noexcept {
+double sumOf(const GapWindow::Sums::Lanes<float>& values) noexcept {
     double sum = 0.0;
-    for (int i = 0; i < lanes; ++i) sum += static_cast<double>(values[i]);
+    for (const float value : values) sum += static_cast<double>(value);
     return sum;
 }
 
@@ -73,14 +72,13 @@ GapWindow::GapWindow(const Grid& grid, double reach) : lineCountU_(grid.lineCoun
     const auto most = static_cast<std::uint32_t>(std::max(lineCountU_, lineCountV_)) / 8 + 2;
     side_ = std::bit_ceil(std::min(bricks, most));
     mask_ = static_cast<std::int32_t>(side_) - 1;
-    rowMask_ = static_cast<std::int32_t>(side_) * 8 - 1;
-    gaps_.resize((side_ + 1) * (side_ * 8 + 1)); // one row more, which the last one fetches ahead
-    bricks_.resize(side_ * side_);
+    gaps_.resize(side_ * side_);
+    bricks_.resize(gaps_.size());
     queue_.resize(2 * bricks_.size());
     mostRows_ = std::max(1, static_cast<int>((std::int64_t{1} << 31) - 1) /
                                 static_cast<int>(std::min<std::int64_t>(
                                     static_cast<std::int64_t>(side_) * grid.lineEnd(), (std::int64_t{1} << 31) - 1)));
-    open_.resize((side_ + 1) * SpanRows::rowsAtOnce);
+    open_.resize(side_ * SpanRows::rowsAtOnce);
 }
 
 /// Gives a brick's place to other lines, of which nothing is known yet.
@@ -88,16 +86,15 @@ void GapWindow::claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept {
     brick.known = false;
     brick.u = u;
     brick.v = v;
-    for (std::int32_t row = v * 8; row < v * 8 + 8; ++row) {
-        Gap& gap = gaps_[gapAt(row, u)];
-        const Integers line = Integers{0, 1, 2, 3, 4, 5, 6, 7} + u * 8;
-        // No span reaches out of the gap of a line that the grid does not have.
-        const Integers there = (line < integers(lineCountU_)) & integers(row < lineCountV_ ? -1 : 0);
-        store(there ? integers(far) : integers(-far), gap.low);
-        store(there ? integers(-far) : integers(far), gap.high);
-        gap.left = {};
-        gap.right = {};
-    }
+    Gaps& gaps = gapsOf(brick);
+    gaps.left = gaps.right = {};
+    gaps.low.fill(far);
+    gaps.high.fill(-far);
+    if ((u + 1) * lanes <= lineCountU_ && (v + 1) * lanes <= lineCountV_) return;
+    // No span reaches out of the gap of a line that the grid does not have.
+    for (std::int32_t line = 0; line < lanes * lanes; ++line)
+        if (u * lanes + line % lanes >= lineCountU_ || v * lanes + line / lanes >= lineCountV_)
+            gaps.set(static_cast<std::size_t>(line), {-far, far, 0, 0});
 }
 
 std::optional<int> GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow,
@@ -156,11 +153,10 @@ bool GapWindow::write(RunVolume& workpiece, Brick& brick) noexcept {
     if (brick.owing == 0) return true;
     BrickSpans spans;
     spans.lines = brick.owing;
-    for (std::int32_t row = 0; row < 8; ++row) {
-        const Gap& gap = gaps_[gapAt(brick.v * 8 + row, brick.u)];
-        std::memcpy(&spans.from[static_cast<std::size_t>(row) * 8], &gap.low, sizeof gap.low);
-        std::memcpy(&spans.to[static_cast<std::size_t>(row) * 8], &gap.high, sizeof gap.high);
-    }
+    const Gaps& gaps = gapsOf(brick);
+    static_assert(sizeof gaps.low == sizeof spans.from);
+    std::memcpy(&spans.from, &gaps.low, sizeof gaps.low);
+    std::memcpy(&spans.to, &gaps.high, sizeof gaps.high);
     if (!workpiece.clear({brick.u * 8, brick.v * 8}, spans, brick.room)) return false;
     brick.owing = 0;
     brick.ready = false; // its room went into the volume
@@ -228,24 +224,40 @@ int GapWindow::take(RunVolume& workpiece, std::span<const RowSpans> rows, Remove
     return read;
 }
 
+/// The bricks that some rows of lines share.
+GapWindow::BrickRow GapWindow::brickRow(std::span<const RowSpans> rows) noexcept {
+    const std::int32_t v = rows.front().v >> 3;
+    BrickRow all{&gaps_[brickAt(0, v)], &bricks_[brickAt(0, v)], static_cast<std::uint32_t>(mask_)};
+    all.firstLine = v * lanes;
+    const RowSpans* first = rows.data();
+    for (const RowSpans& row : rows) {
+        const int line = row.v & 7;
+        all.begins[line] = row.firstGroup;
+        all.ends[line] = row.firstGroup + row.groups;
+        all.end = std::max(all.end, all.ends[line]);
+        if (row.firstGroup < first->firstGroup) first = &row;
+    }
+    all.first = first->firstGroup;
+    all.spans = first->bricks;
+    return all;
+}
+
 int GapWindow::takeSome(RunVolume& workpiece, std::span<const RowSpans> spans, RemovedUnits& removed) noexcept {
-    const std::int32_t firstRow = spans.front().v;
-    Brick* const bricks = &bricks_[brickAt(0, firstRow >> 3)];
-    const Rows rows{&gaps_[gapAt(firstRow & ~7, 0)], side_ + 1, bricks, static_cast<std::uint32_t>(mask_), spans};
+    const BrickRow row = brickRow(spans);
     if (sums_.rows == 0) {
-        const RowSpans& row = spans[spans.size() / 2];
-        sums_.originU = row.firstGroup * lanes;
-        sums_.originV = row.v;
-        const std::int32_t low = row.low[row.groups / 2][0];
+        const RowSpans& middle = spans[spans.size() / 2];
+        sums_.originU = middle.firstGroup * lanes;
+        sums_.originV = middle.v;
+        const std::int32_t low = middle.bricks[middle.groups / 2].low[middle.v & 7][0];
         sums_.alongOrigin = low < far ? 2 * low : 0;
     }
     sums_.rows += static_cast<int>(spans.size());
-    kernels::Growth growth{open_.data()};
+    kernels::Growth growth{open_.data(), 0, row.first};
     int read = 0;
-    while (!kernels::growGaps(rows, sums_, growth)) {
-        const RowSpans& row = spans[growth.row];
-        Brick& brick = bricks[(row.firstGroup + growth.group) & mask_];
-        if (const int cost = know(workpiece, brick, row, growth.group); cost > 0) {
+    while (!kernels::growGaps(row, sums_, growth)) {
+        Brick& brick = row.bricks[growth.brick & mask_];
+        const BrickOfSpans& brickSpans = row.spans[growth.brick - row.first];
+        if (const int cost = know(workpiece, brick, brickSpans, row.asked(growth.brick)); cost > 0) {
             read += cost; // and see what is left to take
             continue;
         }
@@ -254,7 +266,7 @@ int GapWindow::takeSome(RunVolume& workpiece, std::span<const RowSpans> spans, R
             break;
         }
     }
-    return read + takeOpen(workpiece, spans, std::span(open_).first(growth.openCount), removed);
+    return read + takeOpen(workpiece, row, std::span(open_).first(growth.openCount), removed);
 }
 
 /// Reads all lines of a brick, one after another as they lie in memory: far less than each for itself when a span first
@@ -264,29 +276,26 @@ void GapWindow::learn(const RunVolume& workpiece, Brick& brick, std::int32_t pla
     brick.known = true;
     const LineIndex corner{brick.u * lanes, brick.v * lanes};
     const int rows = std::min(lanes, lineCountV_ - corner.v), columns = std::min(lanes, lineCountU_ - corner.u);
-    LinesAbout lines(workpiece, corner, place);
-    for (int row = 0; row < rows; ++row) {
-        Gap& gap = gaps_[gapAt(corner.v + row, brick.u)];
+    Gaps& gaps = gapsOf(brick);
+    LinesAbout all(workpiece, corner, place);
+    for (int row = 0; row < rows; ++row)
         for (int lane = 0; lane < lanes; ++lane) {
-            const LineGap found = lines.next();
-            if (lane < columns) keep(gap, lane, found);
+            const LineGap found = all.next();
+            if (lane < columns) gaps.set(static_cast<std::size_t>(row * lanes + lane), found);
         }
-    }
 }
 
 /// The lines that arithmetic could not serve.
-int GapWindow::takeOpen(RunVolume& workpiece, std::span<const RowSpans> rows, std::span<const Open> open,
+int GapWindow::takeOpen(RunVolume& workpiece, const BrickRow& row, std::span<const Open> open,
                         RemovedUnits& removed) noexcept {
     int read = 0;
     for (const Open& one : open) {
-        const RowSpans& row = rows[one.row];
-        const std::int32_t group = row.firstGroup + one.group;
-        Brick& brick = bricks_[brickAt(group, row.v >> 3)];
-        Gap& gap = gaps_[gapAt(row.v, group)];
+        Brick& brick = row.bricks[one.brick & mask_];
+        const BrickOfSpans& spans = row.spans[one.brick - row.first];
         for (std::uint32_t left = one.lanesOf; left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
-            const LineIndex line{group * lanes + lane, row.v};
-            if (!widen(workpiece, line, brick, gap, {row.low[one.group][lane], row.high[one.group][lane]}, removed)) {
+            const LineIndex line{one.brick * lanes + lane, row.firstLine + one.row};
+            if (!widen(workpiece, line, brick, {spans.low[one.row][lane], spans.high[one.row][lane]}, removed)) {
                 removed.outOfMemory = true;
                 return read;
             }
@@ -302,7 +311,7 @@ void GapWindow::collect(RemovedUnits& removed) noexcept {
         for (; sums_.used[word] != 0; sums_.used[word] &= sums_.used[word] - 1) {
             const std::size_t property = word * 64 + static_cast<std::size_t>(std::countr_zero(sums_.used[word]));
             std::uint64_t units = 0;
-            for (int i = 0; i < lanes; ++i) units += static_cast<std::uint64_t>(sums_.byProperty[property][i]);
+            for (const std::int32_t some : sums_.byProperty[property]) units += static_cast<std::uint64_t>(some);
             sums_.byProperty[property] = {};
             removed.byProperty[property] += units;
             removed.total += units;
@@ -361,25 +370,17 @@ GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex lin
     return found;
 }
 
-void GapWindow::keep(Gap& gap, int lane, const LineGap& found) noexcept {
-    gap.low[lane] = found.low;
-    gap.high[lane] = found.high;
-    gap.left[lane] = found.left;
-    gap.right[lane] = found.right;
-}
-
 /// Takes a span that its neighbours do not hold: over the border of two materials, or apart from the gap.
-bool GapWindow::widen(RunVolume& workpiece, LineIndex line, Brick& brick, Gap& gap, Bounds span,
-                      RemovedUnits& removed) noexcept {
-    const int lane = line.u & 7;
-    Bounds around{gap.low[lane], gap.high[lane]};
+bool GapWindow::widen(RunVolume& workpiece, LineIndex line, Brick& brick, Bounds span, RemovedUnits& removed) noexcept {
+    const LineGap gap = gapsOf(brick).at(bitOf(line));
+    Bounds around{gap.low, gap.high};
     if (span.low > around.high || span.high < around.low) {
         if ((brick.owing >> bitOf(line) & 1) != 0 && !write(workpiece, brick)) return false;
         around = {span.low, span.low};
     }
     if (!brick.ready && !expectCuts(workpiece, brick)) return false;
     const Found found = lookAround(workpiece, line, around, span, removed);
-    keep(gap, lane, found);
+    gapsOf(brick).set(bitOf(line), found);
     if (found.taken == 0) return true;
     removed.total += found.taken;
     removed.momentU += static_cast<double>(found.taken) * line.u;
@@ -388,22 +389,26 @@ bool GapWindow::widen(RunVolume& workpiece, LineIndex line, Brick& brick, Gap& g
     return true;
 }
 
-/// Reads the lines of a brick if there is a span in a group of it and they are not known. @return what it cost, in
+/// Reads the lines of a brick if there is a span in some rows of it and they are not known. @return what it cost, in
 /// lines
-int GapWindow::know(const RunVolume& workpiece, Brick& brick, const RowSpans& row, std::int32_t group) noexcept {
+int GapWindow::know(const RunVolume& workpiece, Brick& brick, const BrickOfSpans& spans, std::uint32_t rows) noexcept {
     if (brick.known) return 0;
-    for (int lane = 0; lane < lanes; ++lane)
-        if (row.low[group][lane] < row.high[group][lane]) {
-            learn(workpiece, brick, row.high[group][lane]);
-            return brickInLines;
-        }
+    for (; rows != 0; rows &= rows - 1) {
+        const EightIntegers &low = spans.low[std::countr_zero(rows)], &high = spans.high[std::countr_zero(rows)];
+        for (int lane = 0; lane < lanes; ++lane)
+            if (low[lane] < high[lane]) {
+                learn(workpiece, brick, high[lane]);
+                return brickInLines;
+            }
+    }
     return 0;
 }
 
 int GapWindow::look(const RunVolume& workpiece, const RowSpans& row) noexcept {
     int read = 0;
     for (std::int32_t group = 0; group < row.groups; ++group)
-        read += know(workpiece, bricks_[brickAt(row.firstGroup + group, row.v >> 3)], row, group);
+        read +=
+            know(workpiece, bricks_[brickAt(row.firstGroup + group, row.v >> 3)], row.bricks[group], 1U << (row.v & 7));
     return read;
 }
 

@@ -17,7 +17,7 @@ namespace burin {
 
 /// The scanlines around a tool, kept where a tick finds them at once. For each line it holds the gap: a stretch in
 /// which nothing machinable is left, and what borders it on either side. A span that grows the gap within its
-/// neighbours is taken by arithmetic on eight lines at a time, without a look at the volume; other spans read the
+/// neighbours is taken by arithmetic on many lines at a time, without a look at the volume; other spans read the
 /// volume's line. What was taken is owed to the volume until it is written, a brick of 8 × 8 lines at a time, within 16
 /// ticks. Memory: 16 bytes a line, toroidal: a brick of lines uses the place of another that the tool left behind.
 class GapWindow {
@@ -61,21 +61,20 @@ public:
         const auto brick = brickAt(line.u >> 3, line.v >> 3);
         const Brick& found = bricks_[brick];
         if (found.u != line.u >> 3 || found.v != line.v >> 3 || !(found.owing >> bitOf(line) & 1)) return {};
-        const Gap& gap = gaps_[gapAt(line.v, line.u >> 3)];
-        return {static_cast<RunPosition>(gap.low[line.u & 7]), static_cast<RunPosition>(gap.high[line.u & 7])};
+        const LineGap gap = gaps_[brick].at(bitOf(line));
+        return {static_cast<RunPosition>(gap.low), static_cast<RunPosition>(gap.high)};
     }
 
     /// Calls `visit(property, start, end)` for what is left machinable of a line between two places, if the line's gap
     /// and what borders it tell all of that. False: they do not.
     template <class Visit>
     bool visitAround(LineIndex line, RunPosition from, RunPosition to, Visit&& visit) const noexcept {
-        const Brick& brick = bricks_[brickAt(line.u >> 3, line.v >> 3)];
-        if (brick.u != line.u >> 3 || brick.v != line.v >> 3) return false;
-        const Gap& gap = gaps_[gapAt(line.v, line.u >> 3)];
-        const int lane = line.u & 7;
-        if (gap.low[lane] > gap.high[lane]) return false;
-        const auto low = static_cast<RunPosition>(gap.low[lane]), high = static_cast<RunPosition>(gap.high[lane]);
-        const std::uint32_t left = gap.left[lane], right = gap.right[lane];
+        const std::size_t place = brickAt(line.u >> 3, line.v >> 3);
+        const Brick& brick = bricks_[place];
+        if (brick.u != line.u >> 3 || brick.v != line.v >> 3 || !brick.known) return false;
+        const LineGap gap = gaps_[place].at(bitOf(line));
+        const auto low = static_cast<RunPosition>(gap.low), high = static_cast<RunPosition>(gap.high);
+        const std::uint32_t left = gap.left, right = gap.right;
         if (from < (left != 0 ? left >> 8 : low) || to > (right != 0 ? right >> 8 : high)) return false;
         const auto property = [](std::uint32_t neighbour) { return static_cast<PropertyIndex>(neighbour & 255U); };
         if (from < low) visit(property(left), from, to < low ? to : low);
@@ -83,25 +82,35 @@ public:
         return true;
     }
 
-    /// Gaps of eight lines beside each other, run units, and the machinable segments that border them.
-    struct alignas(64) Gap {
-        EightIntegers low, high; ///< low > high: not known yet
-        EightWords left;         ///< start << 8 | property, of the segment that ends at `low`; 0: none
-        EightWords right;        ///< end << 8 | property, of the segment that begins at `high`; 0: none
-    };
-    /// One line of these.
+    /// The gap of a line, run units, and the machinable segments that border it.
     struct LineGap {
-        std::int32_t low = 0, high = 0;
-        std::uint32_t left = 0, right = 0;
+        std::int32_t low = 0, high = 0; ///< low > high: not known yet
+        std::uint32_t left = 0;         ///< start << 8 | property, of the segment that ends at `low`; 0: none
+        std::uint32_t right = 0;        ///< end << 8 | property, of the segment that begins at `high`; 0: none
     };
-    /// Sums over some rows, lane by lane.
+    /// Those of a brick, line 8 v + u.
+    struct alignas(64) Gaps {
+        std::array<std::int32_t, 64> low, high;
+        std::array<std::uint32_t, 64> left, right;
+
+        LineGap at(std::size_t line) const noexcept { return {low[line], high[line], left[line], right[line]}; }
+        void set(std::size_t line, const LineGap& gap) noexcept {
+            low[line] = gap.low;
+            high[line] = gap.high;
+            left[line] = gap.left;
+            right[line] = gap.right;
+        }
+    };
+    /// Sums over some rows: of every other row of lines in one half of the lanes.
     struct alignas(64) Sums {
-        std::array<EightIntegers, 256> byProperty{};
-        std::array<std::uint64_t, 4> used{};                      ///< a bit for each property
-        EightFloats units{}, momentU{}, momentV{}, momentAlong{}; ///< from the origins
-        std::int32_t originU = 0, originV = 0;                    ///< lines
-        std::int32_t alongOrigin = 0;                             ///< run units, doubled
-        int rows = 0;                                             ///< that are in the sums
+        template <class Number>
+        using Lanes = std::array<Number, 16>;
+        std::array<Lanes<std::int32_t>, 256> byProperty{};
+        Lanes<float> units{}, momentU{}, momentV{}, momentAlong{}; ///< from the origins
+        std::array<std::uint64_t, 4> used{};                       ///< a bit for each property
+        std::int32_t originU = 0, originV = 0;                     ///< lines
+        std::int32_t alongOrigin = 0;                              ///< run units, doubled
+        int rows = 0;                                              ///< that are in the sums
     };
     /// 8 × 8 lines.
     struct alignas(64) Brick {
@@ -114,19 +123,25 @@ public:
         bool ready = false; ///< for cuts: queued, and with room
         bool known = false; ///< its lines were read
     };
-    /// Rows of the window that share their bricks.
-    struct Rows {
-        Gap* gaps = nullptr;      ///< of the bricks' first row
-        std::size_t rowPitch = 0; ///< from a row to the next
+    /// A row of bricks with what is to be taken of it.
+    struct BrickRow {
+        Gaps* gaps = nullptr;
         Brick* bricks = nullptr;
-        std::uint32_t mask = 0; ///< of a group's place in the row
-        std::span<const RowSpans> spans;
+        std::uint32_t mask = 0;              ///< of a brick's place in the row
+        std::int32_t firstLine = 0;          ///< along v
+        std::int32_t first = 0, end = 0;     ///< bricks that are asked for
+        EightIntegers begins{}, ends{};      ///< of each row of lines
+        const BrickOfSpans* spans = nullptr; ///< of the first brick
+
+        /// Bits of the rows of lines that are asked for of a brick.
+        std::uint32_t asked(std::int32_t brick) const noexcept {
+            return bitsOf((load(begins) <= integers(brick)) & (load(ends) > integers(brick)));
+        }
     };
-    /// A group with lines that need the volume.
+    /// Lines of a brick that need the volume.
     struct Open {
-        std::uint16_t row = 0; ///< of Rows::spans
-        std::uint16_t group = 0;
-        std::uint32_t lanesOf = 0; ///< bits of those lines
+        std::int32_t brick = 0, row = 0; ///< along u; of lines, in the brick
+        std::uint32_t lanesOf = 0;       ///< bits of those lines
     };
 
 private:
@@ -140,35 +155,32 @@ private:
     struct Found : LineGap {
         std::uint64_t taken = 0; ///< run units
     };
-    static int bitOf(LineIndex line) noexcept { return (line.v & 7) * 8 + (line.u & 7); }
+    static std::size_t bitOf(LineIndex line) noexcept {
+        return static_cast<std::size_t>((line.v & 7) * 8 + (line.u & 7));
+    }
     std::size_t brickAt(std::int32_t u, std::int32_t v) const noexcept {
         return static_cast<std::size_t>(v & mask_) * side_ + static_cast<std::size_t>(u & mask_);
     }
-    std::size_t gapAt(std::int32_t row, std::int32_t group) const noexcept {
-        // One more a row than there are: rows a power of two apart would share their places in the cache.
-        return static_cast<std::size_t>(row & rowMask_) * (side_ + 1) + static_cast<std::size_t>(group & mask_);
-    }
     void claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept;
     bool expectCuts(RunVolume& workpiece, Brick& brick) noexcept;
-    int know(const RunVolume& workpiece, Brick& brick, const RowSpans& row, std::int32_t group) noexcept;
+    BrickRow brickRow(std::span<const RowSpans> rows) noexcept;
+    int know(const RunVolume& workpiece, Brick& brick, const BrickOfSpans& spans, std::uint32_t rows) noexcept;
     void learn(const RunVolume& workpiece, Brick& brick, std::int32_t place) noexcept;
+    Gaps& gapsOf(const Brick& brick) noexcept { return gaps_[static_cast<std::size_t>(&brick - bricks_.data())]; }
     int takeSome(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept;
-    int takeOpen(RunVolume& workpiece, std::span<const RowSpans> rows, std::span<const Open> open,
-                 RemovedUnits& removed) noexcept;
+    int takeOpen(RunVolume& workpiece, const BrickRow& row, std::span<const Open> open, RemovedUnits& removed) noexcept;
     bool enqueue(RunVolume& workpiece, std::uint32_t brick) noexcept;
     void unqueue(Brick& brick) noexcept;
     bool write(RunVolume& workpiece, Brick& brick) noexcept;
     bool writeNext(RunVolume& workpiece) noexcept;
-    bool widen(RunVolume& workpiece, LineIndex line, Brick& brick, Gap& gap, Bounds span,
-               RemovedUnits& removed) noexcept;
+    bool widen(RunVolume& workpiece, LineIndex line, Brick& brick, Bounds span, RemovedUnits& removed) noexcept;
     static Found lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, Bounds span,
                             RemovedUnits& removed) noexcept;
-    static void keep(Gap& gap, int lane, const LineGap& found) noexcept;
 
     std::int32_t lineCountU_, lineCountV_;
-    std::size_t side_ = 0;                ///< bricks
-    std::int32_t mask_ = 0, rowMask_ = 0; ///< of a brick's place, of a row's
-    std::vector<Gap> gaps_;
+    std::size_t side_ = 0;   ///< bricks
+    std::int32_t mask_ = 0;  ///< of a brick's place
+    std::vector<Gaps> gaps_; ///< of the bricks
     std::vector<Brick> bricks_;
     std::size_t pendingBricks_ = 0; ///< in the queue: no others owe anything
     std::int32_t coveredFirstRow_ = 0, coveredLastRow_ = -1, coveredFirstGroup_ = 0, coveredLastGroup_ = -1;

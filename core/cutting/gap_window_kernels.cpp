@@ -2,39 +2,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/gap_window_kernels.h"
 
-#include "core/base/vector_masks.h"
+#include "core/base/whole_registers.h"
 
 #include <bit>
 
 namespace burin::kernels {
 
 namespace any_processor {
-using namespace vector_masks;
-#include "core/cutting/gap_window_rows.h"
+using namespace eight_lanes;
+#include "core/cutting/gap_window_lanes.h"
 
-BURIN_VECTORISED bool grow(const GapWindow::Rows& rows, GapWindow::Sums& sums, Growth& growth) noexcept {
-    return growAll(rows, sums, growth);
+BURIN_VECTORISED bool grow(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Growth& growth) noexcept {
+    return growAll(row, sums, growth);
 }
 } // namespace any_processor
 
 #ifdef BURIN_AVX512
 BURIN_AVX512_BEGIN
 namespace avx512 {
-using namespace vector_masks_avx512;
-#include "core/cutting/gap_window_rows.h"
+using namespace sixteen_lanes;
+// Before the names of eight lanes.
+using sixteen_lanes::bitsOf;
+using sixteen_lanes::Floats;
+using sixteen_lanes::floatsOf;
+using sixteen_lanes::Integers;
+using sixteen_lanes::least;
+using sixteen_lanes::most;
+using sixteen_lanes::Words;
+#include "core/cutting/gap_window_lanes.h"
 
-bool grow(const GapWindow::Rows& rows, GapWindow::Sums& sums, Growth& growth) noexcept {
-    return growAll(rows, sums, growth);
+bool grow(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Growth& growth) noexcept {
+    return growAll(row, sums, growth);
 }
 } // namespace avx512
 BURIN_AVX512_END
 #endif
 
-bool growGaps(const GapWindow::Rows& rows, GapWindow::Sums& sums, Growth& growth) noexcept {
+bool growGaps(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Growth& growth) noexcept {
 #ifdef BURIN_AVX512
-    if (hasAvx512) return avx512::grow(rows, sums, growth);
+    if (hasAvx512) return avx512::grow(row, sums, growth);
 #endif
-    return any_processor::grow(rows, sums, growth);
+    return any_processor::grow(row, sums, growth);
 }
 
 } // namespace burin::kernels

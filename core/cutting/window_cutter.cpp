@@ -44,8 +44,7 @@ WindowCutter::WindowCutter(const RevolvedPiece& piece, const Grid& grid)
     , radius_(piece.bottomRadius / grid.edge())
     , spans_(inVoxels(piece, grid.edge()), static_cast<std::int32_t>(grid.lineEnd()))
     , window_(grid, windowReach(spans_, radius_))
-    , low_((static_cast<std::size_t>(grid.lineCountU()) / 8 + 2) * SpanRows::rowsAtOnce)
-    , high_(low_.size()) {}
+    , brickSpans_(static_cast<std::size_t>(grid.lineCountU()) / 8 + 2) {}
 
 LinePose WindowCutter::inLines(const ToolPose& pose) const noexcept {
     const int u = grid_.axisOfU(), v = grid_.axisOfV(), along = grid_.axisOfRuns();
@@ -70,8 +69,8 @@ bool WindowCutter::fits(const LineStretch& rows, const LineStretch& groups) cons
 /// Some rows of one brick, of the present way. @return their cost, in groups
 double WindowCutter::takeRows(RunVolume& workpiece, std::int32_t first, std::int32_t end, const LineStretch& groups,
                               RemovedUnits& removed) noexcept {
-    const auto count = static_cast<std::size_t>(
-        spans_.stretches(first, end - first, groups, low_.data(), high_.data(), rowSpans_.data()));
+    const auto count =
+        static_cast<std::size_t>(spans_.stretches(first, end - first, groups, brickSpans_.data(), rowSpans_.data()));
     const std::span<const RowSpans> rows = std::span(rowSpans_).first(count);
     spans_.spans(rows);
     double cost = costOfReading * window_.take(workpiece, rows, removed);
@@ -208,7 +207,7 @@ void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept
     if (!claimed) return;
     double budget = tickBudget - costOfBrick * *claimed;
     for (std::int32_t v = rows.first; v <= rows.last && budget > 0.0; ++v) {
-        if (spans_.stretches(v, 1, all, low_.data(), high_.data(), rowSpans_.data()) == 0) continue;
+        if (spans_.stretches(v, 1, all, brickSpans_.data(), rowSpans_.data()) == 0) continue;
         spans_.spans({rowSpans_.data(), 1});
         budget -= rowSpans_[0].groups + costOfReading * window_.look(workpiece, rowSpans_[0]);
     }

@@ -60,7 +60,7 @@ private:
     double radius_;
     SpanRows spans_;
     GapWindow window_;
-    std::vector<EightIntegers> low_, high_; ///< of the rows that are taken at once
+    std::vector<BrickOfSpans> brickSpans_; ///< of the rows that are taken at once
     std::array<RowSpans, SpanRows::rowsAtOnce> rowSpans_;
 
     std::array<Step, mostSteps> steps_; ///< a ring

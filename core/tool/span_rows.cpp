@@ -141,8 +141,8 @@ void SpanRows::plan(std::int32_t first) noexcept {
         kernels::planRows(upright_, first, rowsOfUpright_);
 }
 
-int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups, EightIntegers* low,
-                        EightIntegers* high, RowSpans* stretches) noexcept {
+int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups, BrickOfSpans* bricks,
+                        RowSpans* stretches) noexcept {
     plan(first);
     const EightIntegers &begins = tilts_ ? rowsOfTilted_.begin : rowsOfUpright_.begin,
                         &ends = tilts_ ? rowsOfTilted_.end : rowsOfUpright_.end;
@@ -150,9 +150,7 @@ int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups,
     for (int i = 0; i < rows; ++i) {
         const std::int32_t begin = std::max(begins[i], groups.first), end = std::min(ends[i], groups.last + 1);
         if (end <= begin) continue;
-        stretches[count++] = {first + i, begin, end - begin, low, high};
-        low += end - begin;
-        high += end - begin;
+        stretches[count++] = {first + i, begin, end - begin, bricks + (begin - groups.first)};
     }
     return count;
 }

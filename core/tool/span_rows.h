@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -26,11 +27,19 @@ struct LineStretch {
     std::int32_t first = 0, last = -1;
 };
 
-/// Spans of some groups of eight lines of a row, in run units: lines 8 × firstGroup … at u.
+/// Spans of the scanlines of a brick, in run units: eight rows of eight lines, v and u counted from the brick's corner.
+struct alignas(64) BrickOfSpans {
+    EightIntegers low[8], high[8];
+};
+
+/// Spans of some groups of eight lines of a row: lines 8 × firstGroup … at u. They are a row of each of some bricks.
 struct RowSpans {
     std::int32_t v = 0, firstGroup = 0, groups = 0;
-    EightIntegers* low = nullptr; ///< `groups` entries
-    EightIntegers* high = nullptr;
+    BrickOfSpans* bricks = nullptr; ///< `groups` of them
+
+    static constexpr std::ptrdiff_t pitch = sizeof(BrickOfSpans) / sizeof(EightIntegers); ///< from group to group
+    EightIntegers* lows() const noexcept { return &bricks->low[v & 7]; }
+    EightIntegers* highs() const noexcept { return &bricks->high[v & 7]; }
 };
 
 /// Spans of a ball-ended, flat or bull-nosed piece on whole rows of scanlines, eight lines at a time: what it sweeps
@@ -76,10 +85,11 @@ public:
     LineStretch columns() const noexcept { return columns_; }
     /// Finds the stretches of some rows that the swept piece can meet.
     /// @param rows    at most `rowsAtOnce`, from `first` on
-    /// @param groups  of eight lines that may be asked for; low, high: room for those of all these rows
-    /// @param stretches where they go, rows without any left out; their spans lie one after the other
+    /// @param groups  of eight lines that may be asked for
+    /// @param bricks  room for all those groups
+    /// @param stretches where they go, rows without any left out
     /// @return how many
-    int stretches(std::int32_t first, int rows, const LineStretch& groups, EightIntegers* low, EightIntegers* high,
+    int stretches(std::int32_t first, int rows, const LineStretch& groups, BrickOfSpans* bricks,
                   RowSpans* stretches) noexcept;
     /// Fills in the spans of stretches that lie within `rowsAtOnce` rows of each other; where there is none, low >=
     /// high. Held within the lines' ends.

@@ -41,10 +41,12 @@ BURIN_INLINE Floats linesFrom(const TiltedPiece::End& end, const RowSpans& stret
 
 /// Where the spans of a row go.
 struct Kept {
-    EightIntegers *low, *high;
+    EightIntegers *lows, *highs;
     Integers base, lineEnd;
+    BURIN_INLINE EightIntegers& low(std::int32_t group) const noexcept { return lows[group * RowSpans::pitch]; }
+    BURIN_INLINE EightIntegers& high(std::int32_t group) const noexcept { return highs[group * RowSpans::pitch]; }
     BURIN_INLINE Kept(const TiltedPiece& piece, const TiltedPiece::End& end, const RowSpans& stretch) noexcept
-        : low(stretch.low), high(stretch.high), base(integers(end.base)), lineEnd(integers(piece.lineEnd)) {}
+        : lows(stretch.lows()), highs(stretch.highs()), base(integers(end.base)), lineEnd(integers(piece.lineEnd)) {}
 };
 
 /// Keeps what the piece covers at the end of its way.
@@ -54,9 +56,9 @@ struct KeepEnd : Kept {
         // What the lines' ends leave of it would not tell whether there was any. Where there is none, the upper end may
         // be farther off than a whole number says (a steep plane's): of no account, but for being added up unsigned.
         const Floats from = all.low < all.high ? all.low : floats(nowhere);
-        store(most(wholeOf(from) + base, Integers{}), low[group]);
+        store(most(wholeOf(from) + base, Integers{}), low(group));
         const Words to = reinterpret_cast<Words>(wholeOf(all.high)) + reinterpret_cast<Words>(base);
-        store(least(reinterpret_cast<Integers>(to), lineEnd), high[group]);
+        store(least(reinterpret_cast<Integers>(to), lineEnd), high(group));
     }
 };
 
@@ -71,11 +73,11 @@ struct AddWay : Kept {
         Heights all;
         all.include(start);
         for (std::size_t i = 0; i < count; ++i) all.include(walls[i].at(u));
-        const Integers oldLow = load(low[group]), oldHigh = load(high[group]),
+        const Integers oldLow = load(low(group)), oldHigh = load(high(group)),
                        none = oldLow > integers(SpanRows::none / 2);
         const Integers newLow = wholeOf(all.low) + base, newHigh = wholeOf(all.high) + base;
-        store(most(none ? newLow : least(oldLow, newLow), Integers{}), low[group]);
-        store(least(none ? newHigh : most(oldHigh, newHigh), lineEnd), high[group]);
+        store(most(none ? newLow : least(oldLow, newLow), Integers{}), low(group));
+        store(least(none ? newHigh : most(oldHigh, newHigh), lineEnd), high(group));
     }
 };
 

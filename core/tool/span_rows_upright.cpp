@@ -48,7 +48,7 @@ struct FromWay {
     /// @param atFirst the face counts as early on the way as it can, else as late
     BURIN_INLINE Integers isPassed(const Upright& piece, Floats part, bool atFirst) const noexcept {
         const Floats zero{};
-        const Integers behindEnd = ahead < floats(piece.reach), beforeStart = ahead > zero;
+        const Integers behindEnd = ahead<floats(piece.reach), beforeStart = ahead> zero;
         return meets & (atFirst ? beforeStart & (behindEnd | (part < floats(1.0F)))
                                 : behindEnd & (beforeStart | (part > zero)));
     }
@@ -151,11 +151,13 @@ struct Cursor {
 
     BURIN_INLINE static Cursor at(const End& end, const RowSpans& stretch) noexcept {
         const Integers first = Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup * lanes - end.wholeX);
-        return {floatsOf(first), stretch.low, stretch.high};
+        return {floatsOf(first), stretch.lows(), stretch.highs()};
     }
     BURIN_INLINE void put(Integers lowEnd, Integers highEnd) noexcept {
-        store(lowEnd, *low++);
-        store(highEnd, *high++);
+        store(lowEnd, *low);
+        store(highEnd, *high);
+        low += RowSpans::pitch;
+        high += RowSpans::pitch;
         u += lanes;
     }
 };

@@ -5,14 +5,6 @@
 
 static_assert(SurfaceBatch::most % width == 0 && SurfaceBatch::spare >= width && SurfaceFrame::spare >= width);
 
-template <class Lanes, class Number>
-BURIN_INLINE Lanes lanesAt(const Number* from) noexcept {
-    static_assert(sizeof(Lanes) == width * sizeof(Number));
-    Lanes values;
-    __builtin_memcpy(&values, from, sizeof values);
-    return values;
-}
-
 /// One number at each corner of the cubes: by u, v, n.
 struct Corners {
     Floats at[2][2][2];

@@ -84,8 +84,9 @@ public:
 
 private:
     void takeGroup(RunVolume& volume, LineIndex first, RunAmounts& removed) {
-        EightIntegers low, high;
-        spans_.spans(std::array{RowSpans{first.v, first.u / 8, 1, &low, &high}});
+        BrickOfSpans brick;
+        spans_.spans(std::array{RowSpans{first.v, first.u / 8, 1, &brick}});
+        const EightIntegers &low = brick.low[first.v & 7], &high = brick.high[first.v & 7];
         for (int lane = 0; lane < 8 && first.u + lane < grid_.lineCountU(); ++lane)
             if (low[lane] < high[lane])
                 RC_ASSERT(volume.removeSpan({first.u + lane, first.v}, RunPosition(low[lane]), RunPosition(high[lane]),

@@ -5,7 +5,11 @@
 #include <QtTest>
 #include <rapidcheck.h>
 
+#include <glm/glm.hpp>
+
+#include <cmath>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 using namespace burin;
@@ -14,54 +18,60 @@ namespace {
 
 constexpr std::int32_t side = 8; // bricks, of the window
 
-/// Rows of gaps with spans to be taken, as random as they come: known and unknown gaps, neighbours of three materials
-/// or none, bricks that are ready and some that are not.
+/// A row of bricks with spans to be taken, as random as they come: known and unknown gaps, neighbours of three
+/// materials or none, bricks that are ready and some that are not, rows of lines that are asked for here and there.
 struct Scene {
-    std::vector<GapWindow::Gap> gaps = std::vector<GapWindow::Gap>((side + 1) * 9); // one to be fetched ahead
+    std::vector<GapWindow::Gaps> gaps = std::vector<GapWindow::Gaps>(side);
     std::vector<GapWindow::Brick> bricks = std::vector<GapWindow::Brick>(side);
-    std::vector<EightIntegers> low, high;
-    std::vector<RowSpans> spans;
+    std::vector<BrickOfSpans> spans = std::vector<BrickOfSpans>(side);
+    GapWindow::BrickRow asked;
     GapWindow::Sums sums;
     std::vector<GapWindow::Open> open = std::vector<GapWindow::Open>(side * 8);
 
-    GapWindow::Rows rows() { return {gaps.data(), side + 1, bricks.data(), side - 1, spans}; }
+    GapWindow::BrickRow row() {
+        GapWindow::BrickRow row = asked;
+        row.gaps = gaps.data();
+        row.bricks = bricks.data();
+        row.spans = spans.data();
+        return row;
+    }
 };
 
 int drawn(int low, int high) {
     return *rc::gen::inRange(low, high);
 }
 
-void drawLane(GapWindow::Gap& gap, int lane) {
+GapWindow::LineGap drawGap() {
     const bool known = drawn(0, 10) != 0;
     const int low = drawn(1000, 2000), high = low + drawn(0, 800);
-    gap.low[lane] = known ? low : 1 << 29;
-    gap.high[lane] = known ? high : -(1 << 29);
-    gap.left[lane] =
-        known && drawn(0, 6) != 0 ? std::uint32_t(low - drawn(1, 900)) << 8 | std::uint32_t(drawn(1, 4)) : 0;
-    gap.right[lane] =
-        known && drawn(0, 6) != 0 ? std::uint32_t(high + drawn(1, 900)) << 8 | std::uint32_t(drawn(1, 4)) : 0;
+    if (!known) return {1 << 29, -(1 << 29), 0, 0};
+    const auto neighbour = [](int end) {
+        return drawn(0, 6) != 0 ? std::uint32_t(end) << 8 | std::uint32_t(drawn(1, 4)) : 0;
+    };
+    return {low, high, neighbour(low - drawn(1, 900)), neighbour(high + drawn(1, 900))};
 }
 
 Scene drawScene() {
     Scene scene;
-    for (GapWindow::Gap& gap : scene.gaps)
-        for (int lane = 0; lane < 8; ++lane) drawLane(gap, lane);
+    for (GapWindow::Gaps& gaps : scene.gaps)
+        for (std::size_t line = 0; line < 64; ++line) gaps.set(line, drawGap());
     for (GapWindow::Brick& brick : scene.bricks) brick.ready = drawn(0, 12) != 0;
-    const int rows = drawn(1, 9);
-    scene.low.resize(std::size_t(rows) * side);
-    scene.high.resize(scene.low.size());
-    const int v = 8 * drawn(0, 100);
-    for (int row = 0; row < rows; ++row) {
-        const std::size_t at = std::size_t(row) * side;
-        scene.spans.push_back({v + row, drawn(0, 100), drawn(1, side + 1), &scene.low[at], &scene.high[at]});
-        for (std::size_t i = at; i < at + side; ++i)
-            for (int lane = 0; lane < 8; ++lane) {
-                scene.low[i][lane] = drawn(700, 2100);
-                scene.high[i][lane] = scene.low[i][lane] + drawn(-100, 1500);
-            }
+    for (BrickOfSpans& spans : scene.spans)
+        for (std::size_t line = 0; line < 64; ++line) {
+            const int low = drawn(700, 2100);
+            spans.low[line / 8][int(line % 8)] = low;
+            spans.high[line / 8][int(line % 8)] = low + drawn(-100, 1500);
+        }
+    scene.asked.mask = side - 1;
+    scene.asked.firstLine = 8 * drawn(0, 100);
+    scene.asked.first = drawn(0, 100);
+    scene.asked.end = scene.asked.first + drawn(1, side + 1);
+    for (int line = 0; line < 8; ++line) {
+        scene.asked.begins[line] = drawn(scene.asked.first, scene.asked.end);
+        scene.asked.ends[line] = drawn(scene.asked.begins[line], scene.asked.end + 1);
     }
     scene.sums.originU = 40;
-    scene.sums.originV = v;
+    scene.sums.originV = scene.asked.firstLine + drawn(-20, 20);
     scene.sums.alongOrigin = 3000;
     return scene;
 }
@@ -77,6 +87,33 @@ bool sameSums(const GapWindow::Sums& a, const GapWindow::Sums& b) {
            same(a.momentU, b.momentU) && same(a.momentV, b.momentV) && same(a.momentAlong, b.momentAlong);
 }
 
+struct Moments {
+    double units = 0.0, momentU = 0.0, momentV = 0.0, momentAlong = 0.0; ///< momentAlong doubled
+};
+
+/// What the kernel says in words, for one line. @return whether its gap grew
+bool takeSpan(GapWindow::LineGap& gap, int low, int high, const glm::dvec2& uv, int alongOrigin,
+              std::array<std::int64_t, 256>& lost, Moments& moments) {
+    const bool below = low<gap.low, above = high> gap.high;
+    if (low >= high || (!below && !above)) return false;
+    // Apart from the gap, or farther than its neighbours reach.
+    if (low > gap.high || high < gap.low) return false;
+    if (below && low < std::min(gap.low, int(gap.left >> 8))) return false;
+    if (above && high > std::max(gap.high, int(gap.right >> 8))) return false;
+    const auto take = [&](int from, int to, std::uint32_t neighbour) {
+        lost[neighbour & 255U] += to - from;
+        moments.units += to - from;
+        moments.momentU += uv.x * (to - from);
+        moments.momentV += uv.y * (to - from);
+        moments.momentAlong += (double(to) + from - alongOrigin) * (to - from);
+    };
+    if (below) take(low, gap.low, gap.left);
+    if (above) take(gap.high, high, gap.right);
+    gap.low = std::min(gap.low, low);
+    gap.high = std::max(gap.high, high);
+    return true;
+}
+
 } // namespace
 
 class GapWindowKernelsTest : public QObject {
@@ -86,16 +123,16 @@ private slots:
     /// What a cut takes, and what it is counted as, does not depend on the machine, to the last bit.
     void cutsTheSameOnEveryProcessor() {
         const bool held = rc::check("rows", [] {
-            Scene here = drawScene(), elsewhere = here; // of the same spans
-            kernels::Growth growthHere{here.open.data()}, growthElsewhere{elsewhere.open.data()};
+            Scene here = drawScene(), elsewhere = here;
+            const std::int32_t first = here.asked.first;
+            kernels::Growth growthHere{here.open.data(), 0, first}, growthElsewhere{elsewhere.open.data(), 0, first};
             bool done = false;
             while (!done) {
-                done = kernels::growGaps(here.rows(), here.sums, growthHere);
-                RC_ASSERT(done == kernels::any_processor::grow(elsewhere.rows(), elsewhere.sums, growthElsewhere));
-                RC_ASSERT(growthHere.row == growthElsewhere.row && growthHere.group == growthElsewhere.group);
+                done = kernels::growGaps(here.row(), here.sums, growthHere);
+                RC_ASSERT(done == kernels::any_processor::grow(elsewhere.row(), elsewhere.sums, growthElsewhere));
+                RC_ASSERT(growthHere.brick == growthElsewhere.brick);
                 if (!done) {
-                    const std::size_t brick =
-                        std::size_t(here.spans[growthHere.row].firstGroup + growthHere.group) % side;
+                    const auto brick = std::size_t(growthHere.brick % side);
                     here.bricks[brick].ready = elsewhere.bricks[brick].ready = true;
                 }
             }
@@ -103,7 +140,7 @@ private slots:
             RC_ASSERT(sameSums(here.sums, elsewhere.sums));
             RC_ASSERT(growthHere.openCount == growthElsewhere.openCount);
             for (std::size_t i = 0; i < growthHere.openCount; ++i)
-                RC_ASSERT(here.open[i].row == elsewhere.open[i].row && here.open[i].group == elsewhere.open[i].group &&
+                RC_ASSERT(here.open[i].brick == elsewhere.open[i].brick && here.open[i].row == elsewhere.open[i].row &&
                           here.open[i].lanesOf == elsewhere.open[i].lanesOf);
             for (std::size_t i = 0; i < here.bricks.size(); ++i)
                 RC_ASSERT(here.bricks[i].owing == elsewhere.bricks[i].owing);
@@ -111,26 +148,47 @@ private slots:
         QVERIFY(held);
     }
 
-    /// Sums are those of the lines one by one.
-    void countsWhatEachLineLoses() {
-        const bool held = rc::check("rows", [] {
+    /// Each line loses what its span takes of its gap's neighbours, or is left to the volume as it was; the sums are
+    /// those of the lines one by one.
+    void takesAndCountsLineByLine() {
+        const bool held = rc::check("lines", [] {
             Scene scene = drawScene();
             for (GapWindow::Brick& brick : scene.bricks) brick.ready = true;
-            const std::vector<GapWindow::Gap> before = scene.gaps;
-            kernels::Growth growth{scene.open.data()};
-            RC_ASSERT(kernels::growGaps(scene.rows(), scene.sums, growth));
+            const std::vector<GapWindow::Gaps> before = scene.gaps;
+            const GapWindow::BrickRow row = scene.row();
+            kernels::Growth growth{scene.open.data(), 0, row.first};
+            RC_ASSERT(kernels::growGaps(row, scene.sums, growth));
             std::array<std::int64_t, 256> lost{}, counted{};
-            for (std::size_t i = 0; i < before.size(); ++i)
-                for (int lane = 0; lane < 8; ++lane) {
-                    const std::int64_t below = before[i].low[lane] - scene.gaps[i].low[lane];
-                    const std::int64_t above = scene.gaps[i].high[lane] - before[i].high[lane];
-                    RC_ASSERT(below >= 0 && above >= 0);
-                    lost[before[i].left[lane] & 255U] += below;
-                    lost[before[i].right[lane] & 255U] += above;
+            Moments exact;
+            for (std::int32_t brick = row.first; brick < row.first + side; ++brick) {
+                const auto place = std::size_t(brick % side);
+                std::uint64_t owing = 0;
+                for (int line = 0; line < 64; ++line) {
+                    const auto at = std::size_t(line);
+                    GapWindow::LineGap gap = before[place].at(at);
+                    if (row.begins[line / 8] <= brick && brick < row.ends[line / 8]) {
+                        const BrickOfSpans& spans = scene.spans[std::size_t(brick - row.first)];
+                        const glm::dvec2 uv(8 * brick + line % 8 - scene.sums.originU,
+                                            row.firstLine + line / 8 - scene.sums.originV);
+                        if (takeSpan(gap, spans.low[line / 8][line % 8], spans.high[line / 8][line % 8], uv,
+                                     scene.sums.alongOrigin, lost, exact))
+                            owing |= std::uint64_t{1} << at;
+                    }
+                    const GapWindow::LineGap now = scene.gaps[place].at(at);
+                    RC_ASSERT(now.low == gap.low && now.high == gap.high);
                 }
+                RC_ASSERT(scene.bricks[place].owing == owing);
+            }
             for (std::size_t property = 0; property < counted.size(); ++property)
-                for (int lane = 0; lane < 8; ++lane) counted[property] += scene.sums.byProperty[property][lane];
+                for (const std::int32_t units : scene.sums.byProperty[property]) counted[property] += units;
             RC_ASSERT(counted == lost);
+            const auto near = [](const GapWindow::Sums::Lanes<float>& found, double sum, double size) {
+                return std::abs(std::accumulate(found.begin(), found.end(), 0.0) - sum) <= 1e-5 * size;
+            };
+            RC_ASSERT(near(scene.sums.units, exact.units, exact.units));
+            RC_ASSERT(near(scene.sums.momentU, exact.momentU, 1000.0 * exact.units));
+            RC_ASSERT(near(scene.sums.momentV, exact.momentV, 1000.0 * exact.units));
+            RC_ASSERT(near(scene.sums.momentAlong, exact.momentAlong, 10000.0 * exact.units));
         });
         QVERIFY(held);
     }

@@ -32,8 +32,8 @@ RevolvedPiece grown(const RevolvedPiece& piece, double by) {
 LineStretch reachOf(SpanRows& rows, int v) {
     RowSpans row;
     const LineStretch all{-1000, 1000};
-    std::vector<EightIntegers> low(2001), high(2001);
-    if (rows.stretches(v, 1, all, low.data(), high.data(), &row) == 0) return {};
+    std::vector<BrickOfSpans> bricks(2001);
+    if (rows.stretches(v, 1, all, bricks.data(), &row) == 0) return {};
     return {8 * row.firstGroup, 8 * (row.firstGroup + row.groups) - 1};
 }
 
@@ -61,12 +61,13 @@ private slots:
             const int v = int(std::floor(from.y + real(-1.05, 1.05) * radius));
             const int first = int(std::floor((std::min(from.x, to.x) - radius) / 8.0)) - 1;
             const int groups = int((2.0 * radius + glm::length(way)) / 8.0) + 4;
-            std::vector<EightIntegers> low(static_cast<std::size_t>(groups)), high(low.size());
-            rows.spans(std::array{RowSpans{v, first, groups, low.data(), high.data()}});
+            std::vector<BrickOfSpans> bricks(static_cast<std::size_t>(groups));
+            rows.spans(std::array{RowSpans{v, first, groups, bricks.data()}});
             const LineStretch reach = reachOf(rows, v);
             for (int i = 0; i < groups * 8; ++i) {
                 const int u = first * 8 + i;
-                const double foundLow = low[std::size_t(i) / 8][i % 8], foundHigh = high[std::size_t(i) / 8][i % 8];
+                const BrickOfSpans& brick = bricks[std::size_t(i) / 8];
+                const double foundLow = brick.low[v & 7][i % 8], foundHigh = brick.high[v & 7][i % 8];
                 const std::optional<Span> inner = smaller.along(u, v), outer = larger.along(u, v);
                 if (inner) {
                     RC_ASSERT(foundLow < foundHigh);
@@ -114,9 +115,9 @@ private slots:
                 const glm::dvec3 middle = from + axis * real(piece.bottom, piece.top);
                 const int v = int(std::floor(middle.y + real(-1.1, 1.1) * piece.bottomRadius));
                 const int u = int(std::floor(middle.x + real(-1.1, 1.1) * piece.bottomRadius));
-                EightIntegers low, high;
-                rows.spans(std::array{RowSpans{v, u >> 3, 1, &low, &high}});
-                const double foundLow = low[u & 7] / 256.0, foundHigh = high[u & 7] / 256.0;
+                BrickOfSpans brick;
+                rows.spans(std::array{RowSpans{v, u >> 3, 1, &brick}});
+                const double foundLow = brick.low[v & 7][u & 7] / 256.0, foundHigh = brick.high[v & 7][u & 7] / 256.0;
                 if (foundLow < foundHigh) {
                     RC_ASSERT(reachOf(rows, v).first <= u && u <= reachOf(rows, v).last);
                     RC_ASSERT(v >= rows.rows().first && v <= rows.rows().last);

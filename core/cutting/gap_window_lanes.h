@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Of gap_window_kernels.cpp, which includes it once for each width of registers (core/base/whole_registers.h). Two rows
+// of lines at once, or one after the other: sums of every other row are kept apart, so that both come to the same bits.
+
+constexpr std::size_t lanesAtOnce = 16; // of two rows
+constexpr std::size_t parts = lanesAtOnce / width;
+
+/// What one side of gaps lost, lane by lane. Neighbours of one property are the rule: their units stay in a register
+/// until another one comes.
+struct Side {
+    Integers property{}; ///< of `units`, the same in every lane
+    Integers units{};    ///< run units
+    Floats momentAlong{};
+};
+
+/// What some lines lost, from the sums' origins; along v from the row of bricks'.
+struct Lost {
+    Side below, above;
+    Floats units{}, momentU{}, momentV{}; ///< momentU without the lanes' own places
+};
+
+/// @param part of two rows
+BURIN_INLINE void flush(GapWindow::Sums& sums, Side& lost, std::size_t part) noexcept {
+    const auto place = static_cast<std::size_t>(lost.property[0]);
+    std::int32_t* const of = sums.byProperty[place].data() + part * width;
+    storeAt(lanesAt<Integers>(of) + lost.units, of);
+    sums.used[place / 64] |= std::uint64_t{1} << (place % 64);
+    lost.units = Integers{};
+}
+
+/// Adds what gaps lost. `middle`: of it, doubled, run units from the origin. @return units as floats
+BURIN_INLINE Floats addSide(Integers taken, Words neighbour, Integers middle, GapWindow::Sums& sums, Side& lost,
+                            std::size_t part) noexcept {
+    const auto property = reinterpret_cast<Integers>(neighbour & 255U);
+    const Mask others = unlike(property, lost.property) & greater(taken, Integers{});
+    if (std::uint32_t left = bitsOf(others); left == 0) {
+        lost.units += taken;
+    } else {
+        lost.units += select(others, Integers{}, taken);
+        do {
+            flush(sums, lost, part);
+            lost.property = each(property[std::countr_zero(left)]);
+            const Mask same = others & ~unlike(property, lost.property);
+            lost.units = select(same, taken, Integers{});
+            left &= ~bitsOf(same);
+        } while (left != 0);
+    }
+    const Floats units = floatsOf(taken);
+    lost.momentAlong += units * floatsOf(middle);
+    return units;
+}
+
+/// Lines of a brick of which some spans reach out of their gaps.
+struct Lines {
+    std::int32_t *lows, *highs; ///< of their gaps
+    const std::uint32_t *lefts, *rights;
+    Integers low, high, oldLow, oldHigh;
+    Integers alongOrigin;
+    std::size_t part;
+};
+
+struct Grown {
+    Floats units;       ///< that were taken
+    std::uint32_t open; ///< bits of the lines that need the volume
+};
+
+/// Grows gaps downwards. @param hits lines whose spans begin below their gaps; they end beyond none of these
+BURIN_INLINE Grown growDown(const Lines& at, Mask hits, GapWindow::Sums& sums, Lost& lost) noexcept {
+    const auto left = lanesAt<Words>(at.lefts);
+    const Mask apart =
+        greater(at.oldLow, at.high) | greater(least(at.oldLow, reinterpret_cast<Integers>(left >> 8)), at.low);
+    const Integers newLow = select(hits & ~apart, at.low, at.oldLow);
+    storeAt(newLow, at.lows);
+    return {addSide(at.oldLow - newLow, left, at.oldLow + newLow - at.alongOrigin, sums, lost.below, at.part),
+            bitsOf(hits & apart)};
+}
+
+/// And upwards.
+BURIN_INLINE Grown growUp(const Lines& at, Mask hits, GapWindow::Sums& sums, Lost& lost) noexcept {
+    const auto right = lanesAt<Words>(at.rights);
+    const Mask apart =
+        greater(at.low, at.oldHigh) | greater(at.high, most(at.oldHigh, reinterpret_cast<Integers>(right >> 8)));
+    const Integers newHigh = select(hits & ~apart, at.high, at.oldHigh);
+    storeAt(newHigh, at.highs);
+    return {addSide(newHigh - at.oldHigh, right, at.oldHigh + newHigh - at.alongOrigin, sums, lost.above, at.part),
+            bitsOf(hits & apart)};
+}
+
+BURIN_INLINE Grown growBothWays(const Lines& at, Mask hits, GapWindow::Sums& sums, Lost& lost) noexcept {
+    const auto left = lanesAt<Words>(at.lefts), right = lanesAt<Words>(at.rights);
+    const Mask apart = greater(at.low, at.oldHigh) | greater(at.oldLow, at.high) |
+                       greater(at.high, most(at.oldHigh, reinterpret_cast<Integers>(right >> 8))) |
+                       greater(least(at.oldLow, reinterpret_cast<Integers>(left >> 8)), at.low);
+    const Mask grows = hits & ~apart;
+    const Integers newLow = select(grows, least(at.low, at.oldLow), at.oldLow);
+    const Integers newHigh = select(grows, most(at.high, at.oldHigh), at.oldHigh);
+    storeAt(newLow, at.lows);
+    storeAt(newHigh, at.highs);
+    return {addSide(at.oldLow - newLow, left, at.oldLow + newLow - at.alongOrigin, sums, lost.below, at.part) +
+                addSide(newHigh - at.oldHigh, right, at.oldHigh + newHigh - at.alongOrigin, sums, lost.above, at.part),
+            bitsOf(hits & apart)};
+}
+
+BURIN_INLINE void keepOpen(std::int32_t brick, std::int32_t row, std::uint32_t open, Growth& growth) noexcept {
+    for (; open != 0; open >>= lanes, ++row)
+        if ((open & 255U) != 0) growth.open[growth.openCount++] = {brick, row, open & 255U};
+}
+
+/// Takes what spans reach out of the gaps of a brick, most of them on one side alone. False: the brick is not ready.
+BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Lost (&lost)[parts],
+                            Growth& growth) noexcept {
+    const std::uint32_t place = static_cast<std::uint32_t>(growth.brick) & row.mask;
+    GapWindow::Gaps& gaps = row.gaps[place];
+    GapWindow::Brick& brick = row.bricks[place];
+    const BrickOfSpans& spans = row.spans[growth.brick - row.first];
+    const std::uint32_t asked = row.asked(growth.brick);
+    const Integers alongOrigin = each(sums.alongOrigin);
+    Floats units[parts]{};
+    std::uint64_t cut = 0;
+    for (std::int32_t pair = 0; pair < lanes; pair += 2) {
+        if ((asked >> pair & 3U) == 0) continue;
+#pragma GCC unroll 2
+        for (std::size_t part = 0; part < parts; ++part) {
+            const std::int32_t firstRow = pair + static_cast<std::int32_t>(part);
+            const auto at = static_cast<std::size_t>(firstRow * lanes);
+            const auto low = lanesAt<Integers>(spans.low[firstRow].lane),
+                       high = lanesAt<Integers>(spans.high[firstRow].lane);
+            const auto oldLow = lanesAt<Integers>(&gaps.low[at]), oldHigh = lanesAt<Integers>(&gaps.high[at]);
+            const Mask there = greater(high, low) & rowsOf(asked >> firstRow);
+            const Mask below = greater(oldLow, low) & there, above = greater(high, oldHigh) & there;
+            const std::uint32_t down = bitsOf(below), up = bitsOf(above);
+            if ((down | up) == 0) continue;
+            if (!brick.ready) return false; // nothing of it was taken
+            const Lines lines{&gaps.low[at], &gaps.high[at], &gaps.left[at], &gaps.right[at], low,
+                              high,          oldLow,         oldHigh,        alongOrigin,     part};
+            const Grown grown = up == 0     ? growDown(lines, below, sums, lost[part])
+                                : down == 0 ? growUp(lines, above, sums, lost[part])
+                                            : growBothWays(lines, below | above, sums, lost[part]);
+            units[part] += grown.units;
+            lost[part].momentV += grown.units * (rowNumbers() + static_cast<float>(firstRow));
+            cut |= static_cast<std::uint64_t>((down | up) & ~grown.open) << at;
+            if (grown.open != 0) keepOpen(growth.brick, firstRow, grown.open, growth);
+        }
+    }
+    brick.owing |= cut;
+    const auto momentArm = static_cast<float>(growth.brick * lanes - sums.originU);
+    for (std::size_t part = 0; part < parts; ++part) {
+        lost[part].units += units[part];
+        lost[part].momentU += units[part] * momentArm;
+    }
+    return true;
+}
+
+BURIN_INLINE void addTo(GapWindow::Sums& sums, Lost& lost, float momentArmV, std::size_t part) noexcept {
+    flush(sums, lost.below, part);
+    flush(sums, lost.above, part);
+    const auto add = [&](Floats sum, GapWindow::Sums::Lanes<float>& to) {
+        float* const of = to.data() + part * width;
+        storeAt(lanesAt<Floats>(of) + sum, of);
+    };
+    add(lost.units, sums.units);
+    add(lost.momentU + lost.units * floatsOf(numbers() & each(lanes - 1)), sums.momentU);
+    add(lost.momentV + lost.units * momentArmV, sums.momentV);
+    add(lost.below.momentAlong + lost.above.momentAlong, sums.momentAlong);
+}
+
+/// See growGaps.
+BURIN_INLINE bool growAll(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Growth& growth) noexcept {
+    Lost lost[parts];
+    while (growth.brick < row.end && growBrick(row, sums, lost, growth)) ++growth.brick;
+    for (std::size_t part = 0; part < parts; ++part)
+        addTo(sums, lost[part], static_cast<float>(row.firstLine - sums.originV), part);
+    return growth.brick == row.end;
+}
