@@ -56,12 +56,12 @@ BURIN_INLINE Mask unlike(Integers a, Integers b) noexcept {
 using burin::bitsOf;
 using burin::least;
 using burin::most;
-/// The lanes of rows of eight lines of which a bit says so.
-BURIN_INLINE Mask rowsOf(std::uint32_t bits) noexcept {
+/// The lanes for which the lowest bits say so, those of eight always alike.
+BURIN_INLINE Mask lanesOf(std::uint64_t bits) noexcept {
     return integers(-static_cast<std::int32_t>(bits & 1U));
 }
-/// The rows that those lanes belong to: 0, and 1 where a register holds two.
-BURIN_INLINE Floats rowNumbers() noexcept {
+/// Which eight the lanes belong to: 0, and 1 where a register holds two.
+BURIN_INLINE Floats eightNumbers() noexcept {
     return Floats{};
 }
 BURIN_INLINE Integers select(Mask mask, Integers then, Integers otherwise) noexcept {
@@ -196,10 +196,10 @@ BURIN_INLINE Integers most(Integers a, Integers b) noexcept {
     return reinterpret_cast<Integers>(
         _mm512_maskz_max_epi32(all, reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b)));
 }
-BURIN_INLINE Mask rowsOf(std::uint32_t bits) noexcept {
-    return {static_cast<__mmask16>((bits & 1U) * 0x00ffU + (bits >> 1 & 1U) * 0xff00U)};
+BURIN_INLINE Mask lanesOf(std::uint64_t bits) noexcept {
+    return {static_cast<__mmask16>(bits)};
 }
-BURIN_INLINE Floats rowNumbers() noexcept {
+BURIN_INLINE Floats eightNumbers() noexcept {
     return Floats{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
 }
 BURIN_INLINE Integers select(Mask mask, Integers then, Integers otherwise) noexcept {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace burin {
 
@@ -151,12 +150,12 @@ void GapWindow::unqueue(Brick& brick) noexcept {
 
 bool GapWindow::write(RunVolume& workpiece, Brick& brick) noexcept {
     if (brick.owing == 0) return true;
-    BrickSpans spans;
-    spans.lines = brick.owing;
     const Gaps& gaps = gapsOf(brick);
-    static_assert(sizeof gaps.low == sizeof spans.from);
-    std::memcpy(&spans.from, &gaps.low, sizeof gaps.low);
-    std::memcpy(&spans.to, &gaps.high, sizeof gaps.high);
+    const auto positions = [](const std::array<std::int32_t, 64>& ends) {
+        // A gap of which anything is owed lies within its line.
+        return std::span<const RunPosition, 64>(reinterpret_cast<const RunPosition*>(ends.data()), ends.size());
+    };
+    const BrickSpans spans{brick.owing, positions(gaps.low), positions(gaps.high)};
     if (!workpiece.clear({brick.u * 8, brick.v * 8}, spans, brick.room)) return false;
     brick.owing = 0;
     brick.ready = false; // its room went into the volume

@@ -30,11 +30,12 @@ BURIN_INLINE void flush(GapWindow::Sums& sums, Side& lost, std::size_t part) noe
     lost.units = Integers{};
 }
 
-/// Adds what gaps lost. `middle`: of it, doubled, run units from the origin. @return units as floats
-BURIN_INLINE Floats addSide(Integers taken, Words neighbour, Integers middle, GapWindow::Sums& sums, Side& lost,
-                            std::size_t part) noexcept {
+/// Adds what gaps lost. `grown`: those that lost any; `middle`: of it, doubled, run units from the origin. @return
+/// units as floats
+BURIN_INLINE Floats addSide(Integers taken, Mask grown, Words neighbour, Integers middle, GapWindow::Sums& sums,
+                            Side& lost, std::size_t part) noexcept {
     const auto property = reinterpret_cast<Integers>(neighbour & 255U);
-    const Mask others = unlike(property, lost.property) & greater(taken, Integers{});
+    const Mask others = unlike(property, lost.property) & grown;
     if (std::uint32_t left = bitsOf(others); left == 0) {
         lost.units += taken;
     } else {
@@ -71,9 +72,10 @@ BURIN_INLINE Grown growDown(const Lines& at, Mask hits, GapWindow::Sums& sums, L
     const auto left = lanesAt<Words>(at.lefts);
     const Mask apart =
         greater(at.oldLow, at.high) | greater(least(at.oldLow, reinterpret_cast<Integers>(left >> 8)), at.low);
-    const Integers newLow = select(hits & ~apart, at.low, at.oldLow);
+    const Mask grows = hits & ~apart;
+    const Integers newLow = select(grows, at.low, at.oldLow);
     storeAt(newLow, at.lows);
-    return {addSide(at.oldLow - newLow, left, at.oldLow + newLow - at.alongOrigin, sums, lost.below, at.part),
+    return {addSide(at.oldLow - newLow, grows, left, at.oldLow + newLow - at.alongOrigin, sums, lost.below, at.part),
             bitsOf(hits & apart)};
 }
 
@@ -82,30 +84,38 @@ BURIN_INLINE Grown growUp(const Lines& at, Mask hits, GapWindow::Sums& sums, Los
     const auto right = lanesAt<Words>(at.rights);
     const Mask apart =
         greater(at.low, at.oldHigh) | greater(at.high, most(at.oldHigh, reinterpret_cast<Integers>(right >> 8)));
-    const Integers newHigh = select(hits & ~apart, at.high, at.oldHigh);
+    const Mask grows = hits & ~apart;
+    const Integers newHigh = select(grows, at.high, at.oldHigh);
     storeAt(newHigh, at.highs);
-    return {addSide(newHigh - at.oldHigh, right, at.oldHigh + newHigh - at.alongOrigin, sums, lost.above, at.part),
-            bitsOf(hits & apart)};
+    return {
+        addSide(newHigh - at.oldHigh, grows, right, at.oldHigh + newHigh - at.alongOrigin, sums, lost.above, at.part),
+        bitsOf(hits & apart)};
 }
 
-BURIN_INLINE Grown growBothWays(const Lines& at, Mask hits, GapWindow::Sums& sums, Lost& lost) noexcept {
+BURIN_INLINE Grown growBothWays(const Lines& at, Mask below, Mask above, GapWindow::Sums& sums, Lost& lost) noexcept {
     const auto left = lanesAt<Words>(at.lefts), right = lanesAt<Words>(at.rights);
     const Mask apart = greater(at.low, at.oldHigh) | greater(at.oldLow, at.high) |
                        greater(at.high, most(at.oldHigh, reinterpret_cast<Integers>(right >> 8))) |
                        greater(least(at.oldLow, reinterpret_cast<Integers>(left >> 8)), at.low);
-    const Mask grows = hits & ~apart;
-    const Integers newLow = select(grows, least(at.low, at.oldLow), at.oldLow);
-    const Integers newHigh = select(grows, most(at.high, at.oldHigh), at.oldHigh);
+    const Mask down = below & ~apart, up = above & ~apart;
+    const Integers newLow = select(down, at.low, at.oldLow), newHigh = select(up, at.high, at.oldHigh);
     storeAt(newLow, at.lows);
     storeAt(newHigh, at.highs);
-    return {addSide(at.oldLow - newLow, left, at.oldLow + newLow - at.alongOrigin, sums, lost.below, at.part) +
-                addSide(newHigh - at.oldHigh, right, at.oldHigh + newHigh - at.alongOrigin, sums, lost.above, at.part),
-            bitsOf(hits & apart)};
+    return {
+        addSide(at.oldLow - newLow, down, left, at.oldLow + newLow - at.alongOrigin, sums, lost.below, at.part) +
+            addSide(newHigh - at.oldHigh, up, right, at.oldHigh + newHigh - at.alongOrigin, sums, lost.above, at.part),
+        bitsOf((below | above) & apart)};
 }
 
 BURIN_INLINE void keepOpen(std::int32_t brick, std::int32_t row, std::uint32_t open, Growth& growth) noexcept {
     for (; open != 0; open >>= lanes, ++row)
         if ((open & 255U) != 0) growth.open[growth.openCount++] = {brick, row, open & 255U};
+}
+
+/// Bits of the lines of rows.
+BURIN_INLINE std::uint64_t linesOf(std::uint32_t rows) noexcept {
+    constexpr std::uint64_t apart = 0x0002040810204081, lowest = 0x0101010101010101; // bit i to 8 i
+    return ((((rows & 127U) * apart) & lowest) | static_cast<std::uint64_t>(rows >> 7) << 56) * 255U;
 }
 
 /// Takes what spans reach out of the gaps of a brick, most of them on one side alone. False: the brick is not ready.
@@ -115,12 +125,13 @@ BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, GapWindow::Sums& sum
     GapWindow::Gaps& gaps = row.gaps[place];
     GapWindow::Brick& brick = row.bricks[place];
     const BrickOfSpans& spans = row.spans[growth.brick - row.first];
-    const std::uint32_t asked = row.asked(growth.brick);
+    const std::uint64_t asked = linesOf(row.asked(growth.brick));
     const Integers alongOrigin = each(sums.alongOrigin);
-    Floats units[parts]{};
+    Floats units[parts]{}, before[parts]{};
     std::uint64_t cut = 0;
     for (std::int32_t pair = 0; pair < lanes; pair += 2) {
-        if ((asked >> pair & 3U) == 0) continue;
+        for (std::size_t part = 0; part < parts; ++part) before[part] += units[part];
+        if ((asked >> (pair * lanes) & 0xffffU) == 0) continue;
 #pragma GCC unroll 2
         for (std::size_t part = 0; part < parts; ++part) {
             const std::int32_t firstRow = pair + static_cast<std::int32_t>(part);
@@ -128,7 +139,7 @@ BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, GapWindow::Sums& sum
             const auto low = lanesAt<Integers>(spans.low[firstRow].lane),
                        high = lanesAt<Integers>(spans.high[firstRow].lane);
             const auto oldLow = lanesAt<Integers>(&gaps.low[at]), oldHigh = lanesAt<Integers>(&gaps.high[at]);
-            const Mask there = greater(high, low) & rowsOf(asked >> firstRow);
+            const Mask there = greater(high, low) & lanesOf(asked >> at);
             const Mask below = greater(oldLow, low) & there, above = greater(high, oldHigh) & there;
             const std::uint32_t down = bitsOf(below), up = bitsOf(above);
             if ((down | up) == 0) continue;
@@ -137,9 +148,8 @@ BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, GapWindow::Sums& sum
                               high,          oldLow,         oldHigh,        alongOrigin,     part};
             const Grown grown = up == 0     ? growDown(lines, below, sums, lost[part])
                                 : down == 0 ? growUp(lines, above, sums, lost[part])
-                                            : growBothWays(lines, below | above, sums, lost[part]);
+                                            : growBothWays(lines, below, above, sums, lost[part]);
             units[part] += grown.units;
-            lost[part].momentV += grown.units * (rowNumbers() + static_cast<float>(firstRow));
             cut |= static_cast<std::uint64_t>((down | up) & ~grown.open) << at;
             if (grown.open != 0) keepOpen(growth.brick, firstRow, grown.open, growth);
         }
@@ -149,6 +159,9 @@ BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, GapWindow::Sums& sum
     for (std::size_t part = 0; part < parts; ++part) {
         lost[part].units += units[part];
         lost[part].momentU += units[part] * momentArm;
+        // Units of a pair were counted once for each pair after it: those of the last, row 6, never.
+        const Floats even = units[part] * (eightNumbers() + static_cast<float>(6 + part));
+        lost[part].momentV += even - 2.0F * before[part];
     }
     return true;
 }

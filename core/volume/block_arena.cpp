@@ -30,6 +30,20 @@ constexpr std::array<std::uint32_t, count> makeClassSizes() {
 constexpr auto classSizes = makeClassSizes<176>();
 static_assert(classSizes.back() > (1U << 28), "a class for every tile that 16.8-bit run ends allow");
 
+constexpr std::size_t classAmong(std::size_t units) {
+    return static_cast<std::size_t>(std::lower_bound(classSizes.begin(), classSizes.end(), units) - classSizes.begin());
+}
+
+/// Classes of the first sizes: a tick asks for some, and a search is mispredicted at every step.
+constexpr std::size_t sizesAtHand = 1024; // units: 64 KiB
+constexpr auto classesAtHand = [] {
+    static_assert(classSizes.size() <= 256);
+    std::array<std::uint8_t, sizesAtHand> classes{};
+    for (std::size_t units = 0; units < sizesAtHand; ++units)
+        classes[units] = static_cast<std::uint8_t>(classAmong(units));
+    return classes;
+}();
+
 } // namespace
 
 std::unique_ptr<BlockArena> BlockArena::make(std::size_t bytes) {
@@ -67,8 +81,7 @@ BlockArena::~BlockArena() {
 }
 
 std::size_t BlockArena::classFor(std::size_t units) noexcept {
-    if (units <= 32) return units - 1;
-    return static_cast<std::size_t>(std::lower_bound(classSizes.begin(), classSizes.end(), units) - classSizes.begin());
+    return units < sizesAtHand ? classesAtHand[units] : classAmong(units);
 }
 
 std::size_t BlockArena::bytesOf(const BlockHeader& block) const noexcept {

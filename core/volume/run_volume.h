@@ -44,11 +44,11 @@ struct RunAmounts {
     friend bool operator==(const RunAmounts&, const RunAmounts&) = default;
 };
 
-/// What is to be removed from a brick of 8 × 8 scanlines: stretches with from < to that lie within the line. Line i lies
-/// at u = i % 8, v = i / 8 of the brick.
+/// What is to be removed from a brick of 8 × 8 scanlines: stretches with from < to that lie within the line. Line i
+/// lies at u = i % 8, v = i / 8 of the brick. Views of what somebody else owns.
 struct BrickSpans {
     std::uint64_t lines = 0; ///< bit i: line i has a stretch
-    std::array<RunPosition, 64> from{}, to{};
+    std::span<const RunPosition, 64> from, to;
 };
 
 /// Reserved memory that clearing one brick may need, set aside while what is to be removed is still being gathered.
@@ -140,9 +140,9 @@ public:
     bool setAside(LineIndex line, BrickRoom& room) noexcept;
     /// Gives back what was set aside.
     void giveBack(BrickRoom& room) noexcept;
-    /// Turns the machinable runs within `spans` to air, all lines of a brick at once; protected runs stay. `room` is used
-    /// up. Cost: one pass over the brick. False: out of reserved memory, the brick unchanged, `room` kept. That can only
-    /// be when the brick was edited otherwise since its room was set aside, or without pages to spare.
+    /// Turns the machinable runs within `spans` to air, all lines of a brick at once; protected runs stay. `room` is
+    /// used up. Cost: one pass over the brick. False: out of reserved memory, the brick unchanged, `room` kept. That
+    /// can only be when the brick was edited otherwise since its room was set aside, or without pages to spare.
     /// @param line any of the brick
     bool clear(LineIndex line, const BrickSpans& spans, BrickRoom& room) noexcept;
     /// False: a snapshot that is taken now could leave `clear` without a page of its table. Whoever holds rooms clears

@@ -38,11 +38,10 @@ bool RunVolume::Impl::fillWithAir() noexcept {
 }
 
 void RunVolume::Impl::fetch(LineIndex index) const noexcept {
-    constexpr std::size_t cacheLine = 64, most = 4096; // bytes; few bricks have more
-    const Tile tile = store_->tileAt(pages_, index);
-    const std::size_t bytes = store_->arena->bytesOf(tile.header());
-    const auto* const begin = reinterpret_cast<const std::byte*>(&tile.header());
-    for (std::size_t at = 0; at < std::min(bytes, most); at += cacheLine) __builtin_prefetch(begin + at, 0, 2);
+    // Bytes: to ask the block how many it has would be to wait for it.
+    constexpr std::size_t cacheLine = 64, usual = 1536;
+    const auto* const begin = reinterpret_cast<const std::byte*>(&store_->tileAt(pages_, index).header());
+    for (std::size_t at = 0; at < usual; at += cacheLine) __builtin_prefetch(begin + at, 0, 2);
 }
 
 BlockIndex RunVolume::Impl::allocate(std::size_t bytes) noexcept {

@@ -40,8 +40,13 @@ void fillBrick(RunVolume& volume, DenseGrid& dense) {
         }
 }
 
-BrickSpans anySpans(RunPosition end) {
-    BrickSpans spans;
+struct Spans {
+    std::uint64_t lines = 0;
+    std::array<RunPosition, 64> from{}, to{};
+};
+
+Spans anySpans(RunPosition end) {
+    Spans spans;
     for (std::size_t line = 0; line < spans.from.size(); ++line) {
         if (*rc::gen::inRange(0, 5) == 0) continue;
         const RunPosition one = placeUpTo(end), other = placeUpTo(end);
@@ -69,10 +74,10 @@ private slots:
             const VolumeSnapshot shown = *rc::gen::arbitrary<bool>() ? volume.snapshot() : VolumeSnapshot();
             const DenseGrid then = dense;
             for (int time = 0; time < 2; ++time) {
-                const BrickSpans spans = anySpans(grid.lineEnd());
+                const Spans spans = anySpans(grid.lineEnd());
                 BrickRoom room;
                 if (*rc::gen::arbitrary<bool>()) RC_ASSERT(volume.setAside({3, 5}, room));
-                RC_ASSERT(volume.clear({3, 5}, spans, room));
+                RC_ASSERT(volume.clear({3, 5}, {spans.lines, spans.from, spans.to}, room));
                 RC_ASSERT(room.empty());
                 RunAmounts removed;
                 for (int line = 0; line < 64; ++line)
