@@ -56,6 +56,11 @@ BURIN_INLINE Mask unlike(Integers a, Integers b) noexcept {
 using burin::bitsOf;
 using burin::least;
 using burin::most;
+using burin::wholeOf;
+/// The first number in the first eight lanes, the next one in the next eight where a register holds two.
+BURIN_INLINE Floats eachEight(float first, float) noexcept {
+    return floats(first);
+}
 /// The lanes for which the lowest bits say so, those of eight always alike.
 BURIN_INLINE Mask lanesOf(std::uint64_t bits) noexcept {
     return integers(-static_cast<std::int32_t>(bits & 1U));
@@ -195,6 +200,19 @@ BURIN_INLINE Integers most(Integers a, Integers b) noexcept {
     constexpr __mmask16 all = 0xffff; // as in rootsOf
     return reinterpret_cast<Integers>(
         _mm512_maskz_max_epi32(all, reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b)));
+}
+BURIN_INLINE Floats least(Floats a, Floats b) noexcept {
+    return a < b ? a : b;
+}
+BURIN_INLINE Floats most(Floats a, Floats b) noexcept {
+    return a > b ? a : b;
+}
+BURIN_INLINE Integers wholeOf(Floats numbers) noexcept {
+    return __builtin_convertvector(numbers, Integers);
+}
+BURIN_INLINE Floats eachEight(float first, float next) noexcept {
+    constexpr __mmask16 upper = 0xff00;
+    return reinterpret_cast<Floats>(_mm512_mask_broadcastss_ps(_mm512_set1_ps(first), upper, _mm_set_ss(next)));
 }
 BURIN_INLINE Mask lanesOf(std::uint64_t bits) noexcept {
     return {static_cast<__mmask16>(bits)};

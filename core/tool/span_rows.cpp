@@ -133,8 +133,11 @@ void SpanRows::beginTilted(const LinePose& from, const glm::dvec3& toTip) noexce
     rows_ = {wholeOf(toTip.y + shadow_.low.y - margin), wholeOf(toTip.y + shadow_.high.y + margin) + 1};
 }
 
-/// Works out what is met of the rows from `first` on.
-void SpanRows::plan(std::int32_t first) noexcept {
+/// Works out what is met of some rows, unless it is known.
+void SpanRows::plan(std::int32_t first, std::int32_t end) noexcept {
+    const std::int32_t planned = tilts_ ? rowsOfTilted_.first : rowsOfUpright_.first;
+    const std::int32_t count = tilts_ ? rowsAtOnce : static_cast<std::int32_t>(UprightRows::count);
+    if (first >= planned && end <= planned + count) return;
     if (tilts_)
         kernels::planTiltedRows(tilted_, shadow_, margin_, first, rowsOfTilted_);
     else
@@ -143,9 +146,11 @@ void SpanRows::plan(std::int32_t first) noexcept {
 
 int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups, BrickOfSpans* bricks,
                         RowSpans* stretches) noexcept {
-    plan(first);
-    const EightIntegers &begins = tilts_ ? rowsOfTilted_.begin : rowsOfUpright_.begin,
-                        &ends = tilts_ ? rowsOfTilted_.end : rowsOfUpright_.end;
+    plan(first, first + rows);
+    const std::int32_t *const begins = tilts_ ? rowsOfTilted_.begin.lane + (first - rowsOfTilted_.first)
+                                              : rowsOfUpright_.begin.data() + (first - rowsOfUpright_.first),
+                              *const ends = tilts_ ? rowsOfTilted_.end.lane + (first - rowsOfTilted_.first)
+                                                   : rowsOfUpright_.end.data() + (first - rowsOfUpright_.first);
     int count = 0;
     for (int i = 0; i < rows; ++i) {
         const std::int32_t begin = std::max(begins[i], groups.first), end = std::min(ends[i], groups.last + 1);
@@ -157,18 +162,15 @@ int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups,
 
 void SpanRows::spans(std::span<const RowSpans> stretches) noexcept {
     if (stretches.empty()) return;
-    const std::int32_t planned = tilts_ ? rowsOfTilted_.first : rowsOfUpright_.first;
-    if (stretches.front().v < planned || stretches.back().v >= planned + rowsAtOnce) plan(stretches.front().v);
+    plan(stretches.front().v, stretches.back().v + 1);
+    if (!tilts_) return kernels::uprightSpans(shape_, upright_, rowsOfUpright_, stretches);
     switch (shape_) {
     case Shape::ball:
-        return tilts_ ? kernels::tiltedBall(tilted_, rowsOfTilted_, stretches)
-                      : kernels::uprightBall(upright_, rowsOfUpright_, stretches);
+        return kernels::tiltedBall(tilted_, rowsOfTilted_, stretches);
     case Shape::flat:
-        return tilts_ ? kernels::tiltedFlat(tilted_, rowsOfTilted_, stretches)
-                      : kernels::uprightFlat(upright_, rowsOfUpright_, stretches);
+        return kernels::tiltedFlat(tilted_, rowsOfTilted_, stretches);
     case Shape::bullNose:
-        return tilts_ ? kernels::tiltedBullNose(tilted_, rowsOfTilted_, stretches)
-                      : kernels::uprightBullNose(upright_, rowsOfUpright_, stretches);
+        return kernels::tiltedBullNose(tilted_, rowsOfTilted_, stretches);
     }
 }
 

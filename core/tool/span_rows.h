@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -129,18 +130,21 @@ public:
     };
     /// Rows of lines that an upright piece meets, a lane each. Groups are those of eight lines, counted from the
     /// grid's.
-    struct UprightRows {
-        std::int32_t first = 0;           ///< row
-        EightFloats fromSquare, toSquare; ///< R² - y² at both ends, voxels²
-        EightFloats ahead, aside;         ///< voxels, of the line at the start's x, seen from the start along the way
-        EightIntegers begin, end;         ///< groups that the piece can meet
-        EightIntegers coveredBegin, coveredEnd; ///< groups with every line covered at both ends
-        EightIntegers deeperBegin, deeperEnd;   ///< groups that hold all lines which can be lower than at the start
-        EightIntegers betweenBegin, betweenEnd; ///< groups that hold all lines where a ball is lowest between the ends
+    struct alignas(64) UprightRows {
+        static constexpr std::size_t count = 16;
+        using Numbers = std::array<float, count>;
+        using Groups = std::array<std::int32_t, count>;
+        Numbers fromSquare, toSquare;    ///< R² - y² at both ends, voxels²
+        Numbers ahead, aside;            ///< voxels, of the line at the start's x, seen from the start along the way
+        Groups begin, end;               ///< groups that the piece can meet
+        Groups coveredBegin, coveredEnd; ///< groups with every line covered at both ends; where the top rises
+        Groups deeperBegin, deeperEnd;   ///< groups that hold all lines which can be lower than at the start
+        Groups betweenBegin, betweenEnd; ///< groups that hold all lines where a ball is lowest between the ends
+        std::int32_t first = 0;          ///< row
     };
 
 private:
-    void plan(std::int32_t first) noexcept;
+    void plan(std::int32_t first, std::int32_t end) noexcept;
     void beginTilted(const LinePose& from, const glm::dvec3& toTip) noexcept;
     void beginEnd(End& end, const glm::dvec3& tip) const noexcept;
     void beginWay(const glm::dvec3& from, const glm::dvec3& to) noexcept;

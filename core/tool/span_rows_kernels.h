@@ -10,11 +10,19 @@ namespace burin::kernels {
 inline constexpr float unitsAVoxel = 256.0F;
 inline constexpr float nowhere = 1e9F; ///< above every height: no part of the piece
 
+/// Works out `UprightRows::count` rows, from the first on.
 void planRows(const SpanRows::Upright& piece, std::int32_t firstRow, SpanRows::UprightRows& rows) noexcept;
 using Stretches = std::span<const RowSpans>;
-void uprightBall(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
-void uprightFlat(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
-void uprightBullNose(const SpanRows::Upright& piece, const SpanRows::UprightRows& rows, Stretches stretches) noexcept;
+/// Stretches in order of their rows. Spans of rows beside one that is asked for may be written as well, and mean
+/// nothing.
+void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const SpanRows::UprightRows& rows,
+                  Stretches stretches) noexcept;
+/// The same for processors without AVX-512; to the last bit, which a test asks of it.
+namespace any_processor {
+void planRows(const SpanRows::Upright& piece, std::int32_t firstRow, SpanRows::UprightRows& rows) noexcept;
+void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const SpanRows::UprightRows& rows,
+                  Stretches stretches) noexcept;
+} // namespace any_processor
 
 /// @param margin voxels that the shadow of the way's end is grown by
 void planTiltedRows(const TiltedPiece& piece, const TiltedShadow& shadow, float margin, std::int32_t firstRow,

@@ -1,180 +1,50 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/whole_registers.h"
 #include "core/tool/span_rows_kernels.h"
 
 namespace burin::kernels {
 
+namespace any_processor {
 namespace {
-
-using Upright = SpanRows::Upright;
-using End = SpanRows::End;
-using Rows = SpanRows::UprightRows;
-
-constexpr float far = 1e6F; // voxels, beyond every line
-// Lines that are left out lie so far behind those that can have more: roundings don't decide about any.
-constexpr float clipMargin = 1.0F; // voxels
-
-/// Whole part of numbers, downwards.
-BURIN_INLINE Integers floorsOf(Floats numbers) noexcept {
-    const Integers whole = wholeOf(numbers);
-    return whole + (floatsOf(whole) > numbers); // a comparison that holds is -1
-}
-
-/// Places along u, voxels from a line with a whole number of groups before it.
-struct Across {
-    std::int32_t group = 0;       ///< of that line
-    float from = 0.0F, to = 0.0F; ///< ends of the way
-    BURIN_INLINE Integers groupsOf(Integers lines) const noexcept { return (lines >> 3) + group; }
-};
-
-struct Extent {
-    Floats low = floats(far), high = floats(-far);
-    BURIN_INLINE void include(Floats x, Integers where) noexcept {
-        low = where ? least(low, x) : low;
-        high = where ? most(high, x) : high;
-    }
-    BURIN_INLINE void includeCircle(float middle, Floats square) noexcept {
-        const Floats half = rootsOf(square);
-        include(middle - half, square > Floats{});
-        include(middle + half, square > Floats{});
-    }
-};
-
-/// What the swept disc meets of each row.
-BURIN_INLINE Extent extentOf(const Upright& piece, const Across& across, Floats fromY, Floats fromSquare,
-                             Floats toSquare) noexcept {
-    Extent extent;
-    extent.includeCircle(across.to, toSquare);
-    if (piece.withStart || piece.moves) extent.includeCircle(across.from, fromSquare);
-    const float rise = piece.reach * piece.wayY; // the way's share across the rows
-    if (!piece.moves || rise == 0.0F) return extent;
-    const float perRise = 1.0F / rise;
-    // The two straight sides between the circles, where a row meets them.
-    for (const float side : {-piece.radius, piece.radius}) {
-        const Floats part = (fromY - side * piece.wayX) * perRise;
-        extent.include(across.from - side * piece.wayY + part * (piece.reach * piece.wayX),
-                       (part >= Floats{}) & (part <= floats(1.0F)));
-    }
-    return extent;
-}
-
-/// First and last line of each row that can be lower than at the start of the way. The height of the piece over a line
-/// is convex along the way: where it does not fall at the start, it never does. It falls where the way leads into the
-/// lower face's outside: of a ball where ahead > slope * height of the centre over the face, so that the lines of a row
-/// end at an ellipse; of a flat face that does not sink, ahead of the axis.
-BURIN_INLINE void findDeeper(const Upright& piece, const Across& across, Floats ahead, Floats fromSquare,
-                             Extent& deeper) noexcept {
-    deeper.low = floats(-far);
-    deeper.high = floats(far);
-    if (!piece.clipsLow) return;
-    // Of x towards the way: fall(x) = x * along + past - slope * root(square - x^2).
-    const float along = piece.wayX < 0.0F ? -piece.wayX : piece.wayX, slope = piece.slope;
-    const float steep = along * along + slope * slope, size = __builtin_sqrtf(steep);
-    const Floats zero{}, past = ahead + clipMargin, square = most(fromSquare, zero), half = rootsOf(square);
-    const Floats last = past + half * along;
-    const float sinking = slope < 0.0F ? size : 0.0F;
-    if (size * (piece.radius + piece.reach) < clipMargin) { // all lines of a row nearly alike
-        deeper.low = last + clipMargin + half * sinking < zero ? floats(far) : floats(-far);
-        return;
-    }
-    const Floats middle = past * (-along / steep);
-    const Floats apart = rootsOf(square * steep - past * past) * (slope / steep);
-    const Integers none = (last <= zero) & (past + half * sinking <= zero);
-    const Floats low = past - half * along > zero ? floats(-far) : middle + apart;
-    const Floats high = last > zero ? floats(far) : middle - apart;
-    deeper.low = none ? floats(far) : across.from + (piece.wayX < 0.0F ? -high : low);
-    deeper.high = none ? floats(far) : across.from + (piece.wayX < 0.0F ? -low : high);
-}
-
-/// Places of a row between two distances ahead of the way's start.
-BURIN_INLINE Extent placesAhead(const Upright& piece, const Across& across, Floats ahead, Floats low,
-                                Floats high) noexcept {
-    constexpr float slack = 0.5F; // voxels, for roundings
-    const float perWay = 1.0F / piece.wayX;
-    const Floats one = (low - slack - ahead) * perWay, other = (high + slack - ahead) * perWay;
-    Extent places;
-    places.low = most(least(one, other) + across.from, floats(-far));
-    places.high = least(most(one, other) + across.from, floats(far));
-    return places;
-}
-
-/// Between which places a ball can be lowest between the ends of the way: a line is lowest where it lies as far ahead
-/// as the sine of the way's slope times its half chord. Bounds of the half chord over the places found so far give
-/// closer ones, a few times.
-BURIN_INLINE Extent betweenOf(const Upright& piece, const Across& across, Floats ahead, Floats aside) noexcept {
-    const Floats radius = floats(piece.radius);
-    if (piece.wayX < 1e-3F && piece.wayX > -1e-3F) {
-        constexpr float apart = 1e-3F * 4096.0F + 1.0F; // lines of a row differ by no more
-        const float shift = piece.sine * piece.radius;
-        const float low = shift < 0.0F ? shift : 0.0F, high = piece.reach + (shift > 0.0F ? shift : 0.0F);
-        const Integers none = (ahead + apart < floats(low)) | (ahead - apart > floats(high));
-        return {floats(-far), none ? floats(-far) : floats(far)};
-    }
-    Floats leastChord{}, mostChord = radius;
-    Extent between;
-    for (int closer = 0; closer < 2; ++closer) {
-        const Floats low = piece.sine * (piece.sine < 0.0F ? mostChord : leastChord);
-        const Floats high = piece.sine * (piece.sine < 0.0F ? leastChord : mostChord) + piece.reach;
-        between = placesAhead(piece, across, ahead, low, high);
-        const Floats one = aside - (between.low - across.from) * piece.wayY;
-        const Floats other = aside - (between.high - across.from) * piece.wayY;
-        const Floats oneSquare = one * one, otherSquare = other * other;
-        leastChord = rootsOf(radius * radius - most(oneSquare, otherSquare));
-        mostChord =
-            (one < Floats{}) == (other < Floats{}) ? rootsOf(radius * radius - least(oneSquare, otherSquare)) : radius;
-    }
-    return between;
-}
-
-/// Places that the disc covers at both ends of the way, roundings aside.
-BURIN_INLINE Extent coveredOf(const Across& across, Floats fromSquare, Floats toSquare) noexcept {
-    constexpr float slack = 1.0F / 16.0F; // voxels
-    const Floats fromHalf = rootsOf(fromSquare) - slack, toHalf = rootsOf(toSquare) - slack;
-    Extent covered;
-    covered.low = most(across.from - fromHalf, across.to - toHalf);
-    covered.high = least(across.from + fromHalf, across.to + toHalf);
-    return covered;
-}
-
-BURIN_INLINE void keep(const Across& across, Integers firstLine, Integers endLine, EightIntegers& begin,
-                       EightIntegers& end) noexcept {
-    const Integers first = across.groupsOf(firstLine), last = across.groupsOf(endLine);
-    store(first, begin);
-    store(most(first, last), end);
-}
-
+using namespace eight_lanes;
+#include "core/tool/span_rows_plan_lanes.h"
 } // namespace
 
-BURIN_VECTORISED_TO_AVX512 void planRows(const Upright& piece, std::int32_t firstRow, Rows& rows) noexcept {
-    rows.first = firstRow;
-    const Integers v = Integers{0, 1, 2, 3, 4, 5, 6, 7} + firstRow;
-    const Floats fromY = floatsOf(v - piece.from.wholeY) - piece.from.partY;
-    const Floats toY = floatsOf(v - piece.to.wholeY) - piece.to.partY;
-    const Floats fromSquare = (piece.radius - fromY) * (piece.radius + fromY);
-    const Floats toSquare = (piece.radius - toY) * (piece.radius + toY);
-    const Floats ahead = fromY * piece.wayY;
-    store(fromSquare, rows.fromSquare);
-    store(toSquare, rows.toSquare);
-    store(ahead, rows.ahead);
-    store(fromY * piece.wayX, rows.aside);
-    const std::int32_t origin = piece.to.wholeX & ~7;
-    const Across across{origin >> 3, static_cast<float>(piece.from.wholeX - origin) + piece.from.partX,
-                        static_cast<float>(piece.to.wholeX - origin) + piece.to.partX};
+BURIN_VECTORISED void planRows(const SpanRows::Upright& piece, std::int32_t firstRow,
+                               SpanRows::UprightRows& rows) noexcept {
+    planAll(piece, firstRow, rows);
+}
+} // namespace any_processor
 
-    Extent met = extentOf(piece, across, fromY, fromSquare, toSquare), deeper;
-    findDeeper(piece, across, ahead, fromSquare, deeper);
-    const Integers deeperFirst = floorsOf(deeper.low), deeperEnd = floorsOf(deeper.high) + 2;
-    Integers first = floorsOf(met.low), end = floorsOf(met.high) + 2;
-    keep(across, deeperFirst, deeperEnd + 7, rows.deeperBegin, rows.deeperEnd);
-    if (piece.clips) {
-        first = most(first, deeperFirst);
-        end = least(end, deeperEnd);
-    }
-    keep(across, first, (end > first) ? end + 7 : first, rows.begin, rows.end);
-    const Extent between = betweenOf(piece, across, ahead, fromY * piece.wayX),
-                 covered = coveredOf(across, fromSquare, toSquare);
-    keep(across, floorsOf(between.low), floorsOf(between.high) + 8, rows.betweenBegin, rows.betweenEnd);
-    keep(across, floorsOf(covered.low) + 8, floorsOf(covered.high) + 1, rows.coveredBegin, rows.coveredEnd);
+#ifdef BURIN_AVX512
+BURIN_AVX512_BEGIN
+namespace avx512 {
+namespace {
+using namespace sixteen_lanes;
+// Before the names of eight lanes.
+using sixteen_lanes::Floats;
+using sixteen_lanes::floatsOf;
+using sixteen_lanes::Integers;
+using sixteen_lanes::least;
+using sixteen_lanes::most;
+using sixteen_lanes::rootsOf;
+using sixteen_lanes::wholeOf;
+#include "core/tool/span_rows_plan_lanes.h"
+
+void planRows(const SpanRows::Upright& piece, std::int32_t firstRow, SpanRows::UprightRows& rows) noexcept {
+    planAll(piece, firstRow, rows);
+}
+} // namespace
+} // namespace avx512
+BURIN_AVX512_END
+#endif
+
+void planRows(const SpanRows::Upright& piece, std::int32_t firstRow, SpanRows::UprightRows& rows) noexcept {
+#ifdef BURIN_AVX512
+    if (hasAvx512) return avx512::planRows(piece, firstRow, rows);
+#endif
+    any_processor::planRows(piece, firstRow, rows);
 }
 
 } // namespace burin::kernels

@@ -1,297 +1,52 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/whole_registers.h"
 #include "core/tool/span_rows_kernels.h"
 
 namespace burin::kernels {
 
+namespace any_processor {
 namespace {
-
-using Shape = SpanRows::Shape;
-using Upright = SpanRows::Upright;
-using End = SpanRows::End;
-using Rows = SpanRows::UprightRows;
-
-constexpr int cornerSteps = 10;
-
-/// Height of the rounding below its middle, voxels, over lines `inside` away from the outline (square: R² - r²).
-template <Shape shape>
-BURIN_INLINE Floats drop(const Upright& piece, Floats inside) noexcept {
-    if constexpr (shape == Shape::ball) return rootsOf(inside);
-    // (corner - over)(corner + over), over = r - flat; corner - over = R - r without cancellation.
-    const Floats radius = rootsOf(piece.radius * piece.radius - inside);
-    const Floats over = most(radius - piece.flatRadius, Floats{});
-    const Floats left = least(inside / (piece.radius + radius), floats(piece.cornerRadius));
-    return rootsOf(left * (piece.cornerRadius + over));
-}
-
-/// Lower face at one end of the way, units over the rounding's middle there. `inside`: R² - r².
-template <Shape shape>
-BURIN_INLINE Floats lowAtEnd(const Upright& piece, const End& end, Floats inside) noexcept {
-    const Integers covered = inside > Floats{};
-    if constexpr (shape == Shape::flat) return covered ? floats(end.flatHeight) : floats(nowhere);
-    Floats height = -unitsAVoxel * drop<shape>(piece, inside);
-    if constexpr (shape == Shape::bullNose) {
-        const Floats flatInside = floats(piece.radius * piece.radius - piece.flatRadius * piece.flatRadius);
-        height = inside >= flatInside ? floats(end.flatHeight) : height;
-    }
-    return covered ? height : floats(nowhere);
-}
-
-/// A line seen from the way: `ahead` along it from the start, `chord` half of the way on which the piece covers it.
-struct FromWay {
-    Floats ahead, chord, asideSquare;
-    Integers meets; ///< all bits or none
-
-    /// Whether the piece covers the line between the ends, but for what an end that it then covers says as well. A
-    /// line may lie on the outline at one end and beside the axis at the other: no end covers it, the way does.
-    /// @param part of the way at which the face counts
-    /// @param atFirst the face counts as early on the way as it can, else as late
-    BURIN_INLINE Integers isPassed(const Upright& piece, Floats part, bool atFirst) const noexcept {
-        const Floats zero{};
-        const Integers behindEnd = ahead<floats(piece.reach), beforeStart = ahead> zero;
-        return meets & (atFirst ? beforeStart & (behindEnd | (part < floats(1.0F)))
-                                : behindEnd & (beforeStart | (part > zero)));
-    }
-};
-
-/// Offset from axis to line at which a bull nose that rises is lowest over it, between two bounds: the zero of a
-/// function that grows, by false position, each second step a halving.
-BURIN_INLINE Floats cornerOffset(const Upright& piece, Floats asideSquare, Floats low, Floats high) noexcept {
-    const Floats rise = floats(piece.rise < 0.0F ? -piece.sine : piece.sine);
-    // Over the flat middle it does not fall.
-    const Floats flatEdge = rootsOf(piece.flatRadius * piece.flatRadius - asideSquare);
-    low = least(most(low, flatEdge), high);
-    const auto excess = [&](Floats offset) __attribute__((always_inline)) {
-        const Floats radius = rootsOf(asideSquare + offset * offset);
-        const Floats over = least(most(radius - piece.flatRadius, Floats{}), floats(piece.cornerRadius));
-        const Floats below = rootsOf((piece.cornerRadius - over) * (piece.cornerRadius + over));
-        const Floats grown = piece.cosine * over * offset - rise * below * radius;
-        return over > Floats{} ? grown : floats(-piece.cornerRadius);
-    };
-    Floats atLow = excess(low), atHigh = excess(high);
-    const Integers lowBest = atLow >= Floats{}, highBest = atHigh <= Floats{};
-    const Floats first = low, last = high;
-    for (int step = 0; step < cornerSteps; ++step) {
-        const Floats bend = atHigh - atLow;
-        const Floats part = step % 2 == 0 ? least(most(-atLow / bend, Floats{}), floats(1.0F)) : floats(0.5F);
-        const Floats next = low + part * (high - low);
-        const Floats there = excess(next);
-        const Integers before = there < Floats{};
-        low = before ? next : low;
-        atLow = before ? there : atLow;
-        high = before ? high : next;
-        atHigh = before ? atHigh : there;
-    }
-    const Floats middle = 0.5F * (low + high);
-    return highBest ? last : lowBest ? first : middle;
-}
-
-/// Lower face between the ends, units over the rounding's middle at the end.
-template <Shape shape>
-BURIN_INLINE Floats lowBetween(const Upright& piece, const FromWay& line) noexcept {
-    const Floats zero{}, one = floats(1.0F);
-    if constexpr (shape == Shape::ball) {
-        const Floats part = (line.ahead - piece.sine * line.chord) * piece.perReach;
-        const Integers valid = line.meets & (part > zero) & (part < one);
-        return valid ? piece.rise * (part - one) - (unitsAVoxel * piece.cosine) * line.chord : floats(nowhere);
-    }
-    const bool atFirst = !(piece.rise < 0.0F);
-    if constexpr (shape == Shape::flat) {
-        const Floats part = (line.ahead - piece.riseSign * line.chord) * piece.perReach;
-        const Integers valid = line.isPassed(piece, part, atFirst);
-        return valid ? piece.to.flatHeight + piece.rise * (least(most(part, zero), one) - one) : floats(nowhere);
-    }
-    Floats offset = zero;
-    const Floats first = most(line.ahead - piece.reach, -line.chord), last = least(line.ahead, line.chord);
-    if (piece.rise > 0.0F)
-        offset = cornerOffset(piece, line.asideSquare, most(first, zero), last);
-    else if (piece.rise < 0.0F)
-        offset = -cornerOffset(piece, line.asideSquare, most(-last, zero), -first);
-    offset = least(most(offset, first), last);
-    const Floats part = (line.ahead - offset) * piece.perReach;
-    const Integers valid = (first < last) & line.isPassed(piece, part, atFirst);
-    const Floats inside = piece.radius * piece.radius - line.asideSquare - offset * offset;
-    const Floats height = piece.rise * (least(most(part, zero), one) - one) - unitsAVoxel * drop<shape>(piece, inside);
-    return valid ? height : floats(nowhere);
-}
-
-/// Upper face between the ends, units; it is flat.
-BURIN_INLINE Integers highBetween(const Upright& piece, const FromWay& line) noexcept {
-    const Floats zero{}, one = floats(1.0F);
-    const Floats part = (line.ahead + piece.riseSign * line.chord) * piece.perReach;
-    const Integers valid = line.isPassed(piece, part, piece.rise < 0.0F);
-    const Floats height = piece.rise * (least(most(part, zero), one) - one);
-    return valid ? wholeOf(piece.topMiddle + height) + piece.topBase : integers(-SpanRows::none);
-}
-
-/// What depends on the row alone.
-struct Row {
-    float fromSquare, toSquare; ///< R² - y² at both ends, voxels²
-    float ahead, aside;         ///< of the line at the start's x, seen from the start
-};
-
-/// Groups of a stretch, counted from its first.
-struct Groups {
-    std::int32_t first = 0, end = 0;
-    /// Those of other ones that are among these.
-    BURIN_INLINE Groups held(std::int32_t otherFirst, std::int32_t otherEnd) const noexcept {
-        const auto within = [&](std::int32_t group) { return group < first ? first : group < end ? group : end; };
-        return {within(otherFirst), within(otherEnd)};
-    }
-};
-
-/// The upper face is at one height wherever the lower one is, or both its heights count.
-enum class Top : bool { level, rises };
-
-/// Goes along a row, group by group.
-struct Cursor {
-    Floats u; ///< whole lines from the end of the way
-    EightIntegers* low;
-    EightIntegers* high;
-
-    BURIN_INLINE static Cursor at(const End& end, const RowSpans& stretch) noexcept {
-        const Integers first = Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup * lanes - end.wholeX);
-        return {floatsOf(first), stretch.lows(), stretch.highs()};
-    }
-    BURIN_INLINE void put(Integers lowEnd, Integers highEnd) noexcept {
-        store(lowEnd, *low);
-        store(highEnd, *high);
-        low += RowSpans::pitch;
-        high += RowSpans::pitch;
-        u += lanes;
-    }
-};
-
-BURIN_INLINE std::int32_t lesser(std::int32_t a, std::int32_t b) noexcept {
-    return a < b ? a : b;
-}
-
-/// Lines that the piece covers at the end of the way, and no lower between: all but the upper end follows from that.
-template <Shape shape>
-BURIN_INLINE void coverEnd(const Upright& piece, const Row& row, Cursor& cursor, std::int32_t groups,
-                           std::int32_t top) noexcept {
-    if (groups <= 0) return;
-    const Floats part = floats(piece.to.partX), square = floats(row.toSquare), middle = floats(piece.to.middle);
-    const Integers base = integers(piece.to.base), high = integers(lesser(top, piece.lineEnd));
-    const Upright shapeOnly = piece; // which the stores can't change
-    const End end = piece.to;
-    for (; groups > 0; --groups) {
-        const Floats x = cursor.u - part;
-        const Floats height = lowAtEnd<shape>(shapeOnly, end, square - x * x);
-        cursor.put(most(wholeOf(height + middle) + base, Integers{}), high);
-    }
-}
-
-/// Lines behind the axis of a piece that rises: only its upper face moves there.
-BURIN_INLINE void coverTop(const Upright& piece, Cursor& cursor, std::int32_t groups) noexcept {
-    if (groups <= 0) return;
-    const Integers low = integers(piece.from.top > 0 ? piece.from.top : 0);
-    const Integers high = integers(lesser(piece.to.top, piece.lineEnd));
-    for (; groups > 0; --groups) cursor.put(low, high);
-}
-
-template <Shape shape, bool withStart, bool moves, Top top>
-BURIN_INLINE void cover(const Upright& piece, const Row& row, Cursor& cursor, std::int32_t groups,
-                        std::int32_t levelTop) noexcept {
-    if (groups <= 0) return;
-    const Upright own = piece; // which the stores can't change
-    const Integers level = integers(lesser(levelTop, own.lineEnd));
-    const auto between = static_cast<float>(own.to.wholeX - own.from.wholeX);
-    for (; groups > 0; --groups) {
-        const Floats toX = cursor.u - own.to.partX, fromX = (cursor.u + between) - own.from.partX;
-        const Floats toInside = row.toSquare - toX * toX, fromInside = row.fromSquare - fromX * fromX;
-        FromWay line{};
-        Floats height = lowAtEnd<shape>(own, own.to, toInside);
-        if constexpr (moves) {
-            const Floats aside = row.aside - fromX * own.wayY;
-            const Floats inside = (own.radius - aside) * (own.radius + aside);
-            line = {fromX * own.wayX + row.ahead, rootsOf(inside), aside * aside, inside > Floats{}};
-            height = least(height, lowBetween<shape>(own, line));
-        }
-        Integers low = wholeOf(height + own.to.middle) + own.to.base;
-        Integers high = level;
-        if constexpr (withStart) {
-            const Floats start = lowAtEnd<shape>(own, own.from, fromInside);
-            low = least(low, wholeOf(start + own.from.middle) + own.from.base);
-        }
-        if constexpr (top == Top::rises) {
-            high = toInside > Floats{} ? integers(own.to.top) : integers(-SpanRows::none);
-            // No higher than at the ends, roundings or not: lines that are covered there agree on it.
-            if constexpr (moves) high = most(high, least(highBetween(own, line), integers(own.highestTop)));
-            // What was left behind at the start joins on to what is beyond it.
-            const Integers started = fromInside > Floats{};
-            low = started ? least(low, integers(own.from.top)) : low;
-            high = least(started ? most(high, integers(own.from.top)) : high, integers(own.lineEnd));
-        }
-        cursor.put(most(low, Integers{}), high);
-    }
-}
-
-/// A piece that moves below an upper face at one height. @param between where a ball can be lowest between the ends
-template <Shape shape, bool withStart>
-BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, Cursor& cursor, Groups groups, Groups between,
-                              std::int32_t top) noexcept {
-    // Of a short row, more parts would cost more than they save.
-    constexpr std::int32_t shortRow = 4;
-    const bool splits = shape == Shape::ball && !withStart && groups.end - groups.first > shortRow;
-    between = splits ? groups.held(between.first, between.end) : groups;
-    coverEnd<shape>(piece, row, cursor, between.first - groups.first, top);
-    cover<shape, withStart, true, Top::level>(piece, row, cursor, between.end - between.first, top);
-    coverEnd<shape>(piece, row, cursor, groups.end - between.end, top);
-}
-
-/// A piece that goes on from where it was, its upper face at two heights within the stock. On lines that it covers all
-/// the way that face counts with the higher one; where it rises, nothing else is new behind its axis.
-template <Shape shape>
-BURIN_INLINE void coverGoingOn(const Upright& piece, const Row& row, Cursor& cursor, Groups all, Groups covered,
-                               Groups deeper, Groups between) noexcept {
-    deeper = covered.held(deeper.first, deeper.end);
-    cover<shape, false, true, Top::rises>(piece, row, cursor, covered.first, 0);
-    coverTop(piece, cursor, deeper.first - covered.first);
-    coverMoving<shape, false>(piece, row, cursor, deeper, between, piece.highestTop);
-    coverTop(piece, cursor, covered.end - deeper.end);
-    cover<shape, false, true, Top::rises>(piece, row, cursor, all.end - covered.end, 0);
-}
-
-template <Shape shape>
-BURIN_INLINE void coverRow(const Upright& piece, const Rows& rows, const RowSpans& stretch) noexcept {
-    const std::int32_t lane = stretch.v - rows.first, origin = stretch.firstGroup;
-    const Row row{rows.fromSquare[lane], rows.toSquare[lane], rows.ahead[lane], rows.aside[lane]};
-    const Groups all{0, stretch.groups};
-    const Groups between{rows.betweenBegin[lane] - origin, rows.betweenEnd[lane] - origin};
-    Cursor cursor = Cursor::at(piece.to, stretch);
-    if (piece.topRises) {
-        if (piece.withStart)
-            piece.moves ? cover<shape, true, true, Top::rises>(piece, row, cursor, all.end, 0)
-                        : cover<shape, true, false, Top::rises>(piece, row, cursor, all.end, 0);
-        else if (!piece.moves)
-            cover<shape, false, false, Top::rises>(piece, row, cursor, all.end, 0);
-        else
-            coverGoingOn<shape>(piece, row, cursor, all,
-                                piece.joins ? all.held(rows.coveredBegin[lane] - origin, rows.coveredEnd[lane] - origin)
-                                            : Groups{},
-                                {rows.deeperBegin[lane] - origin, rows.deeperEnd[lane] - origin}, between);
-    } else if (piece.withStart) {
-        piece.moves ? coverMoving<shape, true>(piece, row, cursor, all, between, piece.levelTop)
-                    : cover<shape, true, false, Top::level>(piece, row, cursor, all.end, piece.levelTop);
-    } else {
-        piece.moves ? coverMoving<shape, false>(piece, row, cursor, all, between, piece.levelTop)
-                    : coverEnd<shape>(piece, row, cursor, all.end, piece.levelTop);
-    }
-}
-
+using namespace eight_lanes;
+#include "core/tool/span_rows_upright_lanes.h"
 } // namespace
 
-BURIN_VECTORISED_TO_AVX512 void uprightBall(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
-    for (const RowSpans& stretch : stretches) coverRow<Shape::ball>(piece, rows, stretch);
+BURIN_VECTORISED void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece,
+                                   const SpanRows::UprightRows& rows, Stretches stretches) noexcept {
+    coverAny(shape, piece, rows, stretches);
 }
+} // namespace any_processor
 
-BURIN_VECTORISED_TO_AVX512 void uprightFlat(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
-    for (const RowSpans& stretch : stretches) coverRow<Shape::flat>(piece, rows, stretch);
+#ifdef BURIN_AVX512
+BURIN_AVX512_BEGIN
+namespace avx512 {
+namespace {
+using namespace sixteen_lanes;
+// Before the names of eight lanes.
+using sixteen_lanes::Floats;
+using sixteen_lanes::floatsOf;
+using sixteen_lanes::Integers;
+using sixteen_lanes::least;
+using sixteen_lanes::most;
+using sixteen_lanes::rootsOf;
+using sixteen_lanes::wholeOf;
+#include "core/tool/span_rows_upright_lanes.h"
+
+void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const SpanRows::UprightRows& rows,
+                  Stretches stretches) noexcept {
+    coverAny(shape, piece, rows, stretches);
 }
+} // namespace
+} // namespace avx512
+BURIN_AVX512_END
+#endif
 
-BURIN_VECTORISED_TO_AVX512 void uprightBullNose(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
-    for (const RowSpans& stretch : stretches) coverRow<Shape::bullNose>(piece, rows, stretch);
+void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const SpanRows::UprightRows& rows,
+                  Stretches stretches) noexcept {
+#ifdef BURIN_AVX512
+    if (hasAvx512) return avx512::uprightSpans(shape, piece, rows, stretches);
+#endif
+    any_processor::uprightSpans(shape, piece, rows, stretches);
 }
 
 } // namespace burin::kernels

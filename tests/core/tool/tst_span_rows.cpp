@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/tool/span_rows.h"
+#include "core/tool/span_rows_kernels.h"
 #include "core/tool/swept_span.h"
 
 #include <QtTest>
 #include <array>
+#include <cstring>
 #include <rapidcheck.h>
 
 using namespace burin;
@@ -35,6 +36,56 @@ LineStretch reachOf(SpanRows& rows, int v) {
     std::vector<BrickOfSpans> bricks(2001);
     if (rows.stretches(v, 1, all, bricks.data(), &row) == 0) return {};
     return {8 * row.firstGroup, 8 * (row.firstGroup + row.groups) - 1};
+}
+
+SpanRows::End randomEnd() {
+    SpanRows::End end;
+    end.wholeX = *rc::gen::inRange(300, 310);
+    end.wholeY = *rc::gen::inRange(300, 310);
+    end.partX = float(real(0.0, 1.0));
+    end.partY = float(real(0.0, 1.0));
+    end.top = *rc::gen::inRange(20000, 90000);
+    end.base = *rc::gen::inRange(0, 20000);
+    end.middle = float(real(1000.0, 20000.0));
+    end.flatHeight = float(real(-2000.0, 0.0));
+    return end;
+}
+
+/// Any numbers that a way could have, together or not.
+SpanRows::Upright randomWay() {
+    SpanRows::Upright piece;
+    piece.radius = float(real(1.0, 60.0));
+    piece.cornerRadius = piece.radius * float(*rc::gen::element(0.0, 0.3, 1.0));
+    piece.flatRadius = piece.radius - piece.cornerRadius;
+    piece.from = randomEnd();
+    piece.to = randomEnd();
+    piece.lineEnd = 100000;
+    piece.topRises = *rc::gen::arbitrary<bool>();
+    piece.levelTop = piece.to.top;
+    piece.highestTop = std::max(piece.from.top, piece.to.top);
+    piece.joins = *rc::gen::arbitrary<bool>();
+    const double angle = *rc::gen::element(0.0, 1.5707963267948966, real(0.0, 6.28)), slope = real(-1.5, 1.5);
+    piece.wayX = float(std::cos(angle));
+    piece.wayY = float(std::sin(angle));
+    piece.reach = float(real(0.01, 8.0));
+    piece.perReach = 1.0F / piece.reach;
+    piece.rise = 256.0F * piece.reach * float(std::tan(slope));
+    piece.riseSign = piece.rise < 0.0F ? -1.0F : 1.0F;
+    piece.sine = float(std::sin(slope));
+    piece.cosine = float(std::cos(slope));
+    piece.topBase = piece.to.base;
+    piece.topMiddle = float(real(20000.0, 90000.0));
+    piece.withStart = *rc::gen::arbitrary<bool>();
+    piece.moves = *rc::gen::arbitrary<bool>();
+    piece.clipsLow = !piece.withStart && piece.moves;
+    piece.clips = piece.clipsLow && !piece.topRises;
+    piece.slope = piece.flatRadius == 0.0F ? float(std::tan(slope)) : 0.0F;
+    return piece;
+}
+
+SpanRows::Shape shapeOf(const SpanRows::Upright& piece) {
+    if (piece.cornerRadius == 0.0F) return SpanRows::Shape::flat;
+    return piece.flatRadius == 0.0F ? SpanRows::Shape::ball : SpanRows::Shape::bullNose;
 }
 
 } // namespace
@@ -80,6 +131,41 @@ private slots:
                 RC_ASSERT(foundLow >= outer->low * 256.0 - 0.5 - SpanRows::endError);
                 RC_ASSERT(foundHigh <= outer->high * 256.0 + 0.5 + SpanRows::endError);
             }
+        });
+        QVERIFY(held);
+    }
+
+    /// What an upright piece covers, and which lines are asked, does not depend on the machine, to the last bit.
+    void coversTheSameOnEveryProcessor() {
+        const bool held = rc::check("processors", [] {
+            const SpanRows::Upright piece = randomWay();
+            const int first = *rc::gen::inRange(240, 370);
+            SpanRows::UprightRows here{}, elsewhere{};
+            kernels::planRows(piece, first, here);
+            kernels::any_processor::planRows(piece, first, elsewhere);
+            RC_ASSERT(std::memcmp(&here, &elsewhere, sizeof here) == 0);
+
+            std::vector<BrickOfSpans> bricks(2 * 200), others(bricks.size()); // eight rows from an even place, twice
+            std::vector<RowSpans> asked, askedElsewhere;
+            const int base = 200;
+            for (int row = first; row <= (first | 7); ++row) {
+                const int begin = std::max(here.begin[std::size_t(row - first)], 10),
+                          end = std::min(here.end[std::size_t(row - first)], 90);
+                if (end <= begin || *rc::gen::inRange(0, 6) == 0) continue;
+                asked.push_back({row, begin, end - begin, &bricks[std::size_t(base + begin)]});
+                askedElsewhere.push_back({row, begin, end - begin, &others[std::size_t(base + begin)]});
+            }
+            kernels::uprightSpans(shapeOf(piece), piece, here, asked);
+            kernels::any_processor::uprightSpans(shapeOf(piece), piece, elsewhere, askedElsewhere);
+            for (std::size_t i = 0; i < asked.size(); ++i)
+                for (int group = 0; group < asked[i].groups; ++group) {
+                    const std::ptrdiff_t at = group * RowSpans::pitch;
+                    const auto same = [at](const EightIntegers* a, const EightIntegers* b) {
+                        return std::memcmp(a + at, b + at, sizeof *a) == 0;
+                    };
+                    RC_ASSERT(same(asked[i].lows(), askedElsewhere[i].lows()));
+                    RC_ASSERT(same(asked[i].highs(), askedElsewhere[i].highs()));
+                }
         });
         QVERIFY(held);
     }
