@@ -118,15 +118,20 @@ BURIN_INLINE std::uint64_t linesOf(std::uint32_t rows) noexcept {
     return ((((rows & 127U) * apart) & lowest) | static_cast<std::uint64_t>(rows >> 7) << 56) * 255U;
 }
 
+/// Of the sums.
+struct Origin {
+    Integers along;
+    std::int32_t u;
+};
+
 /// Takes what spans reach out of the gaps of a brick, most of them on one side alone. False: the brick is not ready.
-BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Lost (&lost)[parts],
-                            Growth& growth) noexcept {
+BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, const Origin& origin, GapWindow::Sums& sums,
+                            Lost (&lost)[parts], Growth& growth) noexcept {
     const std::uint32_t place = static_cast<std::uint32_t>(growth.brick) & row.mask;
     GapWindow::Gaps& gaps = row.gaps[place];
     GapWindow::Brick& brick = row.bricks[place];
     const BrickOfSpans& spans = row.spans[growth.brick - row.first];
     const std::uint64_t asked = linesOf(row.asked(growth.brick));
-    const Integers alongOrigin = each(sums.alongOrigin);
     Floats units[parts]{}, before[parts]{};
     std::uint64_t cut = 0;
     for (std::int32_t pair = 0; pair < lanes; pair += 2) {
@@ -145,7 +150,7 @@ BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, GapWindow::Sums& sum
             if ((down | up) == 0) continue;
             if (!brick.ready) return false; // nothing of it was taken
             const Lines lines{&gaps.low[at], &gaps.high[at], &gaps.left[at], &gaps.right[at], low,
-                              high,          oldLow,         oldHigh,        alongOrigin,     part};
+                              high,          oldLow,         oldHigh,        origin.along,    part};
             const Grown grown = up == 0     ? growDown(lines, below, sums, lost[part])
                                 : down == 0 ? growUp(lines, above, sums, lost[part])
                                             : growBothWays(lines, below, above, sums, lost[part]);
@@ -155,7 +160,7 @@ BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, GapWindow::Sums& sum
         }
     }
     brick.owing |= cut;
-    const auto momentArm = static_cast<float>(growth.brick * lanes - sums.originU);
+    const auto momentArm = static_cast<float>(growth.brick * lanes - origin.u);
     for (std::size_t part = 0; part < parts; ++part) {
         lost[part].units += units[part];
         lost[part].momentU += units[part] * momentArm;
@@ -181,8 +186,10 @@ BURIN_INLINE void addTo(GapWindow::Sums& sums, Lost& lost, float momentArmV, std
 
 /// See growGaps.
 BURIN_INLINE bool growAll(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Growth& growth) noexcept {
+    const GapWindow::BrickRow own = row; // which the stores can't change
+    const Origin origin{each(sums.alongOrigin), sums.originU};
     Lost lost[parts];
-    while (growth.brick < row.end && growBrick(row, sums, lost, growth)) ++growth.brick;
+    while (growth.brick < own.end && growBrick(own, origin, sums, lost, growth)) ++growth.brick;
     for (std::size_t part = 0; part < parts; ++part)
         addTo(sums, lost[part], static_cast<float>(row.firstLine - sums.originV), part);
     return growth.brick == row.end;

@@ -103,14 +103,15 @@ BURIN_VECTORISED void writeCleared(const Tile& present, const BrickSpans& spans,
     present.readOffsets(before);
     const Segment* const segments = present.segments();
     Segment* const begin = cleared.segments();
-    Segment* place = begin;
+    const RunPosition *const lows = spans.from.data(), *const highs = spans.to.data();
     // Up to where eight segments can be read, and written whatever the lines before became.
     const std::uint32_t readable = present.header().capacity, writable = cleared.header().capacity;
     std::uint64_t left = spans.lines, moved = 0;
+    std::uint32_t at = 0;
     for (std::size_t line = 0; line < linesPerTile; ++line, left >>= 1) {
         const std::uint32_t first = before[line], end = before[line + 1], count = end - first;
         const Segment* const from = segments + first;
-        const auto at = static_cast<std::uint32_t>(place - begin);
+        Segment* const place = begin + at;
         after[line] = at;
         const bool copied = count <= few && first + few <= readable && at + few < writable;
         if (copied)
@@ -118,15 +119,18 @@ BURIN_VECTORISED void writeCleared(const Tile& present, const BrickSpans& spans,
         else if ((left & 1) == 0)
             std::copy(from, segments + end, place);
         if ((left & 1) == 0) {
-            place += count;
+            at += count;
             continue;
         }
-        const RunPosition low = spans.from[line], high = spans.to[line];
+        const RunPosition low = lows[line], high = highs[line];
         const std::uint32_t changed = copied ? moveEnds(from, count, low, high, machinable, place, amounts, moved) : 0;
-        place = changed > 0 ? place + changed : clearLine({from, count}, low, high, machinable, place, amounts);
+        if (changed > 0)
+            at += changed;
+        else
+            at = static_cast<std::uint32_t>(clearLine({from, count}, low, high, machinable, place, amounts) - begin);
     }
     amounts.units[airProperty] += moved;
-    after[linesPerTile] = static_cast<std::uint32_t>(place - begin);
+    after[linesPerTile] = at;
     cleared.writeOffsets(after);
 }
 
