@@ -128,6 +128,8 @@ public:
         bool clips = false;    ///< lines behind the piece can't have more
         float slope = 0.0F;    ///< of a ball's way; 0 for others
     };
+    /// The way of an upright piece as it was set, for the inner loops.
+    const Upright& upright() const noexcept { return upright_; }
     /// Rows of lines that an upright piece meets, a lane each. Groups are those of eight lines, counted from the
     /// grid's.
     struct alignas(64) UprightRows {

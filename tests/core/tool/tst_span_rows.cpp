@@ -38,51 +38,6 @@ LineStretch reachOf(SpanRows& rows, int v) {
     return {8 * row.firstGroup, 8 * (row.firstGroup + row.groups) - 1};
 }
 
-SpanRows::End randomEnd() {
-    SpanRows::End end;
-    end.wholeX = *rc::gen::inRange(300, 310);
-    end.wholeY = *rc::gen::inRange(300, 310);
-    end.partX = float(real(0.0, 1.0));
-    end.partY = float(real(0.0, 1.0));
-    end.top = *rc::gen::inRange(20000, 90000);
-    end.base = *rc::gen::inRange(0, 20000);
-    end.middle = float(real(1000.0, 20000.0));
-    end.flatHeight = float(real(-2000.0, 0.0));
-    return end;
-}
-
-/// Any numbers that a way could have, together or not.
-SpanRows::Upright randomWay() {
-    SpanRows::Upright piece;
-    piece.radius = float(real(1.0, 60.0));
-    piece.cornerRadius = piece.radius * float(*rc::gen::element(0.0, 0.3, 1.0));
-    piece.flatRadius = piece.radius - piece.cornerRadius;
-    piece.from = randomEnd();
-    piece.to = randomEnd();
-    piece.lineEnd = 100000;
-    piece.topRises = *rc::gen::arbitrary<bool>();
-    piece.levelTop = piece.to.top;
-    piece.highestTop = std::max(piece.from.top, piece.to.top);
-    piece.joins = *rc::gen::arbitrary<bool>();
-    const double angle = *rc::gen::element(0.0, 1.5707963267948966, real(0.0, 6.28)), slope = real(-1.5, 1.5);
-    piece.wayX = float(std::cos(angle));
-    piece.wayY = float(std::sin(angle));
-    piece.reach = float(real(0.01, 8.0));
-    piece.perReach = 1.0F / piece.reach;
-    piece.rise = 256.0F * piece.reach * float(std::tan(slope));
-    piece.riseSign = piece.rise < 0.0F ? -1.0F : 1.0F;
-    piece.sine = float(std::sin(slope));
-    piece.cosine = float(std::cos(slope));
-    piece.topBase = piece.to.base;
-    piece.topMiddle = float(real(20000.0, 90000.0));
-    piece.withStart = *rc::gen::arbitrary<bool>();
-    piece.moves = *rc::gen::arbitrary<bool>();
-    piece.clipsLow = !piece.withStart && piece.moves;
-    piece.clips = piece.clipsLow && !piece.topRises;
-    piece.slope = piece.flatRadius == 0.0F ? float(std::tan(slope)) : 0.0F;
-    return piece;
-}
-
 SpanRows::Shape shapeOf(const SpanRows::Upright& piece) {
     if (piece.cornerRadius == 0.0F) return SpanRows::Shape::flat;
     return piece.flatRadius == 0.0F ? SpanRows::Shape::ball : SpanRows::Shape::bullNose;
@@ -138,8 +93,19 @@ private slots:
     /// What an upright piece covers, and which lines are asked, does not depend on the machine, to the last bit.
     void coversTheSameOnEveryProcessor() {
         const bool held = rc::check("processors", [] {
-            const SpanRows::Upright piece = randomWay();
-            const int first = *rc::gen::inRange(240, 370);
+            RevolvedPiece form = randomPiece();
+            if (form.bottomRadius > 60.0) form = {0.0, 90.0, 60.0, 60.0, std::min(form.cornerRadius, 60.0)};
+            SpanRows spans(form, 2048 * 256);
+            const glm::dvec3 from(real(300, 310), real(300, 310), real(200, 1800));
+            glm::dvec3 way(real(-1, 1), real(-1, 1), real(-1, 1));
+            if (*rc::gen::inRange(0, 4) == 0) way[*rc::gen::inRange(0, 3)] = 0.0;
+            way *= *rc::gen::element(0.01, 0.3, 1.0, 5.0);
+            spans.begin({from, {0, 0, 1}}, from + way, *rc::gen::arbitrary<bool>());
+            SpanRows::Upright piece = spans.upright();
+            // Where it rises within the grid and goes on, a line that is covered all the way may be told as covered
+            // from the start's upper face on or from farther below: the same to whoever has cut there.
+            if (!piece.withStart) piece.topRises = false;
+            const int first = *rc::gen::inRange(230, 370);
             SpanRows::UprightRows here{}, elsewhere{};
             kernels::planRows(piece, first, here);
             kernels::any_processor::planRows(piece, first, elsewhere);
