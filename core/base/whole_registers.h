@@ -11,27 +11,35 @@
 // As many numbers side by side as the widest registers hold, for loops that are compiled for both widths: such a loop
 // stands in a file of its own, which is included for each with `using namespace` of one of the namespaces below. What
 // is told of the first holds for the second.
-namespace burin::eight_lanes {
+namespace burin {
 
-using burin::Floats;
-using burin::Integers;
-using burin::Words;
-using Mask = Integers;
-inline constexpr std::size_t width = 8;
-
-/// `width` numbers that stand side by side in memory.
+/// Numbers that stand side by side in memory, as many as a register of that kind holds.
 template <class Lanes, class Number>
 BURIN_INLINE Lanes lanesAt(const Number* from) noexcept {
-    static_assert(sizeof(Lanes) == width * sizeof(Number));
+    static_assert(sizeof(Lanes) % sizeof(Number) == 0);
     Lanes values;
     __builtin_memcpy(&values, from, sizeof values);
     return values;
 }
 template <class Lanes, class Number>
 BURIN_INLINE void storeAt(const Lanes& values, Number* to) noexcept {
-    static_assert(sizeof(Lanes) == width * sizeof(Number));
+    static_assert(sizeof(Lanes) % sizeof(Number) == 0);
     __builtin_memcpy(to, &values, sizeof values);
 }
+
+} // namespace burin
+
+namespace burin::eight_lanes {
+
+using burin::Floats;
+using burin::Integers;
+using burin::Words;
+using vector_masks::greater;
+using vector_masks::Mask;
+using vector_masks::select;
+using vector_masks::unlike;
+inline constexpr std::size_t width = 8;
+
 BURIN_INLINE Floats each(float value) noexcept {
     return floats(value);
 }
@@ -44,14 +52,8 @@ BURIN_INLINE Integers numbers() noexcept {
 }
 using burin::floatsOf;
 using burin::rootsOf;
-BURIN_INLINE Mask greater(Integers a, Integers b) noexcept {
-    return a > b;
-}
 BURIN_INLINE Mask greater(Floats a, Floats b) noexcept {
     return a > b;
-}
-BURIN_INLINE Mask unlike(Integers a, Integers b) noexcept {
-    return a != b;
 }
 using burin::bitsOf;
 using burin::least;
@@ -68,9 +70,6 @@ BURIN_INLINE Mask lanesOf(std::uint64_t bits) noexcept {
 /// Which eight the lanes belong to: 0, and 1 where a register holds two.
 BURIN_INLINE Floats eightNumbers() noexcept {
     return Floats{};
-}
-BURIN_INLINE Integers select(Mask mask, Integers then, Integers otherwise) noexcept {
-    return mask ? then : otherwise;
 }
 BURIN_INLINE Mask hasSign(Floats numbers) noexcept {
     return reinterpret_cast<Integers>(numbers) >> 31;
@@ -153,18 +152,6 @@ struct Mask {
 };
 inline constexpr std::size_t width = 16;
 
-template <class Lanes, class Number>
-BURIN_INLINE Lanes lanesAt(const Number* from) noexcept {
-    static_assert(sizeof(Lanes) == width * sizeof(Number));
-    Lanes values;
-    __builtin_memcpy(&values, from, sizeof values);
-    return values;
-}
-template <class Lanes, class Number>
-BURIN_INLINE void storeAt(const Lanes& values, Number* to) noexcept {
-    static_assert(sizeof(Lanes) == width * sizeof(Number));
-    __builtin_memcpy(to, &values, sizeof values);
-}
 BURIN_INLINE Floats each(float value) noexcept {
     return reinterpret_cast<Floats>(_mm512_set1_ps(value));
 }
@@ -279,4 +266,17 @@ BURIN_INLINE void storeVectors(Floats x, Floats y, Floats z, float* to) noexcept
 
 } // namespace burin::sixteen_lanes
 BURIN_AVX512_END
+
+/// In a namespace within burin: the names of sixteen lanes, before those of eight that burin itself has.
+#define BURIN_USING_SIXTEEN_LANES                                                                                      \
+    using namespace sixteen_lanes;                                                                                     \
+    using sixteen_lanes::bitsOf;                                                                                       \
+    using sixteen_lanes::Floats;                                                                                       \
+    using sixteen_lanes::floatsOf;                                                                                     \
+    using sixteen_lanes::Integers;                                                                                     \
+    using sixteen_lanes::least;                                                                                        \
+    using sixteen_lanes::most;                                                                                         \
+    using sixteen_lanes::rootsOf;                                                                                      \
+    using sixteen_lanes::wholeOf;                                                                                      \
+    using sixteen_lanes::Words;
 #endif

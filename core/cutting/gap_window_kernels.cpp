@@ -20,15 +20,7 @@ BURIN_VECTORISED bool grow(const GapWindow::BrickRow& row, GapWindow::Sums& sums
 #ifdef BURIN_AVX512
 BURIN_AVX512_BEGIN
 namespace avx512 {
-using namespace sixteen_lanes;
-// Before the names of eight lanes.
-using sixteen_lanes::bitsOf;
-using sixteen_lanes::Floats;
-using sixteen_lanes::floatsOf;
-using sixteen_lanes::Integers;
-using sixteen_lanes::least;
-using sixteen_lanes::most;
-using sixteen_lanes::Words;
+BURIN_USING_SIXTEEN_LANES
 #include "core/cutting/gap_window_lanes.h"
 
 bool grow(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Growth& growth) noexcept {

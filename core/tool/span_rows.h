@@ -128,7 +128,7 @@ public:
         bool clips = false;    ///< lines behind the piece can't have more
         float slope = 0.0F;    ///< of a ball's way; 0 for others
     };
-    /// The way of an upright piece as it was set, for the inner loops.
+    /// The way of an upright piece, as the inner loops take it (a test asks them).
     const Upright& upright() const noexcept { return upright_; }
     /// Rows of lines that an upright piece meets, a lane each. Groups are those of eight lines, counted from the
     /// grid's.

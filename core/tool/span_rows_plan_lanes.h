@@ -1,12 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Of span_rows_plan.cpp, which includes it once for each width of registers (core/base/whole_registers.h): a lane is a
-// row of lines.
-
-using Upright = SpanRows::Upright;
-using End = SpanRows::End;
-using Rows = SpanRows::UprightRows;
+// Of span_rows_upright.cpp, which includes it once for each width of registers (core/base/whole_registers.h): a lane is
+// a row of lines.
 
 constexpr float far = 1e6F; // voxels, beyond every line
 // Lines that are left out lie so far behind those that can have more: roundings don't decide about any.
@@ -98,7 +94,7 @@ BURIN_INLINE Extent placesAhead(const Upright& piece, const Across& across, Floa
 
 /// Between which places a ball can be lowest between the ends of the way: a line is lowest where it lies as far ahead
 /// as the sine of the way's slope times its half chord. Bounds of the half chord over the places found so far give
-/// closer ones, a few times.
+/// closer ones.
 BURIN_INLINE Extent betweenOf(const Upright& piece, const Across& across, Floats ahead, Floats aside) noexcept {
     const Floats radius = each(piece.radius);
     if (piece.wayX < 1e-3F && piece.wayX > -1e-3F) {

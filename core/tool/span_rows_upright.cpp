@@ -5,14 +5,25 @@
 
 namespace burin::kernels {
 
+namespace {
+using Shape = SpanRows::Shape;
+using Upright = SpanRows::Upright;
+using End = SpanRows::End;
+using Rows = SpanRows::UprightRows;
+} // namespace
+
 namespace any_processor {
 namespace {
 using namespace eight_lanes;
+#include "core/tool/span_rows_plan_lanes.h"
 #include "core/tool/span_rows_upright_lanes.h"
 } // namespace
 
-BURIN_VECTORISED void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece,
-                                   const SpanRows::UprightRows& rows, Stretches stretches) noexcept {
+BURIN_VECTORISED void planRows(const Upright& piece, std::int32_t firstRow, Rows& rows) noexcept {
+    planAll(piece, firstRow, rows);
+}
+
+BURIN_VECTORISED void uprightSpans(Shape shape, const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
     coverAny(shape, piece, rows, stretches);
 }
 } // namespace any_processor
@@ -21,19 +32,15 @@ BURIN_VECTORISED void uprightSpans(SpanRows::Shape shape, const SpanRows::Uprigh
 BURIN_AVX512_BEGIN
 namespace avx512 {
 namespace {
-using namespace sixteen_lanes;
-// Before the names of eight lanes.
-using sixteen_lanes::Floats;
-using sixteen_lanes::floatsOf;
-using sixteen_lanes::Integers;
-using sixteen_lanes::least;
-using sixteen_lanes::most;
-using sixteen_lanes::rootsOf;
-using sixteen_lanes::wholeOf;
+BURIN_USING_SIXTEEN_LANES
+#include "core/tool/span_rows_plan_lanes.h"
 #include "core/tool/span_rows_upright_lanes.h"
 
-void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const SpanRows::UprightRows& rows,
-                  Stretches stretches) noexcept {
+void planRows(const Upright& piece, std::int32_t firstRow, Rows& rows) noexcept {
+    planAll(piece, firstRow, rows);
+}
+
+void uprightSpans(Shape shape, const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
     coverAny(shape, piece, rows, stretches);
 }
 } // namespace
@@ -41,8 +48,14 @@ void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const S
 BURIN_AVX512_END
 #endif
 
-void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const SpanRows::UprightRows& rows,
-                  Stretches stretches) noexcept {
+void planRows(const Upright& piece, std::int32_t firstRow, Rows& rows) noexcept {
+#ifdef BURIN_AVX512
+    if (hasAvx512) return avx512::planRows(piece, firstRow, rows);
+#endif
+    any_processor::planRows(piece, firstRow, rows);
+}
+
+void uprightSpans(Shape shape, const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
 #ifdef BURIN_AVX512
     if (hasAvx512) return avx512::uprightSpans(shape, piece, rows, stretches);
 #endif

@@ -4,11 +4,6 @@
 // Of span_rows_upright.cpp, which includes it once for each width of registers (core/base/whole_registers.h): one row
 // of lines at once, or two. What comes of a line does not depend on its neighbours, and so not on the width either.
 
-using Shape = SpanRows::Shape;
-using Upright = SpanRows::Upright;
-using End = SpanRows::End;
-using Rows = SpanRows::UprightRows;
-
 constexpr int cornerSteps = 10;
 
 /// Height of the rounding below its middle, voxels, over lines `inside` away from the outline (square: R² - r²).

@@ -22,11 +22,7 @@ BURIN_VECTORISED void placeSurfacePoints(const SurfaceFrame& frame, const Surfac
 BURIN_AVX512_BEGIN
 namespace avx512 {
 namespace {
-using namespace sixteen_lanes;
-// Before the names of eight lanes.
-using sixteen_lanes::Floats;
-using sixteen_lanes::Integers;
-using sixteen_lanes::Words;
+BURIN_USING_SIXTEEN_LANES
 #include "core/volume/surface_points_lanes.h"
 
 void placeSurfacePoints(const SurfaceFrame& frame, const SurfaceBatch& cubes, glm::vec3* points, glm::vec3* normals,

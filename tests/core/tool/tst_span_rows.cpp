@@ -111,15 +111,15 @@ private slots:
             kernels::any_processor::planRows(piece, first, elsewhere);
             RC_ASSERT(std::memcmp(&here, &elsewhere, sizeof here) == 0);
 
-            std::vector<BrickOfSpans> bricks(2 * 200), others(bricks.size()); // eight rows from an even place, twice
+            constexpr int mostGroups = 90; // no piece reaches farther
+            std::vector<BrickOfSpans> bricks(mostGroups), others(mostGroups);
             std::vector<RowSpans> asked, askedElsewhere;
-            const int base = 200;
             for (int row = first; row <= (first | 7); ++row) {
-                const int begin = std::max(here.begin[std::size_t(row - first)], 10),
-                          end = std::min(here.end[std::size_t(row - first)], 90);
+                const int begin = std::max(here.begin[std::size_t(row - first)], 0),
+                          end = std::min(here.end[std::size_t(row - first)], mostGroups);
                 if (end <= begin || *rc::gen::inRange(0, 6) == 0) continue;
-                asked.push_back({row, begin, end - begin, &bricks[std::size_t(base + begin)]});
-                askedElsewhere.push_back({row, begin, end - begin, &others[std::size_t(base + begin)]});
+                asked.push_back({row, begin, end - begin, &bricks[std::size_t(begin)]});
+                askedElsewhere.push_back({row, begin, end - begin, &others[std::size_t(begin)]});
             }
             kernels::uprightSpans(shapeOf(piece), piece, here, asked);
             kernels::any_processor::uprightSpans(shapeOf(piece), piece, elsewhere, askedElsewhere);
