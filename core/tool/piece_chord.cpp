@@ -14,11 +14,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallestStep = 1e-11; // mm; where a line grazes, what is left is as long as the last step
 // By so much a line beside a face counts as in it: what roundings make of a metre.
 constexpr double besideFace = 1e-12; // mm
+// By so much a line beside the outline counts as on it, touching the piece in a point. The chord is the root of the
+// distance to the outline: left to rounding, lines that touch would have chords of 1e-7 mm, or none, as it falls.
+constexpr double besideOutline = 1e-12; // mm
+constexpr double grazingChord = 1e-4;   // mm, longer than any chord so near to the outline of a tool
+// Of the square of the axis' lean. Generators of a cone with less are along the lines: it is what roundings make.
+constexpr double leastOpening = 1e-15;
 
 bool clip(Span& span, double low, double high) noexcept {
     span.low = std::max(span.low, low);
     span.high = std::min(span.high, high);
-    return span.low < span.high;
+    return span.low <= span.high;
 }
 
 /// Where low < offset + slope z < high.
@@ -39,6 +45,11 @@ PieceChord::PieceChord(const RevolvedPiece& piece, const glm::dvec3& axis) noexc
         ringHeight_ = piece.bulgeCentreHeight;
     } else {
         widening_ = (piece.topRadius - piece.bottomRadius) / (piece.top - piece.bottom);
+        tipRadius_ = piece.bottomRadius - widening_ * piece.bottom;
+        opening_ = (lean_ - widening_ * rise_) * (lean_ + widening_ * rise_);
+        if (std::abs(opening_) < leastOpening * lean_ * lean_) opening_ = 0.0;
+        openingRoot_ = std::sqrt(std::max(opening_, 0.0));
+        outlineUnit_ = lean_ * std::hypot(1.0, widening_);
         roundRadius_ = piece.cornerRadius;
         ringRadius_ = piece.bottomRadius - piece.cornerRadius;
         ringHeight_ = piece.bottom + piece.cornerRadius;
@@ -63,24 +74,32 @@ bool PieceChord::clipToFaces(const Line& line, Span& span) const noexcept {
 }
 
 bool PieceChord::clipToCylinder(const Line& line, Span& span) const noexcept {
-    const double square = (piece_.topRadius - line.aside) * (piece_.topRadius + line.aside);
-    if (!(square > 0.0)) return false;
-    const double half = std::sqrt(square);
+    const double aside = std::abs(line.aside), inside = piece_.topRadius - aside;
+    if (!(inside >= -besideOutline)) return false;
+    const double half = inside > besideOutline ? std::sqrt(inside * (piece_.topRadius + aside)) : 0.0;
     return clipToSlab(span, lean_, -line.before * rise_, -half, half);
 }
 
 /// Distance from the axis at z: sqrt(aside² + (z lean - before rise)²); radius of the cone: linear in z, not negative
-/// between the faces. Their squares are equal at the roots of A z² + 2 B z + C.
+/// between the faces. Their squares are equal at the roots of A z² + 2 B z + C. The outline is two straight lines, on
+/// which aside is as long as `reach` over the root of A: so the discriminant is written, for in B² - A C all that tells
+/// a line that touches from one that does not would cancel.
 bool PieceChord::clipToCone(const Line& line, Span& span) const noexcept {
     const double across = line.before * rise_;
     const double radius = piece_.bottomRadius + widening_ * (line.before * lean_ - piece_.bottom);
     const double growth = widening_ * rise_;
-    const double a = (lean_ - growth) * (lean_ + growth);
+    const double a = opening_;
     const double b = -lean_ * across - radius * growth;
     const double c = line.aside * line.aside + (across - radius) * (across + radius);
-    const double discriminant = b * b - a * c;
-    if (a >= 0.0 && discriminant <= 0.0) return a == 0.0 && c < 0.0;
-    const double sum = -(b + std::copysign(std::sqrt(std::max(discriminant, 0.0)), b));
+    const double reach = lean_ * tipRadius_ + widening_ * line.before, aside = std::abs(line.aside);
+    double discriminant = reach * reach - a * aside * aside;
+    if (a >= 0.0) {
+        const double inside = reach - openingRoot_ * aside, beside = besideOutline * outlineUnit_;
+        if (!(inside >= -beside)) return false;
+        if (!(inside > beside)) return a > 0.0 && clip(span, -b / a, -b / a);
+        discriminant = inside * (reach + openingRoot_ * aside);
+    }
+    const double sum = -(b + std::copysign(std::sqrt(discriminant), b));
     const double first = sum / a, second = sum == 0.0 ? first : c / sum;
     const double low = std::min(first, second), high = std::max(first, second);
     if (a >= 0.0) return clip(span, low, high);
@@ -90,9 +109,21 @@ bool PieceChord::clipToCone(const Line& line, Span& span) const noexcept {
 bool PieceChord::clipToBall(const Line& line, double radius, Span& span) const noexcept {
     const double beside = line.before - ringHeight_ * lean_;
     const double square = (radius - line.aside) * (radius + line.aside) - beside * beside;
-    if (!(square > 0.0)) return false;
-    const double half = std::sqrt(square), middle = ringHeight_ * rise_;
+    const double least = 2.0 * radius * besideOutline;
+    if (!(square >= -least)) return false;
+    const double half = square > least ? std::sqrt(square) : 0.0, middle = ringHeight_ * rise_;
     return clip(span, middle - half, middle + half);
+}
+
+inline PieceChord::RingPlace PieceChord::ringPlaceAt(const Line& line, double z) const noexcept {
+    RingPlace place;
+    place.across = z * lean_ - line.before * rise_;
+    place.fromAxis = std::sqrt(line.aside * line.aside + place.across * place.across);
+    place.out = std::max(place.fromAxis - ringRadius_, 0.0);
+    place.over = heightAt(line, z) - ringHeight_;
+    if (!piece_.bulges()) place.over = std::min(place.over, 0.0); // above its corner a bull nose is a cylinder
+    place.fromRing = std::sqrt(place.out * place.out + place.over * place.over);
+    return place;
 }
 
 bool PieceChord::clipToCorner(const Line& line, Span& span) const noexcept {
@@ -104,26 +135,28 @@ bool PieceChord::clipToCorner(const Line& line, Span& span) const noexcept {
         return clipToBall(line, roundRadius_, ball) &&
                clip(span, lowInCorner ? ball.low : -infinity, highInCorner ? ball.high : infinity);
     }
-    if (lowInCorner && !advance(line, 1.0, span.low)) return false;
-    if (highInCorner && !advance(line, -1.0, span.high)) return false;
-    return span.low < span.high;
+    return enterRounding(line, lowInCorner, highInCorner, span);
 }
 
 bool PieceChord::clipToBulge(const Line& line, Span& span) const noexcept {
     if (!clipToBall(line, std::max(ringRadius_, 0.0) + roundRadius_, span)) return false;
     if (ringRadius_ == 0.0) return true;
-    return advance(line, 1.0, span.low) && advance(line, -1.0, span.high) && span.low < span.high;
+    return enterRounding(line, true, true, span);
+}
+
+bool PieceChord::enterRounding(const Line& line, bool low, bool high, Span& span) const noexcept {
+    if (low && !advance(line, 1.0, span.low)) return false;
+    if (high && !advance(line, -1.0, span.high)) return false;
+    if (span.high - span.low > grazingChord) return true;
+    const double middle = 0.5 * (span.low + span.high);
+    if (ringPlaceAt(line, middle).fromRing >= roundRadius_ - besideOutline) span = {middle, middle};
+    return span.low <= span.high;
 }
 
 /// Moves z, if it lies outside of the rounding, on to its surface. False: there is none in that direction.
 bool PieceChord::advance(const Line& line, double direction, double& z) const noexcept {
     for (int step = 0; step < 64; ++step) {
-        const double across = z * lean_ - line.before * rise_;
-        const double fromAxis = std::sqrt(line.aside * line.aside + across * across);
-        const double out = std::max(fromAxis - ringRadius_, 0.0);
-        double over = heightAt(line, z) - ringHeight_;
-        if (!piece_.bulges()) over = std::min(over, 0.0); // above its corner a bull nose is a cylinder
-        const double fromRing = std::sqrt(out * out + over * over);
+        const auto [across, fromAxis, out, over, fromRing] = ringPlaceAt(line, z);
         const double distance = fromRing - roundRadius_;
         if (distance <= 0.0) return true;
         const double slope = direction *

@@ -19,8 +19,9 @@ public:
     /// @param axis unit length
     PieceChord(const RevolvedPiece& piece, const glm::dvec3& axis) noexcept;
 
-    /// @param x, y of the line, mm from the tip. @return mm from the tip; nothing where the line misses the piece or
-    /// only touches it. Depends on the arguments alone. No allocation.
+    /// @param x, y of the line, mm from the tip. @return mm from the tip; nothing where the line misses the piece. One
+    /// that touches it in a point, to rounding, may have that point: low == high. Depends on the arguments alone. No
+    /// allocation.
     std::optional<Span> along(double x, double y) const noexcept;
 
 private:
@@ -36,13 +37,25 @@ private:
     bool clipToBall(const Line& line, double radius, Span& span) const noexcept;
     bool clipToCorner(const Line& line, Span& span) const noexcept;
     bool clipToBulge(const Line& line, Span& span) const noexcept;
+    /// A place on a line as the rounding's ring sees it, mm.
+    struct RingPlace {
+        double across = 0.0, fromAxis = 0.0; ///< from the axis, in the plane of axis and lines and in all
+        double out = 0.0, over = 0.0;        ///< beyond the ring's radius and over its height, where the piece is round
+        double fromRing = 0.0;
+    };
+    inline RingPlace ringPlaceAt(const Line& line, double z) const noexcept;
     bool advance(const Line& line, double direction, double& z) const noexcept;
+    bool enterRounding(const Line& line, bool low, bool high, Span& span) const noexcept;
 
     RevolvedPiece piece_;
     glm::dvec2 direction_{1.0, 0.0};             ///< unit, in which the axis leans
     double lean_ = 0.0;                          ///< sine of the angle between axis and lines
     double rise_ = 1.0;                          ///< its cosine
     double widening_ = 0.0;                      ///< mm/mm of a cone
+    double tipRadius_ = 0.0;                     ///< mm, of that cone at the height of the tip
+    double opening_ = 0.0;                       ///< of the cone's outline: not positive where it has none
+    double openingRoot_ = 0.0;                   ///< its root
+    double outlineUnit_ = 0.0;                   ///< what a millimetre beside the cone's outline counts
     double roundRadius_ = 0.0;                   ///< mm, of corner or bulge
     double ringRadius_ = 0.0, ringHeight_ = 0.0; ///< mm, centre of that rounding
 };

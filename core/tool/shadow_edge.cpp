@@ -19,7 +19,8 @@ constexpr double leastWidth = 1e-12;
 // Seen from the side within this, a rounding's ring is a line: angles would not tell its places, and with them their
 // depths, from each other. What that moves is less than a millionth of a millimetre a metre from the tip.
 constexpr double leastOpening = 1e-9;
-// Two arcs that meet leave no place between them to rounding, nor do the sides of two pieces of a stack.
+// Two arcs that meet leave no place between them to rounding, nor do the sides of two pieces of a stack, nor does a
+// ball that has nothing beyond its pole.
 constexpr double joint = 1e-12; // mm
 
 /// An axis (unit length) that lies in the view's plane but for rounding is put there.
@@ -138,8 +139,8 @@ void ShadowEdge::lowestOnBall(double across, Point& best) const noexcept {
     const double square = (arc.radius - x) * (arc.radius + x);
     if (!(square >= 0.0)) return;
     const double root = std::sqrt(square);
-    const double sine = (x * axis_.x - root * axis_.y) / arc.radius; // of the normal over the plane across the axis
-    if (sine < arc.lowSine || sine > arc.highSine) return;
+    const double over = x * axis_.x - root * axis_.y; // mm, over the plane across the axis through the centre
+    if (over < arc.lowSine * arc.radius - joint || over > arc.highSine * arc.radius + joint) return;
     const double up = arc.centreHeight * axis_.y - root;
     if (up < best.up) best = {up, arc.centreHeight * axis_.z};
 }

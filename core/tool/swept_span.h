@@ -30,8 +30,8 @@ public:
     SweptPiece(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
                const glm::dvec3& axis) noexcept;
 
-    /// Nothing where the line at (x, y), mm, misses the solid or touches it in a point; a line that lies in a side of
-    /// the solid, to rounding, may count either way. No allocation.
+    /// Nothing where the line at (x, y), mm, misses the solid or touches it in a point, to rounding; a line that lies
+    /// in a side of the solid, to rounding, may count either way. No allocation.
     std::optional<Span> along(double x, double y) const noexcept {
         if (const UprightSweep* const upright = std::get_if<UprightSweep>(&sweep_)) return upright->along(x, y);
         return std::get_if<TiltedSweep>(&sweep_)->along(x, y);

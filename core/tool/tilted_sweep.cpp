@@ -18,6 +18,12 @@ constexpr double leastLength = 1e-12; // mm
 // So far beside a line a wall's point still counts as on it. Lines of a grid and ends of ways lie on round numbers:
 // a wall then begins or ends on a line, which the cutter at that end may touch and not cover.
 constexpr double besideLine = 1e-10; // mm
+// So far inside of a side of the way a line still touches it: the roots that tell how much of it is inside are
+// roundings there. A side that is a face holds the lines as far outside of it, as PieceChord's faces do: two pieces of
+// a stack share it.
+constexpr double besideSide = 1e-12; // mm
+// Shorter spans are nothing: their ends are not known that well.
+constexpr double leastSpan = 1e-9; // mm
 
 glm::dvec3 in(const glm::dvec3& v, const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z) noexcept {
     return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)};
@@ -79,6 +85,10 @@ TiltedSweep::TiltedSweep(const RevolvedPiece& piece, const glm::dvec3& fromTip, 
     if (!(reach > 0.0)) return;
     for (std::size_t i = 0; i < tangents_.size(); ++i)
         tangents_[i] = farthest(profile, axis, glm::dvec3(-way.y, way.x, 0.0) * ((i == 0 ? 1.0 : -1.0) / reach));
+    const bool areFaces = glm::length(glm::cross(axis, view_.across)) <= besideSide;
+    const double outward = areFaces ? besideSide : -besideSide;
+    sides_ = {glm::dot(tangents_[1], glm::dvec2(view_.across)) - outward,
+              glm::dot(tangents_[0], glm::dvec2(view_.across)) + outward};
 }
 
 /// Height of the wall on a line, mm above the first tip, with `side` -1 upside down; infinite where the wall's point
@@ -93,19 +103,26 @@ double TiltedSweep::wallAt(const ShadowEdge& edge, double side, double x, double
     return std::abs(beyond) * sine_ <= besideLine ? height - side * beyond * view_.depth.z : infinity;
 }
 
+bool TiltedSweep::isBetweenSides(double x, double y) const noexcept {
+    const double across = glm::dot(glm::dvec2(x - from_.x, y - from_.y), glm::dvec2(view_.across));
+    return across > sides_.low && across < sides_.high;
+}
+
 std::optional<Span> TiltedSweep::along(double x, double y) const noexcept {
+    const bool betweenSides = leavesWall_ && isBetweenSides(x, y);
     Span span{infinity, -infinity};
     for (const glm::dvec3& tip : {from_, to_}) {
         const std::optional<Span> chord = chord_.along(x - tip.x, y - tip.y);
-        if (!chord) continue;
+        // A line that touches an end enters the solid there; one in a side, or along the way, only touches it on.
+        if (!chord || (chord->low == chord->high && !betweenSides)) continue;
         span.low = std::min(span.low, tip.z + chord->low);
         span.high = std::max(span.high, tip.z + chord->high);
     }
-    if (leavesWall_) {
+    if (betweenSides) {
         span.low = std::min(span.low, from_.z + wallAt(lower_, 1.0, x - from_.x, y - from_.y));
         span.high = std::max(span.high, from_.z - wallAt(upper_, -1.0, x - from_.x, y - from_.y));
     }
-    if (!(span.low < span.high) || std::isinf(span.low) || std::isinf(span.high)) return std::nullopt;
+    if (!(span.high - span.low > leastSpan)) return std::nullopt; // infinite where an end is missing
     return span;
 }
 

@@ -32,6 +32,7 @@ private:
         glm::dvec3 across{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, depth{0.0, 0.0, 1.0};
     };
     static View viewAlong(const glm::dvec3& way) noexcept;
+    bool isBetweenSides(double x, double y) const noexcept;
     double wallAt(const ShadowEdge& edge, double side, double x, double y) const noexcept;
 
     glm::dvec3 from_{0.0}, to_{0.0};
@@ -40,6 +41,7 @@ private:
     double length_ = 0.0;                  ///< mm, of the way
     double sine_ = 0.0;                    ///< of the angle between way and lines
     bool leavesWall_ = false;              ///< the way is not along the lines
+    Span sides_;                           ///< mm across the way from the first tip; lines in or beyond them miss
     ShadowEdge lower_, upper_;             ///< outline along the way; the upper one is held upside down
     ShadowEdge left_, right_;              ///< outline along the lines, lowest towards -x and +x
     std::array<glm::dvec2, 2> tangents_{}; ///< mm from the tip, where the way touches that outline
