@@ -35,20 +35,23 @@ fs::file_time_type newestOf(const fs::path& copy) {
 
 } // namespace
 
-std::vector<LeftWork> leftWork(const fs::path& folder) {
+FoundWork leftWork(const fs::path& folder) {
     std::vector<fs::path> copies;
     std::error_code failed;
     for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
         if (!fileOf(entry->path()).empty()) copies.push_back(entry->path());
-    std::vector<LeftWork> found;
+    FoundWork found;
     for (const fs::path& copy : copies) {
         const fs::file_time_type changed = newestOf(copy);
         const Result<std::shared_ptr<WorkingCopy>> locked = WorkingCopy::lock(fileOf(copy));
-        if (!locked) continue; // somebody is at work on it
+        if (!locked) {
+            found.inUse = found.inUse || locked.error().code == ErrorCode::projectInUse;
+            continue;
+        }
         const std::optional<DocumentState> state = (*locked)->state();
-        if (state && state->unsaved()) found.push_back({(*locked)->file(), changed});
+        if (state && state->unsaved()) found.left.push_back({(*locked)->file(), changed});
     }
-    std::ranges::sort(found, [](const LeftWork& a, const LeftWork& b) { return a.changed > b.changed; });
+    std::ranges::sort(found.left, [](const LeftWork& a, const LeftWork& b) { return a.changed > b.changed; });
     return found;
 }
 

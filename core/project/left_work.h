@@ -13,7 +13,13 @@ struct LeftWork {
     std::filesystem::file_time_type changed; ///< when it was written last
 };
 
-/// The newest first; work that a running program has open is not listed, nor what can't be read.
-std::vector<LeftWork> leftWork(const std::filesystem::path& folder);
+struct FoundWork {
+    std::vector<LeftWork> left; ///< the newest first, without what can't be read
+    /// A program has some open, which is not listed: it runs, or it was killed and is still ending (a disk that is busy
+    /// holds it up), and its work is left soon.
+    bool inUse = false;
+};
+
+FoundWork leftWork(const std::filesystem::path& folder);
 
 } // namespace burin

@@ -22,6 +22,7 @@ private slots:
     void unsavedChangesAreGuarded();
     void aWrongFileCostsOneSentence();
     void unsavedWorkIsThereAfterAnEndFromOutside();
+    void workOfAProgramThatIsStillEndingIsOfferedOnceItHasEnded();
 };
 
 void TestWindow::settingsCanBeTakenBack() {
@@ -171,6 +172,21 @@ void TestWindow::unsavedWorkIsThereAfterAnEndFromOutside() {
     QCOMPARE(bench.model.model()->bodies.size(), std::size_t{1});
     QTRY_VERIFY(bench.document.unsaved());
     QVERIFY(bench.document.isUnnamed());
+}
+
+/// One that is killed while the disk is busy holds its work for seconds: whoever starts Burin again at once was told of
+/// nothing.
+void TestWindow::workOfAProgramThatIsStillEndingIsOfferedOnceItHasEnded() {
+    WindowDriver driver;
+    auto ending = std::make_unique<Workbench>();
+    ending->document.createNew(false);
+    QTRY_VERIFY(ending->document.isOpen());
+    ending->tool.choose("flat-6");
+    QTRY_VERIFY(ending->document.unsaved());
+    QVERIFY(driver.restart(true));
+    QVERIFY(driver.visible<QWidget>("recoverButton") == nullptr);
+    ending.reset();
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recoverButton") != nullptr; }, 10000));
 }
 
 QTEST_MAIN(TestWindow)

@@ -227,10 +227,10 @@ private slots:
             file = bench.document.file();
             bench.tool.choose("flat-6");
             QTRY_VERIFY(bench.document.unsaved());
-            QVERIFY(bench.document.leftWork().empty()); // it is at work itself
+            QVERIFY(bench.document.leftWork().left.empty()); // it is at work itself
         }
         Workbench next;
-        const std::vector<LeftWork> left = next.document.leftWork();
+        const std::vector<LeftWork> left = next.document.leftWork().left;
         QCOMPARE(left.size(), std::size_t{1});
         QCOMPARE(left.front().file, file);
         next.document.openFile(file, false);
@@ -240,7 +240,7 @@ private slots:
         bool closed = false;
         next.document.close(true, [&](bool) { closed = true; });
         QTRY_VERIFY(closed);
-        QVERIFY(next.document.leftWork().empty()); // it was not wanted
+        QVERIFY(next.document.leftWork().left.empty()); // it was not wanted
     }
     void aFailedOpenLeavesWhatIsOpen() {
         Workbench bench;

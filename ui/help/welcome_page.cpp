@@ -182,6 +182,8 @@ void WelcomePage::setRecentFiles(const QStringList& files) {
 }
 
 void WelcomePage::setLeftWork(const std::vector<LeftWorkRow>& rows) {
+    if (rows == leftRows_) return; // what has the focus keeps it
+    leftRows_ = rows;
     empty(left_);
     leftBox_->setVisible(!rows.empty());
     for (const LeftWorkRow& work : rows) {

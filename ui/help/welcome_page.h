@@ -17,6 +17,7 @@ namespace burin {
 struct LeftWorkRow {
     QString file;
     QDateTime changed;
+    friend bool operator==(const LeftWorkRow&, const LeftWorkRow&) = default;
 };
 
 /// The first page: how to begin, what was worked on lately, what was left unsaved.
@@ -43,6 +44,7 @@ private:
 
     QVBoxLayout* recent_ = nullptr;
     QVBoxLayout* left_ = nullptr;
+    std::vector<LeftWorkRow> leftRows_; ///< that are shown
     QWidget* leftBox_ = nullptr;
     QWidget* recentBox_ = nullptr;
 };

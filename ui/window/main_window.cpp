@@ -238,19 +238,31 @@ void MainWindow::connectWelcome() {
         DocumentController::forget({file.toStdString(), {}});
         showWelcome();
     });
+    lookAgain_.setSingleShot(true);
+    lookAgain_.setInterval(std::chrono::seconds(2));
+    connect(&lookAgain_, &QTimer::timeout, this, [this] {
+        if (pages_->currentWidget() == welcome_) lookForLeftWork();
+    });
 }
 
 void MainWindow::showWelcome() {
+    lookForLeftWork();
+    welcome_->setRecentFiles(settings_.recentFiles());
+    pages_->setCurrentWidget(welcome_);
+}
+
+/// And again where a program has some of it open: one that was killed may still be ending.
+void MainWindow::lookForLeftWork() {
+    const FoundWork found = workbench_.document.leftWork();
+    if (found.inUse) lookAgain_.start();
     std::vector<LeftWorkRow> rows;
-    for (const LeftWork& work : workbench_.document.leftWork()) {
+    for (const LeftWork& work : found.left) {
         const QString file = QString::fromStdString(work.file.string());
         const auto time = std::chrono::file_clock::to_sys(work.changed);
         const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
         rows.push_back({file, QDateTime::fromSecsSinceEpoch(seconds)});
     }
     welcome_->setLeftWork(rows);
-    welcome_->setRecentFiles(settings_.recentFiles());
-    pages_->setCurrentWidget(welcome_);
 }
 
 void MainWindow::showBench(bool shown) {

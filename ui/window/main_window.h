@@ -11,6 +11,7 @@
 #include "ui/window/presenters.h"
 
 #include <QMainWindow>
+#include <QTimer>
 
 class QStackedWidget;
 
@@ -43,6 +44,7 @@ private:
     void showStep(JobStep step);
     void showBench(bool shown);
     void showWelcome();
+    void lookForLeftWork();
     void tellAboutBattery(double share);
     void updateTitle();
     void dress(Theme theme);
@@ -69,6 +71,7 @@ private:
     MessageStrip* message_ = nullptr;
     Menus* menus_ = nullptr;
     std::unique_ptr<Presenters> presenters_;
+    QTimer lookAgain_; ///< for left work
     bool ending_ = false, ended_ = false;
 };
 

@@ -114,7 +114,7 @@ fs::path DocumentController::unnamedFolder() {
     return failed ? folder : plain;
 }
 
-std::vector<LeftWork> DocumentController::leftWork() const {
+FoundWork DocumentController::leftWork() const {
     return burin::leftWork(unnamedFolder());
 }
 

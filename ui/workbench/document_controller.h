@@ -58,7 +58,7 @@ public:
     void close(bool abandon, Then then = {});
 
     /// Unsaved work of programs that are gone, the newest first.
-    std::vector<LeftWork> leftWork() const;
+    FoundWork leftWork() const;
     static void forget(const LeftWork& work);
     /// Folder of projects without a name. Made when it is not there.
     static std::filesystem::path unnamedFolder();

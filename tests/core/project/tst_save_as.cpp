@@ -129,13 +129,15 @@ private slots:
         {
             Result<Project> project = Project::create(p);
             QVERIFY(project && project->setModel(modelNamed("left")));
-            QVERIFY(leftWork(place).empty()); // somebody works on it
+            QVERIFY(leftWork(place).left.empty()); // somebody works on it
+            QVERIFY(leftWork(place).inUse);
         }
-        const std::vector<LeftWork> found = leftWork(place);
-        QCOMPARE(found.size(), std::size_t{1});
-        QCOMPARE(found.front().file, p);
+        const FoundWork found = leftWork(place);
+        QVERIFY(!found.inUse);
+        QCOMPARE(found.left.size(), std::size_t{1});
+        QCOMPARE(found.left.front().file, p);
         QCOMPARE(nameIn(p), std::string("left"));
-        QVERIFY(leftWork(place / "nowhere").empty());
+        QVERIFY(leftWork(place / "nowhere").left.empty());
     }
 };
 
