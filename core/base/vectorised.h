@@ -54,7 +54,6 @@ struct alignas(32) Eight {
 };
 using EightFloats = Eight<float>;
 using EightIntegers = Eight<std::int32_t>;
-using EightWords = Eight<std::uint32_t>;
 
 BURIN_INLINE Floats load(const EightFloats& from) noexcept {
     Floats values;
@@ -63,11 +62,6 @@ BURIN_INLINE Floats load(const EightFloats& from) noexcept {
 }
 BURIN_INLINE Integers load(const EightIntegers& from) noexcept {
     Integers values;
-    __builtin_memcpy(&values, &from, sizeof values);
-    return values;
-}
-BURIN_INLINE Words load(const EightWords& from) noexcept {
-    Words values;
     __builtin_memcpy(&values, &from, sizeof values);
     return values;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/vector_masks.h"
+#include "core/base/avx512.h"
 
 #include <bit>
 #include <cstddef>
@@ -34,10 +34,7 @@ namespace burin::eight_lanes {
 using burin::Floats;
 using burin::Integers;
 using burin::Words;
-using vector_masks::greater;
-using vector_masks::Mask;
-using vector_masks::select;
-using vector_masks::unlike;
+using Mask = Integers; ///< all bits or none
 inline constexpr std::size_t width = 8;
 
 BURIN_INLINE Floats each(float value) noexcept {
@@ -52,8 +49,17 @@ BURIN_INLINE Integers numbers() noexcept {
 }
 using burin::floatsOf;
 using burin::rootsOf;
+BURIN_INLINE Mask greater(Integers a, Integers b) noexcept {
+    return a > b;
+}
 BURIN_INLINE Mask greater(Floats a, Floats b) noexcept {
     return a > b;
+}
+BURIN_INLINE Mask unlike(Integers a, Integers b) noexcept {
+    return a != b;
+}
+BURIN_INLINE Integers select(Mask mask, Integers then, Integers otherwise) noexcept {
+    return mask ? then : otherwise;
 }
 using burin::bitsOf;
 using burin::least;

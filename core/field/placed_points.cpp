@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/placed_points.h"
 
-#include "core/base/vector_masks.h"
+#include "core/base/avx512.h"
 #include "core/field/part_field_layers.h"
 
 #include <cstring>

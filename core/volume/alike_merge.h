@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/vector_masks.h"
+#include "core/base/avx512.h"
 #include "core/volume/tile.h"
 
 #ifdef BURIN_AVX512

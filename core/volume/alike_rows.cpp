@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/alike_rows.h"
 
-#include "core/base/vector_masks.h"
+#include "core/base/avx512.h"
 #include "core/volume/tile.h"
 
 #include <bit>
