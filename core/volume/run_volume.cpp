@@ -133,16 +133,19 @@ std::optional<Run> RunVolume::locate(VoxelIndex voxel) const noexcept {
     return found;
 }
 
-bool RunVolume::insert(VoxelIndex voxel, PropertyIndex property) noexcept {
-    if (property == airProperty || !grid().contains(voxel) || belongs(voxel)) return false;
-    const auto from = static_cast<RunPosition>(grid().alongOf(voxel)) * unitsPerVoxel;
-    return impl_->fillSpan(grid().lineOf(voxel), from, from + unitsPerVoxel, property);
+VoxelEdit RunVolume::insert(VoxelIndex voxel, PropertyIndex property) noexcept {
+    if (property == airProperty || !grid().contains(voxel) || belongs(voxel)) return VoxelEdit::nothing;
+    return fillVoxel(voxel, property);
 }
 
-bool RunVolume::remove(VoxelIndex voxel) noexcept {
-    if (!belongs(voxel)) return false;
+VoxelEdit RunVolume::remove(VoxelIndex voxel) noexcept {
+    return belongs(voxel) ? fillVoxel(voxel, airProperty) : VoxelEdit::nothing;
+}
+
+VoxelEdit RunVolume::fillVoxel(VoxelIndex voxel, PropertyIndex property) noexcept {
     const auto from = static_cast<RunPosition>(grid().alongOf(voxel)) * unitsPerVoxel;
-    return impl_->fillSpan(grid().lineOf(voxel), from, from + unitsPerVoxel, airProperty);
+    const bool filled = impl_->fillSpan(grid().lineOf(voxel), from, from + unitsPerVoxel, property);
+    return filled ? VoxelEdit::done : VoxelEdit::outOfMemory;
 }
 
 std::vector<Run> RunVolume::runs(LineIndex index) const {

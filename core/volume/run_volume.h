@@ -67,6 +67,13 @@ class BrickSink;
 
 enum class Removal : std::uint8_t { nothing, removed, outOfMemory };
 
+/// How inserting or removing one voxel ended.
+enum class [[nodiscard]] VoxelEdit : std::uint8_t{
+    nothing,     ///< there was nothing to insert or to remove; the paper's failure flag of removing
+    done,        ///< the volume changed
+    outOfMemory, ///< the reserved memory is used up; the volume is unchanged
+};
+
 /// What a volume held at one moment. Shared and immutable: any thread may read it as long as it likes; the writer never
 /// waits for it. Copying is cheap.
 class VolumeSnapshot {
@@ -175,10 +182,10 @@ public:
     bool belongs(VoxelIndex voxel) const noexcept;
     /// Locating: the run that holds the voxel, nothing for air.
     std::optional<Run> locate(VoxelIndex voxel) const noexcept;
-    /// Inserting. A voxel that belongs already changes nothing (false).
-    bool insert(VoxelIndex voxel, PropertyIndex property) noexcept;
-    /// Removing, whatever the property. A voxel outside the object is a failure (false).
-    bool remove(VoxelIndex voxel) noexcept;
+    /// Inserting. Nothing: the voxel belongs already, whatever its property, lies outside the grid, or is to be air.
+    VoxelEdit insert(VoxelIndex voxel, PropertyIndex property) noexcept;
+    /// Removing, whatever the property. Nothing: the voxel lies outside the object.
+    VoxelEdit remove(VoxelIndex voxel) noexcept;
     /// Runs of a scanline in the paper's whole-voxel view.
     std::vector<Run> runs(LineIndex line) const;
 
@@ -201,6 +208,7 @@ private:
     friend class VolumeAccess;
     class Impl;
     explicit RunVolume(std::unique_ptr<Impl> impl);
+    VoxelEdit fillVoxel(VoxelIndex voxel, PropertyIndex property) noexcept;
     std::unique_ptr<Impl> impl_;
 };
 
