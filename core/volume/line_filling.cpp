@@ -3,17 +3,19 @@
 #include "core/volume/line_filling.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace burin {
 
 std::span<const InnerSpan> LineFilling::spans(std::span<const LineCrossing> crossings, LineIndex line,
                                               const OpenMesh* open, VoxelisationReport& report) {
     spans_.clear();
-    std::int32_t winding = 0, least = 0;
+    std::int32_t winding = 0, least = 0, most = 0;
     std::size_t caps = 0;
     for (const LineCrossing crossing : crossings) {
         winding += crossing.turn();
         least = std::min(least, winding);
+        most = std::max(most, winding);
         caps += crossing.cap() ? 1U : 0U;
     }
     if (crossings.front().position() < 0 || crossings.back().position() > static_cast<std::int32_t>(grid_.lineEnd()))
@@ -24,6 +26,7 @@ std::span<const InnerSpan> LineFilling::spans(std::span<const LineCrossing> cros
     if (winding != 0 && !odd && caps == 0) ++report.linesWithTurnedFaces;
     if (winding == 0 && least < 0 && caps == 0) ++report.linesInsideOut;
     if (odd || caps > 0 || winding != 0 || least < 0) doubt(crossings, line, report);
+    if (winding == 0 && caps == 0 && std::max(most, -least) > 1) noteOverlaps(crossings, line, report);
 
     constexpr std::size_t mostCapsToLookAt = 20'000;
     if (winding != 0)
@@ -73,6 +76,24 @@ void LineFilling::add(LineCrossing from, LineCrossing to) {
         spans_.back().to = span.to;
     else
         spans_.push_back(span);
+}
+
+/// Of a line on which windings close. Shells that only touch wind twice around nothing, or what rounding makes of it.
+void LineFilling::noteOverlaps(std::span<const LineCrossing> crossings, LineIndex line,
+                               VoxelisationReport& report) const {
+    std::int32_t winding = 0;
+    std::size_t first = 0;
+    bool found = false;
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        const bool before = std::abs(winding) > 1;
+        winding += crossings[i].turn();
+        const bool after = std::abs(winding) > 1;
+        if (after && !before) first = i;
+        if (after || !before || crossings[i].position() - crossings[first].position() <= slit) continue;
+        doubt(crossings.subspan(first, i - first + 1), line, report);
+        found = true;
+    }
+    if (found) ++report.linesWithOverlaps;
 }
 
 void LineFilling::doubt(std::span<const LineCrossing> crossings, LineIndex line, VoxelisationReport& report) const {

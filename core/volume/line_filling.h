@@ -21,6 +21,9 @@ struct InnerSpan {
 /// Keeps its working memory from line to line.
 class LineFilling {
 public:
+    /// Run units that edges may gape or shells enter each other by and are still taken to meet.
+    static constexpr std::int32_t slit = unitsPerVoxel / 16;
+
     explicit LineFilling(const Grid& grid) : grid_(grid) {}
 
     /// The commonest line: in and out again, within the grid. Nothing is odd about it.
@@ -39,6 +42,7 @@ private:
     void byParity(std::span<const LineCrossing> crossings);
     void throughHoles(std::span<const LineCrossing> crossings, LineIndex line, const OpenMesh& open);
     void add(LineCrossing from, LineCrossing to);
+    void noteOverlaps(std::span<const LineCrossing> crossings, LineIndex line, VoxelisationReport& report) const;
     void doubt(std::span<const LineCrossing> crossings, LineIndex line, VoxelisationReport& report) const;
 
     Grid grid_;

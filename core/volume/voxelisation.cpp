@@ -37,7 +37,7 @@ Result<void> prepare(const BodyMesh& body, const Grid& grid, PreparedBody& prepa
     prepared.mesh = body.mesh;
     prepared.property = body.property;
     if (Result<void> done = sortCrossings(prepared, grid); !done || prepared.crossings->closed()) return done;
-    constexpr double slit = 1.0 / 16.0; // voxels
+    constexpr double slit = static_cast<double>(LineFilling::slit) / unitsPerVoxel; // voxels
     prepared.open = std::make_unique<OpenMesh>(*body.mesh, slit * grid.edge());
     prepared.mesh = &prepared.open->closed();
     report.openEdges = prepared.open->capCount();
@@ -126,6 +126,7 @@ void add(VoxelisationReport& sum, const VoxelisationReport& part) {
     sum.linesThroughHoles += part.linesThroughHoles;
     sum.linesWithTurnedFaces += part.linesWithTurnedFaces;
     sum.linesInsideOut += part.linesInsideOut;
+    sum.linesWithOverlaps += part.linesWithOverlaps;
     sum.clippedLines += part.clippedLines;
     sum.filledUnits += part.filledUnits;
     for (std::size_t i = 0; i < sum.replaced.units.size(); ++i) sum.replaced.units[i] += part.replaced.units[i];

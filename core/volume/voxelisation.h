@@ -25,12 +25,15 @@ struct VoxelisationReport {
     std::size_t linesThroughHoles = 0;     ///< those, and the ones that pass several holes: filled by the rule for them
     std::size_t linesWithTurnedFaces = 0;  ///< faces do not agree on what is outside: filled by parity
     std::size_t linesInsideOut = 0;        ///< a whole shell is turned inwards, but not a cavity of another
+    std::size_t linesWithOverlaps = 0;     ///< shells of the mesh enter each other, by more than 1/16 voxel of the line
     std::size_t clippedLines = 0;          ///< scanlines on which the mesh reached out of the grid
     std::size_t openEdges = 0, holes = 0;  ///< edges of no or one neighbour that are not slits; rims they form
     std::size_t duplicateTriangles = 0;    ///< left out
     std::uint64_t filledUnits = 0;         ///< run units inside the mesh
     RunAmounts replaced;                   ///< what stood there before, bodies filled earlier included
-    Box doubtful; ///< of the lines that a rule decided, from the first to the last place on them; mm, empty for none
+    /// Of the lines that a rule decided, from the first to the last place on them; of overlaps, what is held twice; mm,
+    /// empty for none.
+    Box doubtful;
 
     /// One English sentence that says what was odd, how it was filled and where; empty when nothing was.
     std::string warning() const;
@@ -41,8 +44,9 @@ struct VoxelisationReport {
 /// is decided once for all triangles that share it, so that a closed mesh never gives an odd line.
 ///
 /// Rules, for what is not one clean closed shell:
-/// - Shells that overlap: inside is where the winding number is not zero; a shell turned inwards within another is a
-///   cavity. Which way a single shell is turned does not matter.
+/// - Shells that overlap: inside is where the winding number is not zero; warned of where it goes beyond one, but not
+///   of shells that touch. A shell turned inwards within another is a cavity. Which way a single shell is turned does
+///   not matter.
 /// - A line on which windings do not close, as faces disagree: parity of its crossings.
 /// - Triangles without area cross nothing. A triangle that is there twice, turned alike, counts once, in a mesh that is
 ///   open else. Slits up to 1/16 voxel wide between open edges close (their vertices move by no more than that).

@@ -31,6 +31,8 @@ std::string VoxelisationReport::warning() const {
         add("faces do not agree on what is outside on " + lines(linesWithTurnedFaces) +
             ": every second stretch of them was filled");
     if (linesInsideOut > 0) add("a shell is turned inside out on " + lines(linesInsideOut) + ": it was filled as well");
+    if (linesWithOverlaps > 0)
+        add("shells overlap on " + lines(linesWithOverlaps) + ": whatever any of them holds was filled");
     if (duplicateTriangles > 0)
         add(counted(duplicateTriangles, "triangle that is there twice was", "triangles that are there twice were") +
             " counted once");

@@ -249,6 +249,99 @@ private slots:
         QCOMPARE(hollow.amounts().units[part], std::uint64_t{(19 * 19 * 19 - 64) * 256});
     }
 
+    void shellsThatOverlapAreReported() {
+        RunVolume volume = emptyVolume(cubeGrid({16, 16, 16}));
+        TriangleMesh mesh = boxMesh({1, 1, 1}, {9, 9, 9});
+        append(mesh, boxMesh({5, 5, 5}, {13, 13, 13}));
+        const auto report = fill(mesh, volume);
+        QCOMPARE(volume.amounts().units[part], std::uint64_t{(512 + 512 - 64) * 256});
+        QCOMPARE(report.linesWithOverlaps, std::size_t{16});
+        QCOMPARE(report.warning(), std::string("shells overlap on 16 scanlines: whatever any of them holds was filled, "
+                                               "between (5.000, 5.000, 5.000) and (9.000, 9.000, 9.000) mm"));
+    }
+
+    void linesWithOverlapsAreCounted() {
+        std::size_t overlapping = 0, apart = 0;
+        const bool held = rc::check("boxes in each other, counted run unit by run unit", [&] {
+            std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+            std::vector<Box> boxes;
+            TriangleMesh mesh;
+            for (int i = *rc::gen::inRange(2, 5); i > 0; --i) {
+                glm::dvec3 low, size; // on 1/32 voxel: overlaps of next to nothing are among them
+                for (int axis = 0; axis < 3; ++axis) {
+                    low[axis] = static_cast<double>(random() % 200) / 32.0 + 1.0 / 128.0;
+                    size[axis] = static_cast<double>(1 + random() % 250) / 32.0;
+                }
+                const double little = static_cast<double>(random() % 5) / 32.0;
+                switch (boxes.empty() ? 3 : random() % 4) {
+                case 0:
+                    low.z = boxes.back().high.z - little; // begins where the last one ends
+                    break;
+                case 1:
+                    low.z = boxes.back().high.z + little - size.z; // ends there as well
+                    break;
+                default:
+                    break;
+                }
+                boxes.push_back({low, low + size});
+                append(mesh, boxMesh(low, low + size));
+            }
+            const bool inwards = random() % 2 == 0; // which way all of it is turned does not matter
+            if (inwards)
+                for (auto& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
+            for (const RunAxis axis : everyAxis) {
+                const Grid grid = cubeGrid({16, 16, 16}, axis);
+                std::size_t wanted = 0;
+                for (LineIndex line; line.v < 16; ++line.v)
+                    for (line.u = 0; line.u < 16; ++line.u) {
+                        glm::dvec3 place(0.0);
+                        place[grid.axisOfU()] = line.u + 0.5;
+                        place[grid.axisOfV()] = line.v + 0.5;
+                        int longest = 0, now = 0;
+                        for (int unit = 0; unit < 16 * 256; ++unit) {
+                            place[grid.axisOfRuns()] = (unit + 0.5) / 256.0;
+                            const auto holding =
+                                std::ranges::count_if(boxes, [&](const Box& box) { return box.contains(place); });
+                            now = holding > 1 ? now + 1 : 0;
+                            longest = std::max(longest, now);
+                        }
+                        wanted += longest > 16 ? 1U : 0U; // 1/16 voxel is still touching
+                    }
+                RunVolume volume = emptyVolume(grid);
+                const auto report = fill(mesh, volume);
+                RC_ASSERT(report.linesWithOverlaps == wanted);
+                RC_ASSERT(inwards || report.warning().empty() == (wanted == 0));
+                (wanted > 0 ? overlapping : apart) += 1;
+            }
+        });
+        QVERIFY(held);
+        QVERIFY2(overlapping > 30 && apart > 30, qPrintable(QStringLiteral("%1, %2").arg(overlapping).arg(apart)));
+    }
+
+    /// Neither shells of one body that meet in a face, however it lies, nor bodies of their own that overlap.
+    void shellsThatTouchAndBodiesThatOverlapAreInOrder() {
+        const bool held = rc::check("a box in two halves", [] {
+            std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+            const auto real = [&] { return static_cast<double>(random() % 10'000) / 10'000.0; };
+            const double border = 6.0 + 4.0 * real();
+            TriangleMesh mesh = boxMesh({4, 5, 4}, {border, 11, 12});
+            append(mesh, boxMesh({border, 5, 4}, {12, 11, 12}));
+            const TriangleMesh halves =
+                turned(mesh, 3.0 * real(), {real() - 0.5, real() - 0.5, real() + 0.1}, {8, 8, 8});
+            for (const RunAxis axis : everyAxis) {
+                RunVolume volume = emptyVolume(cubeGrid({16, 16, 16}, axis));
+                RC_ASSERT(fill(halves, volume).warning().empty());
+            }
+        });
+        QVERIFY(held);
+        const TriangleMesh one = boxMesh({1, 1, 1}, {9, 9, 9}), other = boxMesh({5, 5, 5}, {13, 13, 13});
+        const std::array bodies{BodyMesh{&one, part}, BodyMesh{&other, wax}};
+        RunVolume volume = emptyVolume(cubeGrid({16, 16, 16}));
+        Progress progress;
+        const auto reports = voxelise(bodies, volume, progress);
+        QVERIFY(reports && (*reports)[0].warning().empty() && (*reports)[1].warning().empty());
+    }
+
     void aRealFileWithHolesHasItsVolume() {
         // trimesh's featuretype.STL: 576 edges without a neighbour. The same part as a B-rep has 190,544.5 mm³.
         const TriangleMesh mesh = readBinaryStl(BURIN_FIXTURES "/models/featuretype.stl", 25.4);
