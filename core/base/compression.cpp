@@ -14,11 +14,14 @@ constexpr int level = 3; // Zstandard's own choice: higher ones gained little on
 
 std::string compress(std::string_view bytes) {
     const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
+    if (!context) throw std::bad_alloc();
     ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
     ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
     std::string frame(ZSTD_compressBound(bytes.size()), '\0');
-    // With room for the bound, compressing one block of memory can't fail.
-    frame.resize(ZSTD_compress2(context.get(), frame.data(), frame.size(), bytes.data(), bytes.size()));
+    const std::size_t written = ZSTD_compress2(context.get(), frame.data(), frame.size(), bytes.data(), bytes.size());
+    // With room for the bound, all that can be lacking is memory for its tables.
+    if (ZSTD_isError(written) != 0) throw std::bad_alloc();
+    frame.resize(written);
     return frame;
 }
 

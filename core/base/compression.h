@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// One Zstandard frame (RFC 8878) with its content size and checksum.
+/// One Zstandard frame (RFC 8878) with its content size and checksum. Throws std::bad_alloc, nothing else.
 std::string compress(std::string_view bytes);
 
 /// The content of a frame that `compress` made; nothing when it is damaged, cut short or holds more than `maximumSize`

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/compression.h"
+
+#include <QtTest>
+
+#include <dlfcn.h>
+#include <new>
+#include <zstd.h>
+
+using namespace burin;
+
+namespace {
+
+bool noContext = false, noTables = false; ///< what Zstandard finds no memory for
+
+template <class Function>
+Function* next(const char* name) {
+    return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+} // namespace
+
+// The program's own stand before the library's.
+ZSTD_CCtx* ZSTD_createCCtx() {
+    return noContext ? nullptr : next<decltype(ZSTD_createCCtx)>("ZSTD_createCCtx")();
+}
+
+std::size_t ZSTD_compress2(ZSTD_CCtx* context, void* frame, std::size_t room, const void* bytes, std::size_t size) {
+    constexpr auto memoryAllocation = static_cast<std::size_t>(-64); // zstd_errors.h
+    if (noTables) return memoryAllocation;
+    return next<decltype(ZSTD_compress2)>("ZSTD_compress2")(context, frame, room, bytes, size);
+}
+
+class TestCompression : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cleanup() { noContext = noTables = false; }
+
+    void whatIsCompressedComesBack() {
+        for (const std::string& bytes : {std::string(), std::string("a"), std::string(100'000, 'x')})
+            QVERIFY(decompress(compress(bytes), bytes.size()) == bytes);
+        QVERIFY(compress(std::string(100'000, 'x')).size() < 1'000);
+    }
+
+    void aFrameThatIsNotWholeGivesNothing() {
+        std::string frame = compress("what was written");
+        QVERIFY(!decompress(frame, 15));
+        QVERIFY(!decompress(frame.substr(0, frame.size() - 1), 100));
+        frame[frame.size() / 2] = static_cast<char>(frame[frame.size() / 2] ^ 1);
+        QVERIFY(!decompress(frame, 100));
+    }
+
+    /// Writers of files answer for std::bad_alloc, and for nothing else.
+    void aLackOfMemoryIsThrown() {
+        noContext = true;
+        QVERIFY_EXCEPTION_THROWN((void)compress("bytes"), std::bad_alloc);
+        noContext = false;
+        noTables = true;
+        QVERIFY_EXCEPTION_THROWN((void)compress("bytes"), std::bad_alloc);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestCompression)
+#include "tst_compression.moc"
