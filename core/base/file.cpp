@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/file.h"
 
+#include "core/base/available_memory.h"
+
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
+#include <new>
 #include <string>
 #include <sys/stat.h>
 #include <system_error>
@@ -22,7 +26,9 @@ namespace {
 class Descriptor {
 public:
     explicit Descriptor(int number) noexcept : number_(number) {}
-    ~Descriptor() { if (number_ >= 0) ::close(number_); }
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     int number() const noexcept { return number_; }
@@ -41,15 +47,31 @@ bool writeAll(int descriptor, std::string_view content) {
     return true;
 }
 
-Result<void> flushToDisk(const fs::path& path) {
-    const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    // Some file systems can't flush a folder (EINVAL); the rename is then as durable as they make it.
-    if (descriptor.number() < 0 || (::fsync(descriptor.number()) != 0 && errno != EINVAL)) return writeError(path, errno);
-    return {};
+/// 0, or the `errno` value of what went wrong.
+int flushFile(const fs::path& file) {
+    const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    return descriptor.number() < 0 || ::fsync(descriptor.number()) != 0 ? errno : 0;
+}
+
+/// The same for the names in a folder.
+int flushFolder(const fs::path& folder) {
+    const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_CLOEXEC));
+    // One may write in a folder that one may not read, and some file systems can't flush any (EINVAL): what was renamed
+    // there is then as durable as they make it.
+    if (descriptor.number() < 0) return 0;
+    return ::fsync(descriptor.number()) != 0 && errno != EINVAL ? errno : 0;
 }
 
 fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// Bytes to read at first: one more than there are, so that the end is found at once. A pipe or a device does not tell.
+std::size_t firstRoom(const fs::path& file) {
+    constexpr std::uintmax_t least = 65536;
+    std::error_code untold;
+    const std::uintmax_t size = fs::file_size(file, untold);
+    return static_cast<std::size_t>(untold ? least : std::max(size + 1, least));
 }
 
 fs::path firstExisting(const fs::path& first, const fs::path& second) {
@@ -59,15 +81,38 @@ fs::path firstExisting(const fs::path& first, const fs::path& second) {
 
 } // namespace
 
-Result<std::string> readFile(const fs::path& file) {
+Result<std::ifstream> openForReading(const fs::path& file) {
     std::error_code ignored;
-    if (!fs::exists(file, ignored)) return Error{ErrorCode::fileNotFound, file.string(), {}, {}};
-    if (fs::is_directory(file, ignored)) return Error{ErrorCode::fileNotReadable, file.string(), {}, "is a folder"};
+    if (fs::is_directory(file, ignored)) return readError(file, EISDIR);
+    errno = 0;
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) return Error{ErrorCode::fileNotReadable, file.string(), {}, std::strerror(errno)};
-    std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    if (stream.bad()) return Error{ErrorCode::fileNotReadable, file.string(), {}, std::strerror(errno)};
+    if (!stream) return readError(file, errno);
+    return stream;
+}
+
+Result<std::string> readFile(const fs::path& file) try {
+    Result<std::ifstream> stream = openForReading(file);
+    if (!stream) return std::move(stream).error();
+    std::string content;
+    std::size_t read = 0;
+    for (std::size_t room = firstRoom(file); read == content.size(); room = 2 * content.size()) {
+        if (Result<void> fits = needMemory(file.c_str(), static_cast<double>(room)); !fits)
+            return std::move(fits).error();
+        content.resize(room);
+        stream->read(content.data() + read, static_cast<std::streamsize>(room - read));
+        read += static_cast<std::size_t>(stream->gcount());
+    }
+    if (stream->bad()) return readError(file, errno);
+    content.resize(read);
     return content;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, file.string(), {}, {}};
+}
+
+Error readError(const fs::path& file, int systemError) {
+    if (systemError == ENOENT || systemError == ENOTDIR) return {ErrorCode::fileNotFound, file.string(), {}, {}};
+    const bool folder = systemError == EISDIR;
+    return {ErrorCode::fileNotReadable, file.string(), {}, folder ? "is a folder" : std::strerror(systemError)};
 }
 
 Error writeError(const fs::path& file, int systemError) {
@@ -83,17 +128,16 @@ fs::path temporaryBeside(const fs::path& file) {
 }
 
 Result<void> replaceFile(const fs::path& written, const fs::path& file) {
-    std::error_code ignored;
-    if (Result<void> flushed = flushToDisk(written); !flushed) {
-        fs::remove(written, ignored);
-        return Error{flushed.error().code, file.string(), {}, flushed.error().detail};
-    }
-    if (::rename(written.c_str(), file.c_str()) != 0) {
-        const int reason = errno;
+    int reason = flushFile(written);
+    if (reason == 0 && ::rename(written.c_str(), file.c_str()) != 0) reason = errno;
+    if (reason != 0) {
+        std::error_code ignored;
         fs::remove(written, ignored);
         return writeError(file, reason);
     }
-    return flushToDisk(folderOf(file));
+    reason = flushFolder(folderOf(file));
+    if (reason != 0) return writeError(file, reason);
+    return {};
 }
 
 Result<void> writeFileAtomically(const fs::path& file, std::string_view content) {

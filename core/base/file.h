@@ -5,12 +5,17 @@
 #include "core/base/result.h"
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 
 namespace burin {
 
-/// The whole content of a file. Errors: fileNotFound, fileNotReadable, outOfMemory.
+/// A stream at the beginning of a file, binary. Errors: fileNotFound, fileNotReadable (a folder, too).
+Result<std::ifstream> openForReading(const std::filesystem::path& file);
+
+/// The whole content of a file, a pipe or a device. Errors: fileNotFound, fileNotReadable, outOfMemory (subject: the
+/// file).
 Result<std::string> readFile(const std::filesystem::path& file);
 
 /// Writes `content` beside `file`, flushes it to the disk and renames it over `file`: afterwards either the whole new
@@ -18,11 +23,16 @@ Result<std::string> readFile(const std::filesystem::path& file);
 Result<void> writeFileAtomically(const std::filesystem::path& file, std::string_view content);
 
 /// Flushes `written` to the disk and renames it over `file`. For libraries that write a file by themselves: let them
-/// write to `temporaryBeside(file)`. On failure `written` is removed. Errors: fileNotWritable, diskFull.
+/// write to `temporaryBeside(file)`. On failure `written` is removed. The rename lasts through a loss of power where
+/// the folder may be read and its file system can flush one; else as far as that file system sees to it.
+/// Errors: fileNotWritable, diskFull.
 Result<void> replaceFile(const std::filesystem::path& written, const std::filesystem::path& file);
 
 /// A name in the folder of `file` that nobody else uses, for writing beside it.
 std::filesystem::path temporaryBeside(const std::filesystem::path& file);
+
+/// The error that `errno` value `systemError` means for reading `file`.
+Error readError(const std::filesystem::path& file, int systemError);
 
 /// The error that `errno` value `systemError` means for writing `file`.
 Error writeError(const std::filesystem::path& file, int systemError);

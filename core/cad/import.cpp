@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <new>
 #include <unistd.h>
 
@@ -35,12 +34,11 @@ Result<void> checkOptions(const ImportOptions& options) {
 Result<void> checkFile(const fs::path& file) {
     std::error_code failed;
     const fs::file_status status = fs::status(file, failed);
-    if (status.type() == fs::file_type::not_found) return Error{ErrorCode::fileNotFound, file.string(), {}, {}};
-    if (fs::is_directory(status)) return Error{ErrorCode::fileNotReadable, file.string(), {}, "is a folder"};
+    if (failed) return readError(file, failed.value());
+    if (fs::is_directory(status)) return readError(file, EISDIR);
     // A pipe or a device could block for ever.
     if (!fs::is_regular_file(status)) return Error{ErrorCode::fileNotReadable, file.string(), {}, "is no plain file"};
-    if (::access(file.c_str(), R_OK) != 0)
-        return Error{ErrorCode::fileNotReadable, file.string(), {}, std::strerror(errno)};
+    if (::access(file.c_str(), R_OK) != 0) return readError(file, errno);
     if (fs::file_size(file, failed) == 0) return Error{ErrorCode::fileEmpty, file.string(), {}, {}};
     return {};
 }

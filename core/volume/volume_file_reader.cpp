@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/checksum.h"
 #include "core/base/compression.h"
+#include "core/base/file.h"
 #include "core/volume/packed_blocks.h"
 #include "core/volume/volume_file.h"
 #include "core/volume/volume_file_records.h"
 #include "core/volume/volume_loss.h"
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <new>
-#include <system_error>
 #include <unordered_map>
 #include <utility>
 
@@ -136,15 +135,11 @@ Result<VolumeFileContent> readVolume(std::istream& stream, const std::string& na
 
 Result<VolumeFileContent> readVolumeFile(const std::filesystem::path& file, Progress& progress,
                                          std::size_t reservedBytes) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return Error{ErrorCode::fileNotFound, file.string(), {}, {}};
-    if (std::filesystem::is_directory(file, ignored))
-        return Error{ErrorCode::fileNotReadable, file.string(), {}, "is a folder"};
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return Error{ErrorCode::fileNotReadable, file.string(), {}, std::strerror(errno)};
-    if (stream.peek() == std::ifstream::traits_type::eof()) return Error{ErrorCode::fileEmpty, file.string(), {}, {}};
-    return readVolume(stream, file.string(), progress, reservedBytes);
+    Result<std::ifstream> stream = openForReading(file);
+    if (!stream) return std::move(stream).error();
+    if (stream->peek() == std::ifstream::traits_type::eof())
+        return stream->bad() ? readError(file, errno) : Error{ErrorCode::fileEmpty, file.string(), {}, {}};
+    return readVolume(*stream, file.string(), progress, reservedBytes);
 }
 
 } // namespace burin

@@ -5,9 +5,48 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <array>
 #include <cerrno>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
 
 using namespace burin;
+
+namespace {
+
+constexpr uid_t nobody = 65534;
+
+/// While it lives, a test that root runs, whom no rights stop, is one of the user nobody.
+class WithoutRoot {
+public:
+    WithoutRoot() : isRoot_(::geteuid() == 0), done_(!isRoot_ || ::seteuid(nobody) == 0) {}
+    ~WithoutRoot() {
+        if (isRoot_) (void)::seteuid(0);
+    }
+    WithoutRoot(const WithoutRoot&) = delete;
+    WithoutRoot& operator=(const WithoutRoot&) = delete;
+    bool done() const noexcept { return done_; }
+
+private:
+    bool isRoot_, done_;
+};
+
+/// A folder's rights, given back at the end so that it can be removed.
+class WithRights {
+public:
+    WithRights(std::filesystem::path folder, std::filesystem::perms rights) : folder_(std::move(folder)) {
+        std::filesystem::permissions(folder_, rights);
+    }
+    ~WithRights() { std::filesystem::permissions(folder_, std::filesystem::perms::owner_all); }
+    WithRights(const WithRights&) = delete;
+    WithRights& operator=(const WithRights&) = delete;
+
+private:
+    std::filesystem::path folder_;
+};
+
+} // namespace
 
 class TestFile : public QObject {
     Q_OBJECT
@@ -35,6 +74,68 @@ private slots:
     void missingFilesAndFoldersAreErrors() {
         QVERIFY(readFile(path("nothing")).error().code == ErrorCode::fileNotFound);
         QVERIFY(readFile(path(".")).error().code == ErrorCode::fileNotReadable);
+        QVERIFY(writeFileAtomically(path("a"), "content"));
+        QVERIFY(readFile(path("a") / "b").error().code == ErrorCode::fileNotFound);
+    }
+
+    /// The user is to look at the rights, not at the name.
+    void whatMayNotBeReachedIsNotMissing() {
+        std::filesystem::create_directory(path("closed"));
+        QVERIFY(writeFileAtomically(path("closed/a"), "content"));
+        const WithRights closed(path("closed"), std::filesystem::perms::none);
+        const WithoutRoot user;
+        if (!user.done()) QSKIP("root can't become another user here");
+        const Result<std::string> found = readFile(path("closed/a"));
+        QVERIFY(!found);
+        QCOMPARE(found.error().code, ErrorCode::fileNotReadable);
+        QCOMPARE(found.error().subject, path("closed/a").string());
+        QCOMPARE(found.error().detail, std::string("Permission denied"));
+    }
+
+    void linksInACircleAreNotMissing() {
+        std::filesystem::create_symlink(path("b"), path("a"));
+        std::filesystem::create_symlink(path("a"), path("b"));
+        const Result<std::string> found = readFile(path("a"));
+        QVERIFY(!found);
+        QCOMPARE(found.error().code, ErrorCode::fileNotReadable);
+    }
+
+    void aFaultWhileReadingIsTold() {
+        if (!std::filesystem::exists("/proc/self/mem")) QSKIP("no /proc/self/mem");
+        const Result<std::string> found = readFile("/proc/self/mem"); // nothing is at address 0
+        QVERIFY(!found);
+        QCOMPARE(found.error().code, ErrorCode::fileNotReadable);
+    }
+
+    void aFileBeyondAllMemoryIsTold() {
+        QVERIFY(writeFileAtomically(path("huge"), ""));
+        std::error_code refused;
+        std::filesystem::resize_file(path("huge"), std::uintmax_t{1} << 42, refused);
+        if (refused) QSKIP("no file of 4 TiB on this file system");
+        const Result<std::string> found = readFile(path("huge"));
+        QVERIFY(!found);
+        QCOMPARE(found.error().code, ErrorCode::outOfMemory);
+        QCOMPARE(found.error().subject, path("huge").string());
+        QVERIFY(found.error().place.starts_with("4398047 MB, ")); // 2^42 bytes
+    }
+
+    void whatHasNoSizeIsReadToItsEnd() {
+        const std::string content(200'000, 'x'); // a pipe holds 65,536 bytes
+        std::array<int, 2> ends{};
+        QVERIFY(::pipe(ends.data()) == 0);
+        std::thread writer([&] {
+            for (std::size_t at = 0; at < content.size();) {
+                const ssize_t written = ::write(ends[1], content.data() + at, content.size() - at);
+                if (written <= 0) break;
+                at += static_cast<std::size_t>(written);
+            }
+            ::close(ends[1]);
+        });
+        const Result<std::string> found = readFile("/dev/fd/" + std::to_string(ends[0]));
+        writer.join();
+        ::close(ends[0]);
+        QVERIFY(found);
+        QVERIFY(*found == content);
     }
 
     void aFailedWriteKeepsWhatStoodThere() {
@@ -60,6 +161,22 @@ private slots:
         QCOMPARE(files(), QStringList{"a"});
         QVERIFY(!replaceFile(path("not there"), path("a")));
         QCOMPARE(*readFile(path("a")), std::string("new"));
+    }
+
+    /// Such a folder can't be flushed, but what was renamed stands there.
+    void aFolderThatOneMayNotReadTakesFiles() {
+        std::filesystem::create_directory(path("inbox"));
+        QVERIFY(::geteuid() != 0 || (::chown(path("inbox").c_str(), nobody, nobody) == 0 &&
+                                     ::chmod(folder_.path().toLocal8Bit().constData(), 0711) == 0));
+        {
+            const WithRights unreadable(path("inbox"),
+                                        std::filesystem::perms::owner_write | std::filesystem::perms::owner_exec);
+            const WithoutRoot user;
+            if (!user.done()) QSKIP("root can't become another user here");
+            const Result<void> written = writeFileAtomically(path("inbox/a"), "content");
+            QVERIFY2(written, written ? "" : written.error().subject.c_str());
+        }
+        QCOMPARE(*readFile(path("inbox/a")), std::string("content"));
     }
 
     void fullDisksAreToldFromMissingRights() {

@@ -282,6 +282,9 @@ private slots:
                  ErrorCode::fileNotWritable);
         QCOMPARE(readVolumeFile(file / "none", progress).error().code, ErrorCode::fileNotFound);
         QCOMPARE(readVolumeFile(folder.path().toStdString(), progress).error().code, ErrorCode::fileNotReadable);
+        std::filesystem::create_symlink("circle", folder.filePath("circle").toStdString());
+        QCOMPARE(readVolumeFile(folder.filePath("circle").toStdString(), progress).error().code,
+                 ErrorCode::fileNotReadable);
         std::ofstream(file, std::ios::trunc).close();
         QCOMPARE(readVolumeFile(file, progress).error().code, ErrorCode::fileEmpty);
     }
