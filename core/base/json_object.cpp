@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/json_object.h"
 
+#include "core/base/json_number.h"
 #include "core/base/numbers.h"
 
 #include <algorithm>
@@ -98,10 +99,7 @@ double JsonObject::numberOr(std::string_view key, double otherwise, NumberRange 
 int JsonObject::integer(std::string_view key, int low, int high) {
     const json* value = find(key);
     if (value == nullptr) return low;
-    if (value->is_number_integer()) {
-        const auto number = value->get<std::int64_t>();
-        if (number >= low && number <= high) return static_cast<int>(number);
-    }
+    if (const std::optional<std::int64_t> number = wholeNumber(*value, low, high)) return static_cast<int>(*number);
     fail(key, "has to be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
     return low;
 }

@@ -3,12 +3,14 @@
 #include "core/base/plugin_library.h"
 
 #include "core/base/file.h"
+#include "core/base/json_number.h"
 
 #include <nlohmann/json.hpp>
 
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <limits>
 #include <system_error>
 
 namespace burin {
@@ -54,11 +56,12 @@ Result<PluginDescription> describe(const PluginKind& kind, const fs::path& file,
     if (!metadata.is_object()) return invalid(file, "not a JSON object");
     auto texts = textsOf(kind, file, metadata);
     if (!texts) return std::move(texts).error();
-    const auto version = metadata.find(versionKey);
-    if (version == metadata.end() || !version->is_number_integer())
-        return invalid(file, "\"interface_version\" has to be a whole number");
+    const auto found = metadata.find(versionKey);
+    using Int = std::numeric_limits<int>;
+    const auto version = found != metadata.end() ? wholeNumber(*found, Int::min(), Int::max()) : std::nullopt;
+    if (!version) return invalid(file, "\"interface_version\" has to be a whole number");
     PluginDescription description;
-    description.interfaceVersion = version->get<int>();
+    description.interfaceVersion = static_cast<int>(*version);
     const auto take = [&texts](std::string_view key) { return std::move(texts->extract(texts->find(key)).mapped()); };
     if (take("kind") != kind.name) return invalid(file, "\"kind\" has to be \"" + std::string(kind.name) + "\"");
     description.name = take("name");

@@ -83,6 +83,28 @@ private slots:
         QCOMPARE(object.error().subject, std::string("file.json"));
     }
 
+    void wholeNumbersAreNeverCutOff_data() {
+        QTest::addColumn<QString>("number");
+        QTest::addColumn<bool>("fits"); // into -5 … 5
+        QTest::newRow("lowest") << "-5" << true;
+        QTest::newRow("highest") << "5" << true;
+        QTest::newRow("below") << "-6" << false;
+        QTest::newRow("above") << "6" << false;
+        QTest::newRow("1 in its lower 32 bits") << "4294967297" << false;
+        QTest::newRow("-1 in its 64 bits") << "18446744073709551615" << false;
+        QTest::newRow("beyond 64 bits") << "18446744073709551617" << false;
+        QTest::newRow("lowest of 64 bits") << "-9223372036854775808" << false;
+        QTest::newRow("with a fraction") << "1.0" << false;
+    }
+    void wholeNumbersAreNeverCutOff() {
+        QFETCH(QString, number);
+        QFETCH(bool, fits);
+        Result<JsonObject> object = JsonObject::parse(R"({"i": )" + number.toStdString() + "}", "file.json");
+        const int found = object->integer("i", -5, 5);
+        QCOMPARE(object->finish().hasValue(), fits);
+        QCOMPARE(found, fits ? number.toInt() : -5);
+    }
+
     /// Where the decimal point is a comma, files still have a point.
     void numbersDoNotDependOnTheLocale() {
         for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})

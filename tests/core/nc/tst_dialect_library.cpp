@@ -89,6 +89,8 @@ private slots:
             << QByteArray("\"interface_version\": 2") << QByteArray("\"interface_version\": \"1\"");
         QTest::newRow("version is a fraction")
             << QByteArray("\"interface_version\": 2") << QByteArray("\"interface_version\": 1.5");
+        QTest::newRow("version is ours in its lower 32 bits")
+            << QByteArray("\"interface_version\": 2") << QByteArray("\"interface_version\": 4294967298");
         QTest::newRow("library outside its folder") << QByteArray("trace.so") << QByteArray("../trace.so");
         QTest::newRow("unknown key") << QByteArray("\"name\"") << QByteArray("\"nmae\": \"\", \"name\"");
     }
