@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/ray_cast.h"
 
+#include "core/geometry/pose.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +24,10 @@ LocalRay localRay(const Grid& grid, const glm::dvec3& origin, const glm::dvec3& 
     const glm::dvec3 from = (origin - grid.low()) / grid.edge(), way = glm::normalize(direction) / grid.edge();
     const std::array axes{grid.axisOfU(), grid.axisOfV(), grid.axisOfRuns()};
     return {{from[axes[0]], from[axes[1]], from[axes[2]]}, {way[axes[0]], way[axes[1]], way[axes[2]]}};
+}
+
+bool isRay(const LocalRay& ray) noexcept {
+    return isFinite(ray.origin) && isFinite(ray.way) && ray.way != glm::dvec3(0.0);
 }
 
 /// Part of a ray, by its distance from the origin.
@@ -81,7 +87,7 @@ struct Walk {
 
     Walk(double origin, double way, double start, std::int32_t count) {
         const double at = origin + way * start;
-        column = std::clamp(static_cast<std::int32_t>(std::floor(at)), 0, count - 1);
+        column = static_cast<std::int32_t>(std::clamp(std::floor(at), 0.0, count - 1.0));
         if (way == 0.0) return;
         step = way > 0.0 ? 1 : -1;
         findNext(origin, way);
@@ -101,6 +107,7 @@ std::optional<RayHit> castRay(const VolumeSnapshot& workpiece, const glm::dvec3&
                               RayTarget target) {
     const Grid& grid = workpiece.grid();
     const LocalRay ray = localRay(grid, origin, direction);
+    if (!isRay(ray)) return std::nullopt;
     Stretch inGrid;
     inGrid.clip(ray.origin.x, ray.way.x, 0.0, grid.lineCountU());
     inGrid.clip(ray.origin.y, ray.way.y, 0.0, grid.lineCountV());
@@ -130,10 +137,11 @@ double highestWithin(const VolumeSnapshot& workpiece, const glm::dvec2& place, d
     const glm::dvec2 low(grid.low()[grid.axisOfU()], grid.low()[grid.axisOfV()]);
     const glm::dvec2 centre = (place - low) / grid.edge();
     const double reach = radius / grid.edge();
-    const glm::ivec2 lines(grid.lineCountU(), grid.lineCountV());
-    const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(centre - reach)), 0);
-    const glm::ivec2 last = glm::min(glm::ivec2(glm::floor(centre + reach)), lines - 1);
     RunPosition highest = 0;
+    if (!isFinite(glm::dvec3(centre, reach))) return grid.toMillimetres(highest);
+    const glm::dvec2 lines(grid.lineCountU(), grid.lineCountV()), none(0.0);
+    const glm::ivec2 first(glm::clamp(glm::floor(centre - reach), none, lines));
+    const glm::ivec2 last(glm::clamp(glm::floor(centre + reach), none - 1.0, lines - 1.0));
     for (std::int32_t v = first.y; v <= last.y; ++v)
         for (std::int32_t u = first.x; u <= last.x; ++u) {
             const glm::dvec2 nearest = glm::clamp(centre, glm::dvec2(u, v), glm::dvec2(u + 1, v + 1));

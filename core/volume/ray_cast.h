@@ -19,13 +19,20 @@ struct RayHit {
 };
 
 /// The first run on a ray's way: exact on run ends, to the scanline's own column across them.
-/// @param origin mm, setup frame; @param direction of any length but 0.
-/// Nothing when the ray misses. Any thread. Cost: grows with the scanlines on its way.
+/// @param origin mm, setup frame  @param direction of any length but 0
+/// @return nothing when the ray misses, or is none: an origin or a direction that is not finite, a direction without
+///         length
+/// Thread   any.
+/// Cost     grows with the scanlines on its way, and with their runs.
 std::optional<RayHit> castRay(const VolumeSnapshot& workpiece, const glm::dvec3& origin, const glm::dvec3& direction,
                               RayTarget target = RayTarget::anything);
 
-/// The highest end of any run within `radius` (mm) of a place across the runs (along z: x, y), mm; the grid's low end
-/// where there is none.
+/// The highest end of any run within a distance of a place, across the runs.
+/// @param place  mm, setup frame, along the grid's axes of u and v (runs along z: x, y)  @param radius mm
+/// @return mm along the runs, setup frame; the grid's low end where there is no run, or where place or radius is no
+///         finite number
+/// Thread   any.
+/// Cost     grows with the scanlines within the radius, and with their runs.
 double highestWithin(const VolumeSnapshot& workpiece, const glm::dvec2& place, double radius);
 
 } // namespace burin

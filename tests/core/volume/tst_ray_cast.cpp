@@ -75,6 +75,10 @@ private slots:
     void meetsRunEndsExactly();
     void startsInsideAtOnce();
     void missesAnEmptyGrid();
+    void whatIsNoRayMeetsNothing_data();
+    void whatIsNoRayMeetsNothing();
+    void aRayFromFarAwayArrives();
+    void nothingIsHighestAroundNoPlace();
     void findsThePartBehindStock();
     void highestIsWhatADenseGridShows();
 };
@@ -141,6 +145,48 @@ void RayCastTest::missesAnEmptyGrid() {
     QVERIFY(!castRay(workpiece, {5.0, 5.0, 20.0}, {0.0, 0.0, -1.0}));
     QVERIFY(!castRay(workpiece, {5.0, 5.0, 20.0}, {0.0, 0.0, 1.0}));
     QCOMPARE(highestWithin(workpiece, {5.0, 5.0}, 3.0), 0.0);
+}
+
+void RayCastTest::whatIsNoRayMeetsNothing_data() {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    QTest::addColumn<glm::dvec3>("origin");
+    QTest::addColumn<glm::dvec3>("direction");
+    QTest::newRow("origin is no number") << glm::dvec3(nan) << glm::dvec3(1.0, 0.5, -1.0);
+    QTest::newRow("one coordinate is no number") << glm::dvec3(nan, 5.0, 20.0) << glm::dvec3(0.2, 0.1, -1.0);
+    QTest::newRow("origin at infinity") << glm::dvec3(5.0, 5.0, inf) << glm::dvec3(0.0, 0.0, -1.0);
+    QTest::newRow("direction is no number") << glm::dvec3(5.0, 5.0, 20.0) << glm::dvec3(0.0, nan, -1.0);
+    QTest::newRow("direction is infinite") << glm::dvec3(5.0, 5.0, 20.0) << glm::dvec3(0.0, 0.0, -inf);
+    QTest::newRow("direction without length") << glm::dvec3(5.0, 5.0, 2.0) << glm::dvec3(0.0);
+}
+
+void RayCastTest::whatIsNoRayMeetsNothing() {
+    QFETCH(glm::dvec3, origin);
+    QFETCH(glm::dvec3, direction);
+    for (const RunAxis axis : {RunAxis::x, RunAxis::y, RunAxis::z}) {
+        RunVolume volume = emptyVolume(*Grid::make({0.0, 0.0, 0.0}, 1.0, {10, 10, 10}, axis));
+        (void)volume.fillBlock({0, 0}, {10, 10}, 0, 5 * unitsPerVoxel, wax);
+        QVERIFY(!castRay(volume.snapshot(), origin, direction));
+        QVERIFY(!castRay(volume.snapshot(), origin, direction, RayTarget::protectedOnly));
+    }
+}
+
+/// However little of its digits is left when it comes to the grid.
+void RayCastTest::aRayFromFarAwayArrives() {
+    RunVolume volume = emptyVolume(cubeGrid({10, 10, 10}));
+    (void)volume.fillBlock({0, 0}, {10, 10}, 0, 10 * unitsPerVoxel, wax);
+    for (const double far : {1e9, 1e18, 1e200}) {
+        const auto hit = castRay(volume.snapshot(), {far, 5.0, 5.0}, {-1.0, 0.0, 0.0});
+        QVERIFY(hit);
+        QCOMPARE(hit->property, wax);
+    }
+}
+
+void RayCastTest::nothingIsHighestAroundNoPlace() {
+    RunVolume volume = emptyVolume(cubeGrid({10, 10, 10}));
+    (void)volume.fillBlock({0, 0}, {10, 10}, 0, 5 * unitsPerVoxel, wax);
+    const VolumeSnapshot workpiece = volume.snapshot();
+    QCOMPARE(highestWithin(workpiece, {5.0, 5.0}, 1e12), 5.0); // all of it
+    QCOMPARE(highestWithin(workpiece, {5.0, std::nan("")}, 3.0), 0.0);
 }
 
 void RayCastTest::findsThePartBehindStock() {
