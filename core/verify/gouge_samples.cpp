@@ -3,11 +3,11 @@
 #include "core/verify/gouge_samples.h"
 
 #include "core/base/parallel.h"
+#include "core/base/parallel_progress.h"
 #include "core/geometry/piece_minimum.h"
 #include "core/verify/gouge.h"
 
 #include <algorithm>
-#include <atomic>
 #include <optional>
 
 namespace burin {
@@ -239,12 +239,12 @@ NearSamples nearSamples(const std::vector<ToolMove>& moves, const MoveSamples& p
                         Progress& progress) {
     const Sampler sampler(moves, tools, outlines, request);
     std::vector<Batch> batches((places.count() + batchLength - 1) / batchLength);
-    std::atomic<std::size_t> done{0};
+    ParallelProgress shared(progress, 2 * batches.size());
     const auto forEachBatch = [&](const auto& work) {
         parallelFor(std::size_t{0}, batches.size(), [&](std::size_t i) {
             if (progress.cancelled()) return;
             work(i);
-            progress.report(0.5 * static_cast<double>(++done) / static_cast<double>(batches.size()));
+            shared.add();
         });
     };
     forEachBatch([&](std::size_t i) {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/replay.h"
 
+#include "core/base/parallel_progress.h"
 #include "core/cutting/line_frame.h"
 #include "core/verify/row_replay.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <set>
 #include <tuple>
@@ -152,7 +152,7 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
         replayTools.emplace_back(tool.cutter, grid, near.passes != nullptr ? near.distance : 0.0);
     const Turns turns(moves, replayTools, workpiece);
     std::vector<RowResult> rows(turns.rowCount());
-    std::atomic<std::size_t> done{0};
+    ParallelProgress shared(progress, rows.size());
     const bool written = workpiece.rewriteBricks([&](std::int32_t row, BrickSink& sink) {
         const auto place = static_cast<std::size_t>(row);
         if (turns.of(place).empty() || progress.cancelled()) return;
@@ -164,7 +164,7 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
             stock.brick(brick, lines);
             sink.put({brick * brickSide, stock.firstV()}, lines);
         }
-        progress.report(static_cast<double>(++done) / static_cast<double>(rows.size()));
+        shared.add();
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
     if (!written) return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};

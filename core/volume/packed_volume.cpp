@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/packed_volume.h"
 
+#include "core/base/parallel_progress.h"
 #include "core/volume/assembly.h"
 #include "core/volume/packed_blocks.h"
 
 #include <algorithm>
 #include <cassert>
-#include <mutex>
 #include <new>
 #include <unordered_map>
 #include <utility>
@@ -59,7 +59,6 @@ Result<PackedVolume> PackedVolume::pack(const VolumeSnapshot& snapshot, Progress
         for (std::size_t i = 0; i + 1 < packed.starts.size(); ++i) starts.push_back(tiles.add(packed.tile(i)));
         progress.report(static_cast<double>(starts.size()) / static_cast<double>(all.size()));
     }
-    volume.differentBricks_ = tiles.count();
     volume.bytes_ = tiles.take();
     volume.starts_.reserve(blocks.atPlace.size());
     for (const std::uint32_t place : blocks.atPlace) volume.starts_.push_back(starts[place]);
@@ -86,9 +85,7 @@ std::vector<Segment> PackedVolume::line(LineIndex line) const {
 }
 
 Result<RunVolume> PackedVolume::unpack(Progress& progress, std::size_t reservedBytes) const {
-    const std::int32_t rows = TileTable(grid_).tilesV;
-    std::mutex mutex; // for:
-    std::int32_t done = 0;
+    ParallelProgress shared(progress, static_cast<std::size_t>(TileTable(grid_).tilesV));
     Result<RunVolume> volume = assembleBricks(
         grid_, properties_,
         [&](std::int32_t row, BrickSink& sink) {
@@ -98,8 +95,7 @@ Result<RunVolume> PackedVolume::unpack(Progress& progress, std::size_t reservedB
                 brick(corner, lines);
                 sink.put(corner, lines);
             }
-            const std::lock_guard lock(mutex);
-            progress.report(static_cast<double>(++done) / rows);
+            shared.add();
         },
         reservedBytes);
     if (progress.cancelled()) return cancelled("unpacking");

@@ -38,8 +38,6 @@ public:
     std::size_t tileBytes() const noexcept { return bytes_.capacity(); }
     std::size_t tableBytes() const noexcept { return starts_.capacity() * sizeof(std::uint64_t); }
     std::size_t memoryBytes() const noexcept { return tileBytes() + tableBytes() + sizeof *this; }
-    /// Bricks that differ from one another.
-    std::size_t differentBricks() const noexcept { return differentBricks_; }
 
 private:
     PackedVolume(const Grid& grid, PropertyList properties) : grid_(grid), properties_(std::move(properties)) {}
@@ -49,7 +47,6 @@ private:
     RunAmounts amounts_;
     std::string bytes_;
     std::vector<std::uint64_t> starts_; ///< in `bytes_`, for each place of the table, row by row
-    std::size_t differentBricks_ = 0;
 };
 
 } // namespace burin

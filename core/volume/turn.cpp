@@ -3,11 +3,11 @@
 #include "core/volume/turn.h"
 
 #include "core/base/parallel.h"
+#include "core/base/parallel_progress.h"
 #include "core/volume/assembly.h"
 #include "core/volume/voxel_runs.h"
 
 #include <algorithm>
-#include <mutex>
 #include <new>
 #include <optional>
 #include <utility>
@@ -164,15 +164,12 @@ private:
 std::vector<Slice> turnSlices(const VolumeSnapshot& volume, RunAxis axis, Progress& progress) {
     const int across = 3 - static_cast<int>(volume.grid().axis()) - static_cast<int>(axis);
     std::vector<Slice> slices(static_cast<std::size_t>(volume.grid().count()[across]));
-    std::mutex mutex;
-    std::size_t done = 0;
+    ParallelProgress shared(progress, slices.size());
     parallelStretches(std::size_t{0}, slices.size(), 8, [&](std::size_t from, std::size_t to) {
         SliceTurning turning(volume, axis);
         for (std::size_t i = from; i < to && !progress.cancelled(); ++i)
             turning.turn(static_cast<std::int32_t>(i), slices[i]);
-        const std::lock_guard lock(mutex);
-        done += to - from;
-        progress.report(static_cast<double>(done) / static_cast<double>(slices.size()));
+        shared.add(to - from);
     });
     return slices;
 }

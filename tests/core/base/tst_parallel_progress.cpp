@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/parallel_progress.h"
+
+#include <QtTest>
+
+#include <array>
+
+using namespace burin;
+
+class TestParallelProgress : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Progress has one writer; its own state may be written by that thread alone.
+    void othersCountAndTheWorksThreadReports() {
+        Progress progress;
+        {
+            ParallelProgress shared(progress, 10, 0.2, 0.7);
+            const auto byAnother = [&](std::size_t pieces) { std::thread([&] { shared.add(pieces); }).join(); };
+            byAnother(3);
+            QCOMPARE(progress.fraction(), 0.0);
+            shared.add();
+            QCOMPARE(progress.fraction(), 0.2 + 0.5 * 4 / 10);
+            byAnother(6);
+            QCOMPARE(progress.fraction(), 0.2 + 0.5 * 4 / 10);
+        }
+        QCOMPARE(progress.fraction(), 0.7); // none is forgotten
+    }
+
+    void noPieceIsLostAmongThreads() {
+        constexpr std::size_t each = 20'000;
+        Progress progress;
+        {
+            ParallelProgress shared(progress, 5 * each);
+            const auto work = [&] {
+                for (std::size_t i = 0; i < each; ++i) shared.add();
+            };
+            std::array<std::thread, 4> threads;
+            for (std::thread& thread : threads) thread = std::thread(work);
+            work();
+            for (std::thread& thread : threads) thread.join();
+        }
+        QCOMPARE(progress.fraction(), 1.0);
+    }
+
+    void aStageOfNothingReportsNothing() {
+        Progress progress;
+        progress.report(0.5);
+        { const ParallelProgress shared(progress, 0); }
+        QCOMPARE(progress.fraction(), 0.5);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestParallelProgress)
+#include "tst_parallel_progress.moc"
