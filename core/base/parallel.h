@@ -15,7 +15,7 @@ namespace burin {
 
 /// Tells the thread sanitizer what oneTBB, which is not built for it, orders: what was done before `give` is seen after
 /// `take`. Does nothing without it.
-class HandOver {
+class SanitizerOrder {
 public:
 #ifdef __SANITIZE_THREAD__
     void give() noexcept {
@@ -38,7 +38,7 @@ private:
 /// @param grain a stretch is not split below so many. An exception of `body` ends the work and goes on to the caller.
 template <class Index, class Body>
 void parallelStretches(Index first, Index end, std::size_t grain, const Body& body) {
-    HandOver started, done;
+    SanitizerOrder started, done;
     started.give();
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<Index>(first, end, grain),
                               [&](const oneapi::tbb::blocked_range<Index>& range) {
