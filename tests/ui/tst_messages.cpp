@@ -119,6 +119,16 @@ private slots:
         QCOMPARE(sentences.size(), qsizetype{codeCount}); // no two faults read alike
     }
 
+    /// What is not known is not spoken of.
+    void memoryFiguresAreToldWhereTheyAreKnown() {
+        const QString known = Messages::sentence({ErrorCode::outOfMemory, "volume", "900 MB, 300 MB", {}});
+        QCOMPARE(known, QStringLiteral("There is not enough memory for \"volume\" (needed and free: 900 MB, 300 MB); "
+                                       "close other programs or choose larger voxels."));
+        const QString unknown = Messages::sentence({ErrorCode::outOfMemory, "volume", {}, {}});
+        QCOMPARE(unknown, QStringLiteral("There is not enough memory for \"volume\"; close other programs or choose "
+                                         "larger voxels."));
+    }
+
     void germanIsNotEnglish() {
         QStringList english;
         for (int code = 0; code < codeCount; ++code) english.append(Messages::sentence(errorOf(code)));

@@ -36,7 +36,7 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::cancelled:
         return tr("\"%1\" was stopped as asked; start it again to finish it.").arg(subject);
     case ErrorCode::outOfMemory:
-        return place.isEmpty()
+        return error.place.empty()
                    ? tr("There is not enough memory for \"%1\"; close other programs or choose larger voxels.")
                          .arg(subject)
                    : tr("There is not enough memory for \"%1\" (needed and free: %2); close other programs or choose "
