@@ -37,8 +37,6 @@ class InternedTiles {
 public:
     /// Where the tile begins in `bytes`.
     std::uint64_t add(std::string_view tile);
-    std::string_view from(std::uint64_t start) const noexcept { return std::string_view(bytes_).substr(start); }
-    std::size_t count() const noexcept { return places_.size(); }
     /// Ends the adding and hands the bytes out, with nothing to spare.
     std::string take();
 
