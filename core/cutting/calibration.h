@@ -21,13 +21,12 @@ enum class ChipLaw : std::uint8_t {
 /// What a measured force says of tangential and radial force.
 enum class ForceProjection : std::uint8_t {
     /// Chen & Yang 2004, eq. 15: Ft along d⊥, which is across the tool axis, in its plane with the feed, and against
-    /// the
-    /// feed; Fr along the axis d. What is calibrated is what the hand feels against its motion.
+    /// the feed; Fr along the axis d. What is calibrated is what the hand feels against its motion.
     feedAndAxis,
     /// The force across the axis, resolved for the tangential and radial force of the teeth that turn within the
     /// engaged arc (slot, up or down), whose mean over a turn it is. K is then the specific energy itself, P = K MRR,
-    /// of
-    /// forces that go with the chip's thickness; a force of the edge that does not counts for a fifth less in a slot.
+    /// of forces that go with the chip's thickness; a force of the edge that does not counts for a fifth less in a
+    /// slot.
     turningTeeth,
 };
 
@@ -87,7 +86,7 @@ Result<MaterialCalibration> calibrate(std::span<const ForceRecord> records, cons
 /// @param evidence file and date, "forces.csv, 2026-11-21"
 Property calibratedMaterial(const Property& basis, const MaterialCalibration& calibration, const std::string& evidence);
 
-/// "2.13 (2.05 … 2.21)"
+/// For reports, in English: "2.1300 (2.0500 to 2.2100)".
 std::string textOf(const Confidence& confidence);
 
 } // namespace burin
