@@ -4,13 +4,13 @@
 
 #include "core/base/file.h"
 #include "core/base/numbers.h"
-#include "core/cad/reader/body_mesh.h"
 #include "core/cad/reader/cad_file.h"
 #include "core/cad/reader/edge_curve.h"
 #include "core/cad/reader/exact_distance.h"
 #include "core/cad/reader/file_format.h"
 #include "core/cad/reader/measure.h"
 #include "core/cad/reader/model_size.h"
+#include "core/cad/reader/solid_mesh.h"
 #include "core/cad/reader/solids.h"
 #include "core/cad/reader/stl_model.h"
 
@@ -47,7 +47,7 @@ std::size_t countFaces(const TopoDS_Shape& shape) {
     return static_cast<std::size_t>(faces.Extent());
 }
 
-void noteMesh(Model& model, const Body& body, const BodyMesh& mesh) {
+void noteMesh(Model& model, const Body& body, const SolidMesh& mesh) {
     const std::string title = "\"" + body.name + "\"";
     const auto note = [&](ImportNote::Kind kind, const std::string& text) {
         model.notes.push_back({kind, title + text});
@@ -72,7 +72,7 @@ Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, const
     body.volume = exactVolume(solid.solid);
     body.area = exactArea(solid.solid);
     body.faceCount = countFaces(solid.solid);
-    BodyMesh mesh = meshSolid(solid.solid, chord, report);
+    SolidMesh mesh = meshSolid(solid.solid, chord, report);
     if (mesh.facesWithoutTriangles > 0)
         return Error{ErrorCode::meshIncomplete,
                      {},

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/cad/reader/body_mesh.h"
+#include "core/cad/reader/solid_mesh.h"
 
 #include "core/cad/reader/shape_mesh.h"
 
@@ -28,9 +28,9 @@ void runMesher(const TopoDS_Solid& solid, double chord, double angle, const Repo
     BRepMesh_IncrementalMesh mesher(solid, parameters, progress->Start());
 }
 
-BodyMesh collect(const TopoDS_Solid& solid, double chord) {
+SolidMesh collect(const TopoDS_Solid& solid, double chord) {
     ShapeMesh shape(solid, chord);
-    BodyMesh result;
+    SolidMesh result;
     for (const std::size_t face : shape.emptyFaces())
         if (shape.fillPlaneFace(face))
             ++result.facesFilled;
@@ -48,22 +48,22 @@ BodyMesh collect(const TopoDS_Solid& solid, double chord) {
     return result;
 }
 
-bool isBetter(const BodyMesh& a, const BodyMesh& b) {
+bool isBetter(const SolidMesh& a, const SolidMesh& b) {
     if (a.facesWithoutTriangles != b.facesWithoutTriangles) return a.facesWithoutTriangles < b.facesWithoutTriangles;
     return a.openEdges < b.openEdges;
 }
 
 } // namespace
 
-BodyMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report) {
+SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report) {
     struct Attempt {
         double part, angle; // of the chord; rad
     };
     constexpr std::array<Attempt, 4> attempts{{{1.0, 0.5}, {0.7, 0.35}, {0.9, 0.2}, {0.4, 0.5}}};
-    BodyMesh best;
+    SolidMesh best;
     for (std::size_t i = 0; i < attempts.size(); ++i) {
         runMesher(solid, attempts[i].part * chord, attempts[i].angle, report);
-        BodyMesh result = collect(solid, attempts[i].part * chord);
+        SolidMesh result = collect(solid, attempts[i].part * chord);
         result.attempts = i + 1;
         if (i == 0 || isBetter(result, best)) best = std::move(result);
         if (best.facesWithoutTriangles == 0 && best.openEdges == 0) break;

@@ -12,7 +12,7 @@
 namespace burin {
 
 /// The mesh of one solid and how it came about.
-struct BodyMesh {
+struct SolidMesh {
     TriangleMesh mesh;
     std::size_t openEdges = 0;
     std::size_t facesWithoutTriangles = 0;
@@ -23,6 +23,6 @@ struct BodyMesh {
 /// Meshes a solid with a chord of at most `chord` mm. OpenCASCADE's mesher may leave faces of a valid solid empty; its
 /// status is not trusted but the result looked at, and what is missing is filled or tried again with a finer chord.
 /// The solid carries the triangulation afterwards.
-BodyMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report);
+SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report);
 
 } // namespace burin
