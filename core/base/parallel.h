@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <cstddef>
 
 #ifdef __SANITIZE_THREAD__
@@ -33,20 +30,32 @@ private:
     char token_ = 0;
 };
 
+/// What `parallelStretches` hands to oneTBB: calls `stretch(work, from, to)` for stretches of 0 … count - 1. Its source
+/// alone holds oneTBB's own code and is not built for the thread sanitizer, so that all that is can be watched.
+void runStretches(std::size_t count, std::size_t grain, void* work,
+                  void (*stretch)(void* work, std::size_t from, std::size_t to));
+
 /// Calls `body(from, to)` for stretches that together make up first … end - 1, shared among all cores (oneTBB). Returns
 /// when all are done and what they wrote is there. Stretches run at the same time: they must not write the same data.
 /// @param grain a stretch is not split below so many. An exception of `body` ends the work and goes on to the caller.
 template <class Index, class Body>
 void parallelStretches(Index first, Index end, std::size_t grain, const Body& body) {
-    SanitizerOrder started, done;
-    started.give();
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<Index>(first, end, grain),
-                              [&](const oneapi::tbb::blocked_range<Index>& range) {
-                                  started.take();
-                                  body(range.begin(), range.end());
-                                  done.give();
-                              });
-    done.take();
+    if (!(first < end)) return;
+    struct Work {
+        const Body& body;
+        Index first;
+        SanitizerOrder started, done;
+    } work{body, first, {}, {}};
+    work.started.give();
+    runStretches(static_cast<std::size_t>(end - first), grain, &work,
+                 [](void* shared, std::size_t from, std::size_t to) {
+                     Work& mine = *static_cast<Work*>(shared);
+                     mine.started.take();
+                     mine.body(static_cast<Index>(mine.first + static_cast<Index>(from)),
+                               static_cast<Index>(mine.first + static_cast<Index>(to)));
+                     mine.done.give();
+                 });
+    work.done.take();
 }
 
 /// Calls `body(i)` for i from first to end - 1. As parallelStretches.

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/parallel.h"
+
+#include <QtTest>
+
+#include <thread>
+
+using namespace burin;
+
+/// Races as a test or a parallel body would have them. That the sanitizer reports them is what is asked for.
+class PlantedRacesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void betweenThreads() {
+        long sum = 0;
+        const auto count = [&] {
+            for (int i = 0; i < 100000; ++i) ++sum;
+        };
+        std::jthread other(count);
+        count();
+        QVERIFY(sum > 0);
+    }
+
+    void withinAParallelBody() {
+        long sum = 0;
+        parallelFor(0, 100000, [&](int) { ++sum; });
+        QVERIFY(sum > 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(PlantedRacesTest)
+#include "tst_planted_races.moc"
