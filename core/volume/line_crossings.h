@@ -27,7 +27,7 @@ inline constexpr int latticeBits = 16;
 Result<std::vector<LatticeVertex>> projectVertices(const TriangleMesh& mesh, const Grid& grid);
 
 /// A rectangle of scanlines, half-open.
-struct LineRange {
+struct LineRectangle {
     std::int32_t lowU = 0, lowV = 0, highU = 0, highV = 0;
     bool empty() const noexcept { return lowU >= highU || lowV >= highV; }
 };
@@ -39,10 +39,10 @@ class TriangleCover {
 public:
     /// @param range only lines in it are looked at
     TriangleCover(const LatticeVertex& a, const LatticeVertex& b, const LatticeVertex& c,
-                  const LineRange& range) noexcept;
+                  const LineRectangle& range) noexcept;
 
     /// Lines that the triangle may cross. None: none passes through it.
-    const LineRange& lines() const noexcept { return lines_; }
+    const LineRectangle& lines() const noexcept { return lines_; }
 
     /// Calls visit(u, v, along, leaves) for each line through the triangle: `along` in run units, between those of its
     /// corners; `leaves` where a line that runs upwards leaves an outward mesh. `lowest` and `highest` clamp `along`.
@@ -69,7 +69,7 @@ private:
     Row row(std::int32_t v) const noexcept;
 
     LatticeVertex a_, b_, c_;
-    LineRange lines_;
+    LineRectangle lines_;
 };
 
 } // namespace burin

@@ -14,7 +14,7 @@
 namespace burin {
 
 inline TriangleCover::TriangleCover(const LatticeVertex& a, const LatticeVertex& b, const LatticeVertex& c,
-                                    const LineRange& range) noexcept
+                                    const LineRectangle& range) noexcept
     : a_(a), b_(b), c_(c) {
     constexpr std::int64_t below = (std::int64_t{1} << latticeBits) - 1;
     const auto clamped = [](std::int64_t line, std::int32_t low, std::int32_t high) {
@@ -94,7 +94,7 @@ class TriangleCover::Plane {
 public:
     Plane(const TriangleCover& cover, double area, double lowest, double highest) noexcept {
         const LatticeVertex &a = cover.a_, &b = cover.b_, &c = cover.c_;
-        const LineRange& lines = cover.lines_;
+        const LineRectangle& lines = cover.lines_;
         // Relative to the first corner, to keep digits.
         const double bu = static_cast<double>(b.u - a.u), bv = static_cast<double>(b.v - a.v), bz = b.along - a.along;
         const double cu = static_cast<double>(c.u - a.u), cv = static_cast<double>(c.v - a.v), cz = c.along - a.along;

@@ -44,7 +44,7 @@ SortedCrossings::SortedCrossings(const TriangleMesh& mesh, std::size_t firstCap,
     closed_ = edges == 0;
 }
 
-TriangleCover SortedCrossings::cover(std::size_t triangle, const LineRange& range) const noexcept {
+TriangleCover SortedCrossings::cover(std::size_t triangle, const LineRectangle& range) const noexcept {
     const auto& [a, b, c] = mesh_->triangles[triangle];
     return {vertices_[a], vertices_[b], vertices_[c], range};
 }
@@ -62,7 +62,7 @@ void SortedCrossings::cross(const TriangleCover& cover, std::size_t triangle, Vi
 
 SortedCrossings::Part SortedCrossings::part(std::size_t first, Scratch& scratch) const {
     constexpr std::int64_t manyLines = 256;
-    const LineRange all{0, 0, grid_.lineCountU(), grid_.lineCountV()};
+    const LineRectangle all{0, 0, grid_.lineCountU(), grid_.lineCountV()};
     const std::size_t end = std::min(first + trianglesPerPart, mesh_->triangles.size());
     Part part;
     scratch.crossings.clear();
@@ -71,7 +71,7 @@ SortedCrossings::Part SortedCrossings::part(std::size_t first, Scratch& scratch)
         const auto& [a, b, c] = mesh_->triangles[t];
         part.edges ^= markOf(a, b) ^ markOf(b, c) ^ markOf(c, a);
         const TriangleCover covered = cover(t, all);
-        const LineRange& lines = covered.lines();
+        const LineRectangle& lines = covered.lines();
         if (lines.empty()) continue;
         if (std::int64_t{lines.highU - lines.lowU} * (lines.highV - lines.lowV) > manyLines) {
             for (std::int32_t row = lines.lowV / brickSide; row <= (lines.highV - 1) / brickSide; ++row)
@@ -101,7 +101,8 @@ SortedCrossings::ByRow<Thing> SortedCrossings::sorted(const std::vector<Thing>& 
 }
 
 void SortedCrossings::collect(std::int32_t row, CrossingCells& cells) const {
-    const LineRange range{0, row * brickSide, grid_.lineCountU(), std::min((row + 1) * brickSide, grid_.lineCountV())};
+    const LineRectangle range{0, row * brickSide, grid_.lineCountU(),
+                              std::min((row + 1) * brickSide, grid_.lineCountV())};
     for (const Part& part : parts_) {
         constexpr std::uint32_t cell = (1U << cellBits) - 1;
         for (const Placed& placed : part.crossings.in(row)) cells.add(placed.place & cell, placed.crossing);

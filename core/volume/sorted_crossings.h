@@ -58,7 +58,7 @@ private:
     Part part(std::size_t first, Scratch& scratch) const;
     template <class Thing, class Row>
     ByRow<Thing> sorted(const std::vector<Thing>& things, Row row) const;
-    TriangleCover cover(std::size_t triangle, const LineRange& range) const noexcept;
+    TriangleCover cover(std::size_t triangle, const LineRectangle& range) const noexcept;
     template <class Visit>
     void cross(const TriangleCover& cover, std::size_t triangle, Visit&& visit) const;
 
