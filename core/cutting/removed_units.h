@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/grid.h"
+
 #include <array>
 #include <cstdint>
 
@@ -15,5 +17,15 @@ struct RemovedUnits {
     double momentAlong = 0.0;                    ///< run units times run unit
     bool outOfMemory = false;                    ///< lines from there on are uncut
 };
+
+/// Middle of what was taken, of which there is some: mm, setup frame.
+inline glm::dvec3 centroidOf(const RemovedUnits& removed, const Grid& grid) noexcept {
+    const double units = static_cast<double>(removed.total);
+    glm::dvec3 centroid(0.0); // in voxels from the grid's low corner
+    centroid[grid.axisOfU()] = removed.momentU / units + 0.5;
+    centroid[grid.axisOfV()] = removed.momentV / units + 0.5;
+    centroid[grid.axisOfRuns()] = removed.momentAlong / units / unitsPerVoxel;
+    return grid.low() + centroid * grid.edge();
+}
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/sweep_cutter.h"
 
+#include "core/cutting/counted_removal.h"
 #include "core/cutting/footprint.h"
 #include "core/cutting/line_frame.h"
 
@@ -26,23 +27,8 @@ void SweepCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose
 bool SweepCutter::cutStep(RunVolume& workpiece, const PoseStep& step, RunAmounts& taken,
                           RemovedUnits& removed) const noexcept {
     const Grid& grid = workpiece.grid();
-    const PropertyList& properties = workpiece.properties();
     const auto take = [&](LineIndex line, RunPosition from, RunPosition to) {
-        std::uint64_t units = 0;
-        double along = 0.0;
-        forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
-            if (properties.isProtected(property)) return;
-            units += end - start;
-            along += 0.5 * (static_cast<double>(start) + static_cast<double>(end)) * (end - start);
-        });
-        if (units == 0) return true;
-        removed.outOfMemory = workpiece.removeSpan(line, from, to, taken) == Removal::outOfMemory;
-        if (removed.outOfMemory) return false;
-        removed.total += units;
-        removed.momentU += static_cast<double>(units) * line.u;
-        removed.momentV += static_cast<double>(units) * line.v;
-        removed.momentAlong += along;
-        return true;
+        return removeCounted(workpiece, line, from, to, taken, removed);
     };
     const glm::dvec3 fromTip = inLineFrame(grid, step.fromTip), toTip = inLineFrame(grid, step.toTip);
     for (const RevolvedPiece& piece : pieces_) {

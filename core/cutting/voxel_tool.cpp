@@ -3,6 +3,7 @@
 #include "core/cutting/voxel_tool.h"
 
 #include "core/base/numbers.h"
+#include "core/cutting/counted_removal.h"
 #include "core/cutting/footprint.h"
 #include "core/cutting/line_frame.h"
 #include "core/volume/voxel_runs.h"
@@ -23,13 +24,6 @@ bool isFinitePose(const Pose& pose) noexcept {
 double angleBetween(const glm::dquat& a, const glm::dquat& b) noexcept {
     const glm::dquat turn = glm::conjugate(a) * b;
     return 2.0 * std::atan2(std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z), std::abs(turn.w));
-}
-
-/// Box of a box at a pose.
-Box placed(const Box& box, const Pose& pose) noexcept {
-    Box result;
-    for (unsigned i = 0; i < 8; ++i) result.include(pose.position + pose.rotation * box.corner(i));
-    return result;
 }
 
 PropertyList toolProperties() {
@@ -130,24 +124,35 @@ std::int32_t VoxelTool::posesFor(const Pose& from, const Pose& to) const noexcep
     return way > 0.0 ? static_cast<std::int32_t>(std::min(steps, 1e9)) + 1 : 1;
 }
 
+Pose VoxelTool::poseOf(const Pose& from, const Pose& to, std::int32_t k, std::int32_t poses) noexcept {
+    const double part = poses > 1 ? static_cast<double>(k) / (poses - 1) : 0.0;
+    return {from.position + part * (to.position - from.position), glm::slerp(from.rotation, to.rotation, part)};
+}
+
+Box VoxelTool::boundsAt(const Pose& pose) const noexcept {
+    Box result;
+    if (!isFinitePose(pose)) return result;
+    for (unsigned i = 0; i < 8; ++i) result.include(pose.position + pose.rotation * filled_.corner(i));
+    return result;
+}
+
 VoxelCut VoxelTool::cut(RunVolume& workpiece, const Pose& from, const Pose& to) const noexcept {
     VoxelCut cut;
+    cut.unitVolume = workpiece.grid().unitVolume();
     if (!isFinitePose(from) || !isFinitePose(to)) return cut;
     const std::int32_t poses = posesFor(from, to);
-    for (std::int32_t k = 0; k < poses; ++k) {
-        const double part = poses > 1 ? static_cast<double>(k) / (poses - 1) : 0.0;
-        const Pose pose{from.position + part * (to.position - from.position),
-                        glm::slerp(from.rotation, to.rotation, part)};
-        if (!cutAt(workpiece, pose, cut)) break;
-        ++cut.poses;
-    }
+    RemovedUnits removed;
+    for (std::int32_t k = 0; k < poses && cutAt(workpiece, poseOf(from, to, k, poses), cut, removed); ++k) ++cut.poses;
+    cut.outOfMemory = removed.outOfMemory;
+    cut.volume = static_cast<double>(removed.total) * cut.unitVolume;
+    if (removed.total > 0) cut.centroid = centroidOf(removed, workpiece.grid());
     return cut;
 }
 
 /// One pose; false when the workpiece's memory is used up.
-bool VoxelTool::cutAt(RunVolume& workpiece, const Pose& pose, VoxelCut& cut) const noexcept {
+bool VoxelTool::cutAt(RunVolume& workpiece, const Pose& pose, VoxelCut& cut, RemovedUnits& removed) const noexcept {
     const Grid& grid = workpiece.grid();
-    const Box reach = inLineFrame(grid, placed(filled_, pose));
+    const Box reach = inLineFrame(grid, boundsAt(pose));
     const glm::dvec3 low = inLineFrame(grid, grid.low());
     const LineRange us = linesWithin({reach.low.x, reach.high.x}, low.x, grid.edge(), grid.lineCountU());
     const LineRange vs = linesWithin({reach.low.y, reach.high.y}, low.y, grid.edge(), grid.lineCountV());
@@ -172,8 +177,7 @@ bool VoxelTool::cutAt(RunVolume& workpiece, const Pose& pose, VoxelCut& cut) con
                                      cut.touched.units[met] += stop - begin;
                                  });
                 if (property != flutes) continue;
-                cut.outOfMemory = workpiece.removeSpan(line, from, to, cut.removed) == Removal::outOfMemory;
-                if (cut.outOfMemory) return false;
+                if (!removeCounted(workpiece, line, from, to, cut.removed, removed)) return false;
             }
         }
     return true;

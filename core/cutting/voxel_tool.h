@@ -3,21 +3,31 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/cutting/removed_units.h"
 #include "core/geometry/pose.h"
 #include "core/geometry/revolved_piece.h"
 #include "core/volume/run_volume.h"
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace burin {
 
 /// What one cut of a voxel tool took away.
 struct VoxelCut {
-    RunAmounts removed; ///< by the flutes, by property; whole voxels
-    RunAmounts touched; ///< what the shank met, by property, summed over the poses: not removed
-    std::int32_t poses = 0;
+    RunAmounts removed;       ///< by the flutes, by property, run units; whole voxels of what is machinable
+    double volume = 0.0;      ///< mm³, of all that was removed
+    glm::dvec3 centroid{0.0}; ///< mm, of what was removed, setup frame; meaningless when volume is 0
+    RunAmounts touched;       ///< what the shank met, by property, run units, summed over the poses: not removed
+    double unitVolume = 0.0;  ///< mm³ of a run unit
+    std::int32_t poses = 0;   ///< that were taken
     bool outOfMemory = false; ///< reserved memory of the workpiece is used up; what was left is uncut
+
+    /// mm³ of a property that were removed.
+    double removedVolume(PropertyIndex property) const noexcept {
+        return static_cast<double>(removed.units[property]) * unitVolume;
+    }
 };
 
 /// A tool of any shape, held as S-RLE: flutes and shank are two properties of one volume (paper, 2 and eq. 3). It is
@@ -42,17 +52,31 @@ public:
     const RunVolume& shape() const noexcept { return shape_; }
     /// Poses for a motion, both ends included (eq. 8).
     std::int32_t posesFor(const Pose& from, const Pose& to) const noexcept;
+    /// One of them (eqs. 6, 7): the tip goes straight and evenly, the tool turns evenly about one axis, the shorter
+    /// way.
+    /// @param k     0 … poses - 1
+    /// @param poses posesFor(from, to)
+    static Pose poseOf(const Pose& from, const Pose& to, std::int32_t k, std::int32_t poses) noexcept;
+    /// Property of the voxel around a place, mm, tool frame.
+    PropertyIndex at(const glm::dvec3& place) const noexcept;
+    /// A box around the tool at a pose, mm, setup frame; empty for a pose that is not finite.
+    Box boundsAt(const Pose& pose) const noexcept;
     /// Takes the flutes at all poses out of the machinable runs of a workpiece. Poses that are not finite take nothing.
     VoxelCut cut(RunVolume& workpiece, const Pose& from, const Pose& to) const noexcept;
 
 private:
     explicit VoxelTool(RunVolume shape) noexcept;
-    PropertyIndex at(const glm::dvec3& place) const noexcept;
-    bool cutAt(RunVolume& workpiece, const Pose& pose, VoxelCut& cut) const noexcept;
+    bool cutAt(RunVolume& workpiece, const Pose& pose, VoxelCut& cut, RemovedUnits& removed) const noexcept;
 
     RunVolume shape_;
     Box filled_;         ///< mm, tool frame, of the voxels that are not air
     double reach_ = 0.0; ///< mm, of the farthest of them from the tip
 };
+
+/// The collision area (paper, eq. 4) of a tool of any shape: surface voxels of its shank that are surface voxels of the
+/// workpiece, by scanlines (v, then u), then along them. Voxels belong to the shank as they do in a cut, and to a
+/// surface when one of their 26 neighbours does not belong. A pose that is not finite has none. Not for the tick:
+/// allocates.
+std::vector<VoxelIndex> collisionArea(const VolumeSnapshot& workpiece, const VoxelTool& tool, const Pose& pose);
 
 } // namespace burin

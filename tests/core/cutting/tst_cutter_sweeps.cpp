@@ -220,20 +220,6 @@ private slots:
         QVERIFY(errors[0] < 0.2 && errors[2] < 0.05);
     }
 
-    /// Eq. 8, and what moves between two poses moves less than a voxel.
-    void posesAreLessThanAVoxelApart() {
-        const std::vector<RevolvedPiece> flutes = flutePieces(cutters::flat());
-        const VoxelTool tool = VoxelTool::ofPieces(flutes, 1, 0.5).value();
-        const Pose still;
-        QCOMPARE(tool.posesFor(still, still), 1);
-        QCOMPARE(tool.posesFor(still, {{0.49, 0.0, 0.0}, {}}), 2);
-        QCOMPARE(tool.posesFor(still, {{0.5, 0.0, 0.0}, {}}), 3);
-        QCOMPARE(tool.posesFor(still, {{5.2, 0.0, 0.0}, {}}), 12);
-        // A turn by 0.2 rad about the tip moves the farthest voxel, 12 mm up and 3 aside, by some 2.4 mm.
-        const std::int32_t poses = tool.posesFor(still, {{}, glm::angleAxis(0.2, glm::dvec3(1.0, 0.0, 0.0))});
-        QVERIFY(poses >= 6 && poses <= 7);
-    }
-
     /// The paper's slot (eq. 5): an end mill that moves evenly removes depth times width times feed times time, to the
     /// last unit where all of them are whole voxels; the analytic sweep and the paper's interpolation alike.
     void theSlotIsDepthTimesWidthTimesFeedTimesTime() {
@@ -260,41 +246,6 @@ private slots:
                 QVERIFY(std::abs(static_cast<double>(totalOf(cut.removed)) * unit - wanted) < 1e-9);
             }
         }
-    }
-
-    /// A tool that is no solid of revolution: a square bar, turned about its own axis, leaves a round hole.
-    void aSquareToolTurnedLeavesARoundHole() {
-        const double edge = 0.25;
-        RunVolume shape =
-            RunVolume::make(Grid::make({-2.0, -2.0, 0.0}, edge, {16, 16, 16}).value(), materials()).value();
-        QVERIFY(shape.fillBlock({0, 0}, {16, 16}, 0, 8 * 256, VoxelTool::flutes));
-        QVERIFY(shape.fillBlock({4, 4}, {12, 12}, 8 * 256, 16 * 256, VoxelTool::shank));
-        const VoxelTool tool = VoxelTool::make(std::move(shape)).value();
-        RunVolume workpiece = solid({-5.0, -5.0, -5.0}, edge, {40, 40, 40}, RunAxis::z);
-        RunAmounts removed, touched;
-        glm::dquat turned(1.0, 0.0, 0.0, 0.0);
-        for (int quarter = 0; quarter < 8; ++quarter) {
-            const glm::dquat next = glm::angleAxis(pi / 16.0 * (quarter + 1), glm::dvec3(0.0, 0.0, 1.0));
-            const VoxelCut cut = tool.cut(workpiece, {{}, turned}, {{}, next});
-            QVERIFY(cut.poses >= 2);
-            removed.units[softStock] += cut.removed.units[softStock];
-            touched.units[softStock] += cut.touched.units[softStock];
-            turned = next;
-        }
-        const double volume = static_cast<double>(totalOf(removed)) * workpiece.grid().unitVolume();
-        const double round = pi * 8.0 * 2.0; // radius² = 2² + 2², height 2
-        QVERIFY2(std::abs(volume / round - 1.0) < 0.06, qPrintable(QString::number(volume / round)));
-        QVERIFY(touched.units[softStock] > 0); // the shank stands in stock that it does not cut
-        QCOMPARE(totalOf(workpiece.amounts()) + totalOf(removed), std::uint64_t{40} * 40 * 40 * 256);
-    }
-
-    void toolsWithoutVoxelsAreRefused() {
-        RunVolume empty = RunVolume::make(Grid::make(glm::dvec3(0.0), 1.0, {4, 4, 4}).value(), materials()).value();
-        QVERIFY(!VoxelTool::make(std::move(empty)).hasValue());
-        RunVolume other = RunVolume::make(Grid::make(glm::dvec3(0.0), 1.0, {4, 4, 4}).value(), materials()).value();
-        QVERIFY(other.insert({1, 1, 1}, part));
-        QVERIFY(!VoxelTool::make(std::move(other)).hasValue());
-        QVERIFY(!VoxelTool::ofPieces({}, 0, 0.5).hasValue());
     }
 };
 
