@@ -13,6 +13,10 @@ namespace burin::architecture {
 /// Reads every #include line of core, ui, app and plugins.
 std::vector<std::string> forbiddenIncludes(const std::filesystem::path& root);
 
+/// Types of one name, in the same namespace, that two files of core, ui or app define; empty when there are none. The
+/// linker takes the functions of either for both, and no compiler says a word.
+std::vector<std::string> typesDefinedTwice(const std::filesystem::path& root);
+
 /// Source files (C++, CMake, scripts) without the two SPDX lines at their top.
 std::vector<std::string> missingLicences(const std::filesystem::path& root, const std::vector<std::string>& files);
 

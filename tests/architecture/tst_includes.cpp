@@ -40,6 +40,8 @@ class TestIncludes : public QObject {
 private slots:
     void ourSourcesKeepToTheDesign() { QCOMPARE(told(forbiddenIncludes(BURIN_SOURCE_DIRECTORY)), QString()); }
 
+    void ourTypesHaveNamesOfTheirOwn() { QCOMPARE(told(typesDefinedTwice(BURIN_SOURCE_DIRECTORY)), QString()); }
+
     void ourSourcesStateTheirLicence() {
         const std::vector<std::string> files = projectFiles(BURIN_SOURCE_DIRECTORY);
         QVERIFY(files.size() > 100);
@@ -118,6 +120,47 @@ private slots:
             QCOMPARE(faults.size(), 1);
             QVERIFY2(faults.front().startsWith(file) && faults.front().endsWith(fault), qPrintable(faults.front()));
         }
+    }
+
+    /// Two files of a tree, each with a definition in Burin's namespace.
+    void typesOfOneNameAreSeen_data() {
+        QTest::addColumn<QString>("one");
+        QTest::addColumn<QString>("other");
+        QTest::addColumn<bool>("fault");
+        const auto row = [](const char* name, const char* one, const char* other, bool fault) {
+            QTest::newRow(name) << QString::fromLatin1(one) << QString::fromLatin1(other) << fault;
+        };
+        row("a struct and a class", "struct Range {\n};", "class Range {\n};", true);
+        row("on one line", "struct Range { int low; };", "struct Range {};", true);
+        row("an enumeration", "enum class Side : char { left };", "enum class Side { right };", true);
+        row("a final one, a derived one", "class Part final : public Piece {\n};", "struct Part : Piece {\n};", true);
+        row("a head of two lines", "class Part\n    : public Piece {\n};", "struct Part {\n};", true);
+        row("a template", "template <class T>\nclass Box {\n};", "template <class T> class Box {\n};", true);
+        row("with attributes", "struct alignas(64) Row {\n};", "class [[nodiscard]] Row {\n};", true);
+        row("in an inner namespace", "namespace inner {\nstruct A {\n};\n} // namespace inner",
+            "namespace inner {\nstruct A {\n};\n} // namespace inner", true);
+        row("another name", "struct Range {\n};", "struct Ranges {\n};", false);
+        row("a declaration", "struct Range {\n};", "struct Range;", false);
+        row("one of its own within another type", "struct Range {\n};", "struct Row {\n    struct Range {};\n};",
+            false);
+        row("within types of other names", "struct A::Range {\n};", "struct B::Range {\n};", false);
+        row("specialised for another type", "template <>\nclass Box<int> {\n};", "template <>\nclass Box<char> {\n};",
+            false);
+        row("in an unnamed namespace", "struct Range {\n};", "namespace {\nstruct Range {\n};\n} // namespace", false);
+        row("in another namespace", "struct A {\n};", "namespace inner {\nstruct A {\n};\n} // namespace inner", false);
+    }
+    void typesOfOneNameAreSeen() {
+        QFETCH(QString, one);
+        QFETCH(QString, other);
+        QFETCH(bool, fault);
+        const QTemporaryDir tree;
+        const QString frame = QStringLiteral("namespace burin {\n\n%1\n\n} // namespace burin\n");
+        place(tree, QStringLiteral("core/volume/a.h"), frame.arg(one));
+        place(tree, QStringLiteral("ui/scene/b.cpp"), frame.arg(other));
+        const QStringList faults = listed(typesDefinedTwice(tree.path().toStdString()));
+        QCOMPARE(faults.size(), fault ? 1 : 0);
+        if (fault)
+            QVERIFY2(faults.front().startsWith(QLatin1String("ui/scene/b.cpp: burin::")), qPrintable(faults.front()));
     }
 
     void aMissingLicenceIsSeen() {
