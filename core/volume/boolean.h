@@ -14,8 +14,9 @@ namespace burin {
 // reserving the new volume's memory (RunVolume::defaultReserve).
 // Errors: argumentInvalid (the grids differ), outOfMemory.
 
-/// What belongs to one or the other. Properties of `b` that `a` has not (by id) are added to the list; further error:
-/// argumentInvalid when the list is full.
+/// What belongs to one or the other. Properties of `b` that `a` has not (by id) are added to the list, whether runs of
+/// `b` hold them or not; further error: argumentInvalid when the list does not take one of them (PropertyList::add: it
+/// is full, or has as many machinable ones as it may), with its id as the place.
 Result<RunVolume> unionOf(const VolumeSnapshot& a, const VolumeSnapshot& b);
 /// What belongs to both.
 Result<RunVolume> intersectionOf(const VolumeSnapshot& a, const VolumeSnapshot& b);

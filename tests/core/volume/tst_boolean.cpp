@@ -48,7 +48,9 @@ const Grid& grid() {
 constexpr std::size_t reserve = std::size_t{4} << 20;
 
 struct Pair {
-    RunVolume volume = emptyVolume(grid(), reserve);
+    Pair() : Pair(someProperties()) {}
+    explicit Pair(const PropertyList& properties) : volume(*RunVolume::make(grid(), properties, reserve)) {}
+    RunVolume volume;
     DenseGrid dense{grid()};
 
     void fill(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) {
@@ -113,6 +115,18 @@ PropertyList listOf(std::initializer_list<const char*> ids) {
     for (const char* id : ids) {
         Property property;
         property.id = id;
+        (void)list.add(property);
+    }
+    return list;
+}
+
+/// Properties called by their numbers; protected, as of those a list may be full.
+PropertyList protectedList(int first, int last) {
+    PropertyList list;
+    for (int i = first; i <= last; ++i) {
+        Property property;
+        property.id = std::to_string(i);
+        property.machinability = Machinability::isProtected;
         (void)list.add(property);
     }
     return list;
@@ -199,6 +213,90 @@ private slots:
         RunVolume waxAlone = *RunVolume::make(line, listOf({"wax", "steel"}), room);
         QVERIFY(subtractInto(waxAlone, a.snapshot(), b.snapshot()));
         QCOMPARE(uniteInto(waxAlone, a.snapshot(), b.snapshot()).error().place, std::string("brass"));
+    }
+
+    /// The list's last entry, 255, is all bits of a segment's property: it is no less a property than the others.
+    void fullListsAreJoined() {
+        QVERIFY(rc::check("entries of full lists against a dense grid", [] {
+            const PropertyList full = protectedList(1, 255);
+            Pair a(full), b(full);
+            for (Pair* pair : {&a, &b})
+                for (int i = *rc::gen::inRange(1, 30); i > 0; --i) {
+                    const LineIndex low{*rc::gen::inRange(0, 19), *rc::gen::inRange(0, 18)};
+                    pair->fill(low, {low.u + *rc::gen::inRange(1, 12), low.v + *rc::gen::inRange(1, 12)},
+                               *rc::gen::inRange<RunPosition>(0, 512), *rc::gen::inRange<RunPosition>(0, 513),
+                               *rc::gen::element<PropertyIndex>(0, 1, 127, 128, 254, 255));
+                }
+            const Operation operation = anyOperation();
+            const Result<RunVolume> result = combined(operation, a.volume.snapshot(), b.volume.snapshot());
+            const DenseGrid dense = expected(operation, a.dense, b.dense);
+            RC_ASSERT(dense.equals(*result));
+            RC_ASSERT(result->amounts() == dense.amounts());
+            RC_ASSERT(result->properties().size() == 256);
+        }));
+    }
+
+    void listsThatTogetherAreTooLongAreRefused_data() {
+        QTest::addColumn<int>("own");
+        QTest::addColumn<int>("others"); // not in the first one's list
+        QTest::addColumn<bool>("fits");
+        QTest::newRow("full together") << 200 << 55 << true;
+        QTest::newRow("one too many") << 200 << 56 << false;
+        QTest::newRow("the first one full") << 255 << 1 << false;
+        QTest::newRow("both full") << 255 << 255 << false;
+    }
+    /// Only a union takes the second one's properties up; where it can't, it says so and nothing is changed.
+    void listsThatTogetherAreTooLongAreRefused() {
+        QFETCH(int, own);
+        QFETCH(int, others);
+        QFETCH(bool, fits);
+        Pair a(protectedList(1, own)), b(protectedList(own + 1, own + others));
+        const auto ownLast = static_cast<PropertyIndex>(own), othersLast = static_cast<PropertyIndex>(others);
+        a.fill({0, 0}, {12, 18}, 30, 300, ownLast);
+        b.fill({5, 3}, {19, 10}, 100, 400, othersLast);
+        const VolumeSnapshot first = a.volume.snapshot(), second = b.volume.snapshot();
+        const Result<RunVolume> both = unionOf(first, second);
+        QCOMPARE(both.hasValue(), fits);
+        if (fits) {
+            const PropertyList& list = both->properties();
+            QCOMPARE(list.size(), 1 + own + others);
+            QVERIFY((both->line({0, 0})[1] == Segment(300, ownLast)));
+            QCOMPARE(list[both->line({18, 3})[1].property()].id, b.volume.properties()[othersLast].id);
+        } else {
+            QCOMPARE(both.error().code, ErrorCode::argumentInvalid);
+            // The first that found no room, and why.
+            const int refused = 256 - own;
+            QCOMPARE(both.error().place, b.volume.properties()[static_cast<PropertyIndex>(refused)].id);
+            QCOMPARE(both.error().detail, std::string("at most 255 properties beside air"));
+        }
+        RunVolume common = *intersectionOf(first, second), rest = *differenceOf(first, second);
+        QCOMPARE(common.properties().size(), 1 + own);
+        QVERIFY((common.line({5, 3})[1] == Segment(300, ownLast)));
+        QVERIFY((rest.line({5, 3})[1] == Segment(100, ownLast)));
+
+        // Into a volume that has not all of them: what stood there stays.
+        Pair result(a.volume.properties());
+        result.fill({2, 2}, {17, 17}, 0, 99, 1);
+        const Result<void> into = uniteInto(result.volume, first, second);
+        QCOMPARE(into.error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(into.error().place, b.volume.properties()[1].id);
+        QVERIFY(result.dense.equals(result.volume));
+        QVERIFY(a.dense.equals(a.volume) && b.dense.equals(b.volume));
+        QVERIFY(a.dense.equals(first) && b.dense.equals(second));
+        QCOMPARE(a.volume.properties().size(), 1 + own);
+        QCOMPARE(b.volume.properties().size(), 1 + others);
+    }
+
+    /// Of machinable materials a list holds fewer: the same rule.
+    void tooManyMachinableMaterialsAreRefused() {
+        RunVolume a = *RunVolume::make(grid(), listOf({"1", "2", "3", "4", "5"}), reserve);
+        RunVolume b = *RunVolume::make(grid(), listOf({"5", "6", "7", "8", "9"}), reserve);
+        const Result<RunVolume> both = unionOf(a.snapshot(), b.snapshot());
+        QCOMPARE(both.error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(both.error().place, std::string("9"));
+        QCOMPARE(a.properties().size(), 6);
+        RunVolume fewer = *RunVolume::make(grid(), listOf({"5", "6", "7", "8"}), reserve);
+        QCOMPARE(unionOf(a.snapshot(), fewer.snapshot())->properties().size(), 9);
     }
 
     void whatFindsNoRoomIsSaid() {

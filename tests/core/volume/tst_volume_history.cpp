@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/volume_history.h"
+#include "core/volume/volume_memory.h"
 #include "tests/core/volume/random_volumes.h"
 
 #include <QtTest>
@@ -27,8 +28,8 @@ void cutSomewhere(RunVolume& volume, std::mt19937& random) {
 /// A volume with a history, and a copy of every state that it went through.
 struct Milled {
     explicit Milled(std::uint32_t seed, Content content, const VolumeHistory::Budget& budget = {},
-                    glm::ivec3 count = {70, 40, 32})
-        : random(seed), volume(emptyVolume(cubeGrid(count), std::size_t{16} << 20)), history(budget) {
+                    std::size_t reserve = std::size_t{16} << 20)
+        : random(seed), volume(emptyVolume(cubeGrid({70, 40, 32}), reserve)), history(budget) {
         RandomContent(seed, content).fill(volume);
         states.emplace_back(volume);
     }
@@ -49,6 +50,14 @@ struct Milled {
     std::vector<LineCopies> states;
     std::size_t present = 0;
 };
+
+/// Steps that snapshots hold, those that can be redone included.
+std::size_t heldSteps(const VolumeHistory& history) {
+    std::size_t held = 0;
+    for (std::size_t step = 0; step < history.undoSteps() + history.redoSteps(); ++step)
+        held += history.cost(step).packedBytes == 0 ? 1U : 0U;
+    return held;
+}
 
 void packEverything(VolumeHistory& history) {
     while (!history.tidy(1000)) {
@@ -164,6 +173,66 @@ private slots:
             QVERIFY(milled.isAtPresent());
         }
         QCOMPARE(milled.present, 200 - steps);
+    }
+
+    /// What snapshots hold back of the reserve stays below its limit, and no more is packed than has to be. Measured at
+    /// the reserve itself as well: what is in use beyond the present state.
+    void heldMemoryStaysInTheBudget_data() {
+        QTest::addColumn<qulonglong>("limit");
+        QTest::newRow("as it is given") << qulonglong{100'000};
+        QTest::newRow("an eighth of the reserve, when it is not") << qulonglong{0};
+    }
+    void heldMemoryStaysInTheBudget() {
+        QFETCH(qulonglong, limit);
+        VolumeHistory::Budget budget;
+        budget.heldBytes = limit;
+        budget.heldSteps = budget.mostHeldSteps = 1000; // memory alone decides
+        constexpr std::size_t reserve = 1'000'000;
+        Milled milled(8, Content::sheets, budget, reserve);
+        const std::size_t most = limit != 0 ? limit : milled.volume.reservedBytes() / 8;
+        std::size_t mostHeld = 0, mostHeldSteps = 0;
+        for (int i = 0; i < 60; ++i) {
+            VolumeSnapshot before = milled.volume.snapshot();
+            milled.mill(2);
+            // What the newest step replaced is not known to the history yet and comes on top.
+            const std::size_t newest = bytesHeldBack(before, milled.volume.snapshot());
+            before = {};
+            packEverything(milled.history);
+            const std::size_t held = milled.history.totalCost().heldBytes;
+            QVERIFY2(held <= most, qPrintable(QString("%1 of %2").arg(held).arg(most)));
+            mostHeld = std::max(mostHeld, held);
+            mostHeldSteps = std::max(mostHeldSteps, heldSteps(milled.history));
+            for (int k = 0; k < 2; ++k) (void)milled.volume.snapshot(); // what waited for the next snapshot is free now
+            const std::size_t used = milled.volume.usedBytes(), present = memoryOf(milled.volume.snapshot()).bytes();
+            QVERIFY2(used <= present + most + newest, qPrintable(QString("%1 beyond %2").arg(used).arg(present)));
+        }
+        QVERIFY(mostHeldSteps > 2 && mostHeld > most / 2); // as many as fit are held
+        while (milled.history.undo(milled.volume)) {
+            --milled.present;
+            QVERIFY(milled.isAtPresent());
+        }
+    }
+
+    /// Somebody who never comes to tidy: adding packs what is too much.
+    void heldStepsAreBoundedWithoutTidying() {
+        VolumeHistory::Budget budget;
+        budget.mostHeldSteps = 5;
+        Milled milled(10, Content::sheets, budget);
+        std::size_t most = 0;
+        for (std::size_t i = 1; i <= 40; ++i) {
+            milled.mill(1);
+            QCOMPARE(milled.history.undoSteps(), i);
+            most = std::max(most, heldSteps(milled.history));
+            QVERIFY(heldSteps(milled.history) <= 5);
+        }
+        QCOMPARE(most, std::size_t{5});
+        packEverything(milled.history);
+        QCOMPARE(heldSteps(milled.history), VolumeHistory::Budget{}.heldSteps);
+        while (milled.history.undo(milled.volume)) {
+            --milled.present;
+            QVERIFY(milled.isAtPresent());
+        }
+        QCOMPARE(milled.present, std::size_t{0});
     }
 
     /// Steps that were all taken back count, too: those that would be redone last go.
