@@ -81,7 +81,7 @@ fs::path firstExisting(const fs::path& first, const fs::path& second) {
 
 } // namespace
 
-Result<std::ifstream> openForReading(const fs::path& file) {
+Result<std::ifstream> openFileStream(const fs::path& file) {
     std::error_code ignored;
     if (fs::is_directory(file, ignored)) return readError(file, EISDIR);
     errno = 0;
@@ -91,7 +91,7 @@ Result<std::ifstream> openForReading(const fs::path& file) {
 }
 
 Result<std::string> readFile(const fs::path& file) try {
-    Result<std::ifstream> stream = openForReading(file);
+    Result<std::ifstream> stream = openFileStream(file);
     if (!stream) return std::move(stream).error();
     std::string content;
     std::size_t read = 0;

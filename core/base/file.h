@@ -12,7 +12,7 @@
 namespace burin {
 
 /// A stream at the beginning of a file, binary. Errors: fileNotFound, fileNotReadable (a folder, too).
-Result<std::ifstream> openForReading(const std::filesystem::path& file);
+Result<std::ifstream> openFileStream(const std::filesystem::path& file);
 
 /// The whole content of a file, a pipe or a device. Errors: fileNotFound, fileNotReadable, outOfMemory (subject: the
 /// file).

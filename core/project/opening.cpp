@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/opening.h"
 
+#include "core/base/file.h"
 #include "core/project/saving.h"
 #include "core/project/schema.h"
 
@@ -217,8 +218,9 @@ Result<OpenedCopy> saveUnderAnotherName(Database& from, const fs::path& file) {
 }
 
 Result<OpenedCopy> openWorkingCopy(const fs::path& file) {
-    if (!stands(file) && !stands(WorkingCopy::pathBeside(file)))
-        return Error{ErrorCode::fileNotFound, file.string(), {}, {}};
+    std::error_code unreached;
+    static_cast<void>(fs::status(file, unreached));
+    if (unreached && !stands(WorkingCopy::pathBeside(file))) return readError(file, unreached.value());
     Result<std::shared_ptr<WorkingCopy>> locked = WorkingCopy::lock(file);
     if (!locked && locked.error().code == ErrorCode::fileNotWritable && stands(file)) return openForReading(file);
     if (!locked) return std::move(locked).error();

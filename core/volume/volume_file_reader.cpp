@@ -135,7 +135,7 @@ Result<VolumeFileContent> readVolume(std::istream& stream, const std::string& na
 
 Result<VolumeFileContent> readVolumeFile(const std::filesystem::path& file, Progress& progress,
                                          std::size_t reservedBytes) {
-    Result<std::ifstream> stream = openForReading(file);
+    Result<std::ifstream> stream = openFileStream(file);
     if (!stream) return std::move(stream).error();
     if (stream->peek() == std::ifstream::traits_type::eof())
         return stream->bad() ? readError(file, errno) : Error{ErrorCode::fileEmpty, file.string(), {}, {}};

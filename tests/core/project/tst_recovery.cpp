@@ -300,6 +300,13 @@ private slots:
         QVERIFY(fixture::identical(project->take(1)->samples, hand));
     }
 
+    void whatMayNotBeReachedIsNotMissing() {
+        const QTemporaryDir folder;
+        const fs::path circle = fileIn(folder, "circle.burin");
+        fs::create_symlink(circle, circle);
+        QCOMPARE(Project::open(circle).error().code, ErrorCode::fileNotReadable);
+    }
+
     void aMissingFolderIsNamed() {
         const QTemporaryDir folder;
         const fs::path file = fileIn(folder, "missing/p.burin");
