@@ -3,6 +3,7 @@
 #include "core/cutting/gap_window.h"
 
 #include "core/cutting/gap_window_kernels.h"
+#include "core/volume/brick_lines.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,6 +12,8 @@
 namespace burin {
 
 namespace {
+
+static_assert(lanes == brickSide); // a register of eight is a row of a brick's lines
 
 constexpr std::int32_t far = 1 << 29; ///< beyond any run position; two of them and one of those still add up
 
@@ -55,6 +58,15 @@ private:
     std::int32_t lineEnd_, place_;
 };
 
+/// Bricks along each side of a window.
+std::size_t sideOf(const Grid& grid, double reach) noexcept {
+    // So many bricks a stretch of lines lies in at most, wherever it begins.
+    const auto bricks = (static_cast<std::uint32_t>(std::ceil(std::clamp(2.0 * reach, 0.0, 65536.0))) + 15) / 8;
+    // No more than the grid has, and the brick beyond its end that the lines of a group may reach.
+    const auto most = static_cast<std::uint32_t>(std::max(grid.lineCountU(), grid.lineCountV())) / 8 + 2;
+    return std::bit_ceil(std::min(bricks, most));
+}
+
 /// A sum over lanes.
 double sumOf(const GapWindow::Sums::Lanes<float>& values) noexcept {
     double sums[4]{}; // side by side
@@ -64,16 +76,14 @@ double sumOf(const GapWindow::Sums::Lanes<float>& values) noexcept {
 
 } // namespace
 
-GapWindow::GapWindow(const Grid& grid, double reach) : lineCountU_(grid.lineCountU()), lineCountV_(grid.lineCountV()) {
-    // So many bricks a stretch of lines lies in at most, wherever it begins.
-    const auto bricks = (static_cast<std::uint32_t>(std::ceil(std::clamp(2.0 * reach, 0.0, 65536.0))) + 15) / 8;
-    // No more than the grid has, and the brick beyond its end that the lines of a group may reach.
-    const auto most = static_cast<std::uint32_t>(std::max(lineCountU_, lineCountV_)) / 8 + 2;
-    side_ = std::bit_ceil(std::min(bricks, most));
-    mask_ = static_cast<std::int32_t>(side_) - 1;
-    gaps_.resize(side_ * side_);
-    bricks_.resize(gaps_.size());
-    queue_.resize(2 * bricks_.size());
+GapWindow::GapWindow(const Grid& grid, double reach)
+    : lineCountU_(grid.lineCountU())
+    , lineCountV_(grid.lineCountV())
+    , side_(sideOf(grid, reach))
+    , mask_(static_cast<std::int32_t>(side_) - 1)
+    , gaps_(side_ * side_)
+    , bricks_(gaps_.size())
+    , queue_(bricks_.size()) {
     mostRows_ = std::max(1, static_cast<int>((std::int64_t{1} << 31) - 1) /
                                 static_cast<int>(std::min<std::int64_t>(
                                     static_cast<std::int64_t>(side_) * grid.lineEnd(), (std::int64_t{1} << 31) - 1)));
@@ -88,10 +98,10 @@ void GapWindow::claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept {
     Gaps& gaps = gapsOf(brick);
     gaps.low.fill(far);
     gaps.high.fill(-far);
-    if ((u + 1) * lanes <= lineCountU_ && (v + 1) * lanes <= lineCountV_) return;
+    if ((u + 1) * brickSide <= lineCountU_ && (v + 1) * brickSide <= lineCountV_) return;
     // No span reaches out of the gap of a line that the grid does not have.
-    for (std::int32_t line = 0; line < lanes * lanes; ++line)
-        if (u * lanes + line % lanes >= lineCountU_ || v * lanes + line / lanes >= lineCountV_)
+    for (std::int32_t line = 0; line < brickSide * brickSide; ++line)
+        if (u * brickSide + line % brickSide >= lineCountU_ || v * brickSide + line / brickSide >= lineCountV_)
             gaps.set(static_cast<std::size_t>(line), {-far, far, 0, 0});
 }
 
@@ -108,11 +118,13 @@ std::optional<int> GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow,
             Brick& brick = bricks_[brickAt(u, v)];
             if (brick.u == u && brick.v == v) continue;
             if (brick.owing != 0 && !write(workpiece, brick)) return std::nullopt;
-            if (brick.queued) unqueue(brick);
+            if (queue_.holds(placeOf(brick))) queue_.remove(placeOf(brick));
+            brick.ready = false;
             workpiece.giveBack(brick.room);
             claim(brick, u, v);
             ++claimed;
-            if (u * 8 < lineCountU_ && v * 8 < lineCountV_) workpiece.fetch({u * 8, v * 8});
+            if (u * brickSide < lineCountU_ && v * brickSide < lineCountV_)
+                workpiece.fetch({u * brickSide, v * brickSide});
         }
     coveredFirstRow_ = first;
     coveredLastRow_ = last;
@@ -123,28 +135,10 @@ std::optional<int> GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow,
 
 /// Before lines of a brick are cut: memory to write them, and a place in the queue.
 bool GapWindow::expectCuts(RunVolume& workpiece, Brick& brick) noexcept {
-    if (brick.room.empty() && !workpiece.setAside({brick.u * lanes, brick.v * lanes}, brick.room)) return false;
-    if (!brick.queued && !enqueue(workpiece, static_cast<std::uint32_t>(&brick - bricks_.data()))) return false;
+    if (brick.room.empty() && !workpiece.setAside({brick.u * brickSide, brick.v * brickSide}, brick.room)) return false;
+    if (!queue_.holds(placeOf(brick))) queue_.add(placeOf(brick));
     brick.ready = true;
     return true;
-}
-
-bool GapWindow::enqueue(RunVolume& workpiece, std::uint32_t place) noexcept {
-    if (queueCount_ == queue_.size() && !writeNext(workpiece)) return false;
-    Brick& brick = bricks_[place];
-    brick.queued = true;
-    brick.due = static_cast<std::uint8_t>((tick_ + longestDelay - 1) % longestDelay);
-    ++dueCounts_[brick.due];
-    ++pendingBricks_;
-    queue_[(queueFirst_ + queueCount_++) % queue_.size()] = {place, brick.stamp};
-    return true;
-}
-
-void GapWindow::unqueue(Brick& brick) noexcept {
-    brick.queued = brick.ready = false;
-    ++brick.stamp;
-    --dueCounts_[brick.due];
-    --pendingBricks_;
 }
 
 bool GapWindow::write(RunVolume& workpiece, Brick& brick) noexcept {
@@ -155,45 +149,32 @@ bool GapWindow::write(RunVolume& workpiece, Brick& brick) noexcept {
         return std::span<const RunPosition, 64>(reinterpret_cast<const RunPosition*>(ends.data()), ends.size());
     };
     const BrickSpans spans{brick.owing, positions(gaps.low), positions(gaps.high)};
-    if (!workpiece.clear({brick.u * 8, brick.v * 8}, spans, brick.room)) return false;
+    if (!workpiece.clear({brick.u * brickSide, brick.v * brickSide}, spans, brick.room)) return false;
     brick.owing = 0;
     brick.ready = false; // its room went into the volume
     return true;
 }
 
-/// Takes the first brick out of the queue.
+/// Takes the first brick out of the queue, in which there is one.
 bool GapWindow::writeNext(RunVolume& workpiece) noexcept {
-    const Entry entry = queue_[queueFirst_];
-    Brick& brick = bricks_[entry.brick];
-    if (brick.queued && brick.stamp == entry.stamp) {
-        if (!write(workpiece, brick)) return false;
-        unqueue(brick);
-    }
-    queueFirst_ = (queueFirst_ + 1) % queue_.size();
-    --queueCount_;
+    const std::uint32_t place = *queue_.first();
+    if (!write(workpiece, bricks_[place])) return false;
+    bricks_[place].ready = false;
+    queue_.remove(place);
     return true;
 }
 
-std::uint32_t GapWindow::writesDue() const noexcept {
-    std::uint32_t due = 0, pace = 0;
-    for (std::uint32_t ahead = 0; ahead < longestDelay; ++ahead) {
-        due += dueCounts_[(tick_ + ahead) % longestDelay];
-        pace = std::max(pace, (due + ahead) / (ahead + 1));
-    }
-    return pace;
-}
-
 bool GapWindow::writeDue(RunVolume& workpiece) noexcept {
-    for (std::uint32_t pace = writesDue(); pace > 0 && queueCount_ > 0; --pace)
+    for (std::uint32_t pace = queue_.pace(); pace > 0 && !queue_.empty(); --pace)
         if (!writeNext(workpiece)) return false;
-    ++tick_;
+    queue_.nextTick();
     // Without a page to spare, be it for what was written just now, only before the next snapshot is it certain that
     // everything can be written.
     return workpiece.hasPagesToSpare() || writeAll(workpiece);
 }
 
 bool GapWindow::writeAll(RunVolume& workpiece) noexcept {
-    while (queueCount_ > 0)
+    while (!queue_.empty())
         if (!writeNext(workpiece)) return false;
     for (Brick& brick : bricks_) workpiece.giveBack(brick.room);
     return true;
@@ -203,11 +184,10 @@ void GapWindow::forget() noexcept {
     for (Brick& brick : bricks_) {
         brick.u = brick.v = -1;
         brick.owing = 0;
-        brick.queued = brick.ready = brick.known = false;
+        brick.ready = brick.known = false;
         brick.room = {};
     }
-    pendingBricks_ = queueCount_ = 0;
-    dueCounts_ = {};
+    queue_.clear();
     coveredLastRow_ = -1;
 }
 
@@ -226,7 +206,7 @@ int GapWindow::take(RunVolume& workpiece, std::span<const RowSpans> rows, Remove
 GapWindow::BrickRow GapWindow::brickRow(std::span<const RowSpans> rows) noexcept {
     const std::int32_t v = rows.front().v >> 3;
     BrickRow all{&gaps_[brickAt(0, v)], &bricks_[brickAt(0, v)], static_cast<std::uint32_t>(mask_)};
-    all.firstLine = v * lanes;
+    all.firstLine = v * brickSide;
     const RowSpans* first = rows.data();
     for (const RowSpans& row : rows) {
         const int line = row.v & 7;
@@ -244,7 +224,7 @@ int GapWindow::takeSome(RunVolume& workpiece, std::span<const RowSpans> spans, R
     const BrickRow row = brickRow(spans);
     if (sums_.rows == 0) {
         const RowSpans& middle = spans[spans.size() / 2];
-        sums_.originU = middle.firstGroup * lanes;
+        sums_.originU = middle.firstGroup * brickSide;
         sums_.originV = middle.v;
         const std::int32_t low = middle.bricks[middle.groups / 2].low[middle.v & 7][0];
         sums_.alongOrigin = low < far ? 2 * low : 0;
@@ -272,14 +252,14 @@ int GapWindow::takeSome(RunVolume& workpiece, std::span<const RowSpans> spans, R
 /// @param place of all gaps: where the first span that comes to the brick is
 void GapWindow::learn(const RunVolume& workpiece, Brick& brick, std::int32_t place) noexcept {
     brick.known = true;
-    const LineIndex corner{brick.u * lanes, brick.v * lanes};
-    const int rows = std::min(lanes, lineCountV_ - corner.v), columns = std::min(lanes, lineCountU_ - corner.u);
+    const LineIndex corner{brick.u * brickSide, brick.v * brickSide};
+    const int rows = std::min(brickSide, lineCountV_ - corner.v), columns = std::min(brickSide, lineCountU_ - corner.u);
     Gaps& gaps = gapsOf(brick);
     LinesAbout all(workpiece, corner, place);
     for (int row = 0; row < rows; ++row)
-        for (int lane = 0; lane < lanes; ++lane) {
+        for (int lane = 0; lane < brickSide; ++lane) {
             const LineGap found = all.next();
-            if (lane < columns) gaps.set(static_cast<std::size_t>(row * lanes + lane), found);
+            if (lane < columns) gaps.set(static_cast<std::size_t>(row * brickSide + lane), found);
         }
 }
 
@@ -292,7 +272,7 @@ int GapWindow::takeOpen(RunVolume& workpiece, const BrickRow& row, std::span<con
         const BrickOfSpans& spans = row.spans[one.brick - row.first];
         for (std::uint32_t left = one.lanesOf; left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
-            const LineIndex line{one.brick * lanes + lane, row.firstLine + one.row};
+            const LineIndex line{one.brick * brickSide + lane, row.firstLine + one.row};
             if (!widen(workpiece, line, brick, {spans.low[one.row][lane], spans.high[one.row][lane]}, removed)) {
                 removed.outOfMemory = true;
                 return read;
@@ -393,7 +373,7 @@ int GapWindow::know(const RunVolume& workpiece, Brick& brick, const BrickOfSpans
     if (brick.known) return 0;
     for (; rows != 0; rows &= rows - 1) {
         const EightIntegers &low = spans.low[std::countr_zero(rows)], &high = spans.high[std::countr_zero(rows)];
-        for (int lane = 0; lane < lanes; ++lane)
+        for (int lane = 0; lane < brickSide; ++lane)
             if (low[lane] < high[lane]) {
                 learn(workpiece, brick, high[lane]);
                 return brickInLines;

@@ -4,6 +4,7 @@
 
 #include "core/base/vectorised.h"
 #include "core/cutting/removed_units.h"
+#include "core/cutting/write_queue.h"
 #include "core/tool/span_rows.h"
 #include "core/volume/run_volume.h"
 
@@ -22,8 +23,7 @@ namespace burin {
 /// ticks. Memory: 16 bytes a line, toroidal: a brick of lines uses the place of another that the tool left behind.
 class GapWindow {
 public:
-    static constexpr int longestDelay = 16; ///< ticks that a cut is owed at most
-    static constexpr int brickInLines = 8;  ///< what reading a brick at once costs, with what its first cut needs
+    static constexpr int brickInLines = 8; ///< what reading a brick at once costs, with what its first cut needs
 
     /// Allocates. @param reach lines from the tool's tip that a cut may lie away, the way counted in
     GapWindow(const Grid& grid, double reach);
@@ -44,12 +44,12 @@ public:
     int look(const RunVolume& workpiece, const RowSpans& row) noexcept;
 
     /// Bricks that `writeDue` would write now, and more the more is taken before.
-    std::uint32_t writesDue() const noexcept;
+    std::uint32_t writesDue() const noexcept { return queue_.pace(); }
     /// To be called once a tick: writes what has to be, at an even pace. False: out of reserved memory.
     bool writeDue(RunVolume& workpiece) noexcept;
     /// Writes all that is owed. False: out of reserved memory; the rest is still owed.
     bool writeAll(RunVolume& workpiece) noexcept;
-    bool owesNothing() const noexcept { return pendingBricks_ == 0; }
+    bool owesNothing() const noexcept { return queue_.empty(); }
     /// Forgets all lines, and what is owed with them.
     void forget() noexcept;
 
@@ -117,10 +117,7 @@ public:
         std::int32_t u = -1, v = -1;
         std::uint64_t owing = 0; ///< a bit for each line
         BrickRoom room;
-        std::uint32_t stamp = 0; ///< an entry of the queue with another one is void
-        std::uint8_t due = 0;    ///< tick, of 16
-        bool queued = false;
-        bool ready = false; ///< for cuts: queued, and with room
+        bool ready = false; ///< for cuts: in the queue, and with room
         bool known = false; ///< its lines were read
     };
     /// A row of bricks with what is to be taken of it.
@@ -145,9 +142,6 @@ public:
     };
 
 private:
-    struct Entry {
-        std::uint32_t brick = 0, stamp = 0;
-    };
     struct Bounds {
         std::int32_t low = 0, high = 0; ///< run units
     };
@@ -166,11 +160,12 @@ private:
     BrickRow brickRow(std::span<const RowSpans> rows) noexcept;
     int know(const RunVolume& workpiece, Brick& brick, const BrickOfSpans& spans, std::uint32_t rows) noexcept;
     void learn(const RunVolume& workpiece, Brick& brick, std::int32_t place) noexcept;
-    Gaps& gapsOf(const Brick& brick) noexcept { return gaps_[static_cast<std::size_t>(&brick - bricks_.data())]; }
+    std::uint32_t placeOf(const Brick& brick) const noexcept {
+        return static_cast<std::uint32_t>(&brick - bricks_.data());
+    }
+    Gaps& gapsOf(const Brick& brick) noexcept { return gaps_[placeOf(brick)]; }
     int takeSome(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept;
     int takeOpen(RunVolume& workpiece, const BrickRow& row, std::span<const Open> open, RemovedUnits& removed) noexcept;
-    bool enqueue(RunVolume& workpiece, std::uint32_t brick) noexcept;
-    void unqueue(Brick& brick) noexcept;
     bool write(RunVolume& workpiece, Brick& brick) noexcept;
     bool writeNext(RunVolume& workpiece) noexcept;
     bool widen(RunVolume& workpiece, LineIndex line, Brick& brick, Bounds span, RemovedUnits& removed) noexcept;
@@ -182,13 +177,8 @@ private:
     std::int32_t mask_ = 0;  ///< of a brick's place
     std::vector<Gaps> gaps_; ///< of the bricks
     std::vector<Brick> bricks_;
-    std::size_t pendingBricks_ = 0; ///< in the queue: no others owe anything
+    WriteQueue queue_; ///< of all bricks that owe anything, by their places
     std::int32_t coveredFirstRow_ = 0, coveredLastRow_ = -1, coveredFirstGroup_ = 0, coveredLastGroup_ = -1;
-
-    std::vector<Entry> queue_; ///< a ring
-    std::size_t queueFirst_ = 0, queueCount_ = 0;
-    std::array<std::uint32_t, longestDelay> dueCounts_{}; ///< bricks by the tick that they are due in
-    std::uint32_t tick_ = 0;
 
     std::vector<Open> open_; ///< of the rows that are taken
     Sums sums_;

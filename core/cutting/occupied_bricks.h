@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/brick_lines.h"
 #include "core/volume/run_volume.h"
 
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace burin {
 /// What was not looked at yet may be full.
 class OccupiedBricks {
 public:
-    static constexpr std::int32_t brickSide = 8;  ///< scanlines
-    static constexpr std::int32_t blockSide = 32; ///< scanlines
+    static constexpr std::int32_t brickSide = burin::brickSide;
+    static constexpr std::int32_t blockSide = 4 * brickSide; ///< scanlines
 
     struct Extent {
         std::uint16_t low = 0, high = 0; ///< voxels along the runs, high exclusive; empty when low >= high

@@ -137,11 +137,43 @@ bool WindowCutter::add(RunVolume& workpiece, const Step& step, RemovedUnits& rem
     return true;
 }
 
+/// The stretch of a way on which the piece may reach the grid, as shares of it: a jump over miles must not cost more
+/// than one over the stock.
+glm::dvec2 WindowCutter::stretchNearGrid(const glm::dvec3& from, const glm::dvec3& to) const noexcept {
+    const double reach = spans_.reach() + 1.0;
+    const glm::dvec3 size(grid_.lineCountU(), grid_.lineCountV(), grid_.voxelsPerLine());
+    double first = 0.0, last = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        const double way = to[i] - from[i], low = -reach - from[i], high = size[i] + reach - from[i];
+        if (way == 0.0) {
+            if (low > 0.0 || high < 0.0) return {1.0, 0.0};
+            continue;
+        }
+        first = std::max(first, std::min(low / way, high / way));
+        last = std::min(last, std::max(low / way, high / way));
+    }
+    return {first, last};
+}
+
 /// Adds the straight way between two tips, axis standing, in parts that are short enough.
 std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                                  RemovedUnits& removed) noexcept {
-    const int parts =
-        std::max(1, static_cast<int>(std::ceil(glm::length(to - from.tip) / spans_.longestWay(from.axis) - 1e-9)));
+    const double ways = glm::length(to - from.tip) / spans_.longestWay(from.axis);
+    if (ways > mostSteps) {
+        const glm::dvec2 near = stretchNearGrid(from.tip, to);
+        if (near[0] > near[1]) return 0;
+        if (near[0] > 0.0 || near[1] < 1.0)
+            return addParts(workpiece, {glm::mix(from.tip, to, near[0]), from.axis}, glm::mix(from.tip, to, near[1]),
+                            withStart, removed);
+    }
+    return addParts(workpiece, from, to, withStart, removed);
+}
+
+std::size_t WindowCutter::addParts(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
+                                   RemovedUnits& removed) noexcept {
+    constexpr double mostParts = 1e6; // no grid is so wide
+    const double ways = std::ceil(glm::length(to - from.tip) / spans_.longestWay(from.axis) - 1e-9);
+    const int parts = static_cast<int>(std::clamp(ways, 1.0, mostParts));
     std::size_t added = 0;
     glm::dvec3 tip = from.tip;
     for (int i = 1; i <= parts; ++i) {
@@ -197,15 +229,19 @@ bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPos
 }
 
 void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept {
+    lookAround(workpiece, pose);
+    // A tick like any other: what the cuts before it owe must not wait for the next one. Out of memory, it stays owed.
+    static_cast<void>(window_.writeDue(workpiece));
+}
+
+void WindowCutter::lookAround(RunVolume& workpiece, const ToolPose& pose) noexcept {
     const LinePose place = inLines(pose);
     spans_.begin(place, place.tip, true);
     const LineStretch rows = rowsOf(spans_.rows()), all = groupsOf(spans_.columns());
     if (rows.first > rows.last || all.first > all.last || !fits(rows, all)) return;
     const std::optional<int> claimed = window_.cover(workpiece, rows.first, rows.last, all.first, all.last);
-    // As after a cut: a snapshot may come before the next.
-    if (!workpiece.hasPagesToSpare()) static_cast<void>(window_.writeAll(workpiece));
     if (!claimed) return;
-    double budget = tickBudget - costOfBrick * *claimed;
+    double budget = tickBudget - costOfBrick * *claimed - costOfWriting * window_.writesDue();
     for (std::int32_t v = rows.first; v <= rows.last && budget > 0.0; ++v) {
         if (spans_.stretches(v, 1, all, brickSpans_.data(), rowSpans_.data()) == 0) continue;
         spans_.spans({rowSpans_.data(), 1});

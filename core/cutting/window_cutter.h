@@ -12,7 +12,10 @@
 namespace burin {
 
 /// Takes what one convex piece sweeps out of a workpiece through a GapWindow, within the bounds of a tick: what a tick
-/// has no time for (a large tool's first contact) is put off and taken by the next ones, oldest first.
+/// has no time for (a large tool's first contact) is put off and taken by the next ones, oldest first. The bounds hold
+/// as long as no more than 64 ways wait (`SpanRows::longestWay`); a tick that adds more, as a leaning bull nose with
+/// a corner of a tenth of a voxel does at 6 voxels a tick, takes the oldest at once.
+/// Thread: the workpiece's writer.
 class WindowCutter {
 public:
     /// Voxels that a point of a piece may be off its place while the axis turns.
@@ -43,6 +46,10 @@ private:
     static constexpr std::size_t mostSteps = 64; ///< that are put off at once
 
     LinePose inLines(const ToolPose& pose) const noexcept;
+    glm::dvec2 stretchNearGrid(const glm::dvec3& from, const glm::dvec3& to) const noexcept;
+    std::size_t addParts(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
+                         RemovedUnits& removed) noexcept;
+    void lookAround(RunVolume& workpiece, const ToolPose& pose) noexcept;
     std::size_t addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                        RemovedUnits& removed) noexcept;
     std::size_t addTurn(RunVolume& workpiece, const LinePose& from, const LinePose& to, bool withStart,

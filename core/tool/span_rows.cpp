@@ -56,8 +56,9 @@ SpanRows::SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept
 
 double SpanRows::longestWay(const glm::dvec3& axis) const noexcept {
     if (isUpright(axis)) return longestWay_;
-    // Two circles of that radius leave no more than the error of what one sweeps between them.
-    const double roundest = shape_ == Shape::flat ? radius_ : piece_.cornerRadius;
+    // Two circles of that radius leave no more than the error of what one sweeps between them. Those of a corner that
+    // is smaller than the error itself leave less, whatever the way.
+    const double roundest = piece_.cornerRadius <= leaningWayError ? radius_ : piece_.cornerRadius;
     return std::min(longestWay_, std::sqrt(8.0 * roundest * leaningWayError));
 }
 
