@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/removal.h"
 
+#include "core/cutting/pose_steps.h"
 #include "core/cutting/window_cutter.h"
-#include "core/geometry/pose.h"
 
 #include <algorithm>
 #include <cassert>
@@ -17,6 +17,9 @@ namespace {
 constexpr double longestFluxStep = 0.3; // voxels
 // A larger ball takes so many scanlines a tick that the volume itself is smooth enough (README).
 constexpr double largestFluxBall = 30.0; // voxels
+// Where the flux is not reported, the flutes' surface is looked at in so many cuts once: a hand's engagement changes
+// little in as many milliseconds, and a look costs some microseconds.
+constexpr int cutsPerLook = 16;
 // Share of the pending difference that a tick reports: slow beside the rows of scanlines, fast beside the hand.
 constexpr double pendingShare = 1.0 / 48.0;
 // While the flux goes on, no more of that than so much of it at once, and of the rest a smaller share: where runs lie
@@ -31,6 +34,14 @@ double dueOf(double pending, double flux) noexcept {
     return even + (all - even) * excessShare;
 }
 
+/// Moves the entries of materials that lost or report something to the front.
+void keepUsed(CutResult& result) noexcept {
+    std::size_t used = 0;
+    for (const MaterialVolume& material : result.removed)
+        if (material.units > 0 || material.reported > 0.0) result.removed[used++] = material;
+    std::fill(result.removed.begin() + static_cast<std::ptrdiff_t>(used), result.removed.end(), MaterialVolume{});
+}
+
 } // namespace
 
 MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing)
@@ -40,7 +51,8 @@ MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing
     const bool known = flutes.size() == 1 && WindowCutter::serves(first);
     const bool isBall = known && first.cornerRadius == first.bottomRadius;
     reportsFlux_ = !isBall || first.bottomRadius <= largestFluxBall * grid.edge();
-    for (const RevolvedPiece& piece : flutes) reach_ = std::max(reach_, std::hypot(piece.top, piece.widestRadius()));
+    reach_ = reachOf(flutes);
+    cutsSinceLook_ = cutsPerLook; // the first cut looks
     if (known && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
 }
 
@@ -101,7 +113,8 @@ CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
     RemovedUnits removed;
     cutter_->settle(workpiece, removed);
     CutResult result = account(workpiece, removed);
-    for (MaterialVolume& material : result.removed) pending_[material.property] += material.volume;
+    for (const MaterialVolume& material : result.removed) pending_[material.property] += material.volume;
+    keepUsed(result);
     return result;
 }
 
@@ -111,6 +124,18 @@ Engagement MaterialRemoval::engagement(const RunVolume& workpiece, const ToolPos
     const bool known = isFinite(from.tip) && isFinite(to.tip) && isFinite(from.axis) && isFinite(to.axis);
     if (known && (from.tip != to.tip || from.axis != to.axis)) surface_.measure(workpiece, window(), from, to, flux);
     return flux.engagement;
+}
+
+Engagement MaterialRemoval::recentEngagement(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
+                                             bool removes) noexcept {
+    cutsSinceLook_ = std::min(cutsSinceLook_ + 1, cutsPerLook);
+    if (!removes) return {};
+    // Where a tool only just touches, a look may find nothing yet.
+    if (cutsSinceLook_ >= cutsPerLook || lastLook_.area == 0.0) {
+        lastLook_ = engagement(workpiece, from, to);
+        cutsSinceLook_ = 0;
+    }
+    return lastLook_;
 }
 
 const GapWindow* MaterialRemoval::window() const noexcept {
@@ -125,6 +150,7 @@ void MaterialRemoval::reset() noexcept {
     if (cutter_) cutter_->reset();
     pending_.fill(0.0);
     lastPlace_ = glm::dvec3(0.0);
+    cutsSinceLook_ = cutsPerLook;
 }
 
 void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
@@ -135,7 +161,7 @@ void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, c
     const bool moves = step > 0.0, small = reportsFlux_ && step < longestFluxStep * workpiece.grid().edge();
     SurfaceFlux::Flux flux;
     if (moves && small) surface_.measure(workpiece, window(), from, to, flux);
-    result.engagement = flux.engagement;
+    result.engagement = small ? flux.engagement : recentEngagement(workpiece, from, to, result.volume > 0.0);
     for (MaterialVolume& material : result.removed) {
         if (material.property == airProperty) break;
         double& pending = pending_[material.property];
@@ -150,10 +176,7 @@ void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, c
         lastPlace_ = result.centroid - tip;
     }
     result.reportedCentroid = tip + lastPlace_;
-    std::size_t used = 0;
-    for (const MaterialVolume& material : result.removed)
-        if (material.units > 0 || material.reported > 0.0) result.removed[used++] = material;
-    std::fill(result.removed.begin() + static_cast<std::ptrdiff_t>(used), result.removed.end(), MaterialVolume{});
+    keepUsed(result);
 }
 
 } // namespace burin

@@ -36,8 +36,9 @@ struct CutResult {
     glm::dvec3 centroid{0.0}; ///< mm, of what was removed, setup frame; meaningless when volume is 0
     /// mm, of what is reported, setup frame, from tick to tick as smooth as that; meaningless when `reported` is 0.
     glm::dvec3 reportedCentroid{0.0};
-    /// How the flutes stand in material at the end of the move: `MaterialRemoval::engagement`, where the flux is
-    /// reported and so known anyway (`MaterialRemoval::cut`); else all 0.
+    /// How the flutes stand in material: where the flux is reported (`MaterialRemoval::cut`) at the end of this very
+    /// move, elsewhere as looked at in one of the last 16 cuts. All 0 where nothing is removed or reported.
+    /// The directions that belong to it, of the motion and away from the material, are `CuttingForce`'s.
     Engagement engagement;
     bool outOfMemory = false; ///< reserved memory of the volume is used up; lines from there on are uncut
     /// Part of the way is put off to bound the tick's work: the next cuts, or `settle`, take it and count it then.
@@ -87,7 +88,7 @@ public:
 
     /// How the flutes stand, at the end of a move, in the material that the same motion pushes them into next. Any
     /// cutter and axes; moves of any length; all 0 for a tool that stands still. Cost: a look at some hundreds of
-    /// scanlines, up to tens of microseconds, which a tick that reports the exact volume does not pay.
+    /// scanlines, up to tens of microseconds, which a cut that reports the exact volume pays in every 16th tick.
     Engagement engagement(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) const noexcept;
 
     /// What the workpiece is owed, for tests of contact between cuts; nothing: nothing ever is.
@@ -96,12 +97,16 @@ public:
 private:
     CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;
     void report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to, CutResult& result) noexcept;
+    Engagement recentEngagement(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
+                                bool removes) noexcept;
 
     SweepCutter sweep_;
     std::unique_ptr<WindowCutter> cutter_; ///< none: written with every cut, or of a form that it does not serve
     SurfaceFlux surface_;
     double reach_ = 0.0; ///< mm, of the flutes from the tip, at most
     bool reportsFlux_ = true;
+    Engagement lastLook_; ///< of a cut whose flux is not reported
+    int cutsSinceLook_ = 0;
     std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
     glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last
 };

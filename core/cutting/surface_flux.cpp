@@ -48,16 +48,17 @@ struct SurfaceFlux::Sum {
     const RunVolume& workpiece;
     const GapWindow* window;
     Flux& flux;
-    glm::dvec3 gridLow; ///< frame of the lines
     Directions directions{};
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest; ///< mm above the tip
 
-    /// A patch, or a part of it between two heights, has this material ahead.
-    void add(const Patch& patch, PropertyIndex property, double volume, double size, const glm::dvec3& place,
-             double low, double high) noexcept {
+    /// This material is ahead of a patch.
+    void take(PropertyIndex property, double volume, const glm::dvec3& place) noexcept {
         flux.volume[property] += volume;
         flux.total += volume;
         flux.moment += volume * place;
+    }
+    /// So much of a patch pushes into material, between two heights.
+    void meet(const Patch& patch, double size, double low, double high) noexcept {
         flux.engagement.area += size;
         for (std::size_t i = 0; i < directions.size(); ++i) directions[i] |= patch.directions[i];
         lowest = std::min(lowest, low);
@@ -109,7 +110,7 @@ void SurfaceFlux::addArc(const RevolvedPiece& piece, const glm::dvec2& centre, d
     for (int i = 0; i < arcs; ++i) {
         const glm::dvec2 low = at(i),
                          high = i + 1 == arcs && piece.bulges() ? glm::dvec2(piece.topRadius, piece.top) : at(i + 1);
-        addRing({low.x, high.x, low.y, high.y}, countOf(pi * (low.x + high.x), spacing), end_);
+        addRing({low.x, high.x, low.y, high.y, radius, centre}, countOf(pi * (low.x + high.x), spacing), end_);
     }
 }
 
@@ -119,17 +120,30 @@ void SurfaceFlux::addSide(const RevolvedPiece& piece, const Fineness& fineness) 
     if (!(piece.top > foot)) return;
     const bool parallel = piece.bottomRadius == piece.topRadius;
     if (parallel) addRing({radius, radius, foot, piece.top}, countOf(2.0 * pi * radius, fineness.strip), strips_);
-    const double slope = (piece.topRadius - piece.bottomRadius) / (piece.top - piece.bottom);
+    // In shares of the side, as a cone may be next to level: its heights say nothing then, its radii all.
+    const double height = piece.top - foot, widening = piece.topRadius - piece.bottomRadius;
     // A cone's ring is no wider than its patches look ahead, or they would look over the stock that its foot meets.
-    const double mostStep = parallel ? piece.top - piece.bottom : lookAhead * edge_ / std::abs(slope);
-    for (double low = foot; low < piece.top;) {
-        const double step = std::min(std::max(edge_, lowestRing * radius) + ringGrowth * (low - foot), mostStep);
-        const double high = low + 1.5 * step < piece.top ? low + step : piece.top;
-        const double inner = piece.bottomRadius + slope * (low - piece.bottom);
-        const double outer = high == piece.top ? piece.topRadius : piece.bottomRadius + slope * (high - piece.bottom);
-        addRing({inner, outer, low, high}, countOf(pi * (inner + outer), fineness.sector), parallel ? wall_ : end_);
+    const double mostStep = parallel ? 1.0 : lookAhead * edge_ / std::abs(widening);
+    for (double low = 0.0; low < 1.0;) {
+        const double ring = std::max(edge_, lowestRing * radius) + ringGrowth * low * height;
+        const double step = std::min(ring / height, mostStep);
+        const double high = low + 1.5 * step < 1.0 ? low + step : 1.0;
+        const double inner = piece.topRadius - (1.0 - low) * widening;
+        const double outer = piece.topRadius - (1.0 - high) * widening;
+        addRing({inner, outer, piece.top - (1.0 - low) * height, piece.top - (1.0 - high) * height},
+                countOf(pi * (inner + outer), fineness.sector), parallel ? wall_ : end_);
         low = high;
     }
+}
+
+/// A place between the circles of a ring and the outward normal there, in the plane of the axis.
+/// @param share of the way from the inner circle
+SurfaceFlux::ProfilePlace SurfaceFlux::placeOn(const Ring& ring, double share) noexcept {
+    const glm::dvec2 across(ring.outerRadius - ring.innerRadius, ring.high - ring.low);
+    const glm::dvec2 straight = glm::dvec2(ring.innerRadius, ring.low) + share * across;
+    if (ring.bulge <= 0.0) return {straight, glm::dvec2(across.y, -across.x) / glm::length(across)};
+    const glm::dvec2 normal = glm::normalize(straight - ring.centre);
+    return {ring.centre + ring.bulge * normal, normal};
 }
 
 /// Cuts a ring into sectors. A sector's integral of the normal: in the plane the chord's normal times the height, along
@@ -142,10 +156,10 @@ void SurfaceFlux::addRing(const Ring& ring, int sectors, std::vector<Patch>& pat
     const double start = fractionOf(goldenRatio * static_cast<double>(patches.size()));
     for (int i = 0; i < sectors; ++i) {
         const double cosine = std::cos((start + i + 0.5) * angle), sine = std::sin((start + i + 0.5) * angle);
-        const double share = fractionOf(goldenRatio * (i + 0.5));
-        const double at = ring.innerRadius + share * (ring.outerRadius - ring.innerRadius);
+        const ProfilePlace at = placeOn(ring, fractionOf(goldenRatio * (i + 0.5)));
         Patch patch{{sideways * cosine, sideways * sine, -down},
-                    {at * cosine, at * sine, ring.low + share * (ring.high - ring.low)},
+                    {at.place.x * cosine, at.place.x * sine, at.place.y},
+                    {at.normal.x * cosine, at.normal.x * sine, at.normal.y},
                     ring.low,
                     ring.high,
                     std::hypot(sideways, down),
@@ -172,7 +186,8 @@ void SurfaceFlux::measure(const RunVolume& workpiece, const GapWindow* window, c
         end.tip};
     if (const double length = glm::length(end.tip - start.tip); length > 0.0)
         stand.probe += (end.tip - start.tip) * (stand.lookAhead / length);
-    Sum sum{workpiece, window, flux, inLineFrame(grid, grid.low())};
+    stand.lines = inLineFrame(grid, grid.low());
+    Sum sum{workpiece, window, flux};
     const bool alongRuns = start.axis == end.axis && end.axis.x == 0.0 && end.axis.y == 0.0;
     if (alongRuns) {
         for (const Patch& patch : end_) measureAlongRuns(patch, stand, sum);
@@ -196,23 +211,46 @@ void SurfaceFlux::measureAlongRuns(const Patch& patch, const Stand& stand, Sum& 
     const Grid& grid = sum.workpiece.grid();
     const glm::dvec3& probe = stand.probe;
     const glm::dvec3 side = stand.turn * glm::dvec3(patch.place.x, patch.place.y, 0.0);
-    const double u = (probe.x + side.x - sum.gridLow.x) / edge_, v = (probe.y + side.y - sum.gridLow.y) / edge_;
+    const double u = (probe.x + side.x - stand.lines.x) / edge_, v = (probe.y + side.y - stand.lines.y) / edge_;
     if (!(u >= 0.0 && v >= 0.0 && u < grid.lineCountU() && v < grid.lineCountV())) return;
     const double high = std::max(patch.high, patch.low + 0.25 * edge_); // a level patch looks at something, too
     const RunPosition first = grid.toRunPosition(probe.z + (up > 0.0 ? patch.low : -high)),
                       last = grid.toRunPosition(probe.z + (up > 0.0 ? high : -patch.low));
     const double unit = (edge_ / unitsPerVoxel) / (high - patch.low);
     const LineIndex line{static_cast<std::int32_t>(u), static_cast<std::int32_t>(v)};
-    const auto add = [&](PropertyIndex property, RunPosition start, RunPosition end) {
+    // Of a wall all heights push into what is ahead of them; of a slope what lies between where its surface is on this
+    // line now and where it will be. Old floors lower than that are none of it.
+    const bool slopes = patch.normal.z < 0.0;
+    const RunPosition pushed =
+        slopes ? grid.toRunPosition(stand.tip.z + up * heightPushedInto(patch, stand, line)) : first;
+    const auto add = [&](PropertyIndex property, RunPosition from, RunPosition to) {
         if (sum.workpiece.properties().isProtected(property)) return;
-        const double share = unit * (end - start), low = grid.toMillimetres(start), top = grid.toMillimetres(end);
+        const bool meets = !slopes || (from <= pushed && pushed < to);
+        const RunPosition start = std::max(from, first), end = std::min(to, last);
+        const double share = start < end ? unit * (end - start) : 0.0;
+        const double low = grid.toMillimetres(start), top = grid.toMillimetres(end);
         const double ends[] = {std::clamp(up * (low - probe.z), patch.low, patch.high),
                                std::clamp(up * (top - probe.z), patch.low, patch.high)};
-        sum.add(patch, property, share * swept, share * patch.size,
-                {stand.tip.x + side.x, stand.tip.y + side.y, 0.5 * (low + top)}, std::min(ends[0], ends[1]),
-                std::max(ends[0], ends[1]));
+        if (share > 0.0)
+            sum.take(property, share * swept, {stand.tip.x + side.x, stand.tip.y + side.y, 0.5 * (low + top)});
+        if (meets)
+            sum.meet(patch, (slopes ? 1.0 : share) * patch.size, std::min(ends[0], ends[1]),
+                     std::max(ends[0], ends[1]));
     };
-    if (first < last) forEachPieceLeft(sum.workpiece, sum.window, line, first, last, add);
+    if (first < last)
+        forEachPieceLeft(sum.workpiece, sum.window, line, std::min(first, pushed), std::max(last, pushed + 1), add);
+}
+
+/// mm above the tip: half way between where a sloping patch's surface passes a line now and where it will when the tool
+/// has gone as far as it looks ahead, its slope going on as it is.
+double SurfaceFlux::heightPushedInto(const Patch& patch, const Stand& stand, LineIndex line) const noexcept {
+    const glm::dvec3 normal = stand.turn * patch.normal, place = stand.turn * patch.place;
+    const double x = stand.lines.x + (line.u + 0.5) * edge_ - (stand.tip.x + place.x);
+    const double y = stand.lines.y + (line.v + 0.5) * edge_ - (stand.tip.y + place.y);
+    const double steepness = 1.0 / -patch.normal.z, half = 0.5 * stand.lookAhead;
+    const double rise = half * glm::dot(patch.normal, stand.motion) / glm::length(stand.motion) * steepness;
+    const double height = patch.place.z + (normal.x * x + normal.y * y) * steepness - rise;
+    return std::clamp(height, patch.low - half, patch.high);
 }
 
 void SurfaceFlux::measureAtPlace(const Patch& patch, const Stand& stand, Sum& sum) const noexcept {
@@ -222,14 +260,15 @@ void SurfaceFlux::measureAtPlace(const Patch& patch, const Stand& stand, Sum& su
     const Grid& grid = sum.workpiece.grid();
     const glm::dvec3 place = stand.tip + stand.turn * patch.place;
     const glm::dvec3 ahead = stand.turn * (motion * (stand.lookAhead / glm::length(motion)));
-    const glm::dvec3 probe = (place + ahead - sum.gridLow) / edge_; // voxels
+    const glm::dvec3 probe = (place + ahead - stand.lines) / edge_; // voxels
     if (!(probe.x >= 0.0 && probe.y >= 0.0 && probe.z >= 0.0)) return;
     if (!(probe.x < grid.lineCountU() && probe.y < grid.lineCountV() && probe.z < grid.voxelsPerLine())) return;
     const LineIndex line{static_cast<std::int32_t>(probe.x), static_cast<std::int32_t>(probe.y)};
     const auto at = static_cast<RunPosition>(probe.z * unitsPerVoxel);
     const auto add = [&](PropertyIndex property, RunPosition, RunPosition) {
         if (sum.workpiece.properties().isProtected(property)) return;
-        sum.add(patch, property, swept, patch.size, place, patch.place.z, patch.place.z);
+        sum.take(property, swept, place);
+        sum.meet(patch, patch.size, patch.place.z, patch.place.z);
     };
     forEachPieceLeft(sum.workpiece, sum.window, line, at, at + 1, add);
 }

@@ -65,14 +65,20 @@ private:
     using Directions = std::array<std::uint64_t, 2>; ///< a bit for each 128th of the circle
     struct Patch {
         glm::dvec3 area{0.0};         ///< mm², integral of the outward normal, tool frame
-        glm::dvec3 place{0.0};        ///< mm, tool frame: where it looks from
+        glm::dvec3 place{0.0};        ///< mm, tool frame: where it looks from, on the surface
+        glm::dvec3 normal{0.0};       ///< unit, outwards, tool frame: of the surface there
         double low = 0.0, high = 0.0; ///< mm above the tip
         double size = 0.0;            ///< mm², length of `area`
         Directions directions{};      ///< that it covers
     };
     /// Ring of the surface between two circles about the axis.
     struct Ring {
-        double innerRadius = 0.0, outerRadius = 0.0, low = 0.0, high = 0.0;
+        double innerRadius = 0.0, outerRadius = 0.0, low = 0.0, high = 0.0; ///< mm
+        double bulge = 0.0;     ///< mm, radius of the arc between the circles; 0: straight
+        glm::dvec2 centre{0.0}; ///< mm, of the arc: from the axis, above the tip
+    };
+    struct ProfilePlace {
+        glm::dvec2 place{0.0}, normal{0.0}; ///< mm and unit: away from the axis, along it
     };
     /// The tool in the frame of the grid's lines, and its motion in its own.
     struct Stand {
@@ -82,6 +88,7 @@ private:
         glm::dvec3 turning{0.0}; ///< rad, about the tip, tool frame
         double lookAhead = 0.0;  ///< mm
         glm::dvec3 probe{0.0};   ///< mm, frame of the lines: the tip, so far ahead
+        glm::dvec3 lines{0.0};   ///< mm, frame of the lines: where the grid begins
     };
     struct Sum;
 
@@ -95,8 +102,10 @@ private:
     void addArc(const RevolvedPiece& piece, const glm::dvec2& centre, double radius, double from, double to,
                 double spacing);
     void addSide(const RevolvedPiece& piece, const Fineness& fineness);
+    static ProfilePlace placeOn(const Ring& ring, double share) noexcept;
     void addRing(const Ring& ring, int sectors, std::vector<Patch>& patches) const;
     void measureAlongRuns(const Patch& patch, const Stand& stand, Sum& sum) const noexcept;
+    double heightPushedInto(const Patch& patch, const Stand& stand, LineIndex line) const noexcept;
     void measureAtPlace(const Patch& patch, const Stand& stand, Sum& sum) const noexcept;
 
     std::vector<Patch> end_;    ///< bottom, corners, arcs and cones

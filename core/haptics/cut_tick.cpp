@@ -31,6 +31,19 @@ double referenceDepth(const Tool& tool) noexcept {
     return tool.maximumDepthOfCut > 0.0 ? std::min(radius, tool.maximumDepthOfCut) : radius;
 }
 
+/// Adds what was lost of a material, in the order of the property list.
+void addInOrder(std::array<MaterialVolume, maximumMachinableProperties>& removed, const MaterialVolume& more) noexcept {
+    auto* const place = std::find_if(removed.begin(), removed.end(), [&](const MaterialVolume& one) {
+        return one.property >= more.property || one.property == airProperty;
+    });
+    if (place->property != more.property) {
+        std::move_backward(place, removed.end() - 1, removed.end());
+        *place = {more.property};
+    }
+    place->units += more.units;
+    place->volume += more.volume;
+}
+
 } // namespace
 
 CutTick::CutTick(RunVolume& workpiece, const Tool& tool, const HapticSettings& settings)
@@ -110,13 +123,8 @@ CutResult CutTick::take(const ToolPose& from, const ToolPose& to) noexcept {
     cut.volume = volume;
     cut.outOfMemory = rest.outOfMemory;
     for (const MaterialVolume& more : rest.removed) {
-        if (more.property == airProperty) continue;
-        const auto same = std::find_if(cut.removed.begin(), cut.removed.end(), [&](const MaterialVolume& one) {
-            return one.property == more.property || one.property == airProperty;
-        });
-        same->property = more.property;
-        same->units += more.units;
-        same->volume += more.volume;
+        if (more.property == airProperty) break;
+        addInOrder(cut.removed, more);
     }
     return cut;
 }

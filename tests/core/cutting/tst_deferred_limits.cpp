@@ -90,6 +90,17 @@ struct Kept {
     }
 };
 
+/// As CutResult promises: those that lost something first, by property.
+bool holdsNoEmptyEntryBeforeAnother(const CutResult& cut) {
+    PropertyIndex last = airProperty;
+    for (const MaterialVolume& material : cut.removed) {
+        if (material.property != airProperty && (material.units == 0 || material.property <= last)) return false;
+        if (material.property != airProperty && last == 0xff) return false;
+        last = material.property == airProperty ? PropertyIndex{0xff} : material.property;
+    }
+    return true;
+}
+
 bool accounts(const RunAmounts& before, const RunVolume& now, const Taken& taken) {
     return std::ranges::all_of(stocks, [&](PropertyIndex stock) {
         return before.units[stock] - now.amounts().units[stock] == taken.amounts.units[stock];
@@ -314,7 +325,9 @@ private slots:
                 tip = next;
                 if (*rc::gen::inRange(0, 4) == 0) (void)workpiece.snapshot();
             }
-            taken.add(removal.settle(workpiece));
+            const CutResult rest = removal.settle(workpiece);
+            taken.add(rest);
+            RC_ASSERT(holdsNoEmptyEntryBeforeAnother(rest));
             RC_ASSERT(removal.settled());
             RC_ASSERT(taken.amounts == expectedTaken.amounts);
             RC_ASSERT(sameLines(workpiece, expected));

@@ -154,6 +154,52 @@ private slots:
             }
     }
 
+    /// Every cut that takes anything says how the flutes stand: also large balls, and steps too long for the flux.
+    void everyCutKnowsItsEngagement_data() {
+        QTest::addColumn<double>("diameter");
+        QTest::addColumn<double>("step");
+        QTest::addRow("large ball") << 14.0 << 0.02;
+        QTest::addRow("large ball, long steps") << 14.0 << 0.2;
+        QTest::addRow("small ball, long steps") << 6.0 << 0.2;
+    }
+    void everyCutKnowsItsEngagement() {
+        QFETCH(double, diameter);
+        QFETCH(double, step);
+        RunVolume workpiece = block(gridOf(RunAxis::z));
+        clearAbove(workpiece, 0.0);
+        MaterialRemoval removal(ball(diameter, 20.0), workpiece.grid(), Writing::deferred);
+        const auto cutTo = [&](const glm::dvec3& from, const glm::dvec3& to) {
+            return removal.cut(workpiece, from, to);
+        };
+        // A slot 2 mm deep from the stock's side, and once more 0.6 mm beside: the other side's front alone cuts then.
+        glm::dvec3 tip(-15.0 - diameter, 0.03, -2.0);
+        int unknown = 0;
+        const auto mill = [&](double toX) {
+            CutResult last;
+            for (; tip.x < toX; tip.x += step) {
+                const CutResult cut = cutTo(tip, tip + glm::dvec3(step, 0.0, 0.0));
+                if (cut.volume <= 0.0) continue;
+                const bool inside = tip.x > -15.0; // not only just touching
+                unknown += inside && !(cut.engagement.arc > 0.0 && cut.engagement.area > 0.0) ? 1 : 0;
+                last = cut;
+            }
+            return last;
+        };
+        const double radius = 0.5 * diameter;
+        const Engagement slot = mill(0.0).engagement;
+        QVERIFY2(near(slot.arc, pi, 0.5), qPrintable(QString::number(slot.arc)));
+        const double halfCap = pi * radius * 2.0;
+        QVERIFY2(near(slot.area, halfCap, 0.15 * halfCap), qPrintable(QString::number(slot.area / halfCap)));
+        cutTo(tip, {tip.x, 0.03, 30.0});
+        tip = {-15.0 - diameter, 0.63, -2.0};
+        cutTo({0.0, 0.03, 30.0}, {tip.x, tip.y, 30.0});
+        cutTo({tip.x, tip.y, 30.0}, tip);
+        const Engagement half = mill(-2.0).engagement;
+        QCOMPARE(unknown, 0);
+        const double share = half.area / slot.area;
+        QVERIFY2(share < 0.7 && share > 0.25, qPrintable(QString::number(share)));
+    }
+
     void airAndStandingStillMeetNothing() {
         RunVolume workpiece = block(gridOf(RunAxis::z));
         clearAbove(workpiece, 0.0);
