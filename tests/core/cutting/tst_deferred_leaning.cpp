@@ -4,7 +4,7 @@
 #include "core/tool/span_rows.h"
 #include "tests/core/cutting/scalar_cutter.h"
 #include "tests/core/cutting/swept_bounds.h"
-#include "tests/oracles/tilted_piece.h"
+#include "tests/oracles/swept_cutter.h"
 
 #include <QtTest>
 #include <rapidcheck.h>
@@ -110,16 +110,6 @@ glm::dvec3 inLines(const Grid& grid, const glm::dvec3& place) {
     return inLineFrame(grid, (place - grid.low()) / grid.edge()) - glm::dvec3(0.5, 0.5, 0.0);
 }
 
-/// The true motion of a turning tool: tip straight and even, axis turning evenly.
-ToolPose poseAt(const ToolPose& from, const ToolPose& to, double part) {
-    const double angle = std::acos(std::clamp(glm::dot(from.axis, to.axis), -1.0, 1.0));
-    const glm::dvec3 axis =
-        angle < 1e-9
-            ? to.axis
-            : (from.axis * std::sin((1.0 - part) * angle) + to.axis * std::sin(part * angle)) / std::sin(angle);
-    return {glm::mix(from.tip, to.tip, part), glm::normalize(axis)};
-}
-
 } // namespace
 
 class DeferredLeaningTest : public QObject {
@@ -219,7 +209,7 @@ private slots:
                 const double angle = std::acos(std::clamp(glm::dot(pose.axis, axis), -1.0, 1.0));
                 const double moves = glm::length(next.tip - pose.tip) + angle * reach;
                 const int samples = 1 + static_cast<int>(moves / (spacing * fine.edge()));
-                for (int i = 0; i <= samples; ++i) poses.push_back(poseAt(pose, next, double(i) / samples));
+                for (int i = 0; i <= samples; ++i) poses.push_back(oracles::motionAt(pose, next, double(i) / samples));
                 pose = next;
             }
             taken += unitsOf(removal.settle(workpiece), softStock);
@@ -260,8 +250,8 @@ private slots:
         QVERIFY(left > 1000);
     }
 
-    /// A tool that stands still where it arrived, whatever its axis, finds nothing. Flutes shorter than a voxel may pass
-    /// between two rows of lines and find nothing on the way either: most must.
+    /// A tool that stands still where it arrived, whatever its axis, finds nothing. Flutes shorter than a voxel may
+    /// pass between two rows of lines and find nothing on the way either: most must.
     void standingStillTakesNothing() {
         int taken = 0;
         const bool held = holds("stands", 300, [&] {
