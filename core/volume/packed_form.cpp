@@ -94,7 +94,8 @@ void readPalette(std::pmr::vector<PropertyIndex>& palette, std::uint32_t propert
     if (further >= properties) return;
     for (std::uint32_t i = 0; i <= further; ++i) {
         const std::uint32_t property = reader.get(bitsFor(properties));
-        if (property >= properties) {
+        // Rising: of a property that stood twice, one run could follow another.
+        if (property >= properties || (!palette.empty() && property <= palette.back())) {
             palette.clear();
             return;
         }

@@ -3,10 +3,10 @@
 #include "core/base/checksum.h"
 #include "core/volume/packed_tile.h"
 #include "core/volume/volume_file.h"
+#include "tests/fuzz/sound_volume.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <sstream>
 #include <string>
 
@@ -41,28 +41,11 @@ void makeSumsRight(std::string& bytes) {
     }
 }
 
-/// Whatever a volume was read from, its lines are gapless and its amounts are what its lines hold.
-void check(const VolumeFileContent& content) {
-    const RunVolume& volume = content.volume;
-    RunAmounts sum;
-    for (LineIndex line; line.v < volume.grid().lineCountV(); ++line.v)
-        for (line.u = 0; line.u < volume.grid().lineCountU(); ++line.u) {
-            RunPosition start = 0;
-            for (const Segment segment : volume.line(line)) {
-                if (segment.end() <= start || segment.property() >= volume.properties().size()) std::abort();
-                sum.units[segment.property()] += segment.end() - start;
-                start = segment.end();
-            }
-            if (start != volume.grid().lineEnd()) std::abort();
-        }
-    if (sum != volume.amounts()) std::abort();
-}
-
 void readAll(const std::string& bytes) {
     std::istringstream stream(bytes);
     Progress progress;
     const Result<VolumeFileContent> content = readVolume(stream, "fuzz", progress, reserve);
-    if (content) check(*content);
+    if (content) fuzz::checkVolume(content->volume);
 }
 
 } // namespace

@@ -163,6 +163,31 @@ private slots:
         QVERIFY(refused > 0 && read > 0);
     }
 
+    /// A property that stood twice in a brick's palette would let one run follow another of the same property.
+    void aPaletteThatDoesNotRiseIsRefused() {
+        const PackedTileFrame frame{1024, 41};
+        const auto isRead = [&](PropertyIndex first, PropertyIndex second) {
+            std::string bytes;
+            BitWriter writer(bytes);
+            writer.putNumber(1); // two properties in the palette
+            writer.put(first, 6);
+            writer.put(second, 6);
+            writer.putNumber(0); // one group
+            writer.putNumber(1); // of two segments, the first of the first property
+            writer.put(0, 1);
+            writer.put(0, 1 + 2 + 5); // predicted, constant, nothing left
+            writer.put(9, 6);
+            writer.put(300, 9);
+            writer.finish();
+            BrickLines tile(frame.lineEnd);
+            if (!unpackTile(bytes, frame, tile)) return false;
+            return tile.line(63)[0] == Segment(300, first) && tile.line(63)[1] == Segment(1024, second);
+        };
+        QVERIFY(isRead(5, 6));
+        QVERIFY(!isRead(5, 5));
+        QVERIFY(!isRead(6, 5));
+    }
+
     void packingCanBeStopped() {
         RunVolume volume = emptyVolume(cubeGrid({16, 16, 16}));
         Progress progress;

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/volume/run_volume.h"
+
+#include <cstdlib>
+#include <span>
+
+namespace burin::fuzz {
+
+/// Whatever a line was read from, it is gapless from its start to its end, neighbours differ, and it names what the
+/// list has. Adds what it holds to `sum`.
+inline void checkLine(std::span<const Segment> line, RunPosition lineEnd, int properties, RunAmounts& sum) {
+    RunPosition start = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i].end() <= start || line[i].property() >= properties) std::abort();
+        if (i > 0 && line[i].property() == line[i - 1].property()) std::abort();
+        sum.units[line[i].property()] += line[i].end() - start;
+        start = line[i].end();
+    }
+    if (start != lineEnd) std::abort();
+}
+
+/// Whatever a volume was read from, its lines are sound and its amounts are what its lines hold.
+inline void checkVolume(const RunVolume& volume) {
+    const Grid& grid = volume.grid();
+    RunAmounts sum;
+    for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
+        for (line.u = 0; line.u < grid.lineCountU(); ++line.u)
+            checkLine(volume.line(line), grid.lineEnd(), volume.properties().size(), sum);
+    if (sum != volume.amounts()) std::abort();
+}
+
+} // namespace burin::fuzz
