@@ -21,6 +21,7 @@ namespace burin {
 /// neighbours is taken by arithmetic on many lines at a time, without a look at the volume; other spans read the
 /// volume's line. What was taken is owed to the volume until it is written, a brick of 8 × 8 lines at a time, within 16
 /// ticks. Memory: 16 bytes a line, toroidal: a brick of lines uses the place of another that the tool left behind.
+/// Thread: the workpiece's writer, for what asks only (`owed`, `visitAround`) as well.
 class GapWindow {
 public:
     static constexpr int brickInLines = 8; ///< what reading a brick at once costs, with what its first cut needs

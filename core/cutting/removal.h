@@ -31,9 +31,11 @@ struct MaterialVolume {
 struct CutResult {
     /// One entry a material that lost or reports something, in the order of the property list; the rest is not used.
     std::array<MaterialVolume, maximumMachinableProperties> removed{};
-    double volume = 0.0;      ///< mm³, all materials, exact
-    double reported = 0.0;    ///< mm³, all materials, smooth
-    glm::dvec3 centroid{0.0}; ///< mm, of what was removed, setup frame; meaningless when volume is 0
+    double volume = 0.0;   ///< mm³, all materials, exact
+    double reported = 0.0; ///< mm³, all materials, smooth
+    /// mm, of what was removed, setup frame; meaningless when volume is 0. Right to 1e-9 mm written at once; deferred,
+    /// as the sums are of single precision, to 2^-23 of the grid's diagonal.
+    glm::dvec3 centroid{0.0};
     /// mm, of what is reported, setup frame, from tick to tick as smooth as that; meaningless when `reported` is 0.
     glm::dvec3 reportedCentroid{0.0};
     /// How the flutes stand in material: where the flux is reported (`MaterialRemoval::cut`) at the end of this very
@@ -53,7 +55,7 @@ enum class Writing : std::uint8_t {
 
 /// Takes what the flutes sweep between two poses out of the machinable runs of a workpiece.
 /// Keeps the state that the smooth figure needs from tick to tick; one object a tool and workpiece.
-/// No allocation, lock or exception in `cut`, `approach` and `settle`.
+/// No allocation, lock or exception in `cut`, `approach` and `settle`. Thread: the workpiece's writer.
 ///
 /// Deferred writing: `CutResult` counts at once and exactly, but the runs follow later. Whoever reads the workpiece
 /// for good (undo, saving, amounts, a recount) or changes it otherwise calls `settle` first; pictures need not.

@@ -12,6 +12,8 @@ namespace burin {
 
 namespace {
 
+static_assert(SpanRows::unitsAVoxel == unitsPerVoxel);
+
 /// What a tick may cost, in groups of eight lines. The longest that comes of it, a ball's of R 200 at first contact,
 /// took 0.31 to 0.57 ms (cut.first_contact.r200): 1 ms is when the next one is due.
 constexpr double tickBudget = 40000.0;

@@ -12,7 +12,6 @@ namespace burin {
 
 namespace {
 
-constexpr double unitsAVoxel = 256.0;
 // A way that is shorter across the runs counts as one along them.
 constexpr double leastReach = 1e-9; // voxels
 constexpr double shortWay = 8.0;    // voxels
@@ -20,7 +19,7 @@ constexpr double shortWay = 8.0;    // voxels
 /// Nearest run unit, held within what an int can say.
 std::int32_t unitOf(double voxels) noexcept {
     constexpr double bound = 1e9;
-    return static_cast<std::int32_t>(std::floor(std::clamp(voxels * unitsAVoxel, -bound, bound) + 0.5));
+    return static_cast<std::int32_t>(std::floor(std::clamp(voxels * SpanRows::unitsAVoxel, -bound, bound) + 0.5));
 }
 
 std::int32_t wholeOf(double voxels) noexcept {

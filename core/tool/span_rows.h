@@ -54,7 +54,8 @@ struct RowSpans {
 class SpanRows {
 public:
     static constexpr double outlineError = 1.0 / (1 << 20);
-    static constexpr double endError = 1.0; ///< run units, rounding included
+    static constexpr double endError = 1.0;      ///< run units, rounding included
+    static constexpr double unitsAVoxel = 256.0; ///< run units
     /// Voxels that the span of a leaning piece may be short of what its smooth sides sweep between the ends of a way.
     static constexpr double leaningWayError = 0.01;
     /// Voxels that a piece may lean over its length and still count as upright.

@@ -7,7 +7,7 @@
 // Within core/tool: the inner loops of SpanRows.
 namespace burin::kernels {
 
-inline constexpr float unitsAVoxel = 256.0F;
+inline constexpr float unitsAVoxel = static_cast<float>(SpanRows::unitsAVoxel);
 inline constexpr float nowhere = 1e9F; ///< above every height: no part of the piece
 
 /// Works out `UprightRows::count` rows, from the first on.

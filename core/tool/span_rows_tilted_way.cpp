@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-constexpr double unitsAVoxel = 256.0;
+constexpr double unitsAVoxel = SpanRows::unitsAVoxel;
 using Linear = TiltedPiece::Linear;
 // Voxels about a rim's way in which the start of the way is looked at as well: an axis that turned since the start was
 // taken may have had the rim so far off.
