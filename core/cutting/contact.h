@@ -19,11 +19,14 @@ class GapWindow;
 /// What is touched, and by how much.
 struct TouchedProperty {
     PropertyIndex property = airProperty; ///< air: entry not used
-    bool isProtected = false;             ///< part or fixture; else stock
+    bool isProtected = false;             ///< the part, or what else is protected in the volume; else stock
     double volume = 0.0;                  ///< mm³ of overlap
 };
 
-/// Where a part of the tool that must not touch anything overlaps stock, part or fixtures.
+/// Where a part of the tool that must not touch anything overlaps what a volume holds: stock, part, and any fixture
+/// that is a material of it. Burin's own setups keep fixtures out of the volume (core/setup/obstacle.h), so those never
+/// show up here: the hand is held off them with the whole tool (core/haptics/tool_boundaries.h), and programs are
+/// judged against them by their meshes (core/verify/obstacles.h).
 struct ShankContact {
     bool touches = false;
     std::uint32_t piece = 0;                  ///< place in pieces(cutter) of what overlaps most: see sectionOf
@@ -31,7 +34,7 @@ struct ShankContact {
     glm::dvec3 place{0.0};                    ///< mm, centre of the overlap, setup frame
     double volume = 0.0;                      ///< mm³ of overlap
     bool touchesStock = false;                ///< something machinable is touched
-    bool touchesProtected = false;            ///< part or a fixture is touched
+    bool touchesProtected = false;            ///< something protected is touched
     std::array<TouchedProperty, 4> touched{}; ///< the four with most overlap, most first
 };
 

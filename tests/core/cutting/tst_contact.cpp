@@ -10,8 +10,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <set>
-#include <tuple>
+#include <optional>
 
 using namespace burin;
 using namespace burin::tests;
@@ -20,19 +19,18 @@ using random::real;
 namespace {
 
 constexpr double edge = 0.25;
+constexpr int partLayers = 40; // along z, from below
 
-/// Stock with a part in its lower third, in a grid with any axis of its runs.
+/// Stock with a part in its lower half, in a grid with any axis of its runs.
 RunVolume workpiece(RunAxis runs) {
     RunVolume volume = solid({-15.0, -15.0, -20.0}, edge, {120, 120, 80}, runs);
     const Grid& grid = volume.grid();
-    for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
-        for (line.u = 0; line.u < grid.lineCountU(); ++line.u)
-            for (std::int32_t k = 0; k < grid.voxelsPerLine(); ++k) {
-                const VoxelIndex voxel = grid.voxel(line, k);
-                if (voxel.k < 24)
-                    (void)volume.fillSpan(line, static_cast<RunPosition>(k) * 256,
-                                          static_cast<RunPosition>(k + 1) * 256, part);
-            }
+    LineIndex high{grid.lineCountU(), grid.lineCountV()};
+    RunPosition end = grid.lineEnd();
+    if (runs == RunAxis::z) end = partLayers * unitsPerVoxel;
+    if (runs == RunAxis::x) high.v = partLayers;
+    if (runs == RunAxis::y) high.u = partLayers;
+    (void)volume.fillBlock({0, 0}, high, 0, end, part);
     return volume;
 }
 
@@ -48,21 +46,120 @@ bool same(const ShankContact& a, const ShankContact& b) {
     return equal && glm::length(a.place - b.place) < 1e-9;
 }
 
-bool guardedHolds(const std::vector<RevolvedPiece>& tool, std::size_t flutes, const ToolPose& pose,
-                  const glm::dvec3& place) {
-    const glm::dvec3 q = place - pose.tip;
-    const double height = glm::dot(q, pose.axis), radius = glm::length(q - height * pose.axis);
-    return std::any_of(tool.begin() + static_cast<std::ptrdiff_t>(flutes), tool.end(), [&](const RevolvedPiece& piece) {
-        return height >= piece.bottom && height <= piece.top && radius <= radiusAt(piece, height);
-    });
+/// Shank and holder as their drawing has them.
+struct Frustum {
+    double bottom, top, lower, upper; ///< mm: heights above the tip, radii
+
+    /// Below 0 inside, and convex along any straight line: the largest of the distances from its three faces.
+    double beyond(const ToolPose& pose, const glm::dvec3& place) const {
+        const glm::dvec3 q = place - pose.tip;
+        const double height = glm::dot(q, pose.axis), radius = glm::length(q - height * pose.axis);
+        const double length = std::hypot(top - bottom, upper - lower);
+        const double beside = ((radius - lower) * (top - bottom) - (height - bottom) * (upper - lower)) / length;
+        return std::max({bottom - height, height - top, beside});
+    }
+};
+
+std::vector<Frustum> guardedOf(const Cutter& cutter) {
+    std::vector<Frustum> guarded;
+    if (cutter.stickOut > cutter.fluteLength)
+        guarded.push_back(
+            {cutter.fluteLength, cutter.stickOut, 0.5 * cutter.shankDiameter, 0.5 * cutter.shankDiameter});
+    double height = cutter.stickOut;
+    for (const HolderSegment& segment : cutter.holder) {
+        guarded.push_back({height, height + segment.length, 0.5 * segment.lowerDiameter, 0.5 * segment.upperDiameter});
+        height += segment.length;
+    }
+    return guarded;
 }
+
+bool guardedHolds(const std::vector<Frustum>& guarded, const ToolPose& pose, const glm::dvec3& place) {
+    return std::ranges::any_of(guarded, [&](const Frustum& piece) { return piece.beyond(pose, place) <= 0.0; });
+}
+
+/// What a frustum covers of a straight line, in voxels along it, by search.
+std::optional<Span> searched(const Frustum& piece, const ToolPose& pose, const glm::dvec3& start,
+                             const glm::dvec3& step, double count) {
+    const auto beyond = [&](double t) { return piece.beyond(pose, start + t * step); };
+    double low = 0.0, high = count, inside = 0.5 * count;
+    while (beyond(inside) >= 0.0) { // towards the deepest place; no distance changes faster than the way along the line
+        if (beyond(inside) > 0.5 * (high - low) * glm::length(step) || high - low < 1e-7) return std::nullopt;
+        const double third = (high - low) / 3.0;
+        if (beyond(low + third) < beyond(high - third))
+            high -= third;
+        else
+            low += third;
+        inside = 0.5 * (low + high);
+    }
+    const auto end = [&](double within, double outside) {
+        if (beyond(outside) <= 0.0) return outside;
+        while (std::abs(outside - within) > 1e-7)
+            (beyond(0.5 * (within + outside)) <= 0.0 ? within : outside) = 0.5 * (within + outside);
+        return within;
+    };
+    return Span{end(inside, 0.0), end(inside, count)};
+}
+
+/// What `workpiece` has to show of a contact, line by line, in run units: ends of stretches are rounded by Grid's one
+/// rule. What the search leaves open of that is the room.
+struct SearchedContact {
+    static constexpr double tolerance = 0.25 * unitsPerVoxel; ///< of a line, that a piece may overlap
+
+    std::array<double, 4> units{};  ///< by property
+    std::vector<double> byPiece;    ///< units
+    double room = 0.0;              ///< units, by which any of these may be off
+    std::array<bool, 4> possible{}; ///< by property: touched, or perhaps
+    glm::dvec3 moment{0.0};         ///< mm times units
+
+    SearchedContact(const RunVolume& workpiece, const std::vector<Frustum>& guarded, const ToolPose& pose)
+        : byPiece(guarded.size()) {
+        const Grid& grid = workpiece.grid();
+        for (std::size_t piece = 0; piece < guarded.size(); ++piece) {
+            const Frustum& frustum = guarded[piece];
+            const glm::dvec3 middle = pose.tip + 0.5 * (frustum.bottom + frustum.top) * pose.axis;
+            const double reach =
+                std::hypot(0.5 * (frustum.top - frustum.bottom), std::max(frustum.lower, frustum.upper));
+            const glm::dvec2 centre(inLineFrame(grid, middle));
+            for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
+                for (line.u = 0; line.u < grid.lineCountU(); ++line.u)
+                    if (glm::distance(grid.lineCentre(line), centre) < reach) addLine(grid, line, frustum, pose, piece);
+        }
+    }
+    double all() const { return units[part] + units[softStock]; }
+
+private:
+    void addLine(const Grid& grid, LineIndex line, const Frustum& piece, const ToolPose& pose, std::size_t number) {
+        const glm::dvec3 start = inSetupFrame(grid, {grid.lineCentre(line), grid.toMillimetres(0)});
+        const glm::dvec3 step = inSetupFrame(grid, {0.0, 0.0, edge});
+        const std::optional<Span> span = searched(piece, pose, start, step, grid.voxelsPerLine());
+        if (!span) return;
+        double open = 0.0; // ends that the search can't tell which way they are rounded
+        const auto rounded = [&](double along) {
+            const double exact = along * unitsPerVoxel, whole = std::floor(exact + 0.5);
+            if (std::abs(exact + 0.5 - std::round(exact + 0.5)) < 1e-3) open += 1.0;
+            return whole;
+        };
+        const double low = rounded(span->low), high = rounded(span->high);
+        if (high - low + open <= tolerance) return;
+        const bool counts = high - low - open > tolerance;
+        room += counts ? open : high - low + open;
+        // The part's border: a place on lines along z, and one side of it for all the others.
+        const bool withinPart = grid.axis() != RunAxis::z && grid.voxel(line, 0).k < partLayers;
+        const double border = grid.axis() == RunAxis::z ? partLayers * unitsPerVoxel : withinPart ? grid.lineEnd() : 0;
+        for (const PropertyIndex property : {part, softStock}) {
+            const double from = property == part ? low : std::max(low, border);
+            const double length = (property == part ? std::min(high, border) : high) - from;
+            possible[property] = possible[property] || length + open > 0.0;
+            if (length <= 0.0 || !counts) continue;
+            units[property] += length;
+            byPiece[number] += length;
+            moment += length * (start + (from + 0.5 * length) / unitsPerVoxel * step);
+        }
+    }
+};
 
 ToolPose leaning(const glm::dvec3& tip, double lean, double turn) {
     return {tip, {std::sin(lean) * std::cos(turn), std::sin(lean) * std::sin(turn), std::cos(lean)}};
-}
-
-std::tuple<int, int, int> key(VoxelIndex voxel) {
-    return {voxel.i, voxel.j, voxel.k};
 }
 
 } // namespace
@@ -71,40 +168,50 @@ class ContactTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Volume, centre and properties of a contact against points counted in all voxels, any axis of tool and runs.
-    void agreesWithCountedPoints() {
-        int touching = 0;
-        const bool held = rc::check("counted points", [&] {
+    /// Volume, centre, piece and properties of a contact against what a search along every scanline finds of shank and
+    /// holder as they are drawn, any axis of tool and runs, run unit by run unit: a tool that is clear touches nothing,
+    /// and nothing that is touched is missed.
+    void agreesWithASearchAlongEveryLine() {
+        int touching = 0, clear = 0, both = 0;
+        const bool held = rc::check("every line", [&] {
             const RunVolume volume = workpiece(static_cast<RunAxis>(*rc::gen::inRange(0, 3)));
             const Cutter cutter = cutters::all()[static_cast<std::size_t>(*rc::gen::inRange(0, 9))].cutter;
-            const std::vector<RevolvedPiece> tool = toolOf(cutter);
             const std::size_t flutes = flutePieces(cutter).size();
-            const glm::dvec3 tip(real(-10.0, 10.0), real(-10.0, 10.0), real(-25.0, 4.0));
+            const glm::dvec3 tip(real(-10.0, 10.0), real(-10.0, 10.0), real(-30.0, 14.0));
             const ToolPose pose = leaning(tip, real(0.0, 1.5), real(0.0, 6.28));
-            const ShankContact contact = shankContact(volume, tool, flutes, pose);
-            const Grid& grid = volume.grid();
-            std::array<double, 4> counted{};
-            for (int i = 0; i < grid.count().x; ++i)
-                for (int j = 0; j < grid.count().y; ++j)
-                    for (int k = 0; k < grid.count().z; ++k) {
-                        const glm::dvec3 centre = grid.low() + (glm::dvec3(i, j, k) + 0.5) * edge;
-                        if (guardedHolds(tool, flutes, pose, centre))
-                            counted[k < 24 ? part : softStock] += edge * edge * edge;
-                    }
-            const double all = counted[part] + counted[softStock], room = 0.06 * all + 3.0;
-            RC_ASSERT(std::abs(contact.volume - all) < room);
-            for (const TouchedProperty& touched : contact.touched) {
+            const ShankContact contact = shankContact(volume, toolOf(cutter), flutes, pose);
+            const SearchedContact wanted(volume, guardedOf(cutter), pose);
+            const double unit = volume.grid().unitVolume(), room = wanted.room * unit + 1e-9;
+            RC_ASSERT(std::abs(contact.volume - wanted.all() * unit) <= room);
+            RC_ASSERT(contact.touches == (contact.volume > 0.0));
+            if (wanted.room == 0.0) RC_ASSERT(contact.touches == (wanted.all() > 0.0));
+            std::array<double, 4> found{};
+            for (std::size_t i = 0; i < contact.touched.size(); ++i) {
+                const TouchedProperty& touched = contact.touched[i];
                 if (touched.property == airProperty) continue;
+                found.at(touched.property) = touched.volume;
                 RC_ASSERT(touched.isProtected == (touched.property == part));
-                RC_ASSERT(std::abs(touched.volume - counted[touched.property]) < room);
+                RC_ASSERT(i == 0 || touched.volume <= contact.touched[i - 1].volume);
             }
-            if (counted[part] > 1.0) RC_ASSERT(contact.touchesProtected);
-            if (counted[softStock] > 1.0) RC_ASSERT(contact.touchesStock);
-            if (counted[part] == 0.0 && counted[softStock] == 0.0) RC_ASSERT(contact.volume < 3.0);
-            touching += contact.touches ? 1 : 0;
+            for (const PropertyIndex property : {part, softStock}) {
+                RC_ASSERT(std::abs(found[property] - wanted.units[property] * unit) <= room);
+                const bool named = property == part ? contact.touchesProtected : contact.touchesStock;
+                RC_ASSERT(named == (found[property] > 0.0));
+                if (!wanted.possible[property]) RC_ASSERT(!named);
+            }
+            if (contact.touches && wanted.all() > 10.0 * wanted.room) {
+                const double share = wanted.room / wanted.all(); // of the contact, that may lie up to 40 mm away
+                RC_ASSERT(glm::length(contact.place - wanted.moment / wanted.all()) <= 40.0 * share + 1e-6);
+                const double most = *std::ranges::max_element(wanted.byPiece);
+                RC_ASSERT(contact.piece >= flutes);
+                RC_ASSERT(wanted.byPiece.at(contact.piece - flutes) >= most - 2.0 * wanted.room);
+            }
+            (contact.touches ? touching : clear) += 1;
+            both += contact.touchesStock && contact.touchesProtected ? 1 : 0;
         });
         QVERIFY(held);
-        QVERIFY(touching > 20);
+        QVERIFY2(touching > 20 && clear > 10 && both > 10,
+                 qPrintable(QStringLiteral("%1, %2, %3").arg(touching).arg(clear).arg(both)));
     }
 
     /// A tool that cuts its way through the stock: the check that remembers bricks never differs from one that looks at
@@ -163,40 +270,54 @@ private slots:
                     .empty());
     }
 
-    /// Eq. 4 by brute force: surface voxels of the shank that are surface voxels of the workpiece.
+    /// Eq. 4 by brute force: surface voxels of shank and holder that are surface voxels of the workpiece, in order.
     void collisionAreaIsTheIntersectionOfTheSurfaces() {
-        for (const RunAxis runs : {RunAxis::z, RunAxis::x}) {
-            RunVolume volume = solid({-10.0, -10.0, -10.0}, 0.5, {40, 40, 24}, runs); // up to z = 2
-            const Cutter cutter = cutters::make(CutterType::ball, 6.0, 3.0, 5.0);
-            const std::vector<RevolvedPiece> tool = pieces(cutter);
-            const ToolPose pose = leaning({1.0, -0.5, -7.0}, 0.2, 1.0);
+        constexpr int side = 24;
+        int touching = 0;
+        const bool held = rc::check("collision area", [&] {
+            const auto runs = static_cast<RunAxis>(*rc::gen::inRange(0, 3));
+            RunVolume volume = solid({-6.0, -6.0, -6.0}, 0.5, {side, side, side}, runs);
+            const Cutter cutter = cutters::all()[static_cast<std::size_t>(*rc::gen::inRange(0, 9))].cutter;
+            const std::vector<RevolvedPiece> tool = toolOf(cutter);
+            const std::size_t flutes = flutePieces(cutter).size();
+            const ToolPose pose =
+                leaning({real(-4.0, 4.0), real(-4.0, 4.0), real(-20.0, -4.0)}, real(0.0, 1.5), real(0.0, 6.28));
             RunAmounts removed;
-            sweep(volume, std::span(tool).first(1), {pose.tip, pose.tip, pose.axis}, removed);
+            sweep(volume, std::span(tool).first(flutes), {pose.tip, pose.tip, pose.axis}, removed);
             const Grid& grid = volume.grid();
+            const std::vector<Frustum> guarded = guardedOf(cutter);
+            std::array<std::array<std::array<bool, side + 2>, side + 2>, side + 2> tools{}; // and one more all around
+            for (int i = -1; i <= side; ++i)
+                for (int j = -1; j <= side; ++j)
+                    for (int k = -1; k <= side; ++k)
+                        tools.at(std::size_t(i + 1)).at(std::size_t(j + 1)).at(std::size_t(k + 1)) =
+                            guardedHolds(guarded, pose, grid.low() + (glm::dvec3(i, j, k) + 0.5) * grid.edge());
             const auto inTool = [&](int i, int j, int k) {
-                return guardedHolds(tool, 1, pose, grid.low() + (glm::dvec3(i, j, k) + 0.5) * grid.edge());
+                return tools.at(std::size_t(i + 1)).at(std::size_t(j + 1)).at(std::size_t(k + 1));
             };
             const auto inStock = [&](int i, int j, int k) {
                 return grid.contains(VoxelIndex{i, j, k}) && volume.belongs({i, j, k});
             };
-            const auto onSurface = [](const auto& holds, int i, int j, int k) {
-                if (!holds(i, j, k)) return false;
+            const auto onSurface = [](const auto& holds, VoxelIndex at) {
+                if (!holds(at.i, at.j, at.k)) return false;
                 for (int a = -1; a <= 1; ++a)
                     for (int b = -1; b <= 1; ++b)
                         for (int c = -1; c <= 1; ++c)
-                            if (!holds(i + a, j + b, k + c)) return true;
+                            if (!holds(at.i + a, at.j + b, at.k + c)) return true;
                 return false;
             };
-            std::set<std::tuple<int, int, int>> wanted;
-            for (int i = 0; i < 40; ++i)
-                for (int j = 0; j < 40; ++j)
-                    for (int k = 0; k < 24; ++k)
-                        if (onSurface(inTool, i, j, k) && onSurface(inStock, i, j, k)) wanted.insert({i, j, k});
-            std::set<std::tuple<int, int, int>> found;
-            for (const VoxelIndex voxel : collisionArea(volume.snapshot(), tool, 1, pose)) found.insert(key(voxel));
-            QVERIFY(wanted.size() > 20);
-            QVERIFY(found == wanted);
-        }
+            std::vector<VoxelIndex> wanted;
+            for (LineIndex line; line.v < side; ++line.v)
+                for (line.u = 0; line.u < side; ++line.u)
+                    for (std::int32_t k = 0; k < side; ++k)
+                        if (const VoxelIndex voxel = grid.voxel(line, k);
+                            onSurface(inTool, voxel) && onSurface(inStock, voxel))
+                            wanted.push_back(voxel);
+            RC_ASSERT(collisionArea(volume.snapshot(), tool, flutes, pose) == wanted);
+            touching += wanted.size() > 20 ? 1 : 0;
+        });
+        QVERIFY(held);
+        QVERIFY2(touching > 30, qPrintable(QString::number(touching)));
     }
 };
 

@@ -150,6 +150,45 @@ private slots:
         QVERIFY(contact.place.x > 5.0 && contact.place.x < 6.0);
     }
 
+    /// A volume may hold fixtures as materials of their own: what is touched of each is told apart from stock and part.
+    void stockPartAndFixtureAreToldApart() {
+        PropertyList properties = materials();
+        const PropertyIndex fixture = properties.add(material("fixture", 1.0, 0.4, Machinability::isProtected)).value();
+        const Grid& grid = workGrid();
+        RunVolume workpiece = RunVolume::make(grid, properties).value();
+        // Stock on one side of a shaft, part and fixture on the other; their tops are at -1, the fixture's at -0.5 mm.
+        const auto heightOf = [&](double top) { return grid.toRunPosition(top); };
+        for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
+            for (line.u = 0; line.u < grid.lineCountU(); ++line.u) {
+                const glm::dvec2 centre = grid.lineCentre(line);
+                if (std::abs(centre.x) < 5.0 && std::abs(centre.y) < 5.0) continue;
+                const PropertyIndex property = centre.x < 0.0 ? softStock : centre.y > 0.0 ? part : fixture;
+                QVERIFY(workpiece.fillSpan(line, 0, heightOf(property == fixture ? -0.5 : -1.0), property));
+            }
+        const glm::dvec3 tip(0.0, 0.0, -22.0); // the holder's face, a disc of radius 10, at -2
+        const double quarter = 0.25 * (pi * 100.0 - 100.0);
+        const auto touched = [&](const ShankContact& contact, PropertyIndex property) {
+            for (const TouchedProperty& entry : contact.touched)
+                if (entry.property == property) return entry;
+            return TouchedProperty{};
+        };
+        const ShankContact contact = shankContact(workpiece, tool(), tip);
+        QVERIFY(contact.touches && contact.touchesStock && contact.touchesProtected);
+        QCOMPARE(int(contact.property), int(softStock));
+        QVERIFY(std::abs(touched(contact, softStock).volume / (2.0 * quarter) - 1.0) < 0.02);
+        QVERIFY(std::abs(touched(contact, fixture).volume / (1.5 * quarter) - 1.0) < 0.02);
+        QVERIFY(std::abs(touched(contact, part).volume / quarter - 1.0) < 0.02);
+        QVERIFY(!touched(contact, softStock).isProtected);
+        QVERIFY(touched(contact, fixture).isProtected && touched(contact, part).isProtected);
+        QCOMPARE(int(touched(contact, hardStock).property), int(airProperty));
+        // Above stock and part the fixture alone, and above that nothing.
+        const ShankContact above = shankContact(workpiece, tool(), tip + glm::dvec3(0.0, 0.0, 1.25));
+        QVERIFY(above.touches && !above.touchesStock && above.touchesProtected);
+        QCOMPARE(int(above.property), int(fixture));
+        QVERIFY(std::abs(above.volume / (0.25 * quarter) - 1.0) < 0.02);
+        QVERIFY(!shankContact(workpiece, tool(), tip + glm::dvec3(0.0, 0.0, 1.51)).touches);
+    }
+
     /// A cone is met where it is wide enough: dense sampling of its overlap gives the same volume.
     void aConicalHolderIsMetExactly() {
         const RunVolume workpiece = shaft(workGrid());
