@@ -116,7 +116,9 @@ Result<void> validateProfile(const Cutter& cutter) {
         if (!(element.radius >= 0.0) || !std::isfinite(element.radius))
             return invalid(key + ".radius_mm", element.radius, "at least 0");
         if (!(element.height >= from.y) || !std::isfinite(element.height))
-            return invalid(key + ".height_mm", element.height, "not below where the element begins");
+            return invalid(
+                key + ".height_mm", element.height,
+                "at least the height at which the element begins: profiles never fall, so a cupped tip can't be drawn");
         if (to == from)
             return invalid(key + ".radius_mm", element.radius, "another place than the element's beginning");
         if (element.arcRadius != 0.0)

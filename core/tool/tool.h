@@ -28,7 +28,9 @@ enum class CutterType : std::uint8_t {
 std::string_view cutterTypeName(CutterType type) noexcept;
 
 /// One line or arc of a profile, from where the one before it ended (the first: from the tip, radius 0, height 0). The
-/// tool lies between the profile and its axis, so heights never fall; a level line is a face or a shoulder.
+/// tool lies between the profile and its axis, so heights never fall (`validate`): a level line is a face or a
+/// shoulder, and a tip that is cupped can't be drawn, but has to be taken as flat, which is never smaller. Hollow arcs
+/// are taken as chords (`profileChord`).
 struct ProfileElement {
     double radius = 0.0;    ///< mm from the axis, of its end
     double height = 0.0;    ///< mm above the tip, of its end

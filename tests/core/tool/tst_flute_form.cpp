@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/tool.h"
 #include "tests/core/tool/cutters.h"
+#include "tests/core/tool/random_sweeps.h"
 
 #include <QtTest>
+#include <rapidcheck.h>
+
+#include <optional>
 
 using namespace burin;
 
@@ -33,6 +37,79 @@ void rowForEveryType() {
 
 Cutter cutterOf(int index) {
     return cutters::all()[static_cast<std::size_t>(index)].cutter;
+}
+
+/// An element of a profile by what it is drawn from; places are (radius, height), mm.
+struct Drawn {
+    glm::dvec2 from{0.0}, to{0.0};
+    double arcRadius = 0.0; ///< 0: a line; negative: hollow
+    glm::dvec2 centre{0.0}; ///< of an arc
+
+    bool hollow() const { return arcRadius < 0.0; }
+    bool isFace() const { return arcRadius == 0.0 && from.y == to.y; }
+    /// How far a place stands outside of the element, away from the axis; negative: within the tool.
+    double beyond(const glm::dvec2& place) const {
+        if (arcRadius != 0.0) {
+            const double out = glm::distance(place, centre) - std::abs(arcRadius);
+            return hollow() ? -out : out;
+        }
+        const glm::dvec2 along = glm::normalize(to - from);
+        return glm::dot(place - from, glm::dvec2(along.y, -along.x));
+    }
+    glm::dvec2 at(double angle) const { // of an arc: 0 where it is upright
+        return centre + glm::dvec2(arcRadius * std::cos(angle), std::abs(arcRadius) * std::sin(angle));
+    }
+};
+
+/// A random element that goes on from a place, or nothing where the throw falls across the axis.
+std::optional<Drawn> anyElement(const glm::dvec2& from) {
+    Drawn element;
+    element.from = from;
+    const int kind = *rc::gen::inRange(0, 6); // hollow ones often fall across the axis
+    if (kind < 2) {                           // a line, now and then level
+        element.to = {random::real(0.0, 8.0), from.y + (kind == 0 ? random::real(0.01, 4.0) : 0.0)};
+        if (std::abs(element.to.x - from.x) < 0.01 && kind == 1) return std::nullopt;
+        return element;
+    }
+    element.arcRadius = (kind == 2 ? 1.0 : -1.0) * random::real(0.05, 4.0);
+    const double one = random::real(-1.5, 1.5), two = random::real(-1.5, 1.5);
+    if (std::abs(one - two) < 0.05) return std::nullopt;
+    element.centre = from - element.at(std::min(one, two));
+    element.to = element.at(std::max(one, two));
+    const bool crosses = element.hollow() && one * two < 0.0 && element.centre.x + element.arcRadius < 0.01;
+    if (element.to.x < 0.0 || crosses) return std::nullopt;
+    return element;
+}
+
+std::vector<Drawn> anyDrawing() {
+    std::vector<Drawn> drawing;
+    glm::dvec2 place(0.0);
+    for (int throws = *rc::gen::inRange(6, 18); throws > 0; --throws)
+        if (const std::optional<Drawn> element = anyElement(place)) {
+            if (element->isFace() && !drawing.empty() && drawing.back().isFace()) continue; // out and back: no solid
+            drawing.push_back(*element);
+            place = element->to;
+        }
+    Drawn last; // a cylinder ends all of them
+    last.from = place;
+    last.to = place + glm::dvec2(0.0, 1.0);
+    if (place.x < 0.1) last.to.x = 2.0;
+    drawing.push_back(last);
+    return drawing;
+}
+
+Cutter cutterOf(const std::vector<Drawn>& drawing) {
+    double widest = 0.0;
+    for (const Drawn& element : drawing) {
+        widest = std::max({widest, element.from.x, element.to.x});
+        // A bulging arc that passes its equator is widest there.
+        if (element.arcRadius > 0.0 && element.from.y < element.centre.y && element.centre.y < element.to.y)
+            widest = std::max(widest, element.centre.x + element.arcRadius);
+    }
+    Cutter cutter = cutters::make(CutterType::profile, 2.0 * widest, 0.0, drawing.back().to.y);
+    for (const Drawn& element : drawing)
+        cutter.profile.push_back({element.to.x, element.to.y, std::abs(element.arcRadius), element.hollow()});
+    return cutter;
 }
 
 } // namespace
@@ -136,6 +213,43 @@ private slots:
         QVERIFY(valid.error().code == ErrorCode::argumentInvalid);
         QCOMPARE(QString::fromStdString(valid.error().subject), key);
         QVERIFY(!valid.error().detail.empty());
+    }
+
+    void aCuppedTipIsRefusedInWords() {
+        Cutter cutter = cutters::make(CutterType::profile, 6.0, 0.0, 6.0);
+        cutter.profile = {{1.0, 1.0}, {3.0, 0.5}, {3.0, 6.0}}; // hollow about the axis, so that the rim lies below
+        const Result<void> valid = validate(toolWith(cutter));
+        QVERIFY(!valid);
+        QCOMPARE(valid.error().subject, std::string("cutter.profile[1].height_mm"));
+        QVERIFY(valid.error().detail.find("a cupped tip can't be drawn") != std::string::npos);
+    }
+
+    /// Random profiles of lines and arcs, bulging and hollow, drawn by their centres and angles: every one is valid,
+    /// and its pieces stand on each line and bulging arc, and off a hollow one by no more than the stated chord,
+    /// outwards.
+    void anyProfileIsItsDrawing() {
+        int lines = 0, bulging = 0, hollow = 0;
+        const bool held = rc::check("profiles", [&] {
+            const std::vector<Drawn> drawing = anyDrawing();
+            const Cutter cutter = cutterOf(drawing);
+            const Result<void> valid = validate(toolWith(cutter));
+            if (!valid) RC_FAIL(valid.error().subject + " " + valid.error().place + " " + valid.error().detail);
+            const std::vector<RevolvedPiece> pieces = flutePieces(cutter);
+            for (std::size_t i = 1; i < pieces.size(); ++i)
+                RC_ASSERT(std::abs(pieces[i].bottom - pieces[i - 1].top) < 1e-12);
+            for (const Drawn& element : drawing) {
+                if (element.isFace()) continue;
+                for (int step = 1; step < 40; ++step) {
+                    const double height = glm::mix(element.from.y, element.to.y, step / 40.0);
+                    const double out = element.beyond({piecesRadius(pieces, height), height});
+                    RC_ASSERT(out > -1e-7 && out < (element.hollow() ? profileChord : 0.0) + 1e-7);
+                }
+                (element.arcRadius == 0.0 ? lines : element.hollow() ? hollow : bulging) += 1;
+            }
+        });
+        QVERIFY(held);
+        QVERIFY2(lines > 50 && bulging > 50 && hollow > 50,
+                 qPrintable(QStringLiteral("%1, %2, %3").arg(lines).arg(bulging).arg(hollow)));
     }
 
     /// A sphere drawn as two arcs about a point on the axis is a sphere, to the last bit of its centre.
