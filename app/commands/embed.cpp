@@ -59,7 +59,8 @@ Result<std::vector<Property>> materialsOf(const Setup& setup) {
 /// What a hand recorded is not replaced unless somebody says so. A file that can't be opened is for the saving to
 /// judge.
 Result<void> mayBeReplaced(const EmbedArguments& arguments) {
-    if (arguments.replace || !std::filesystem::exists(arguments.output)) return {};
+    std::error_code unreached;
+    if (arguments.replace || !std::filesystem::exists(arguments.output, unreached)) return {};
     const Result<Project> standing = Project::open(arguments.output);
     if (!standing) return {};
     const Result<std::vector<TakeInfo>> takes = standing->takes();

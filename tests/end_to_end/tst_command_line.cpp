@@ -103,6 +103,8 @@ void CommandLineTest::statusTellsWhatWentWrong_data() {
         "nose");
     row("voxel of no size", {"embed", "@/cube.brep", "-o", "@/x.burin", "--voxel", "0"}, 2, "");
     row("voxels without number", {"embed", "@/cube.brep", "-o", "@/x.burin", "--voxel", "0.00001"}, 2, "");
+    row("name that no folder can hold",
+        {"embed", "@/cube.brep", "-o", "@/" + QString(300, QLatin1Char('x')) + ".burin", "--voxel", "1"}, 4, "xxx");
     row("folder that is not there", {"embed", "@/cube.brep", "-o", "@/no/such/x.burin", "--voxel", "1"}, 4, "x.burin");
     row("not a project", {"info", "@/text.burin"}, 3, "text.burin");
     row("no project", {"mill", "@/none.burin"}, 3, "none.burin");
