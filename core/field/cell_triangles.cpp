@@ -11,7 +11,7 @@ namespace {
 
 constexpr double diagonal = 1.7320509;   // of a cell, voxels
 constexpr std::size_t longList = 8;      // triangles: worth a second look
-constexpr std::size_t longestList = 512; // that is looked at: more leave nothing between the corners of the mesh
+constexpr std::size_t longestList = 512; // that is looked at
 constexpr float alike = 0.99F;           // cosine between normals
 constexpr double farthest = 8.0;         // voxels from the surface, where a fold is looked for
 constexpr float thin = 2.5F;             // voxels: samples see what is wider
@@ -34,10 +34,10 @@ bool CellTriangles::findFold(const glm::dvec3& centre, float cosine) {
 
 void CellTriangles::gather(const glm::dvec3& centre) {
     centre_ = centre;
-    const double distance = std::abs(static_cast<double>(asker_.ask(centre).distance));
-    far_ = distance > farthest;
+    distance_ = std::abs(static_cast<double>(asker_.ask(centre).distance));
+    far_ = distance_ > farthest;
     const glm::dvec3 middle = origin_ + centre * voxel_;
-    part_.trianglesNear(middle, (distance + diagonal) * voxel_, numbers_);
+    part_.trianglesNear(middle, (distance_ + diagonal) * voxel_, numbers_);
     near_.clear();
     crowded_ = numbers_.size() > longestList;
     if (crowded_) return;
@@ -50,6 +50,12 @@ void CellTriangles::gather(const glm::dvec3& centre) {
                          glm::vec3(way / voxel_), glm::length(way)});
     }
     std::ranges::sort(near_, {}, &Near::away);
+}
+
+float CellTriangles::unseen() const noexcept {
+    if (!far_ && !crowded_) return 0.0F;
+    const auto distance = static_cast<float>(std::max(distance_, 0.1));
+    return std::min(thin * thin / (8.0F * distance), static_cast<float>(0.5 * diagonal));
 }
 
 /// The same for each eighth of the cell. The nearer one is to the cell's middle the earlier it comes.

@@ -22,9 +22,10 @@ public:
     /// @return whether it folds, as `isFolded` says
     bool findFold(const glm::dvec3& centre, float cosine);
 
-    /// Whether the cell lies so far from the surface that nobody looks for folds: what lies between samples moves the
-    /// distance there by a tenth of a voxel at most (as the square of its half width over twice the distance).
-    bool isFar() const noexcept { return far_; }
+    /// What a fold may move the distance by, voxels, where nobody looked for one: in cells that are far from the
+    /// surface and in those with too many triangles around them (the square of its half width over twice the distance).
+    /// 0 where `findFold` did look.
+    float unseen() const noexcept;
     /// Whether the surface folds within two and a half voxels, so that a gap or a wall may lie between samples.
     /// @param cosine  of the most that the normals of two triangles may differ
     bool isFolded(float cosine);
@@ -49,7 +50,9 @@ private:
     glm::dvec3 origin_;
     double voxel_;
     glm::dvec3 centre_{0.0};
-    bool far_ = false, crowded_ = false; ///< crowded: so many that they are not looked at
+    double distance_ = 0.0; ///< from its middle to the surface, voxels
+    bool far_ = false;
+    bool crowded_ = false; ///< so many that they are not looked at
     std::vector<std::uint32_t> numbers_;
     std::vector<Near> near_;
     std::vector<double> squared_;

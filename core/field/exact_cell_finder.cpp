@@ -12,7 +12,6 @@ namespace {
 constexpr float opposed = -0.5F;                      // cosine between normals: the sides of a gap or a wall
 constexpr float inclined = 0.97F;                     // the sides of any fold
 constexpr float halfDiagonal = 0.8660254F;            // of a cell, voxels
-constexpr float farError = 0.1F;                      // of cells that are far, voxels
 constexpr std::uint64_t lowX = 0x0101010101010101ULL; // cells with x = 0
 
 bool holds(const CellMask& cells, int z, int place) noexcept {
@@ -134,7 +133,7 @@ void ExactCellFinder::addFolded(CellMask cells, float cosine, bool spreads, Foun
                 if (!holds(cells, z, place)) continue;
                 add(looked, z, place);
                 const bool folds = triangles_.findFold(centreOf(z, place), cosine);
-                if (triangles_.isFar()) found.error = std::max(found.error, farError);
+                found.error = std::max(found.error, triangles_.unseen());
                 if (!folds) continue;
                 add(folded, z, place);
                 if (triangles_.isFolded(opposed)) add(made_->thinMask, z, place);

@@ -21,8 +21,19 @@ struct MadeBrick {
     std::vector<std::uint32_t> lists;
     float bound = 0.0F;           ///< mm
     float sampleBound = 0.0F;     ///< mm: of the samples alone
+    float kinkError = 0.0F;       ///< mm, not in the bound: what kinks between wide facets may add
+    int wideFacet = 0;            ///< voxels: from which width on a facet is wide
     float least = 0.0F;           ///< mm
     std::uint32_t bandVoxels = 0; ///< its own samples (all but those on the upper faces) within the band
 };
+
+/// What a made brick answers where its cells are trilinear, mm. @param place  voxels from its lowest corner, 0 … 8
+float distanceIn(const MadeBrick& made, const glm::vec3& place) noexcept;
+/// Whether the place is in an exact cell.
+bool isExactIn(const MadeBrick& made, const glm::vec3& place) noexcept;
+
+/// The largest difference, mm, between the samples that two bricks share. @param axis  along which the second is the
+/// next
+float disagreement(const MadeBrick& first, const MadeBrick& second, int axis) noexcept;
 
 } // namespace burin

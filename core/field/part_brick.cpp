@@ -20,6 +20,7 @@ constexpr float mostMiddleResidual = 0.08F;
 constexpr float mostMiddleError = 0.01F;   // of what was expected there
 constexpr float mostMiddleTurn = 0.03F;    // of its gradient
 constexpr float mostSpread = 0.02F;        // between the lines through a sample
+constexpr float mostStep = 0.02F;          // by which slopes miss the next sample, one of the two asked
 constexpr float mostCellError = 0.05F;     // of a trilinear cell; worse ones are exact
 constexpr float mostImbalance = 0.08F;     // between the bends at the ends of an edge, in a smooth cell
 constexpr float narrowQuantum = 0.008F;    // coarsest unit of residuals of 8 bits
@@ -80,20 +81,25 @@ bool agrees(const PartSample& expected, const PartSample& asked) noexcept {
            glm::dot(turn, turn) <= mostMiddleTurn * mostMiddleTurn;
 }
 
-float interpolationError(const LineCheck& check) noexcept {
-    return std::max(0.5F * check.residual, 0.25F * check.bend);
+LineError lineError(const LineCheck& check) noexcept {
+    const float even = std::max(0.5F * check.residual, 0.25F * check.bend);
+    return {even, std::max(check.bends - even, 0.0F)};
 }
 
-void BrickMaker::make(const glm::ivec3& corner, const SampleGrid& third, float thirdError, MadeBrick& made) {
+void BrickMaker::make(const glm::ivec3& corner, const SampleGrid& third, const LineError& thirdError, MadeBrick& made) {
     corner_ = glm::dvec3(corner);
-    sample(third);
-    sampleError_ += thirdError;
+    const LineError rest = sample(third);
+    sampleError_ += thirdError.even;
     finish(made, false);
+    // Of lines that were interpolated themselves the kinks are gone.
+    const bool asked = thirdError.kinked == 0.0F;
+    made.kinkError = static_cast<float>(static_cast<double>(asked ? rest.kinked : thirdError.kinked) * voxel_);
+    made.wideFacet = asked ? 2 : 4;
 }
 
 void BrickMaker::makeClosely(const glm::ivec3& corner, MadeBrick& made) {
     corner_ = glm::dvec3(corner);
-    sampleError_ = 0.0F;
+    sampleError_ = made.kinkError = 0.0F;
     for (int z = 0; z < 9; ++z)
         for (int y = 0; y < 9; ++y)
             for (int x = 0; x < 9; ++x) nine_.set(nine_.at(x, y, z), asker_.ask(corner_ + glm::dvec3(x, y, z)));
@@ -111,13 +117,15 @@ void BrickMaker::finish(MadeBrick& made, bool closely) {
     made.sampleBound = static_cast<float>(static_cast<double>(sampleError_ + rounding) * voxel_) + quantisation;
 }
 
-void BrickMaker::sample(const SampleGrid& third) {
+/// @return of what it did not ask for
+LineError BrickMaker::sample(const SampleGrid& third) {
     LineCheck four, two;
     refine(third, five_, 4.0F, four);
     refine(five_, nine_, 2.0F, two);
     if (isSmooth(four) && isSmooth(two)) {
-        sampleError_ = estimate + std::max(interpolationError(four), interpolationError(two));
-        return;
+        const LineError fours = lineError(four), twos = lineError(two);
+        sampleError_ = estimate + std::max(fours.even, twos.even);
+        return fours;
     }
     for (int z = 0; z < 5; ++z)
         for (int y = 0; y < 5; ++y)
@@ -127,22 +135,53 @@ void BrickMaker::sample(const SampleGrid& third) {
     two = {};
     refine(five_, nine_, 2.0F, two);
     sampleError_ = estimate + 0.5F * std::min(std::max(two.residual, 0.5F * two.bend), mostResidual);
-    if (!isSmooth(two)) sampleFailing();
+    if (isSmooth(two)) return lineError(two);
+    sampleFailing();
+    return {};
 }
 
-/// Keeps what smooth lines agree on.
+/// Keeps what smooth lines agree on, where what was asked beside it goes on to that smoothly.
 void BrickMaker::sampleFailing() {
+    std::bitset<CellGrid::samples> onLines;
+    std::vector<std::size_t> asked;
     for (int z = 0; z < 9; ++z)
         for (int y = 0; y < 9; ++y)
             for (int x = 0; x < 9; ++x) {
                 if (x % 2 == 0 && y % 2 == 0 && z % 2 == 0) continue;
-                const std::optional<PartSample> known = onLines({x, y, z});
-                nine_.set(nine_.at(x, y, z), known ? *known : asker_.ask(corner_ + glm::dvec3(x, y, z)));
+                const std::size_t at = nine_.at(x, y, z);
+                const std::optional<PartSample> known = between({x, y, z});
+                onLines[at] = known.has_value();
+                if (!known) asked.push_back(at);
+                nine_.set(at, known ? *known : asker_.ask(corner_ + glm::dvec3(x, y, z)));
             }
+    askBeside(std::move(asked), onLines);
+}
+
+/// Lines pass over what is narrower than they are long, such as a slot that they cross: samples asked nearer to it know
+/// of it, and their slopes tell that it goes on. From these on samples are asked as far as that is so.
+void BrickMaker::askBeside(std::vector<std::size_t> asked, std::bitset<CellGrid::samples>& onLines) {
+    constexpr std::array<std::size_t, 3> step{1, CellGrid::along, CellGrid::along * CellGrid::along};
+    while (!asked.empty()) {
+        const std::size_t from = asked.back();
+        asked.pop_back();
+        const glm::ivec3 place = CellGrid::cellOf(static_cast<int>(from));
+        for (int side = 0; side < 6; ++side) {
+            const int axis = side / 2, way = side % 2 == 0 ? 1 : -1;
+            if (place[axis] + way < 0 || place[axis] + way > CellGrid::cells) continue;
+            const std::size_t a = static_cast<std::size_t>(axis), to = way > 0 ? from + step[a] : from - step[a];
+            if (!onLines[to]) continue;
+            const std::vector<float>& slope = nine_.values[a + 1];
+            const float rise = static_cast<float>(way) * (nine_.values[0][to] - nine_.values[0][from]);
+            if (std::abs(rise - 0.5F * (slope[from] + slope[to])) <= mostStep) continue;
+            nine_.set(to, asker_.ask(corner_ + glm::dvec3(CellGrid::cellOf(static_cast<int>(to)))));
+            onLines[to] = false;
+            asked.push_back(to);
+        }
+    }
 }
 
 /// A sample with odd places lies in the middle of one, two or four lines between even ones.
-std::optional<PartSample> BrickMaker::onLines(const glm::ivec3& sample) const noexcept {
+std::optional<PartSample> BrickMaker::between(const glm::ivec3& sample) const noexcept {
     const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
     float least = std::numeric_limits<float>::infinity(), most = -least;
     PartSample sum;
@@ -225,64 +264,6 @@ float BrickMaker::errorOf(const CellMask& cells) const noexcept {
             largest = std::max(largest, cellError(place % 8, place / 8, z));
         }
     return largest;
-}
-
-float distanceIn(const MadeBrick& made, const glm::vec3& place) noexcept {
-    const glm::ivec3 cell = glm::clamp(glm::ivec3(place), 0, CellGrid::cells - 1);
-    const glm::vec3 share = place - glm::vec3(cell);
-    const std::size_t first = CellGrid::sampleAt(cell.x, cell.y, cell.z);
-    const bool wide = made.header.wide != 0;
-    const auto residual = [&](std::size_t step) noexcept {
-        return wide ? static_cast<float>(made.wide[first + step]) : static_cast<float>(made.narrow[first + step]);
-    };
-    const auto alongX = [&](std::size_t step) noexcept {
-        return glm::mix(residual(step), residual(step + 1), share.x);
-    };
-    const float rest =
-        glm::mix(glm::mix(alongX(0), alongX(9), share.y), glm::mix(alongX(81), alongX(90), share.y), share.z);
-    const auto& [x, y, z] = made.header.slope;
-    return made.header.base + glm::dot(glm::vec3(x, y, z), place) + made.header.quantum * rest;
-}
-
-bool isExactIn(const MadeBrick& made, const glm::vec3& place) noexcept {
-    const glm::ivec3 cell = glm::clamp(glm::ivec3(place), 0, CellGrid::cells - 1);
-    return ((made.exactMask[static_cast<std::size_t>(cell.z)] >> (cell.x + 8 * cell.y)) & 1U) != 0;
-}
-
-namespace {
-
-using Face = std::array<float, CellGrid::along * CellGrid::along>;
-
-/// The samples of a brick on a face across an axis. @param at  0 or 8 along it
-Face faceOf(const MadeBrick& made, int axis, int at) noexcept {
-    constexpr std::array<int, 3> step{1, CellGrid::along, CellGrid::along * CellGrid::along};
-    const auto a = static_cast<std::size_t>(axis), u = (a + 1) % 3, v = (a + 2) % 3;
-    const FineBrick& header = made.header;
-    const float base = header.base + header.slope[a] * static_cast<float>(at);
-    Face face;
-    const auto fill = [&](const auto* samples) noexcept {
-        std::size_t place = 0;
-        for (int j = 0; j < CellGrid::along; ++j) {
-            const float row = base + header.slope[v] * static_cast<float>(j);
-            for (int i = 0; i < CellGrid::along; ++i)
-                face[place++] = row + header.slope[u] * static_cast<float>(i) +
-                                header.quantum * static_cast<float>(samples[at * step[a] + i * step[u] + j * step[v]]);
-        }
-    };
-    if (header.wide != 0)
-        fill(made.wide.data());
-    else
-        fill(made.narrow.data());
-    return face;
-}
-
-} // namespace
-
-float disagreement(const MadeBrick& first, const MadeBrick& second, int axis) noexcept {
-    const Face end = faceOf(first, axis, CellGrid::cells), begin = faceOf(second, axis, 0);
-    float most = 0.0F;
-    for (std::size_t i = 0; i < end.size(); ++i) most = std::max(most, std::abs(end[i] - begin[i]));
-    return most;
 }
 
 void BrickMaker::pack(MadeBrick& made) const {

@@ -4,18 +4,11 @@
 
 #include "core/field/exact_cell_finder.h"
 
+#include <bitset>
 #include <optional>
+#include <vector>
 
 namespace burin {
-
-/// What a made brick answers where its cells are trilinear, mm. @param place  voxels from its lowest corner, 0 … 8
-float distanceIn(const MadeBrick& made, const glm::vec3& place) noexcept;
-/// Whether the place is in an exact cell.
-bool isExactIn(const MadeBrick& made, const glm::vec3& place) noexcept;
-
-/// The largest difference, mm, between the samples that two bricks share. @param axis  along which the second is the
-/// next
-float disagreement(const MadeBrick& first, const MadeBrick& second, int axis) noexcept;
 
 /// Whether lines are so smooth that cubics between their ends do.
 bool isSmooth(const LineCheck& check) noexcept;
@@ -26,7 +19,11 @@ bool mayBeSmooth(const LineCheck& check) noexcept;
 bool agrees(const PartSample& expected, const PartSample& asked) noexcept;
 
 /// What samples between such lines are off by, voxels.
-float interpolationError(const LineCheck& check) noexcept;
+struct LineError {
+    float even = 0.0F;   ///< where the surface bends evenly along them
+    float kinked = 0.0F; ///< and so much more where a line has one kink: facets of the mesh as wide as half of it
+};
+LineError lineError(const LineCheck& check) noexcept;
 
 /// Makes fine bricks: samples, their packed form, the bound of their error and the cells that need more than samples.
 /// One thread each.
@@ -38,16 +35,17 @@ public:
         : asker_(part, origin, voxel), exact_(part, origin, voxel), voxel_(voxel) {}
 
     /// @param corner  lowest, voxels from the origin  @param third  its samples 4 voxels apart
-    /// @param thirdError  of those, voxels
-    void make(const glm::ivec3& corner, const SampleGrid& third, float thirdError, MadeBrick& made);
+    /// @param thirdError  of those: none where they were asked for
+    void make(const glm::ivec3& corner, const SampleGrid& third, const LineError& thirdError, MadeBrick& made);
     /// Asks the mesh for every sample, and looks into every cell for folds of the surface.
     void makeClosely(const glm::ivec3& corner, MadeBrick& made);
 
 private:
-    void sample(const SampleGrid& third);
+    LineError sample(const SampleGrid& third);
     void finish(MadeBrick& made, bool closely);
     void sampleFailing();
-    std::optional<PartSample> onLines(const glm::ivec3& sample) const noexcept;
+    void askBeside(std::vector<std::size_t> asked, std::bitset<CellGrid::samples>& onLines);
+    std::optional<PartSample> between(const glm::ivec3& sample) const noexcept;
     float boundCells();
     float cellError(int x, int y, int z) const noexcept;
     float errorOf(const CellMask& cells) const noexcept;

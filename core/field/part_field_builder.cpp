@@ -184,14 +184,12 @@ private:
     }
 
     /// The 27 samples of a candidate: its own, the next ones', and where these are none, asked for.
-    /// @return their largest error, voxels
-    float gather(std::size_t number, SampleGrid& third) const {
+    /// @return what they are off by where they were not asked for
+    LineError gather(std::size_t number, SampleGrid& third) const {
         PartAsker ask = asker();
         const FieldCandidate& candidate = candidates_[number];
         SampleGrid corners(2);
-        if (candidate.smooth) {
-            return interpolationError(refineCorners(candidate, corners, third));
-        }
+        if (candidate.smooth) return lineError(refineCorners(candidate, corners, third));
         for (int z = 0; z < 3; ++z)
             for (int y = 0; y < 3; ++y)
                 for (int x = 0; x < 3; ++x) {
@@ -208,7 +206,7 @@ private:
                     else
                         third.set(third.at(x, y, z), ask.ask(brickVoxels * candidate.brick + 4 * (local)));
                 }
-        return 0.0F;
+        return {};
     }
 
     static bool inBand(const SampleGrid& third) noexcept {
@@ -229,7 +227,7 @@ private:
             BrickMaker maker(part_, layers_->origin, voxel());
             SampleGrid third(3);
             for (std::size_t i = first; i < end && !progress_.cancelled(); ++i) {
-                const float error = gather(i, third);
+                const LineError error = gather(i, third);
                 candidates_[i].fine = inBand(third);
                 if (candidates_[i].fine) maker.make(brickVoxels * candidates_[i].brick, third, error, made_[i]);
             }
@@ -239,7 +237,7 @@ private:
     /// Bricks that a point of the mesh contradicts, or another brick, are made again, sample by sample; what those then
     /// contradict, too.
     void checkSurface() {
-        const SurfaceCheck check(part_, *layers_, candidates_, made_);
+        SurfaceCheck check(part_, *layers_, candidates_, made_);
         std::vector<std::uint8_t> asked(candidates_.size(), 0);
         for (std::vector<std::size_t> again = check.contradicted(progress_); !again.empty() && !progress_.cancelled();
              again = check.contradictedBy(again, asked)) {
@@ -251,6 +249,19 @@ private:
             });
             for (const std::size_t number : again) asked[number] = 1;
         }
+        allowForWideFacets(check);
+    }
+
+    /// What lies between samples was taken to bend evenly; where facets are wide it has kinks.
+    void allowForWideFacets(const SurfaceCheck& check) {
+        spreadStretches(made_.size(), 0.93, 0.93, progress_, [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i) {
+                MadeBrick& made = made_[i];
+                if (!candidates_[i].fine || !(made.kinkError > 0.0F) || !check.isFacetNear(i, made.wideFacet)) continue;
+                made.bound += made.kinkError;
+                made.least = std::max(made.least - made.kinkError, 0.0F);
+            }
+        });
     }
 
     /// What folds between samples does so into the bricks beside, too, which may know nothing of it.

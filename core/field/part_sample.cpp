@@ -41,7 +41,9 @@ void refineAxis(const std::array<const float*, 4>& from, const std::array<float*
                 to[other][middle + k] = 0.5F * (from[other][a + k] + from[other][b + k]);
             }
         }
-    check.bend = std::max(check.bend, std::sqrt(bendSquared));
+    const float bend = std::sqrt(bendSquared);
+    check.bend = std::max(check.bend, bend);
+    check.bends += bend;
     check.residual = std::max(check.residual, std::sqrt(residualSquared));
 }
 

@@ -53,6 +53,7 @@ struct SampleGrid {
 /// How far lines between samples are from being smooth, voxels.
 struct LineCheck {
     float bend = 0.0F;                                     ///< how far the middle lies from the chord
+    float bends = 0.0F;                                    ///< the largest bend of each axis, added
     float residual = 0.0F;                                 ///< by how much the mean slope misses the other end
     float floor = -std::numeric_limits<float>::infinity(); ///< lines that lie below it altogether do not count
 };

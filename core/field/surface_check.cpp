@@ -16,6 +16,7 @@ namespace {
 constexpr std::int32_t coarse = PartFieldLayers::coarse;
 constexpr float mostDisagreement = 0.01F;           // voxels, between bricks beside each other
 constexpr double pointSpacing = 1.5;                // voxels, on large triangles
+constexpr double narrowFacet = 2.0;                 // voxels
 constexpr std::uint32_t allAround = (1U << 27) - 1; // a bit for each brick around one, x running fastest
 
 constexpr int bitOf(const glm::ivec3& step) noexcept {
@@ -24,7 +25,7 @@ constexpr int bitOf(const glm::ivec3& step) noexcept {
 
 } // namespace
 
-std::vector<std::size_t> SurfaceCheck::contradicted(Progress& progress) const {
+std::vector<std::size_t> SurfaceCheck::contradicted(Progress& progress) {
     std::vector<std::uint8_t> wrong(candidates_.size(), 0);
     const std::vector<std::uint32_t> doubtful = findDoubtful(wrong, progress);
     const std::span<const Triangle> triangles = part_.triangles();
@@ -32,7 +33,7 @@ std::vector<std::size_t> SurfaceCheck::contradicted(Progress& progress) const {
         SurfacePoints points;
         for (std::size_t i = first; i < end; ++i)
             points.of(triangles[i], pointSpacing * layers_.request.voxel,
-                      [&](const glm::dvec3& point) { check(point, doubtful, wrong); });
+                      [&](const glm::dvec3& point, double width) { check(point, width, doubtful, wrong); });
     };
     // The longer the stretch, the fewer corners are met in two.
     spreadStretches(triangles.size(), 0.85, 0.92, progress, checkStretch, 1024);
@@ -97,12 +98,13 @@ void SurfaceCheck::doubt(std::size_t number, std::vector<std::uint32_t>& doubtfu
     std::atomic_ref(doubtful[number]).fetch_or(around, std::memory_order_relaxed);
 }
 
-void SurfaceCheck::check(const glm::dvec3& point, const std::vector<std::uint32_t>& doubtful,
-                         std::vector<std::uint8_t>& wrong) const {
+void SurfaceCheck::check(const glm::dvec3& point, double width, const std::vector<std::uint32_t>& doubtful,
+                         std::vector<std::uint8_t>& wrong) {
     const glm::dvec3 place = (point - layers_.origin) * perVoxel_;
     const glm::ivec3 home = glm::ivec3(place) >> 3;
     const glm::dvec3 at = place - 8.0 * glm::dvec3(home);
     const std::int32_t own = candidateAt(layers_, home);
+    if (own != coarse && width * perVoxel_ > narrowFacet) meetFacet(static_cast<std::size_t>(own), width * perVoxel_);
     const bool answers = own != coarse && !contradicts(static_cast<std::size_t>(own), glm::vec3(at), 0.0F);
     const std::uint32_t around = answers ? doubtful[static_cast<std::size_t>(own)] : allAround;
     if (around == 0) return;
@@ -117,6 +119,27 @@ void SurfaceCheck::check(const glm::dvec3& point, const std::vector<std::uint32_
         if (away <= BrickMaker::bandVoxels && contradicts(static_cast<std::size_t>(number), inside, away))
             std::atomic_ref(wrong[static_cast<std::size_t>(number)]).store(1, std::memory_order_relaxed);
     }
+}
+
+void SurfaceCheck::meetFacet(std::size_t number, double width) noexcept {
+    const auto whole = static_cast<std::uint8_t>(std::min(width, 255.0));
+    const std::atomic_ref facet(facetWidth_[number]);
+    if (facet.load(std::memory_order_relaxed) >= whole) return;
+    facet.store(whole, std::memory_order_relaxed); // of two at once either: both are wide
+    anyFacet_.store(true, std::memory_order_relaxed);
+}
+
+bool SurfaceCheck::isFacetNear(std::size_t number, int width) const noexcept {
+    if (!anyFacet_.load(std::memory_order_relaxed)) return false;
+    constexpr int reach = 2; // bricks to where the nearest of the surface may be
+    const glm::ivec3& middle = candidates_[number].brick;
+    for (int z = -reach; z <= reach; ++z)
+        for (int y = -reach; y <= reach; ++y)
+            for (int x = -reach; x <= reach; ++x) {
+                const std::int32_t near = candidateAt(layers_, middle + glm::ivec3(x, y, z));
+                if (near != coarse && facetWidth_[static_cast<std::size_t>(near)] >= width) return true;
+            }
+    return false;
 }
 
 bool SurfaceCheck::contradicts(std::size_t number, const glm::vec3& inside, float away) const noexcept {

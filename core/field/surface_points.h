@@ -17,11 +17,11 @@ class SurfacePoints {
 public:
     SurfacePoints() { seen_.fill(glm::dvec3(std::nan(""))); }
 
-    /// @param take  is given the points of a triangle
+    /// @param take  is given the points of a triangle, and how wide it is (its least height) if it is larger, else 0
     template <class Take>
     void of(const Triangle& triangle, double spacing, const Take& take) {
         for (const glm::dvec3& corner : triangle)
-            if (isNew(corner)) take(corner);
+            if (isNew(corner)) take(corner, 0.0);
         std::size_t base = 0; // the longest edge begins here
         for (std::size_t i = 1; i < 3; ++i)
             if (squaredEdge(triangle, i) > squaredEdge(triangle, base)) base = i;
@@ -35,7 +35,7 @@ public:
             const glm::dvec3 low = glm::mix(from, top, up), high = glm::mix(to, top, up);
             const int columns = std::max(1, static_cast<int>(std::ceil(longest * (1.0 - up) / spacing)));
             for (int column = 0; column <= columns; ++column)
-                take(glm::mix(low, high, static_cast<double>(column) / columns));
+                take(glm::mix(low, high, static_cast<double>(column) / columns), height);
         }
     }
 
