@@ -68,4 +68,15 @@ FieldSample BrickField::sample(const glm::dvec3& tip) const noexcept {
     return {between.value - static_cast<double>(coarseBound[number]), between.gradient / brickEdge(), false};
 }
 
+/// Coarse values are never too high; outside the box the true one falls by no more than the way there.
+double BrickField::bound(const glm::dvec3& tip) const noexcept {
+    glm::dvec3 kept;
+    for (int axis = 0; axis < 3; ++axis) // what is not a number: low
+        kept[axis] = tip[axis] > tips.low[axis] ? std::min(tip[axis], tips.high[axis]) : tips.low[axis];
+    const glm::ivec3 brick = glm::min(glm::ivec3((kept - tips.low) / brickEdge()), bricks - 1);
+    const std::int32_t fine = place[brickAt(brick)];
+    const double inside = fine == coarse ? 0.0 : static_cast<double>(fineBound[static_cast<std::size_t>(fine)]);
+    return inside + glm::length(tip - kept);
+}
+
 } // namespace burin

@@ -28,6 +28,7 @@ struct BrickField {
     std::vector<float> corners;      ///< (bricks + 1) along each axis: clearance, mm
     std::vector<float> coarseBound;  ///< per brick: how far interpolation between its corners may be too high, mm
     std::vector<std::int16_t> samples;
+    std::vector<float> fineBound; ///< per fine brick: how far its values may be too high, mm
 
     double brickEdge() const noexcept { return spacing * cells; }
     std::size_t brickCount() const noexcept { return count(bricks); }
@@ -41,11 +42,14 @@ struct BrickField {
     static std::size_t sampleAt(const glm::ivec3& s) noexcept { return at(s, glm::ivec3(samplesAlong)); }
     glm::dvec3 brickLow(const glm::ivec3& b) const noexcept { return tips.low + glm::dvec3(b) * brickEdge(); }
     std::size_t memoryBytes() const noexcept {
-        return place.capacity() * sizeof(std::int32_t) + (corners.capacity() + coarseBound.capacity()) * sizeof(float) +
+        return place.capacity() * sizeof(std::int32_t) +
+               (corners.capacity() + coarseBound.capacity() + fineBound.capacity()) * sizeof(float) +
                samples.capacity() * sizeof(std::int16_t);
     }
 
     FieldSample sample(const glm::dvec3& tip) const noexcept;
+    /// How far the clearance may be above the true one, mm.
+    double bound(const glm::dvec3& tip) const noexcept;
 
 private:
     static std::size_t count(const glm::ivec3& n) noexcept {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/brick_sampler.h"
 
+#include "core/field/brick_excess.h"
 #include "core/field/spread.h"
 
 #include <algorithm>
@@ -25,6 +26,11 @@ void toAndFro(int along, const Visit& visit) {
             for (int column = 0; column < along; ++column)
                 visit(glm::ivec3((row + k * along) % 2 == 0 ? column : along - 1 - column,
                                  k % 2 == 0 ? row : along - 1 - row, k));
+}
+
+/// What lines along three axes are off by, mm, where each has a kink, or two opposite ones.
+double errorOf(const LineCheck& check) noexcept {
+    return static_cast<double>(check.bends + 1.5F * check.residual);
 }
 
 std::size_t placeIn(const glm::ivec3& i, int along) noexcept {
@@ -119,6 +125,7 @@ bool BrickSampler::fillFromCorners(std::size_t order, TipAsker& ask, Grids& grid
     LineCheck check;
     check.floor = static_cast<float>(deep_);
     refine(grids.two.samples, grids.middle, 8.0F * spacing, check);
+    const double lineError = errorOf(check);
     refine(grids.middle, grids.fine, 4.0F * spacing, check);
     refine(grids.fine, grids.nine, 2.0F * spacing, check);
     if (!isSmooth(check, mostBendOfCorners)) return false;
@@ -126,7 +133,7 @@ bool BrickSampler::fillFromCorners(std::size_t order, TipAsker& ask, Grids& grid
     const float asked = ask.ask(place(order, glm::ivec3(4))).straightened().distance;
     const float most = asked < check.floor ? mostDifferenceInDepth : mostDifference;
     if (!(std::abs(asked - middle) <= most * static_cast<float>(request_.voxel))) return false;
-    pack(order, grids.two, grids.nine);
+    pack(order, grids.two, grids.nine, lineError);
     return true;
 }
 
@@ -170,27 +177,32 @@ bool BrickSampler::fillFromFours(std::size_t order, TipAsker& ask, Grids& grids)
     LineCheck check;
     check.floor = static_cast<float>(deep_);
     refine(grids.three.samples, grids.fine, 4.0F * spacing, check);
+    const double lineError = errorOf(check);
     refine(grids.fine, grids.nine, 2.0F * spacing, check);
     if (!isSmooth(check, mostBendOfFours)) return false;
-    pack(order, grids.three, grids.nine);
+    pack(order, grids.three, grids.nine, lineError);
     return true;
 }
 
 void BrickSampler::fillFromTwos(std::size_t order, TipAsker& ask, Grids& grids) {
     gather(order, twos_, ask, grids.five);
     std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
+    double error = 0.0;
     toAndFro(BrickField::samplesAlong, [&](const glm::ivec3& at) {
-        const std::optional<double> known = between(grids.five, at);
-        const double value = known ? *known : static_cast<double>(ask.ask(place(order, at)).clearance.distance);
+        const std::optional<Between> known = between(grids.five, at);
+        const double value = known ? known->value : static_cast<double>(ask.ask(place(order, at)).clearance.distance);
+        if (known) error = std::max(error, known->error);
         first[BrickField::sampleAt(at)] = packed(value);
     });
+    bound(order, error);
 }
 
 /// A sample with odd places lies in the middle of one, two or four lines between even ones.
-std::optional<double> BrickSampler::between(const Grid& all, const glm::ivec3& sample) const noexcept {
+std::optional<BrickSampler::Between> BrickSampler::between(const Grid& all, const glm::ivec3& sample) const noexcept {
     const SampleGrid& twos = all.samples;
     const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
-    double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0.0;
+    double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0.0, error = 0.0;
+    float leastGain = 1.0F, mostGain = 0.0F;
     bool deep = false;
     int lines = 0;
     for (int signs = 0; signs < 8; ++signs) {
@@ -202,6 +214,12 @@ std::optional<double> BrickSampler::between(const Grid& all, const glm::ivec3& s
         const glm::dvec3 way = 2.0 * field_.spacing * glm::dvec3(odd - 2 * up);
         const auto start = static_cast<double>(from.distance), end = static_cast<double>(to.distance);
         double estimate = 0.5 * (start + end);
+        if (estimate < 0.0)
+            for (const glm::ivec3& place : {a, b}) {
+                const float gain = all.gains[twos.at(place.x, place.y, place.z)];
+                leastGain = std::min(leastGain, gain);
+                mostGain = std::max(mostGain, gain);
+            }
         // In depth nothing but the way out is asked for: straight lines will do.
         deep = deep || estimate < deep_;
         if (!deep) {
@@ -211,6 +229,7 @@ std::optional<double> BrickSampler::between(const Grid& all, const glm::ivec3& s
                 !(std::abs(residual) <= mostResidualOfTwos * request_.voxel))
                 return std::nullopt;
             estimate += bend;
+            error = std::max(error, std::abs(bend));
         }
         least = std::min(least, estimate);
         most = std::max(most, estimate);
@@ -219,10 +238,12 @@ std::optional<double> BrickSampler::between(const Grid& all, const glm::ivec3& s
     }
     if (!deep && most - least > mostSpread * request_.voxel) return std::nullopt;
     const float gain = all.gainAt(glm::vec3(sample) / static_cast<float>(BrickField::cells));
-    return static_cast<double>(bentBack(static_cast<float>(sum / lines), gain));
+    const double value = sum / lines;
+    if (!deep && leastGain < mostGain) error += gainError(value, leastGain, mostGain);
+    return Between{static_cast<double>(bentBack(static_cast<float>(value), gain)), error};
 }
 
-void BrickSampler::pack(std::size_t order, const Grid& gains, const SampleGrid& nine) {
+void BrickSampler::pack(std::size_t order, const Grid& gains, const SampleGrid& nine, double lineError) {
     std::int16_t* const first = field_.samples.data() + order * BrickField::samplesPerBrick;
     const std::vector<float>& values = nine.values[0];
     const bool rim = std::ranges::min(gains.gains) < 1.0F;
@@ -235,6 +256,30 @@ void BrickSampler::pack(std::size_t order, const Grid& gains, const SampleGrid& 
                     value = bentBack(value, gains.gainAt(glm::vec3(i, j, k) / static_cast<float>(BrickField::cells)));
                 first[at] = packed(static_cast<double>(value));
             }
+    if (rim) {
+        const auto [leastGain, mostGain] = std::ranges::minmax(gains.gains);
+        lineError += gainError(static_cast<double>(std::ranges::min(values)), leastGain, mostGain);
+    }
+    bound(order, lineError);
+}
+
+/// What straightened values, none deeper than one, are off by once they are bent back, mm: with gains between the least
+/// and the most. Clearances of less than a voxel inside have no bound.
+double BrickSampler::gainError(double straightened, float least, float most) const noexcept {
+    const double bounded = (request_.voxel + field_.spacing) / static_cast<double>(least);
+    return std::clamp(-straightened, 0.0, bounded) * static_cast<double>(most - least);
+}
+
+/// Values between samples are off by what the samples' differences say, and by the samples' own error; what is
+/// subtracted from every sample comes off that.
+void BrickSampler::bound(std::size_t order, double sampleError) noexcept {
+    const double perUnit = field_.quantum, subtracted = resolution_.interpolationBound;
+    const float between =
+        kinkExcess(field_.samples.data() + order * BrickField::samplesPerBrick,
+                   static_cast<float>(field_.spacing / perUnit), static_cast<float>((deep_ - subtracted) / perUnit));
+    const double excess =
+        static_cast<double>(between) * perUnit + sampleError + tolerance * request_.voxel + 2.0 * perUnit - subtracted;
+    field_.fineBound[order] = static_cast<float>(std::max(excess, subtracted));
 }
 
 std::int16_t BrickSampler::packed(double value) const noexcept {

@@ -25,7 +25,7 @@ public:
 
     /// What it and the field take for a fine brick, where none of them is smooth.
     static constexpr std::size_t bytesPerBrick() noexcept {
-        return BrickField::samplesPerBrick * sizeof(std::int16_t) + (8 + 64) * sizeof(TipSample);
+        return BrickField::samplesPerBrick * sizeof(std::int16_t) + sizeof(float) + (8 + 64) * sizeof(TipSample);
     }
 
     /// Parallel, reported between the fractions.
@@ -70,8 +70,14 @@ private:
     void fillFromTwos(std::size_t order, TipAsker& ask, Grids& grids);
     void gather(std::size_t order, const Level& level, TipAsker& ask, Grid& all) const;
     bool isSmooth(const LineCheck& check, float mostBend) const noexcept;
-    std::optional<double> between(const Grid& twos, const glm::ivec3& sample) const noexcept;
-    void pack(std::size_t order, const Grid& gains, const SampleGrid& nine);
+    /// What is known without asking, and how far it may be off, mm.
+    struct Between {
+        double value, error;
+    };
+    std::optional<Between> between(const Grid& twos, const glm::ivec3& sample) const noexcept;
+    void pack(std::size_t order, const Grid& gains, const SampleGrid& nine, double lineError);
+    double gainError(double straightened, float least, float most) const noexcept;
+    void bound(std::size_t order, double sampleError) noexcept;
     std::int16_t packed(double value) const noexcept;
 
     const MeshDistance& part_;

@@ -79,6 +79,7 @@ private:
         const double needed = static_cast<double>(fine_.size()) * static_cast<double>(BrickSampler::bytesPerBrick());
         if (Result<void> fits = needMemory(subject, needed); !fits) return fits;
         field_.samples.assign(fine_.size() * BrickField::samplesPerBrick, 0);
+        field_.fineBound.assign(fine_.size(), 0.0F);
         return {};
     }
 

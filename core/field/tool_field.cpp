@@ -38,6 +38,9 @@ FieldSample ToolField::at(const glm::dvec3& tip) const noexcept {
 double ToolField::errorBound() const noexcept {
     return 2.0 * bricks_->interpolationBound + bricks_->quantum;
 }
+double ToolField::errorBoundAt(const glm::dvec3& tip) const noexcept {
+    return bricks_->bound(tip);
+}
 double ToolField::spacing() const noexcept {
     return bricks_->spacing;
 }

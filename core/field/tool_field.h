@@ -22,9 +22,9 @@ struct ToolFieldRequest {
 };
 
 struct FieldSample {
-    double clearance = 0.0;   ///< mm, never above the true clearance by more than `errorBound`
+    double clearance = 0.0;   ///< mm, never above the true clearance by more than `errorBoundAt` the tip
     glm::dvec3 gradient{0.0}; ///< of the clearance, about unit length
-    bool fine = false;        ///< inside the fine band, where errorBound() holds
+    bool fine = false;        ///< inside the fine band
 };
 
 /// How far a tool, its tip at a point, keeps from what it must not enter. The proxy of the haptic loop moves in it as a
@@ -35,8 +35,11 @@ public:
     /// Any thread; no allocation, no exception.
     virtual FieldSample at(const glm::dvec3& tip) const noexcept = 0;
     /// Largest error of `clearance` in the fine band, down to a voxel inside, where the part's faces are smooth, mm;
-    /// <= 0.05 voxel.
+    /// <= 0.05 voxel. Elsewhere it is less than the true one by more, or above it by what `errorBoundAt` says.
     virtual double errorBound() const noexcept = 0;
+    /// How far `clearance` at a tip may be above the true one, down to a voxel inside, mm: at sharp edges, too. Any
+    /// thread; no allocation.
+    virtual double errorBoundAt(const glm::dvec3&) const noexcept { return errorBound(); }
     /// Edge of a fine cell, mm.
     virtual double spacing() const noexcept = 0;
 };
@@ -57,6 +60,8 @@ public:
     /// Trilinear value and gradient. Outside the box of tips the value of its nearest point, and not fine.
     FieldSample at(const glm::dvec3& tip) const noexcept override;
     double errorBound() const noexcept override;
+    /// That of the brick the tip is in; coarse ones have none.
+    double errorBoundAt(const glm::dvec3& tip) const noexcept override;
     double spacing() const noexcept override;
     std::size_t memoryBytes() const noexcept;
 

@@ -17,6 +17,7 @@ public:
 
     FieldSample at(const glm::dvec3& tip) const noexcept override;
     double errorBound() const noexcept override { return field_.errorBound(); }
+    double errorBoundAt(const glm::dvec3& tip) const noexcept override { return field_.errorBoundAt(turn_ * tip); }
     double spacing() const noexcept override { return field_.spacing(); }
     std::size_t memoryBytes() const noexcept { return field_.memoryBytes(); }
 

@@ -29,6 +29,7 @@ private:
         SeenField(const ClearanceField& field, const glm::dmat3& turn) noexcept : field_(&field), turn_(turn) {}
         FieldSample at(const glm::dvec3& tip) const noexcept override;
         double errorBound() const noexcept override { return field_->errorBound(); }
+        double errorBoundAt(const glm::dvec3& tip) const noexcept override { return field_->errorBoundAt(tip * turn_); }
         double spacing() const noexcept override { return field_->spacing(); }
 
     private:

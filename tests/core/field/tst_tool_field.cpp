@@ -46,9 +46,10 @@ private:
 };
 
 /// How far a field is above and below a formula, where it says that it is fine and `counts` agrees; and above it
-/// elsewhere.
+/// elsewhere. How far it is above the error that it states for the places, and what that is in the mean.
 struct Deviation {
     double above = -1e9, below = 1e9, coarseAbove = -1e9;
+    double overBound = -1e9, meanBound = 0.0;
     int fine = 0, coarse = 0;
 };
 
@@ -61,18 +62,23 @@ Deviation deviation(const ToolField& field, const Box& tips, const std::function
         const double wanted = formula(tip);
         if (!counts(tip, wanted)) continue;
         const FieldSample sample = field.at(tip);
-        const double error = sample.clearance - wanted;
+        const double error = sample.clearance - wanted, stated = field.errorBoundAt(tip);
+        found.overBound = std::max(found.overBound, error - stated);
         if (sample.fine) {
             ++found.fine;
             found.above = std::max(found.above, error);
             found.below = std::min(found.below, error);
+            found.meanBound += stated;
         } else {
             ++found.coarse;
             found.coarseAbove = std::max(found.coarseAbove, error);
         }
     }
-    qInfo("above %.4f below %.4f voxel in %d fine, above %.4f mm in %d coarse; spacing %.3f mm", found.above / voxel,
-          found.below / voxel, found.fine, found.coarseAbove, found.coarse, field.spacing());
+    found.meanBound /= std::max(found.fine, 1);
+    qInfo("above %.4f below %.4f voxel in %d fine, above %.4f mm in %d coarse; spacing %.3f mm; over the bound %.4f, "
+          "that is %.4f in the mean",
+          found.above / voxel, found.below / voxel, found.fine, found.coarseAbove, found.coarse, field.spacing(),
+          found.overBound / voxel, found.meanBound / voxel);
     return found;
 }
 
@@ -90,6 +96,8 @@ private slots:
     void ballOverTorus();
     void ballOverBlock();
     void flatOverBlock();
+    void sharpEdgesKeepTheBoundOfTheirPlace_data();
+    void sharpEdgesKeepTheBoundOfTheirPlace();
     void flatInPocket();
     void bullOverTorus();
     void flatOverTorus();
@@ -176,7 +184,38 @@ void ToolFieldTest::flatOverBlock() {
     QVERIFY(smooth.above <= 1e-3 * voxel && smooth.below >= -field.errorBound());
     const Deviation edges = deviation(field, tips, formula, [](const glm::dvec3&, double c) { return c > -voxel; });
     QVERIFY(edges.above <= 0.5 * voxel && edges.below >= -0.5 * voxel);
+    QVERIFY(edges.overBound <= 1e-6);
     QVERIFY(edges.coarseAbove <= 0.0);
+}
+
+void ToolFieldTest::sharpEdgesKeepTheBoundOfTheirPlace_data() {
+    QTest::addColumn<double>("corner"); // mm, of the flutes
+    QTest::addColumn<glm::dvec3>("turn");
+    QTest::newRow("flat end, block along the axes") << 0.0 << glm::dvec3(0.0);
+    QTest::newRow("flat end, block turned about the tool") << 0.0 << glm::dvec3(0.0, 0.0, 0.4);
+    QTest::newRow("flat end, block tilted") << 0.0 << glm::dvec3(0.5, 0.3, 0.2);
+    QTest::newRow("flat end, block tilted a little") << 0.0 << glm::dvec3(0.06, 0.03, 0.1);
+    QTest::newRow("bull nose, block tilted") << 0.5 << glm::dvec3(0.3, -0.5, 0.7);
+    QTest::newRow("ball end, block tilted") << 3.0 << glm::dvec3(0.3, -0.5, 0.7);
+}
+
+/// A flat end over a sharp edge: there the clearance has an edge, too, and a value between samples is above it.
+void ToolFieldTest::sharpEdgesKeepTheBoundOfTheirPlace() {
+    QFETCH(const double, corner);
+    QFETCH(const glm::dvec3, turn);
+    TriangleMesh block = shapes::box({-10, -10, -10}, {10, 10, 0});
+    const glm::dmat3 turned = glm::mat3_cast(glm::dquat(turn));
+    for (glm::dvec3& vertex : block.vertices) vertex = turned * vertex;
+    const MeshDistance part(block);
+    const Box tips{{-16, -16, -6}, {2, 2, 8}};
+    const std::vector<RevolvedPiece> pieces{tool(3.0, corner)[0]};
+    const ToolField field = built(part, pieces, tips);
+    const auto exact = [&](const glm::dvec3& tip) { return part.clearance(pieces, {tip, {0, 0, 1}}).clearance; };
+    const Deviation d = deviation(
+        field, tips, exact, [](const glm::dvec3&, double c) { return c > -voxel; }, 30000);
+    QVERIFY(d.fine > 5000 && d.coarse > 1000);
+    QVERIFY(d.overBound <= 1e-6);
+    QVERIFY(d.meanBound <= 0.2 * voxel); // and it is no empty promise
 }
 
 void ToolFieldTest::flatInPocket() {
@@ -208,6 +247,7 @@ void ToolFieldTest::bullOverTorus() {
     const Deviation d = deviation(
         field, tips, exact, [](const glm::dvec3&, double c) { return c > 0.0; }, 8000);
     QVERIFY(d.above <= 0.05 * voxel);
+    QVERIFY(d.overBound <= 1e-6);
     QVERIFY(d.below >= -0.5 * voxel); // the ring closes over itself in the middle of the part
     QVERIFY(d.coarseAbove <= 0.0);
 }
@@ -226,6 +266,7 @@ void ToolFieldTest::flatOverTorus() {
     const Deviation inside = deviation(
         field, tips, exact, [](const glm::dvec3&, double c) { return c > -voxel && c <= 0.0; }, 20000);
     QVERIFY(inside.above <= 0.03 * voxel && inside.below >= -0.06 * voxel);
+    QVERIFY(apart.overBound <= 1e-6 && inside.overBound <= 1e-6);
     QVERIFY(inside.fine > 500);
 }
 
@@ -292,6 +333,7 @@ void ToolFieldTest::outsideTheBoxIsItsNearestPoint() {
     const FieldSample sample = field.at({20.0, 0.0, 1.0});
     QVERIFY(!sample.fine);
     QCOMPARE(sample.clearance, field.at({8.0, 0.0, 1.0}).clearance);
+    QCOMPARE(field.errorBoundAt({20.0, 0.0, 1.0}), field.errorBoundAt({8.0, 0.0, 1.0}) + 12.0); // it may fall so fast
     QVERIFY(std::isfinite(field.at({std::nan(""), 0.0, 0.0}).clearance));
 }
 
@@ -339,7 +381,10 @@ void ToolFieldTest::askingDoesNotAllocate() {
     Points points;
     double sum = 0.0;
     const std::size_t before = allocationCount.load();
-    for (int i = 0; i < 10000; ++i) sum += field.at(points.in(tips)).clearance + field.errorBound() + field.spacing();
+    for (int i = 0; i < 10000; ++i) {
+        const glm::dvec3 tip = points.in(tips);
+        sum += field.at(tip).clearance + field.errorBoundAt(tip) + field.errorBound() + field.spacing();
+    }
     QCOMPARE(allocationCount.load(), before);
     QVERIFY(std::isfinite(sum));
 }
