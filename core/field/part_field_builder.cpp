@@ -32,25 +32,28 @@ public:
     Result<std::unique_ptr<const PartFieldLayers>> build() {
         if (!lay()) return Error{ErrorCode::outOfMemory, subject, "", "more blocks than a field can count"};
         sampleTop();
+        if (progress_.cancelled()) return cancelled(); // what was not sampled would count as near, and want memory
         divide();
         if (Result<void> fits = needMemory(subject, blockBytes()); !fits) return fits.error();
         layers_->divided.resize(places_.size());
         corners_.emplace(part_, *layers_, places_);
         corners_->sample(progress_, 0.02, 0.35);
         chooseCandidates();
+        if (progress_.cancelled()) return cancelled();
         if (Result<void> fits = needMemory(subject, candidateBytes()); !fits) return fits.error();
         sampleCandidates();
         makeBricks();
         checkSurface();
         growThinFeatures();
         boundCoarseBricks();
-        if (progress_.cancelled()) return Error{ErrorCode::cancelled, subject, "", ""};
+        if (progress_.cancelled()) return cancelled();
         assemble();
         progress_.report(1.0);
         return std::unique_ptr<const PartFieldLayers>(std::move(layers_));
     }
 
     static constexpr const char* subject = "distance field of a part";
+    static Error cancelled() { return {ErrorCode::cancelled, subject, "", ""}; }
 
 private:
     PartAsker asker() const { return {part_, layers_->origin, voxel()}; }
@@ -126,9 +129,9 @@ private:
 
     /// Those near the surface.
     void chooseCandidates() {
+        for (FieldBlock& block : layers_->divided) block.fine.fill(coarse);
         spread(places_.size(), 0.35, 0.36, progress_, [&](std::size_t block) {
             FieldBlock& in = layers_->divided[block];
-            in.fine.fill(coarse);
             for (int z = 0; z < 8; ++z)
                 for (int y = 0; y < 8; ++y)
                     for (int x = 0; x < 8; ++x)

@@ -84,7 +84,10 @@ PartDistance PartFieldLayers::sampleExact(const ExactCells& exact, const glm::iv
     const std::uint32_t list = cellLists[exact.first + exact.rank(cell.x, cell.y, cell.z)];
     const ClosestPoint closest = part->closestOf(std::span(lists).subspan(list + 1, lists[list]), point);
     const glm::dvec3 way = point - closest.point;
-    const glm::dvec3 out = closest.distance > 1e-9 ? way / closest.signedDistance : glm::normalize(closest.outward);
+    // On a sheet without thickness both sides' normals add up to nothing.
+    const glm::dvec3 out = closest.distance > 1e-9              ? way / closest.signedDistance
+                           : closest.outward != glm::dvec3(0.0) ? glm::normalize(closest.outward)
+                                                                : glm::dvec3(0.0);
     return {static_cast<float>(closest.signedDistance), glm::vec3(out)};
 }
 

@@ -3,12 +3,10 @@
 #pragma once
 
 #include "core/base/parallel.h"
-#include "core/base/progress.h"
+#include "core/base/parallel_progress.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
-#include <thread>
 
 namespace burin {
 
@@ -18,15 +16,12 @@ namespace burin {
 template <class Work>
 void spreadStretches(std::size_t count, double from, double to, Progress& progress, const Work& work,
                      std::size_t length = 16) {
-    std::atomic<std::size_t> done{0};
-    const std::thread::id caller = std::this_thread::get_id(); // Progress has one writer
     const std::size_t stretches = (count + length - 1) / length;
+    ParallelProgress done(progress, stretches, from, to);
     parallelFor(std::size_t{0}, stretches, [&](std::size_t stretch) {
         if (progress.cancelled()) return;
         work(stretch * length, std::min(count, (stretch + 1) * length));
-        const std::size_t ready = done.fetch_add(1, std::memory_order_relaxed) + 1;
-        if (std::this_thread::get_id() == caller)
-            progress.report(from + (to - from) * static_cast<double>(ready) / static_cast<double>(stretches));
+        done.add();
     });
 }
 

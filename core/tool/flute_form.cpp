@@ -170,7 +170,7 @@ void addProfile(const Cutter& cutter, std::vector<RevolvedPiece>& pieces) {
         } else if (element.arcRadius > 0.0) {
             const glm::dvec2 centre = arcCentre(element, from);
             pieces.push_back({from.y, to.y, from.x, to.x, 0.0, element.arcRadius, centre.x, centre.y});
-        } else if (to.y > from.y) {
+        } else if (to.y > from.y + slack) { // else a shoulder: the next element begins wider
             pieces.push_back({from.y, to.y, from.x, to.x, 0.0});
         }
         from = to;

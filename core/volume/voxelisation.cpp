@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/voxelisation.h"
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_progress.h"
 #include "core/volume/line_filling.h"
 #include "core/volume/sorted_crossings.h"
 
@@ -140,6 +140,7 @@ public:
         : volume_(volume), bodies_(bodies), progress_(progress), rows_(rowCount(volume.grid())) {}
 
     bool run() {
+        ParallelProgress done(progress_, rows_.size());
         return volume_.rewriteBricks([&](std::int32_t row, BrickSink& sink) {
             if (progress_.cancelled()) return;
             std::unique_ptr<RowFilling> worker = takeWorker();
@@ -147,6 +148,7 @@ public:
             reports.assign(bodies_.size(), {}); // anew when the row is described once more
             worker->fill(volume_, row, bodies_, reports, sink);
             giveBack(std::move(worker));
+            done.add();
         });
     }
     VoxelisationReport sum(std::size_t body) const {
@@ -170,7 +172,6 @@ private:
     void giveBack(std::unique_ptr<RowFilling> worker) {
         const std::lock_guard lock(mutex_);
         idle_.push_back(std::move(worker));
-        progress_.report(static_cast<double>(++done_) / static_cast<double>(rows_.size()));
     }
 
     RunVolume& volume_;
@@ -179,7 +180,6 @@ private:
     std::vector<std::vector<VoxelisationReport>> rows_; ///< by row of bricks, then by body
     std::mutex mutex_;
     std::vector<std::unique_ptr<RowFilling>> idle_;
-    std::size_t done_ = 0;
 };
 
 Result<std::vector<VoxelisationReport>> fillAll(std::span<const BodyMesh> bodies, RunVolume& volume,

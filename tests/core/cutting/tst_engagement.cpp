@@ -124,6 +124,19 @@ private slots:
         }
     }
 
+    /// Steps of a drawing that are level but for rounding are shoulders: a plunge meets the whole disc.
+    void aShoulderThatIsNextToLevelIsOne() {
+        const double rounded = std::nextafter(0.3, 1.0);
+        for (const double height : {0.3, rounded, 0.3 + 5e-14, 0.3 + 1e-5, 0.3 + 1e-3}) {
+            Cutter cutter = cutters::make(CutterType::profile, 10.0, 0.0, 9.0);
+            cutter.profile = {{1.0, 0.0}, {2.0, 0.3}, {5.0, height}, {5.0, 9.0}};
+            RunVolume workpiece = block(gridOf(RunAxis::z));
+            const Engagement met = millTo(workpiece, cutter, {0.0, 0.0, -4.0}, {0.0, 0.0, -1.0}).engagement;
+            const double area = pi * (1.0 + 21.0 + 3.0 * std::sqrt(1.0 + 0.09)); // disc, shoulder, cone between
+            QVERIFY2(near(met.area, area, 0.05 * area), qPrintable(QString::number(met.area / area)));
+        }
+    }
+
     /// Half a sphere between its foot and its neck: pi R h.
     void aLollipopUnderCutsWithHalfItsSphere() {
         for (const int runs : {0, 1, 2}) {

@@ -135,6 +135,7 @@ private slots:
     void emptyPartIsFar();
     void askingDoesNotAllocate();
     void canBeCancelled();
+    void cancelledAtOnceItWantsNoMemory();
     void refusesWhatMakesNoField();
 };
 
@@ -431,6 +432,16 @@ void PartFieldTest::canBeCancelled() {
     });
     const Result<PartField> field = PartField::build(mesh, {0.1, 5.0}, progress);
     impatient.join();
+    QVERIFY(!field);
+    QCOMPARE(field.error().code, ErrorCode::cancelled);
+}
+
+/// What was not sampled must not count as near the surface: some 14 million bricks would want 20 GB.
+void PartFieldTest::cancelledAtOnceItWantsNoMemory() {
+    const TriangleMesh mesh = shapes::torus(14.0, 5.0, 40, 20);
+    Progress progress;
+    progress.cancel();
+    const Result<PartField> field = PartField::build(mesh, {0.02, 5.0}, progress);
     QVERIFY(!field);
     QCOMPARE(field.error().code, ErrorCode::cancelled);
 }
