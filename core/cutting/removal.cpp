@@ -61,16 +61,10 @@ MaterialRemoval::~MaterialRemoval() = default;
 CutResult MaterialRemoval::account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept {
     CutResult result;
     const Grid& grid = workpiece.grid();
-    const double unitVolume = grid.unitVolume(), units = static_cast<double>(removed.total);
+    const double unitVolume = grid.unitVolume();
     result.outOfMemory = removed.outOfMemory;
-    result.volume = units * unitVolume;
-    if (removed.total > 0) {
-        const double edge = grid.edge();
-        result.centroid[grid.axisOfU()] = grid.low()[grid.axisOfU()] + (removed.momentU / units + 0.5) * edge;
-        result.centroid[grid.axisOfV()] = grid.low()[grid.axisOfV()] + (removed.momentV / units + 0.5) * edge;
-        result.centroid[grid.axisOfRuns()] =
-            grid.low()[grid.axisOfRuns()] + removed.momentAlong / units / unitsPerVoxel * edge;
-    }
+    result.volume = static_cast<double>(removed.total) * unitVolume;
+    if (removed.total > 0) result.centroid = centroidOf(removed, grid);
     std::size_t entry = 0;
     const PropertyList& properties = workpiece.properties();
     for (int i = 1; i < properties.size(); ++i) {
