@@ -161,14 +161,11 @@ glm::dvec2 WindowCutter::stretchNearGrid(const glm::dvec3& from, const glm::dvec
 std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                                  RemovedUnits& removed) noexcept {
     const double ways = glm::length(to - from.tip) / spans_.longestWay(from.axis);
-    if (ways > mostSteps) {
-        const glm::dvec2 near = stretchNearGrid(from.tip, to);
-        if (near[0] > near[1]) return 0;
-        if (near[0] > 0.0 || near[1] < 1.0)
-            return addParts(workpiece, {glm::mix(from.tip, to, near[0]), from.axis}, glm::mix(from.tip, to, near[1]),
-                            withStart, removed);
-    }
-    return addParts(workpiece, from, to, withStart, removed);
+    if (ways <= mostSteps) return addParts(workpiece, from, to, withStart, removed);
+    const glm::dvec2 near = stretchNearGrid(from.tip, to);
+    if (near[0] > near[1]) return 0;
+    const LinePose first{glm::mix(from.tip, to, near[0]), from.axis};
+    return addParts(workpiece, first, glm::mix(from.tip, to, near[1]), withStart, removed);
 }
 
 std::size_t WindowCutter::addParts(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,

@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/field/cube.h"
 #include "core/field/part_sample.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace burin {
-
-/// Corner i of a cube: 0 or 1 along each axis, x running fastest.
-inline glm::ivec3 cornerOf(int i) noexcept {
-    return {i & 1, (i >> 1) & 1, (i >> 2) & 1};
-}
 
 /// Samples at the corners of all bricks of the divided blocks: every second one asked of the mesh, those between asked
 /// where the surface is within reach, and interpolated where it is not.

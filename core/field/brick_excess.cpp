@@ -3,6 +3,7 @@
 #include "core/field/brick_excess.h"
 
 #include "core/field/brick_field.h"
+#include "core/field/cube.h"
 
 #include <algorithm>
 #include <array>
@@ -52,8 +53,7 @@ float kinkExcess(const std::int16_t* samples, float cell, float floor) noexcept 
     const auto least = static_cast<std::int32_t>(floor);
     const float sum = excessAlong<1>(numbers, cell, least) + excessAlong<along>(numbers, cell, least) +
                       excessAlong<along * along>(numbers, cell, least);
-    constexpr float halfDiagonal = 0.8660254F; // of a cell: no farther is any place from a sample
-    return std::min(sum, halfDiagonal * cell);
+    return std::min(sum, halfDiagonalAbove * cell); // no place is farther from a sample
 }
 
 } // namespace burin

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/coarse_bound.h"
 
+#include "core/field/cube.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,12 +11,6 @@
 namespace burin {
 
 namespace {
-
-constexpr float halfDiagonal = 0.8660255F; // of a cube of edge 1
-
-glm::ivec3 cornerOf(int i) noexcept {
-    return {i & 1, (i >> 1) & 1, (i >> 2) & 1};
-}
 
 /// By how much the distance may exceed a value between the corners. It is at most that to the point which is nearest to
 /// a corner; along the axes this is convex and the value a straight line, so their difference is greatest at corners:
@@ -61,7 +57,7 @@ float leastCorner(const std::array<PartSample, 8>& corners) noexcept {
 } // namespace
 
 CoarseBound coarseBound(const std::array<PartSample, 8>& corners, float edge) noexcept {
-    const float lipschitz = halfDiagonal * edge, least = leastCorner(corners);
+    const float lipschitz = halfDiagonalAbove * edge, least = leastCorner(corners);
     bool below = false, above = false;
     for (const PartSample& corner : corners) (corner.distance < 0.0F ? below : above) = true;
     if (below && above) return {lipschitz, 0.0F};
@@ -74,7 +70,7 @@ CoarseBound coarseBound(const std::array<PartSample, 8>& corners, float edge) no
 }
 
 bool mayBeWithin(const std::array<PartSample, 8>& corners, float edge, float distance) noexcept {
-    const float outside = std::sqrt(distance * distance + 0.5F * edge * edge), inside = halfDiagonal * edge;
+    const float outside = std::sqrt(distance * distance + 0.5F * edge * edge), inside = halfDiagonalAbove * edge;
     return leastCorner(corners) <= std::max(outside, inside) * (1.0F + 1e-5F);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/exact_cell_finder.h"
 
+#include "core/field/cube.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -11,7 +13,6 @@ namespace {
 
 constexpr float opposed = -0.5F;                      // cosine between normals: the sides of a gap or a wall
 constexpr float inclined = 0.97F;                     // the sides of any fold
-constexpr float halfDiagonal = 0.8660254F;            // of a cell, voxels
 constexpr std::uint64_t lowX = 0x0101010101010101ULL; // cells with x = 0
 
 bool holds(const CellMask& cells, int z, int place) noexcept {
@@ -139,7 +140,7 @@ void ExactCellFinder::addFolded(CellMask cells, float cosine, bool spreads, Foun
                 if (triangles_.isFolded(opposed)) add(made_->thinMask, z, place);
                 const std::span<const std::uint32_t> list = triangles_.numbers();
                 if (list.empty())
-                    found.error = halfDiagonal;
+                    found.error = halfDiagonalAbove;
                 else
                     append(z, place, list);
             }

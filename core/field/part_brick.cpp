@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/part_brick.h"
 
+#include "core/field/cube.h"
 #include "core/geometry/four_floats.h"
 
 #include <algorithm>
@@ -17,16 +18,15 @@ constexpr float mostBend = 0.06F;       // of a line that is interpolated
 constexpr float mostMiddleBend = 0.16F; // of a line whose brick was asked in its middle, too
 constexpr float mostResidual = 0.04F;   // of its ends' slopes
 constexpr float mostMiddleResidual = 0.08F;
-constexpr float mostMiddleError = 0.01F;   // of what was expected there
-constexpr float mostMiddleTurn = 0.03F;    // of its gradient
-constexpr float mostSpread = 0.02F;        // between the lines through a sample
-constexpr float mostStep = 0.02F;          // by which slopes miss the next sample, one of the two asked
-constexpr float mostCellError = 0.05F;     // of a trilinear cell; worse ones are exact
-constexpr float mostImbalance = 0.08F;     // between the bends at the ends of an edge, in a smooth cell
-constexpr float narrowQuantum = 0.008F;    // coarsest unit of residuals of 8 bits
-constexpr float estimate = 0.005F;         // of a sample that was not asked for, at least
-constexpr float rounding = 1e-5F;          // of single precision
-constexpr float halfDiagonal = 0.8660254F; // of a cube of edge 1
+constexpr float mostMiddleError = 0.01F; // of what was expected there
+constexpr float mostMiddleTurn = 0.03F;  // of its gradient
+constexpr float mostSpread = 0.02F;      // between the lines through a sample
+constexpr float mostStep = 0.02F;        // by which slopes miss the next sample, one of the two asked
+constexpr float mostCellError = 0.05F;   // of a trilinear cell; worse ones are exact
+constexpr float mostImbalance = 0.08F;   // between the bends at the ends of an edge, in a smooth cell
+constexpr float narrowQuantum = 0.008F;  // coarsest unit of residuals of 8 bits
+constexpr float estimate = 0.005F;       // of a sample that was not asked for, at least
+constexpr float rounding = 1e-5F;        // of single precision
 
 /// The greatest chord error along one axis of a whole brick, or more: of four edges at a time.
 class ChordErrors {
@@ -286,7 +286,7 @@ void BrickMaker::pack(MadeBrick& made) const {
                 if (x < 8 && y < 8 && z < 8 && size <= bandVoxels) ++made.bandVoxels;
             }
     made.least =
-        below && above ? 0.0F : static_cast<float>(voxel_) * std::max(nearest - halfDiagonal - sampleError_, 0.0F);
+        below && above ? 0.0F : static_cast<float>(voxel_) * std::max(nearest - halfDiagonalAbove - sampleError_, 0.0F);
 
     constexpr double weight = 81.0 * 60.0; // sum of the squared places
     const glm::vec3 slope(glm::dvec3(sums[1], sums[2], sums[3]) / weight);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/part_field_layers.h"
 
+#include "core/field/cube.h"
 #include "core/geometry/four_floats.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace burin {
 namespace {
 
 constexpr int row = CellGrid::along, layer = CellGrid::along * CellGrid::along;
-constexpr double halfDiagonal = 0.8660254037844387; // of a cube of edge 1
 
 /// Of a cell: the four on its lower face, x running fastest, and the four above them. Kept in registers: what is put
 /// together in memory piece by piece is slow to load as one.

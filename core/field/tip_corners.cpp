@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/tip_corners.h"
 
+#include "core/field/cube.h"
 #include "core/field/spread.h"
 
 #include <limits>
-#include <numbers>
 
 namespace burin {
 
 namespace {
 
 const glm::vec3 notAsked(std::numeric_limits<float>::infinity()); // for a gradient
-constexpr double halfDiagonal = 0.5 * std::numbers::sqrt3;        // of a cube of edge 1
 constexpr int farApart = 4;                                       // bricks, between corners that are asked everywhere
 constexpr double tolerance = 1e-4;                                // voxels
 
@@ -20,10 +19,6 @@ float roundedDown(double value) noexcept {
     const auto nearest = static_cast<float>(value);
     return static_cast<double>(nearest) > value ? std::nextafter(nearest, -std::numeric_limits<float>::infinity())
                                                 : nearest;
-}
-
-glm::ivec3 cornerOf(int i) noexcept {
-    return {i & 1, (i >> 1) & 1, i >> 2};
 }
 
 /// By how much a value between a cube's corners may exceed the clearance: this changes no faster than the tip moves,

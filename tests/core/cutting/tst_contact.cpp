@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/cutting/contact.h"
+#include "tests/core/cutting/common_surface.h"
 #include "tests/core/cutting/sweeping.h"
 #include "tests/core/tool/cutters.h"
 #include "tests/core/tool/random_sweeps.h"
@@ -295,24 +296,7 @@ private slots:
             const auto inTool = [&](int i, int j, int k) {
                 return tools.at(std::size_t(i + 1)).at(std::size_t(j + 1)).at(std::size_t(k + 1));
             };
-            const auto inStock = [&](int i, int j, int k) {
-                return grid.contains(VoxelIndex{i, j, k}) && volume.belongs({i, j, k});
-            };
-            const auto onSurface = [](const auto& holds, VoxelIndex at) {
-                if (!holds(at.i, at.j, at.k)) return false;
-                for (int a = -1; a <= 1; ++a)
-                    for (int b = -1; b <= 1; ++b)
-                        for (int c = -1; c <= 1; ++c)
-                            if (!holds(at.i + a, at.j + b, at.k + c)) return true;
-                return false;
-            };
-            std::vector<VoxelIndex> wanted;
-            for (LineIndex line; line.v < side; ++line.v)
-                for (line.u = 0; line.u < side; ++line.u)
-                    for (std::int32_t k = 0; k < side; ++k)
-                        if (const VoxelIndex voxel = grid.voxel(line, k);
-                            onSurface(inTool, voxel) && onSurface(inStock, voxel))
-                            wanted.push_back(voxel);
+            const std::vector<VoxelIndex> wanted = commonSurface(volume, inTool);
             RC_ASSERT(collisionArea(volume.snapshot(), tool, flutes, pose) == wanted);
             touching += wanted.size() > 20 ? 1 : 0;
         });

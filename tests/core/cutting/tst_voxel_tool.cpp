@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/voxel_tool.h"
+#include "tests/core/cutting/common_surface.h"
 #include "tests/core/cutting/sweeping.h"
 #include "tests/core/tool/cutters.h"
 #include "tests/core/tool/random_sweeps.h"
@@ -241,23 +242,7 @@ private slots:
             const Pose pose = anyPose();
             const PlacedCubes placed(grid, cubes, pose);
             const auto inShank = [&](int i, int j, int k) { return placed.at(i, j, k) == VoxelTool::shank; };
-            const auto inWorkpiece = [&](int i, int j, int k) {
-                return grid.contains(VoxelIndex{i, j, k}) && workpiece.belongs({i, j, k});
-            };
-            const auto onSurface = [](const auto& holds, VoxelIndex at) {
-                int missing = 0;
-                for (int i = -1; i <= 1; ++i)
-                    for (int j = -1; j <= 1; ++j)
-                        for (int k = -1; k <= 1; ++k) missing += holds(at.i + i, at.j + j, at.k + k) ? 0 : 1;
-                return holds(at.i, at.j, at.k) && missing > 0;
-            };
-            std::vector<VoxelIndex> wanted;
-            for (LineIndex line; line.v < side; ++line.v)
-                for (line.u = 0; line.u < side; ++line.u)
-                    for (std::int32_t k = 0; k < side; ++k)
-                        if (const VoxelIndex voxel = grid.voxel(line, k);
-                            onSurface(inShank, voxel) && onSurface(inWorkpiece, voxel))
-                            wanted.push_back(voxel);
+            const std::vector<VoxelIndex> wanted = commonSurface(workpiece, inShank);
             RC_ASSERT(collisionArea(workpiece.snapshot(), tool, pose) == wanted);
             touching += wanted.empty() ? 0 : 1;
         });
