@@ -154,7 +154,11 @@ void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, c
     const double step = glm::length(tip - from.tip) + glm::length(to.axis - from.axis) * reach_;
     const bool moves = step > 0.0, small = reportsFlux_ && step < longestFluxStep * workpiece.grid().edge();
     SurfaceFlux::Flux flux;
-    if (moves && small) surface_.measure(workpiece, window(), from, to, flux);
+    if (moves && small) {
+        surface_.measure(workpiece, window(), from, to, flux);
+        lastLook_ = flux.engagement;
+        cutsSinceLook_ = 0;
+    }
     result.engagement = small ? flux.engagement : recentEngagement(workpiece, from, to, result.volume > 0.0);
     for (MaterialVolume& material : result.removed) {
         if (material.property == airProperty) break;

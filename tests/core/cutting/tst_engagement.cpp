@@ -213,6 +213,25 @@ private slots:
         QVERIFY2(share < 0.7 && share > 0.25, qPrintable(QString::number(share)));
     }
 
+    /// The look that a fast cut goes by is no older than 16 cuts, whether those were fast or slow.
+    void slowCutsBetweenFastOnesCount() {
+        RunVolume workpiece = block(gridOf(RunAxis::z));
+        clearAbove(workpiece, 0.0);
+        MaterialRemoval removal(flat(6.0, 20.0), workpiece.grid(), Writing::deferred);
+        glm::dvec3 tip(-10.0, 0.03, -4.0);
+        const auto go = [&](const glm::dvec3& step) {
+            const CutResult cut = removal.cut(workpiece, tip, tip + step);
+            tip += step;
+            return cut;
+        };
+        for (int i = 0; i < 5; ++i) go({0.2, 0.0, 0.0});
+        for (int i = 0; i < 300; ++i) go({0.03, 0.0, 0.01}); // up to a depth of 1 mm
+        const CutResult fast = go({0.2, 0.0, 0.0});
+        QVERIFY(fast.volume > 0.0);
+        QVERIFY2(near(fast.engagement.depth, 1.0, 2.0 * depthTolerance),
+                 qPrintable(QString::number(fast.engagement.depth)));
+    }
+
     void airAndStandingStillMeetNothing() {
         RunVolume workpiece = block(gridOf(RunAxis::z));
         clearAbove(workpiece, 0.0);
