@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 namespace burin {
 
@@ -36,10 +37,11 @@ double dueOf(double pending, double flux) noexcept {
 
 /// Moves the entries of materials that lost or report something to the front.
 void keepUsed(CutResult& result) noexcept {
-    std::size_t used = 0;
-    for (const MaterialVolume& material : result.removed)
-        if (material.units > 0 || material.reported > 0.0) result.removed[used++] = material;
-    std::fill(result.removed.begin() + static_cast<std::ptrdiff_t>(used), result.removed.end(), MaterialVolume{});
+    auto* used = result.removed.begin();
+    auto* const end = std::ranges::find(result.removed, airProperty, &MaterialVolume::property);
+    for (auto* material = result.removed.begin(); material != end; ++material)
+        if (material->units > 0 || material->reported > 0.0) *used++ = *material;
+    std::fill(used, end, MaterialVolume{});
 }
 
 } // namespace
@@ -153,23 +155,24 @@ void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, c
     // mm, that no point of the flutes moves farther than.
     const double step = glm::length(tip - from.tip) + glm::length(to.axis - from.axis) * reach_;
     const bool moves = step > 0.0, small = reportsFlux_ && step < longestFluxStep * workpiece.grid().edge();
-    SurfaceFlux::Flux flux;
+    std::optional<SurfaceFlux::Flux> flux;
     if (moves && small) {
-        surface_.measure(workpiece, window(), from, to, flux);
-        lastLook_ = flux.engagement;
+        surface_.measure(workpiece, window(), from, to, flux.emplace());
+        result.engagement = lastLook_ = flux->engagement;
         cutsSinceLook_ = 0;
+    } else if (!small) {
+        result.engagement = recentEngagement(workpiece, from, to, result.volume > 0.0);
     }
-    result.engagement = small ? flux.engagement : recentEngagement(workpiece, from, to, result.volume > 0.0);
     for (MaterialVolume& material : result.removed) {
         if (material.property == airProperty) break;
         double& pending = pending_[material.property];
-        const double now = small ? flux.volume[material.property] : material.volume;
+        const double now = flux ? flux->volume[material.property] : small ? 0.0 : material.volume;
         if (moves) material.reported = std::max(0.0, now + dueOf(pending, small ? now : 0.0));
         pending += material.volume - material.reported;
         result.reported += material.reported;
     }
-    if (flux.total > 0.0) {
-        lastPlace_ = flux.moment / flux.total - tip;
+    if (flux && flux->total > 0.0) {
+        lastPlace_ = flux->moment / flux->total - tip;
     } else if (result.volume > 0.0) {
         lastPlace_ = result.centroid - tip;
     }

@@ -26,15 +26,11 @@ void WriteQueue::remove(std::uint32_t brick) noexcept {
     link = {};
 }
 
-std::optional<std::uint32_t> WriteQueue::first() const noexcept {
-    return first_ == none ? std::nullopt : std::optional(first_);
-}
-
 std::uint32_t WriteQueue::pace() const noexcept {
     std::uint32_t due = 0, pace = 0;
     for (std::uint32_t ahead = 0; ahead < longestDelay; ++ahead) {
         due += dueCounts_[(tick_ + ahead) % longestDelay];
-        pace = std::max(pace, (due + ahead) / (ahead + 1));
+        if (due > pace * (ahead + 1)) pace = (due + ahead) / (ahead + 1);
     }
     return pace;
 }

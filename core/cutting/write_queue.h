@@ -27,7 +27,9 @@ public:
     /// Takes out a brick that waits, wherever it stands.
     void remove(std::uint32_t brick) noexcept;
     /// The one that waits the longest; none: nothing does.
-    std::optional<std::uint32_t> first() const noexcept;
+    std::optional<std::uint32_t> first() const noexcept {
+        return first_ == none ? std::nullopt : std::optional(first_);
+    }
     /// How many bricks are to be written in this tick: so many that, written as evenly, none is ever late.
     std::uint32_t pace() const noexcept;
     /// Ends a tick. Those that `pace` asked for have been removed.
