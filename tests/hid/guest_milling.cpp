@@ -118,7 +118,7 @@ void anOpenStylusPulledOutInMidStroke() {
     BURIN_EXPECT(comesTrue([&] { return milling.now().cut > 100 && before.verdict().pressed > 20; }));
     while (stylus->takeFault()) {
     }
-    const std::uint64_t from = milling.now().ticks;
+    const std::uint64_t from = milling.now().ticks, invalid = milling.now().invalid; // some before the first report
     {
         const std::lock_guard lock(swapping);
         board.reset();
@@ -126,14 +126,13 @@ void anOpenStylusPulledOutInMidStroke() {
     BURIN_EXPECT(comesTrue([&] { return !stylus->health().connected; }));
     const auto fault = stylus->takeFault();
     BURIN_EXPECT(fault && fault->code == ErrorCode::deviceUnplugged && fault->subject == "Open Stylus mine");
-    BURIN_EXPECT(comesTrue([&] { return milling.now().invalid > 100; }));
-    const std::uint64_t cut = milling.now().cut;
+    BURIN_EXPECT(comesTrue([&] { return milling.now().invalid > invalid + 100; }));
     {
         const std::lock_guard lock(swapping);
         board = std::make_unique<PluggedBoard>(Board::limits(), [&](const Report& report) { after.hears(report); });
     }
     BURIN_EXPECT(comesTrue([&] { return stylus->health().connected; }));
-    const std::uint64_t to = milling.now().ticks;
+    const std::uint64_t to = milling.now().ticks, cut = milling.now().cut;
     BURIN_EXPECT(comesTrue([&] { return milling.now().cut > cut + 50 && after.verdict().pressed > 20; }));
     looksInterrupted(milling.end(), from, to);
     for (const ForceWatch* watch : {&before, &after})
@@ -164,21 +163,20 @@ void aMousePulledOutInMidStroke() {
         mouse->send(report);
     });
     BURIN_EXPECT(comesTrue([&] { return milling.now().cut > 100; }));
-    const std::uint64_t from = milling.now().ticks;
+    const std::uint64_t from = milling.now().ticks, invalid = milling.now().invalid; // some before the first report
     {
         const std::lock_guard lock(swapping);
         mouse.reset();
     }
-    BURIN_EXPECT(comesTrue([&] { return milling.now().invalid > 100; }));
+    BURIN_EXPECT(comesTrue([&] { return milling.now().invalid > invalid + 100; }));
     const auto fault = stylus->takeFault();
     BURIN_EXPECT(fault && fault->code == ErrorCode::deviceUnplugged);
-    const std::uint64_t cut = milling.now().cut;
     {
         const std::lock_guard lock(swapping);
         mouse = plugged();
     }
     BURIN_EXPECT(comesTrue([&] { return stylus->health().connected; }));
-    const std::uint64_t to = milling.now().ticks;
+    const std::uint64_t to = milling.now().ticks, cut = milling.now().cut;
     BURIN_EXPECT(comesTrue([&] { return milling.now().cut > cut + 50; }));
     looksInterrupted(milling.end(), from, to);
     const std::string difference = milling.differenceOfReplay();
