@@ -1248,6 +1248,50 @@
     </message>
 </context>
 <context>
+    <name>EmbeddingWords</name>
+    <message>
+        <source>scanlines: %1</source>
+        <translation>Abtastlinien: %1</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <comment>X 0.000 to 10.000 mm</comment>
+        <translation>%1 %2 bis %3</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” is open (edges: %2, rims: %3), so what it encloses there is a guess (%4); close it in the CAD program.</source>
+        <translation>Die Oberfläche von „%1“ ist offen (Kanten: %2, Ränder: %3); was sie dort umschließt, ist geraten (%4). Schließen Sie sie im CAD-Programm.</translation>
+    </message>
+    <message>
+        <source>The surface of “%1” is open (edges: %2), but no scanline meets a gap.</source>
+        <translation>Die Oberfläche von „%1“ ist offen (Kanten: %2), aber keine Abtastlinie trifft eine Lücke.</translation>
+    </message>
+    <message>
+        <source>Faces of “%1” do not agree on what is outside, so every second stretch between them was filled (%2); make their normals agree in the CAD program.</source>
+        <translation>Flächen von „%1“ sind sich nicht einig, was außen ist; jeder zweite Abschnitt zwischen ihnen wurde gefüllt (%2). Richten Sie ihre Normalen im CAD-Programm gleich aus.</translation>
+    </message>
+    <message>
+        <source>A shell of “%1” is turned inside out and was filled as well (%2); if it is meant to be a hollow, it has to lie within another shell.</source>
+        <translation>Eine Schale von „%1“ ist nach innen gewendet und wurde ebenfalls gefüllt (%2); ist sie als Hohlraum gemeint, muss sie in einer anderen Schale liegen.</translation>
+    </message>
+    <message>
+        <source>Shells of “%1” overlap, so whatever any of them holds was filled (%2).</source>
+        <translation>Schalen von „%1“ überlappen sich; gefüllt wurde, was in irgendeiner von ihnen liegt (%2).</translation>
+    </message>
+    <message>
+        <source>Triangles of “%1” that are there twice were counted once (%2).</source>
+        <translation>Doppelt vorhandene Dreiecke von „%1“ wurden einmal gezählt (%2).</translation>
+    </message>
+    <message>
+        <source>“%1” is too small for the voxels, so nothing of it is protected; choose smaller voxels.</source>
+        <translation>„%1“ ist zu klein für die Voxel, nichts davon ist geschützt; wählen Sie kleinere Voxel.</translation>
+    </message>
+    <message>
+        <source>“%1” overlaps “%2” in %3, where the later body has the place.</source>
+        <translation>„%1“ überlappt „%2“ in %3; dort hat der spätere Körper den Platz.</translation>
+    </message>
+</context>
+<context>
     <name>FileDialogs</name>
     <message>
         <source>Open a project</source>
@@ -1338,10 +1382,6 @@
     <message>
         <source>&quot;%1&quot; does not exist; check its name and its folder.</source>
         <translation>„%1“ gibt es nicht; prüfen Sie Namen und Ordner.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; can&apos;t be read (%2); check the rights of the file.</source>
-        <translation>„%1“ lässt sich nicht lesen (%2); prüfen Sie die Zugriffsrechte der Datei.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; can&apos;t be written (%2); check the rights of the file and its folder or choose another place.</source>
@@ -1546,6 +1586,10 @@
     <message>
         <source>&quot;%1&quot; reaches %2 from its origin, and a part may reach %3; choose its unit, or export it again.</source>
         <translation>„%1“ reicht %2 vom Ursprung weg, und ein Teil darf %3 weit reichen; wählen Sie seine Einheit oder exportieren Sie es neu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; can&apos;t be read (%2); check that it is what you meant and that you may read it.</source>
+        <translation>„%1“ lässt sich nicht lesen (%2); prüfen Sie, ob es das Gemeinte ist und ob Sie es lesen dürfen.</translation>
     </message>
 </context>
 <context>
@@ -3262,6 +3306,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>On the path</source>
         <translation>Auf der Bahn</translation>
     </message>
+    <message>
+        <source>Something about the part is doubtful; the step “Stock” says what was made of it.</source>
+        <translation>Etwas am Teil ist zweifelhaft; der Schritt „Rohteil“ sagt, was daraus gemacht wurde.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialPanel</name>
@@ -4670,6 +4718,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The workpiece matches these settings.</source>
         <translation>Das Werkstück entspricht diesen Einstellungen.</translation>
+    </message>
+    <message>
+        <source>And %1 more, which “burin embed” lists.</source>
+        <translation>Und %1 weitere, die „burin embed“ auflistet.</translation>
     </message>
 </context>
 <context>

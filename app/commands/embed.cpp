@@ -7,6 +7,7 @@
 #include "core/cad/import.h"
 #include "core/project/project.h"
 #include "core/setup/setup.h"
+#include "ui/panels/embedding_words.h"
 
 #include <CLI/CLI.hpp>
 
@@ -116,6 +117,9 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
         }
 
     const glm::ivec3 voxels = embedded->workpiece.grid().count();
+    std::vector<std::string> warnings;
+    for (const EmbeddingFinding& finding : embedded->findings)
+        warnings.push_back(embeddingText(finding, LengthUnit::millimetre).toStdString());
     const nlohmann::json answer{{"project", std::filesystem::absolute(arguments.output).lexically_normal().string()},
                                 {"stock_box_mm", jsonOf(setup->stock)},
                                 {"voxel_mm", setup->voxel},
@@ -128,12 +132,12 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                                 {"material", setup->stockMaterial},
                                 {"axis", jsonOf(*axis)},
                                 {"obstacles", jsonOf(*obstacles)},
-                                {"warnings", embedded->warnings}};
+                                {"warnings", warnings}};
     std::string text = "part " + formatFixed(embedded->partVolume, 1) + " mm^3 in stock " +
                        formatFixed(embedded->stockVolume, 1) + " mm^3, " + std::to_string(voxels.x) + " x " +
                        std::to_string(voxels.y) + " x " + std::to_string(voxels.z) + " voxels of " +
                        formatShortest(setup->voxel) + " mm";
-    for (const std::string& warning : embedded->warnings) text += "\nwarning: " + warning;
+    for (const std::string& warning : warnings) text += "\nwarning: " + warning;
     context.answer(answer, text);
     return 0;
 }

@@ -6,8 +6,9 @@
 
 // For loops that are compiled for processors with AVX-512 as well: those have registers for conditions, which no
 // compiler finds from comparisons of vectors, and twice the others. BURIN_AVX512 is there where the compiler can do so;
-// what stands between BURIN_AVX512_BEGIN and _END is to be called where `hasAvx512` alone.
-#ifdef BURIN_KNOWS_PROCESSORS
+// what stands between BURIN_AVX512_BEGIN and _END is to be called where `hasAvx512` alone. Under sanitizers as well:
+// the choice is the program's own, made when all is up.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__)
 #include <immintrin.h>
 
 #define BURIN_AVX512

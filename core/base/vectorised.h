@@ -15,7 +15,6 @@
 // Empty for clang and under sanitizers, whose runtime is not up yet when the choice is made.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) &&                        \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define BURIN_KNOWS_PROCESSORS
 #ifdef __AVX2__
 #define BURIN_VECTORISED
 #define BURIN_VECTORISED_TO_AVX512 __attribute__((target_clones("arch=x86-64-v4", "default")))

@@ -66,9 +66,9 @@ std::vector<VoxelIndex> commonSurface(const VolumeSnapshot& workpiece, const Gua
     std::vector<VoxelIndex> area;
     const Grid& grid = workpiece.grid();
     const glm::dvec3 low = inLineFrame(grid, grid.low());
-    const LineRange us = linesWithin({reach.low.x, reach.high.x}, low.x, grid.edge(), grid.lineCountU());
-    const LineRange vs = linesWithin({reach.low.y, reach.high.y}, low.y, grid.edge(), grid.lineCountV());
-    const LineRange along = linesWithin({reach.low.z, reach.high.z}, low.z, grid.edge(), grid.voxelsPerLine());
+    const LineStretch us = linesWithin({reach.low.x, reach.high.x}, low.x, grid.edge(), grid.lineCountU());
+    const LineStretch vs = linesWithin({reach.low.y, reach.high.y}, low.y, grid.edge(), grid.lineCountV());
+    const LineStretch along = linesWithin({reach.low.z, reach.high.z}, low.z, grid.edge(), grid.voxelsPerLine());
     for (LineIndex line{us.first, vs.first}; line.v <= vs.last; ++line.v)
         for (line.u = us.first; line.u <= us.last; ++line.u)
             for (const VoxelStretch& stretch : boundaryOfLine(workpiece, line))

@@ -67,17 +67,18 @@ public:
         if (columns_.last < columns_.first || rows_.last < rows_.first) return;
         const auto& [lowCorner, highCorner] = grid_.box();
         if (reach_.high.z <= alongLow_ || reach_.low.z >= inLineFrame(grid_, highCorner).z) return;
-        forEachSquare(OccupiedBricks::blockSide, columns_, rows_, [&](LineIndex block, LineRange us, LineRange vs) {
+        forEachSquare(OccupiedBricks::blockSide, columns_, rows_, [&](LineIndex block, LineStretch us, LineStretch vs) {
             if (bricks != nullptr && !mayTouch(nearBlock_, bricks->block(block), block, OccupiedBricks::blockSide))
                 return;
-            forEachSquare(OccupiedBricks::brickSide, us, vs, [&](LineIndex brick, LineRange inner, LineRange outer) {
-                if (bricks != nullptr) {
-                    constexpr std::int32_t side = OccupiedBricks::brickSide;
-                    if (!mayTouch(nearBrick_, bricks->brick(brick), brick, side)) return;
-                    if (!mayTouch(nearBrick_, bricks->lookAt(workpiece_, brick), brick, side)) return;
-                }
-                addBrick(inner, outer, overlap);
-            });
+            forEachSquare(OccupiedBricks::brickSide, us, vs,
+                          [&](LineIndex brick, LineStretch inner, LineStretch outer) {
+                              if (bricks != nullptr) {
+                                  constexpr std::int32_t side = OccupiedBricks::brickSide;
+                                  if (!mayTouch(nearBrick_, bricks->brick(brick), brick, side)) return;
+                                  if (!mayTouch(nearBrick_, bricks->lookAt(workpiece_, brick), brick, side)) return;
+                              }
+                              addBrick(inner, outer, overlap);
+                          });
         });
     }
 
@@ -85,11 +86,11 @@ private:
     double halfDiagonal(std::int32_t side) const noexcept { return 0.5 * std::numbers::sqrt2 * side * grid_.edge(); }
     /// Calls `visit(low corner, u range, v range)` for each square of a raster that two ranges of lines touch.
     template <class Visit>
-    static void forEachSquare(std::int32_t side, LineRange us, LineRange vs, Visit&& visit) noexcept {
+    static void forEachSquare(std::int32_t side, LineStretch us, LineStretch vs, Visit&& visit) noexcept {
         for (std::int32_t v = vs.first - vs.first % side; v <= vs.last; v += side)
             for (std::int32_t u = us.first - us.first % side; u <= us.last; u += side)
-                visit(LineIndex{u, v}, LineRange{std::max(u, us.first), std::min(u + side - 1, us.last)},
-                      LineRange{std::max(v, vs.first), std::min(v + side - 1, vs.last)});
+                visit(LineIndex{u, v}, LineStretch{std::max(u, us.first), std::min(u + side - 1, us.last)},
+                      LineStretch{std::max(v, vs.first), std::min(v + side - 1, vs.last)});
     }
     /// Whether the grown piece, over the middle of a square of scanlines, reaches into an extent of them.
     bool mayTouch(const PieceChord& grownPiece, OccupiedBricks::Extent extent, LineIndex corner,
@@ -101,7 +102,7 @@ private:
         const std::optional<Span> span = grownPiece.along(middle.x, middle.y);
         return span && pose_.tip.z + span->low < high && pose_.tip.z + span->high > low;
     }
-    void addBrick(LineRange us, LineRange vs, Overlap& overlap) noexcept {
+    void addBrick(LineStretch us, LineStretch vs, Overlap& overlap) noexcept {
         if (!swept_) swept_.emplace(piece_, pose_.tip, pose_.tip, pose_.axis);
         for (LineIndex line{us.first, vs.first}; line.v <= vs.last; ++line.v)
             for (line.u = us.first; line.u <= us.last; ++line.u) {
@@ -135,7 +136,7 @@ private:
     PieceChord nearBrick_, nearBlock_;
     Box reach_;
     double alongLow_ = 0.0;
-    LineRange columns_, rows_;
+    LineStretch columns_, rows_;
     std::optional<SweptPiece> swept_; ///< only made when a brick is in its way
 };
 

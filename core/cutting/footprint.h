@@ -4,6 +4,7 @@
 
 #include "core/cutting/gap_window.h"
 #include "core/cutting/line_frame.h"
+#include "core/tool/line_stretch.h"
 #include "core/tool/swept_span.h"
 #include "core/volume/run_volume.h"
 
@@ -16,14 +17,9 @@
 
 namespace burin {
 
-/// Indices first … last of scanlines; none when last < first.
-struct LineRange {
-    std::int32_t first = 0, last = -1;
-};
-
 /// Scanlines whose centres lie in `stretch` (mm along an axis that starts at `low`), at most `count` of them. One more
 /// at either end where rounding leaves that open: the span decides.
-inline LineRange linesWithin(const Span& stretch, double low, double edge, std::int32_t count) noexcept {
+inline LineStretch linesWithin(const Span& stretch, double low, double edge, std::int32_t count) noexcept {
     constexpr double slack = 1e-6; // voxels
     const double first = std::ceil((stretch.low - low) / edge - 0.5 - slack);
     const double last = std::floor((stretch.high - low) / edge - 0.5 + slack);
@@ -42,18 +38,18 @@ inline RunPosition contactTolerance(const RevolvedPiece& piece, const Grid& grid
 /// grid, run positions from < to rounded by Grid's one rule; stops when it returns false.
 /// @param swept in the frame of the grid's lines (inLineFrame)
 template <class Visit>
-void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineRange within, Visit&& visit) noexcept {
+void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch within, Visit&& visit) noexcept {
     const Box reach = swept.bounds(), box = inLineFrame(grid, grid.box());
     if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
     double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at one height
     RunPosition to = 0;
-    const LineRange rows = linesWithin({reach.low.y, reach.high.y}, box.low.y, grid.edge(), grid.lineCountV());
+    const LineStretch rows = linesWithin({reach.low.y, reach.high.y}, box.low.y, grid.edge(), grid.lineCountV());
     const std::int32_t last = std::min(rows.last, within.last);
     for (std::int32_t v = std::max(rows.first, within.first); v <= last; ++v) {
         const double y = grid.lineCentre({0, v}).y;
         const std::optional<Span> shadow = swept.shadow(y);
         if (!shadow) continue;
-        const LineRange row = linesWithin(*shadow, box.low.x, grid.edge(), grid.lineCountU());
+        const LineStretch row = linesWithin(*shadow, box.low.x, grid.edge(), grid.lineCountU());
         for (std::int32_t u = row.first; u <= row.last; ++u) {
             const LineIndex line{u, v};
             const std::optional<Span> span = swept.along(grid.lineCentre(line).x, y);

@@ -89,25 +89,45 @@ bool fillStock(RunVolume& volume, const Box& stock, PropertyIndex property) {
                             grid.toRunPosition(stock.high[runs]), property);
 }
 
-/// What was odd about a body.
-void warn(const Model& model, std::size_t body, const VoxelisationReport& report, EmbeddedSetup& embedded) {
-    const std::string name = nameOf(model, body);
-    const std::size_t openEdges = model.bodies[body].openEdges;
-    const std::string odd = report.warning();
-    if (!odd.empty())
-        embedded.warnings.push_back(name + ": " + odd);
-    else if (openEdges > 0)
-        embedded.warnings.push_back(name + " has " + std::to_string(openEdges) +
-                                    " open edges, too small for the voxels to see");
-    if (report.filledUnits == 0)
-        embedded.warnings.push_back(name + " is too small for the voxels: nothing of it is protected");
+/// What was odd about a body by itself.
+std::vector<EmbeddingFinding> findingsOf(const Body& body, const VoxelisationReport& report) {
+    using Kind = EmbeddingFinding::Kind;
+    std::vector<EmbeddingFinding> findings;
+    const auto add = [&](Kind kind, std::size_t count) {
+        if (count > 0) findings.push_back({.kind = kind, .count = count, .place = report.doubtful});
+    };
+    if (report.openEdges > 0) {
+        const Kind kind = report.linesThroughHoles > 0 ? Kind::openSurface : Kind::unseenOpening;
+        findings.push_back({.kind = kind,
+                            .count = report.linesThroughHoles,
+                            .openEdges = report.openEdges,
+                            .rims = report.holes,
+                            .place = kind == Kind::openSurface ? report.doubtful : Box()});
+    } else if (body.openEdges > 0 && report.clean()) {
+        findings.push_back({.kind = Kind::unseenOpening, .openEdges = body.openEdges});
+    }
+    add(Kind::turnedFaces, report.linesWithTurnedFaces);
+    add(Kind::insideOut, report.linesInsideOut);
+    add(Kind::overlappingShells, report.linesWithOverlaps);
+    if (report.duplicateTriangles > 0)
+        findings.push_back({.kind = Kind::duplicateTriangles, .count = report.duplicateTriangles});
+    if (report.filledUnits == 0) findings.push_back({.kind = Kind::tooSmall, .place = body.box});
+    return findings;
+}
+
+/// And about it among the others.
+void note(const Model& model, std::size_t body, const VoxelisationReport& report, EmbeddedSetup& embedded) {
+    std::vector<EmbeddingFinding> findings = findingsOf(model.bodies[body], report);
     for (std::size_t earlier = 0; earlier < body; ++earlier) {
         const std::uint64_t lost = report.replaced.units[embedded.bodyProperties[earlier]];
         if (lost > 0)
-            embedded.warnings.push_back(
-                name + " overlaps " + nameOf(model, earlier) + " in " +
-                formatFixed(static_cast<double>(lost) * embedded.workpiece.grid().unitVolume(), 3) +
-                " mm³; the later body has its place");
+            findings.push_back({.kind = EmbeddingFinding::Kind::overlappingBodies,
+                                .otherBody = nameOf(model, earlier),
+                                .volume = static_cast<double>(lost) * embedded.workpiece.grid().unitVolume()});
+    }
+    for (EmbeddingFinding& finding : findings) {
+        finding.body = nameOf(model, body);
+        embedded.findings.push_back(std::move(finding));
     }
 }
 
@@ -118,7 +138,7 @@ Result<void> fillBodies(const Model& model, EmbeddedSetup& embedded, Progress& p
         bodies.push_back({&model.bodies[i].mesh, embedded.bodyProperties[i]});
     const Result<std::vector<VoxelisationReport>> reports = voxelise(bodies, embedded.workpiece, progress);
     if (!reports) return reports.error();
-    for (std::size_t i = 0; i < model.bodies.size(); ++i) warn(model, i, (*reports)[i], embedded);
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) note(model, i, (*reports)[i], embedded);
     return {};
 }
 

@@ -35,6 +35,28 @@ struct EmbeddingSize {
 };
 Result<EmbeddingSize> embeddingSize(const Setup& setup);
 
+/// Something doubtful about a body, and how it was filled all the same (rules of voxelise()).
+struct EmbeddingFinding {
+    enum class Kind {
+        openSurface,        ///< what its surface encloses on some scanlines is a guess
+        unseenOpening,      ///< its surface is open, but between the scanlines alone
+        turnedFaces,        ///< faces do not agree on what is outside: filled by parity
+        insideOut,          ///< a shell is turned inwards: filled as well
+        overlappingShells,  ///< of one body: whatever any of them holds was filled
+        duplicateTriangles, ///< counted once
+        tooSmall,           ///< no scanline meets it: nothing of it is protected
+        overlappingBodies   ///< the later one has the place
+    };
+    Kind kind = Kind::openSurface;
+    std::string body{};        ///< its name; "Body 2" where the model has none
+    std::size_t count = 0;     ///< scanlines; triangles where those are there twice
+    std::size_t openEdges = 0; ///< of an open surface
+    std::size_t rims = 0;      ///< that they form; 0: not known
+    std::string otherBody{};   ///< that it overlaps
+    double volume = 0.0;       ///< mm³, of an overlap of bodies
+    Box place{};               ///< mm, setup frame; empty: not known
+};
+
 /// A part in its stock, as runs.
 struct EmbeddedSetup {
     RunVolume workpiece;
@@ -42,11 +64,11 @@ struct EmbeddedSetup {
     PropertyIndex stockProperty = airProperty; ///< machinable
     double partVolume = 0.0;                   ///< mm³ of protected runs
     double stockVolume = 0.0;                  ///< mm³ of machinable runs
-    std::vector<std::string> warnings;         ///< English: open meshes, overlapping bodies
+    std::vector<EmbeddingFinding> findings;    ///< by body
 };
 
 /// Fills a grid with the stock (machinable) and the bodies (protected). Where bodies overlap the later one has the
-/// place. A body whose surface is open, folded or turned is filled by the rules of voxelise(), with a warning that says
+/// place. A body whose surface is open, folded or turned is filled by the rules of voxelise(), with a finding that says
 /// where. Stock faces lie on run ends along the run axis exactly and on voxel faces across (the grid is the stock box,
 /// rounded up to whole voxels; the overhang is air). Errors: volumeTooLarge, outOfMemory, volumeOutOfMemory,
 /// nameUnknown (a material), partOutsideStock, cancelled.

@@ -4,6 +4,7 @@
 
 #include "core/base/vectorised.h"
 #include "core/geometry/revolved_piece.h"
+#include "core/tool/line_stretch.h"
 #include "core/tool/span_rows_tilted.h"
 #include "core/tool/tilted_shadow.h"
 
@@ -21,11 +22,6 @@ namespace burin {
 struct LinePose {
     glm::dvec3 tip{0.0};
     glm::dvec3 axis{0.0, 0.0, 1.0}; ///< unit length
-};
-
-/// Places first … last along an axis of lines; none when last < first.
-struct LineStretch {
-    std::int32_t first = 0, last = -1;
 };
 
 /// Spans of the scanlines of a brick, in run units: eight rows of eight lines, v and u counted from the brick's corner.

@@ -95,7 +95,7 @@ void RowReplay::cutUpright(const ReplayTool& tool, const glm::dvec3& from, const
     const Span share = shareWithin(from.y, to.y, band);
     if (share.low > share.high) return;
     const double a = from.x + share.low * (to.x - from.x), b = from.x + share.high * (to.x - from.x);
-    const LineRange columns =
+    const LineStretch columns =
         linesWithin({std::min(a, b) - radius, std::max(a, b) + radius}, box.low.x, edge, grid_.lineCountU());
     if (columns.last < columns.first) return;
     const CutFilter::Way way = tool.filter.way(from, to);

@@ -7,7 +7,6 @@
 #include "core/volume/run_volume.h"
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace burin {
@@ -35,8 +34,11 @@ struct VoxelisationReport {
     /// empty for none.
     Box doubtful;
 
-    /// One English sentence that says what was odd, how it was filled and where; empty when nothing was.
-    std::string warning() const;
+    /// Whether it was one clean closed shell as far as the scanlines tell, or several that are in order.
+    bool clean() const noexcept {
+        return openEdges == 0 && linesWithTurnedFaces == 0 && linesInsideOut == 0 && linesWithOverlaps == 0 &&
+               duplicateTriangles == 0;
+    }
 };
 
 /// Fills the inside of meshes, each with its property. Run ends lie where the scanline's centre crosses the surface, to

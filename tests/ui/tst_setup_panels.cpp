@@ -124,6 +124,41 @@ private slots:
         QCOMPARE(child<Notice>(panel, "stockNotice").kind(), Notice::Kind::error);
     }
 
+    /// In the unit that is shown; of hundreds the first ones.
+    void whatEmbeddingFoundIsTold() {
+        StockPanel panel;
+        StockState state = examples::stock();
+        state.embedded = true;
+        panel.setState(state);
+        show(panel);
+        auto& notice = child<Notice>(panel, "findingsNotice");
+        QVERIFY(!notice.isVisible());
+        EmbeddingFinding open;
+        open.body = "Torn";
+        open.count = 1400;
+        open.openEdges = 4;
+        open.rims = 1;
+        open.place = {{0.0, -2.5, 0.0}, {25.4, 10.0, 10.0}};
+        EmbeddingFinding tiny;
+        tiny.kind = EmbeddingFinding::Kind::tooSmall;
+        tiny.body = "Pin";
+        state.findings = {open, tiny};
+        panel.setState(state);
+        QVERIFY(notice.isVisible());
+        QCOMPARE(notice.kind(), Notice::Kind::warning);
+        QCOMPARE(plain(notice.sentence()),
+                 QStringLiteral("The surface of “Torn” is open (edges: 4, rims: 1), so what it encloses there is a "
+                                "guess (scanlines: 1,400; X 0.000 to 25.400 mm; Y -2.500 to 10.000 mm; Z 0.000 to "
+                                "10.000 mm); close it in the CAD program.\n“Pin” is too small for the voxels, so "
+                                "nothing of it is protected; choose smaller voxels."));
+        panel.setUnit(LengthUnit::inch);
+        QVERIFY(plain(notice.sentence()).contains(QStringLiteral("X 0.0000 to 1.0000 in;")));
+        state.findings.assign(300, tiny);
+        panel.setState(state);
+        QCOMPARE(notice.sentence().count(QLatin1Char('\n')), 4);
+        QVERIFY(notice.sentence().contains(QStringLiteral("And 296 more")));
+    }
+
     void marginsThatDifferAreTold() {
         StockPanel panel;
         StockState state = examples::stock();

@@ -48,7 +48,8 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::fileNotFound:
         return tr("\"%1\" does not exist; check its name and its folder.").arg(file);
     case ErrorCode::fileNotReadable:
-        return tr("\"%1\" can't be read (%2); check the rights of the file.").arg(file, detail);
+        return tr("\"%1\" can't be read (%2); check that it is what you meant and that you may read it.")
+            .arg(file, detail);
     case ErrorCode::fileNotWritable:
         return tr("\"%1\" can't be written (%2); check the rights of the file and its folder or choose another place.")
             .arg(file, detail);

@@ -38,7 +38,8 @@ struct StockState {
     bool embedded = false;             ///< the workpiece stands as `setup` says
     bool locked = false;               ///< there are recordings: stock and material stay as they are
     bool busy = false;
-    QString problem; ///< why this stock can't be embedded, a sentence; empty: it can
+    QString problem;                        ///< why this stock can't be embedded, a sentence; empty: it can
+    std::vector<EmbeddingFinding> findings; ///< of the workpiece that stands
 };
 
 /// What becomes of a bound while the tool is in hand.

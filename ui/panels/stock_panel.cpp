@@ -3,6 +3,7 @@
 #include "ui/panels/stock_panel.h"
 
 #include "ui/panels/buttons.h"
+#include "ui/panels/embedding_words.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
@@ -43,6 +44,7 @@ private:
     void refreshNotices();
     QString reasonAgainstEmbedding() const;
     QString voxelText() const;
+    QString findingsText() const;
 
     StockPanel* panel_;
     QVBoxLayout* column_;
@@ -51,7 +53,7 @@ private:
     ValueRow* size_;
     QLabel* voxels_;
     QPushButton* embed_;
-    Notice *notice_, *sidesNotice_;
+    Notice *notice_, *sidesNotice_, *findings_;
 };
 
 StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
@@ -81,6 +83,9 @@ StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), c
     column_->addWidget(notice_);
     embed_ = makePrimaryButton(StockPanel::tr("Embed the part"), QStringLiteral("embedButton"), panel);
     column_->addWidget(embed_);
+    findings_ = new Notice(panel);
+    findings_->setObjectName(QStringLiteral("findingsNotice"));
+    column_->addWidget(findings_);
     column_->addStretch(1);
 
     connect(sides_, &LengthField::valueEdited, this, [this](double margin) {
@@ -158,6 +163,21 @@ void StockPanel::Fields::refreshNotices() {
         notice_->tell(Notice::Kind::passed, StockPanel::tr("The workpiece matches these settings."));
     else
         notice_->clear();
+    findings_->tell(Notice::Kind::warning, findingsText());
+}
+
+/// The first ones in full; a broken model may have hundreds.
+QString StockPanel::Fields::findingsText() const {
+    constexpr std::size_t most = 4;
+    QStringList sentences;
+    for (const EmbeddingFinding& finding : state.findings) {
+        if (static_cast<std::size_t>(sentences.size()) == most) break;
+        sentences.append(embeddingText(finding, unit_));
+    }
+    if (state.findings.size() > most)
+        sentences.append(
+            StockPanel::tr("And %1 more, which “burin embed” lists.").arg(countText(state.findings.size() - most)));
+    return sentences.join(QLatin1Char('\n'));
 }
 
 void StockPanel::Fields::refresh() {

@@ -45,6 +45,7 @@ private:
     void showBench(bool shown);
     void showWelcome();
     void lookForLeftWork();
+    void tellAboutFindings();
     void tellAboutBattery(double share);
     void updateTitle();
     void dress(Theme theme);

@@ -41,6 +41,7 @@ void StockPresenter::present() {
     state.locked = setup.locked();
     state.busy = workbench_.bench.embedding();
     if (setup.problem()) state.problem = Messages::sentence(*setup.problem());
+    if (state.embedded) state.findings = workbench_.bench.bench()->embedded.findings;
     panel_.setState(state);
 }
 

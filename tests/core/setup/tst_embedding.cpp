@@ -87,7 +87,7 @@ private slots:
         QCOMPARE(protectedPart.id, std::string("test-wax (Block)"));
         QVERIFY(volume.properties().isProtected(embedded->bodyProperties[0]));
         QVERIFY(!volume.properties().isProtected(embedded->stockProperty));
-        QVERIFY(embedded->warnings.empty());
+        QVERIFY(embedded->findings.empty());
         // Stock, part, stock, overhang: their ends in mm.
         const auto line = volume.line({24, 14});
         std::vector<double> ends;
@@ -116,8 +116,9 @@ private slots:
         QCOMPARE(amounts.units[embedded->bodyProperties[0]], std::uint64_t{200 * 256});
         QCOMPARE(amounts.units[embedded->bodyProperties[1]], std::uint64_t{600 * 256});
         QCOMPARE(embedded->workpiece.properties()[embedded->bodyProperties[1]].id, std::string("test-metal (Foot)"));
-        QCOMPARE(embedded->warnings.size(), std::size_t{1});
-        QVERIFY(embedded->warnings[0].find("200.000 mm³") != std::string::npos);
+        QCOMPARE(embedded->findings.size(), std::size_t{1});
+        QVERIFY(embedded->findings[0].kind == EmbeddingFinding::Kind::overlappingBodies);
+        QCOMPARE(embedded->findings[0].volume, 200.0);
     }
 
     void bodiesOfOneNameAndMaterialAreToldApart() {
@@ -126,10 +127,10 @@ private slots:
         const auto embedded = embedIn(part, *placeStock(part, withVoxel(1.0, 1.0)));
         QVERIFY(embedded);
         QCOMPARE(embedded->workpiece.properties()[embedded->bodyProperties[1]].id, std::string("test-wax (Pin) 2"));
-        QVERIFY(embedded->warnings.empty());
+        QVERIFY(embedded->findings.empty());
     }
 
-    void anOpenBodyIsFilledWithAWarningThatNamesItAndThePlace() {
+    void anOpenBodyIsFilledWithAFindingThatNamesItAndThePlace() {
         TriangleMesh open = boxMesh({0, 0, 0}, {10, 10, 10});
         open.triangles.erase(open.triangles.begin() + 2, open.triangles.begin() + 4); // the top
         const Model part = model({body("Sound", boxMesh({20, 0, 0}, {30, 10, 10})), body("Torn", open)});
@@ -139,12 +140,48 @@ private slots:
             const auto embedded = embedIn(part, setup);
             QVERIFY(embedded);
             QCOMPARE(embedded->partVolume, 2000.0);
-            QCOMPARE(embedded->warnings.size(), std::size_t{1});
-            const std::string& warning = embedded->warnings[0];
-            QVERIFY(warning.starts_with("Torn: the surface is open at 4 edges (1 rim)"));
-            if (axis == RunAxis::z)
-                QVERIFY(warning.ends_with(" a guess, between (0.000, 0.000, 0.000) and (10.000, 10.000, 10.000) mm"));
+            QCOMPARE(embedded->findings.size(), std::size_t{1});
+            const EmbeddingFinding& finding = embedded->findings[0];
+            QCOMPARE(finding.body, std::string("Torn"));
+            QCOMPARE(finding.openEdges, std::size_t{4});
+            QCOMPARE(finding.rims, std::size_t{1});
+            // Lines along x and y pass the opening by.
+            QVERIFY(finding.kind ==
+                    (axis == RunAxis::z ? EmbeddingFinding::Kind::openSurface : EmbeddingFinding::Kind::unseenOpening));
+            if (axis != RunAxis::z) continue;
+            QCOMPARE(finding.count, std::size_t{400}); // all lines of the body
+            QVERIFY(finding.place.low == glm::dvec3(0.0) && finding.place.high == glm::dvec3(10.0));
         }
+    }
+
+    /// Each kind of trouble, in a body of its own, is told once, of that body and no other.
+    void everyDoubtIsTold() {
+        using Kind = EmbeddingFinding::Kind;
+        TriangleMesh slit = boxMesh({0, 0, 0}, {4, 4, 4}); // open between two scanlines, 1.5 and 2.5 mm
+        slit.triangles.push_back({0, 1, static_cast<std::uint32_t>(slit.vertices.size())});
+        slit.vertices.emplace_back(2.0, 1e-3, -1.0);
+        TriangleMesh turned = boxMesh({10, 0, 0}, {14, 4, 4});
+        std::swap(turned.triangles[2][0], turned.triangles[2][1]);
+        TriangleMesh inwards = boxMesh({20, 0, 0}, {24, 4, 4});
+        append(inwards, boxMesh({25, 0, 0}, {26, 4, 4}));
+        for (std::size_t i = 12; i < 24; ++i) std::swap(inwards.triangles[i][0], inwards.triangles[i][1]);
+        TriangleMesh shells = boxMesh({30, 0, 0}, {34, 4, 4});
+        append(shells, boxMesh({32, 2, 2}, {36, 4, 4}));
+        TriangleMesh twice = boxMesh({40, 0, 0}, {44, 4, 4});
+        twice.triangles.push_back(twice.triangles[0]);
+        const Model part =
+            model({body("slit", slit), body("turned", turned), body("inwards", inwards), body("shells", shells),
+                   body("twice", twice), body("tiny", boxMesh({50.1, 0.1, 0.1}, {50.2, 0.2, 0.2})),
+                   body("sound", boxMesh({60, 0, 0}, {64, 4, 4}))});
+        const auto embedded = embedIn(part, *placeStock(part, withVoxel(1.0, 1.0)));
+        QVERIFY(embedded);
+        std::vector<std::pair<std::string, Kind>> told;
+        for (const EmbeddingFinding& finding : embedded->findings) told.emplace_back(finding.body, finding.kind);
+        const std::vector<std::pair<std::string, Kind>> wanted{
+            {"slit", Kind::unseenOpening},       {"turned", Kind::turnedFaces},       {"inwards", Kind::insideOut},
+            {"shells", Kind::overlappingShells}, {"twice", Kind::duplicateTriangles}, {"tiny", Kind::tooSmall}};
+        for (const auto& [name, kind] : told) qInfo("%s: %d", name.c_str(), static_cast<int>(kind));
+        QVERIFY(told == wanted);
     }
 
     void everyRunAxisKeepsStockAndPart() {

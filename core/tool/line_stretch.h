@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace burin {
+
+/// Scanlines first … last along an axis across them; none when last < first.
+struct LineStretch {
+    std::int32_t first = 0, last = -1;
+};
+
+} // namespace burin

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/embedding_words.h"
+
+#include "ui/panels/quantity.h"
+#include "ui/panels/texts.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace burin {
+
+namespace {
+
+class EmbeddingWords {
+    Q_DECLARE_TR_FUNCTIONS(EmbeddingWords)
+};
+
+/// "scanlines: 64, X 0.000 to 10.000 mm, …"
+QString whereText(const EmbeddingFinding& finding, LengthUnit unit) {
+    QStringList parts{EmbeddingWords::tr("scanlines: %1").arg(countText(finding.count))};
+    for (int axis = 0; axis < 3 && !finding.place.empty(); ++axis)
+        parts.append(EmbeddingWords::tr("%1 %2 to %3", "X 0.000 to 10.000 mm")
+                         .arg(QChar(u'X' + axis))
+                         .arg(quantityNumber(finding.place.low[axis], Quantity::length, unit),
+                              quantityText(finding.place.high[axis], Quantity::length, unit)));
+    return parts.join(QStringLiteral("; "));
+}
+
+} // namespace
+
+// No default: the compiler names every kind that has no sentence yet.
+QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit) {
+    using Kind = EmbeddingFinding::Kind;
+    const QString body = QString::fromStdString(finding.body);
+    switch (finding.kind) {
+    case Kind::openSurface:
+        return EmbeddingWords::tr("The surface of “%1” is open (edges: %2, rims: %3), so what it encloses there is a "
+                                  "guess (%4); close it in the CAD program.")
+            .arg(body, countText(finding.openEdges), countText(finding.rims), whereText(finding, unit));
+    case Kind::unseenOpening:
+        return EmbeddingWords::tr("The surface of “%1” is open (edges: %2), but no scanline meets a gap.")
+            .arg(body, countText(finding.openEdges));
+    case Kind::turnedFaces:
+        return EmbeddingWords::tr("Faces of “%1” do not agree on what is outside, so every second stretch between "
+                                  "them was filled (%2); make their normals agree in the CAD program.")
+            .arg(body, whereText(finding, unit));
+    case Kind::insideOut:
+        return EmbeddingWords::tr("A shell of “%1” is turned inside out and was filled as well (%2); if it is meant "
+                                  "to be a hollow, it has to lie within another shell.")
+            .arg(body, whereText(finding, unit));
+    case Kind::overlappingShells:
+        return EmbeddingWords::tr("Shells of “%1” overlap, so whatever any of them holds was filled (%2).")
+            .arg(body, whereText(finding, unit));
+    case Kind::duplicateTriangles:
+        return EmbeddingWords::tr("Triangles of “%1” that are there twice were counted once (%2).")
+            .arg(body, countText(finding.count));
+    case Kind::tooSmall:
+        return EmbeddingWords::tr("“%1” is too small for the voxels, so nothing of it is protected; choose smaller "
+                                  "voxels.")
+            .arg(body);
+    case Kind::overlappingBodies:
+        return EmbeddingWords::tr("“%1” overlaps “%2” in %3, where the later body has the place.")
+            .arg(body, QString::fromStdString(finding.otherBody), volumeText(finding.volume, unit));
+    }
+    return {};
+}
+
+} // namespace burin

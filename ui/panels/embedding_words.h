@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/setup/setup.h"
+#include "ui/theme/length_unit.h"
+
+#include <QString>
+
+namespace burin {
+
+/// What embedding found doubtful, what it made of it and what helps; with a full stop.
+QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit);
+
+} // namespace burin
