@@ -93,22 +93,19 @@ bool fillStock(RunVolume& volume, const Box& stock, PropertyIndex property) {
 std::vector<EmbeddingFinding> findingsOf(const Body& body, const VoxelisationReport& report) {
     using Kind = EmbeddingFinding::Kind;
     std::vector<EmbeddingFinding> findings;
-    const auto add = [&](Kind kind, std::size_t count) {
-        if (count > 0) findings.push_back({.kind = kind, .count = count, .place = report.doubtful});
+    const auto add = [&](Kind kind, const DoubtfulLines& lines) {
+        if (lines.count > 0) findings.push_back({.kind = kind, .count = lines.count, .place = lines.place});
     };
-    if (report.openEdges > 0) {
-        const Kind kind = report.linesThroughHoles > 0 ? Kind::openSurface : Kind::unseenOpening;
-        findings.push_back({.kind = kind,
-                            .count = report.linesThroughHoles,
-                            .openEdges = report.openEdges,
-                            .rims = report.holes,
-                            .place = kind == Kind::openSurface ? report.doubtful : Box()});
-    } else if (body.openEdges > 0 && report.clean()) {
-        findings.push_back({.kind = Kind::unseenOpening, .openEdges = body.openEdges});
+    add(Kind::openSurface, report.throughHoles);
+    if (findings.empty() && (report.openEdges > 0 || (body.openEdges > 0 && report.clean())))
+        findings.push_back({.kind = Kind::unseenOpening});
+    for (EmbeddingFinding& opening : findings) {
+        opening.openEdges = report.openEdges > 0 ? report.openEdges : body.openEdges;
+        opening.rims = report.holes;
     }
-    add(Kind::turnedFaces, report.linesWithTurnedFaces);
-    add(Kind::insideOut, report.linesInsideOut);
-    add(Kind::overlappingShells, report.linesWithOverlaps);
+    add(Kind::turnedFaces, report.turnedFaces);
+    add(Kind::insideOut, report.insideOut);
+    add(Kind::overlappingShells, report.overlaps);
     if (report.duplicateTriangles > 0)
         findings.push_back({.kind = Kind::duplicateTriangles, .count = report.duplicateTriangles});
     if (report.filledUnits == 0) findings.push_back({.kind = Kind::tooSmall, .place = body.box});

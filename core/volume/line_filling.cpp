@@ -22,11 +22,13 @@ std::span<const InnerSpan> LineFilling::spans(std::span<const LineCrossing> cros
         ++report.clippedLines;
     const bool odd = (crossings.size() - caps) % 2 != 0;
     if (odd) ++report.linesWithOddCrossings;
-    if (caps > 0) ++report.linesThroughHoles;
-    if (winding != 0 && !odd && caps == 0) ++report.linesWithTurnedFaces;
-    if (winding == 0 && least < 0 && caps == 0) ++report.linesInsideOut;
-    if (odd || caps > 0 || winding != 0 || least < 0) doubt(crossings, line, report);
-    if (winding == 0 && caps == 0 && std::max(most, -least) > 1) noteOverlaps(crossings, line, report);
+    if (caps > 0)
+        doubt(crossings, line, report.throughHoles);
+    else if (winding != 0)
+        doubt(crossings, line, report.turnedFaces);
+    else if (least < 0)
+        doubt(crossings, line, report.insideOut);
+    if (winding == 0 && caps == 0 && std::max(most, -least) > 1) noteOverlaps(crossings, line, report.overlaps);
 
     constexpr std::size_t mostCapsToLookAt = 20'000;
     if (winding != 0)
@@ -79,8 +81,7 @@ void LineFilling::add(LineCrossing from, LineCrossing to) {
 }
 
 /// Of a line on which windings close. Shells that only touch wind twice around nothing, or what rounding makes of it.
-void LineFilling::noteOverlaps(std::span<const LineCrossing> crossings, LineIndex line,
-                               VoxelisationReport& report) const {
+void LineFilling::noteOverlaps(std::span<const LineCrossing> crossings, LineIndex line, DoubtfulLines& overlaps) const {
     std::int32_t winding = 0;
     std::size_t first = 0;
     bool found = false;
@@ -90,13 +91,20 @@ void LineFilling::noteOverlaps(std::span<const LineCrossing> crossings, LineInde
         const bool after = std::abs(winding) > 1;
         if (after && !before) first = i;
         if (after || !before || crossings[i].position() - crossings[first].position() <= slit) continue;
-        doubt(crossings.subspan(first, i - first + 1), line, report);
+        overlaps.place.include(placeOf(crossings.subspan(first, i - first + 1), line));
         found = true;
     }
-    if (found) ++report.linesWithOverlaps;
+    if (found) ++overlaps.count;
 }
 
-void LineFilling::doubt(std::span<const LineCrossing> crossings, LineIndex line, VoxelisationReport& report) const {
+void LineFilling::doubt(std::span<const LineCrossing> crossings, LineIndex line, DoubtfulLines& doubtful) const {
+    ++doubtful.count;
+    doubtful.place.include(placeOf(crossings, line));
+}
+
+/// From the first crossing to the last, as wide as the line, mm.
+Box LineFilling::placeOf(std::span<const LineCrossing> crossings, LineIndex line) const {
+    Box box;
     const glm::dvec2 centre = grid_.lineCentre(line);
     for (const LineCrossing end : {crossings.front(), crossings.back()})
         for (const double side : {-0.5, 0.5}) {
@@ -105,8 +113,9 @@ void LineFilling::doubt(std::span<const LineCrossing> crossings, LineIndex line,
             place[grid_.axisOfV()] = centre.y + side * grid_.edge();
             place[grid_.axisOfRuns()] = grid_.toMillimetres(
                 static_cast<RunPosition>(std::clamp(end.position(), 0, static_cast<std::int32_t>(grid_.lineEnd()))));
-            report.doubtful.include(place);
+            box.include(place);
         }
+    return box;
 }
 
 void appendPainted(std::span<const Segment> present, std::span<const InnerSpan> spans, PropertyIndex property,

@@ -42,8 +42,9 @@ private:
     void byParity(std::span<const LineCrossing> crossings);
     void throughHoles(std::span<const LineCrossing> crossings, LineIndex line, const OpenMesh& open);
     void add(LineCrossing from, LineCrossing to);
-    void noteOverlaps(std::span<const LineCrossing> crossings, LineIndex line, VoxelisationReport& report) const;
-    void doubt(std::span<const LineCrossing> crossings, LineIndex line, VoxelisationReport& report) const;
+    void noteOverlaps(std::span<const LineCrossing> crossings, LineIndex line, DoubtfulLines& overlaps) const;
+    void doubt(std::span<const LineCrossing> crossings, LineIndex line, DoubtfulLines& doubtful) const;
+    Box placeOf(std::span<const LineCrossing> crossings, LineIndex line) const;
 
     Grid grid_;
     std::vector<InnerSpan> spans_;

@@ -123,14 +123,13 @@ private:
 
 void add(VoxelisationReport& sum, const VoxelisationReport& part) {
     sum.linesWithOddCrossings += part.linesWithOddCrossings;
-    sum.linesThroughHoles += part.linesThroughHoles;
-    sum.linesWithTurnedFaces += part.linesWithTurnedFaces;
-    sum.linesInsideOut += part.linesInsideOut;
-    sum.linesWithOverlaps += part.linesWithOverlaps;
+    sum.throughHoles.add(part.throughHoles);
+    sum.turnedFaces.add(part.turnedFaces);
+    sum.insideOut.add(part.insideOut);
+    sum.overlaps.add(part.overlaps);
     sum.clippedLines += part.clippedLines;
     sum.filledUnits += part.filledUnits;
     for (std::size_t i = 0; i < sum.replaced.units.size(); ++i) sum.replaced.units[i] += part.replaced.units[i];
-    sum.doubtful.include(part.doubtful);
 }
 
 /// What all threads share.

@@ -18,25 +18,33 @@ struct BodyMesh {
     int priority = 0; ///< where bodies overlap the highest has the place; among equals the later in the list
 };
 
+/// Scanlines that a rule had to decide.
+struct DoubtfulLines {
+    std::size_t count = 0;
+    Box place; ///< from the first to the last place on them, of overlaps of what is held twice; mm, empty for none
+
+    void add(const DoubtfulLines& other) noexcept {
+        count += other.count;
+        place.include(other.place);
+    }
+};
+
 /// What voxelising a mesh found out about it.
 struct VoxelisationReport {
     std::size_t linesWithOddCrossings = 0; ///< scanlines that pass a hole: the open surface has an odd number of places
-    std::size_t linesThroughHoles = 0;     ///< those, and the ones that pass several holes: filled by the rule for them
-    std::size_t linesWithTurnedFaces = 0;  ///< faces do not agree on what is outside: filled by parity
-    std::size_t linesInsideOut = 0;        ///< a whole shell is turned inwards, but not a cavity of another
-    std::size_t linesWithOverlaps = 0;     ///< shells of the mesh enter each other, by more than 1/16 voxel of the line
+    DoubtfulLines throughHoles;            ///< those, and the ones that pass several holes: filled by the rule for them
+    DoubtfulLines turnedFaces;             ///< faces do not agree on what is outside: filled by parity
+    DoubtfulLines insideOut;               ///< a whole shell is turned inwards, but not a cavity of another
+    DoubtfulLines overlaps;                ///< shells of the mesh enter each other, by more than 1/16 voxel of the line
     std::size_t clippedLines = 0;          ///< scanlines on which the mesh reached out of the grid
     std::size_t openEdges = 0, holes = 0;  ///< edges of no or one neighbour that are not slits; rims they form
     std::size_t duplicateTriangles = 0;    ///< left out
     std::uint64_t filledUnits = 0;         ///< run units inside the mesh
     RunAmounts replaced;                   ///< what stood there before, bodies filled earlier included
-    /// Of the lines that a rule decided, from the first to the last place on them; of overlaps, what is held twice; mm,
-    /// empty for none.
-    Box doubtful;
 
     /// Whether it was one clean closed shell as far as the scanlines tell, or several that are in order.
     bool clean() const noexcept {
-        return openEdges == 0 && linesWithTurnedFaces == 0 && linesInsideOut == 0 && linesWithOverlaps == 0 &&
+        return openEdges == 0 && turnedFaces.count == 0 && insideOut.count == 0 && overlaps.count == 0 &&
                duplicateTriangles == 0;
     }
 };

@@ -62,12 +62,12 @@ private slots:
         mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4); // the top
         const auto report = fill(mesh, volume);
         QCOMPARE(report.linesWithOddCrossings, std::size_t{64});
-        QCOMPARE(report.linesThroughHoles, std::size_t{64});
+        QCOMPARE(report.throughHoles.count, std::size_t{64});
         QCOMPARE(report.openEdges, std::size_t{4});
         QCOMPARE(report.holes, std::size_t{1});
         QCOMPARE(volume.amounts().units[part], std::uint64_t{512 * 256});
         QVERIFY(!report.clean());
-        QVERIFY(isBox(report.doubtful, {1, 1, 1}, {9, 9, 9}));
+        QVERIFY(isBox(report.throughHoles.place, {1, 1, 1}, {9, 9, 9}));
     }
 
     void facesThatDisagreeAreFilledByParityAndReported() {
@@ -76,7 +76,7 @@ private slots:
         TriangleMesh mesh = boxMesh({1, 1, 1}, {9, 9, 9});
         std::swap(mesh.triangles[2][0], mesh.triangles[2][1]); // half of the top
         const auto report = fill(mesh, volume);
-        QVERIFY(report.linesWithTurnedFaces >= 28 && report.linesWithTurnedFaces <= 36); // a triangle of 8 × 8 lines
+        QVERIFY(report.turnedFaces.count >= 28 && report.turnedFaces.count <= 36); // a triangle of 8 × 8 lines
         QCOMPARE(report.linesWithOddCrossings, std::size_t{0});
         QCOMPARE(volume.amounts().units[part], std::uint64_t{512 * 256});
     }
@@ -91,7 +91,7 @@ private slots:
                 VoxelisationReport report;
                 const double volume = volumeAlong(mesh, voxels, axis, &report);
                 qInfo("axis %d, %d voxels: %+.2e, %zu lines through the hole", static_cast<int>(axis), voxels,
-                      volume / exact - 1.0, report.linesThroughHoles);
+                      volume / exact - 1.0, report.throughHoles.count);
                 QVERIFY(std::abs(volume / exact - 1.0) < (axis == RunAxis::z ? 0.002 : 1.0 / voxels));
                 QCOMPARE(report.openEdges, std::size_t{400});
                 QCOMPARE(report.holes, std::size_t{1});
@@ -157,7 +157,7 @@ private slots:
         volumeAlong(tube, 100, RunAxis::z, &report);
         QCOMPARE(report.holes, std::size_t{2});
         QCOMPARE(report.linesWithOddCrossings, std::size_t{0});
-        QVERIFY(report.linesThroughHoles > 600);
+        QVERIFY(report.throughHoles.count > 600);
         // A ring that is much wider than high encloses nothing.
         for (glm::dvec3& point : tube.vertices) point.z /= 30.0;
         const Grid grid = *Grid::make({-6, -6, -1}, 0.25, {48, 48, 12});
@@ -244,9 +244,9 @@ private slots:
         RunVolume volume = emptyVolume(grid);
         const auto report = fill(beside, volume);
         QCOMPARE(volume.amounts().units[part], std::uint64_t{(1000 + 64) * 256});
-        QCOMPARE(report.linesInsideOut, std::size_t{16});
+        QCOMPARE(report.insideOut.count, std::size_t{16});
         QVERIFY(!report.clean());
-        QVERIFY(isBox(report.doubtful, {2, 2, 2}, {6, 6, 6}));
+        QVERIFY(isBox(report.insideOut.place, {2, 2, 2}, {6, 6, 6}));
         RunVolume hollow = emptyVolume(grid);
         QVERIFY(fill(within, hollow).clean());
         QCOMPARE(hollow.amounts().units[part], std::uint64_t{(19 * 19 * 19 - 64) * 256});
@@ -258,9 +258,9 @@ private slots:
         append(mesh, boxMesh({5, 5, 5}, {13, 13, 13}));
         const auto report = fill(mesh, volume);
         QCOMPARE(volume.amounts().units[part], std::uint64_t{(512 + 512 - 64) * 256});
-        QCOMPARE(report.linesWithOverlaps, std::size_t{16});
+        QCOMPARE(report.overlaps.count, std::size_t{16});
         QVERIFY(!report.clean());
-        QVERIFY(isBox(report.doubtful, {5, 5, 5}, {9, 9, 9}));
+        QVERIFY(isBox(report.overlaps.place, {5, 5, 5}, {9, 9, 9}));
     }
 
     void linesWithOverlapsAreCounted() {
@@ -312,7 +312,7 @@ private slots:
                     }
                 RunVolume volume = emptyVolume(grid);
                 const auto report = fill(mesh, volume);
-                RC_ASSERT(report.linesWithOverlaps == wanted);
+                RC_ASSERT(report.overlaps.count == wanted);
                 RC_ASSERT(inwards || report.clean() == (wanted == 0));
                 (wanted > 0 ? overlapping : apart) += 1;
             }

@@ -20,7 +20,7 @@ double voxelisedVolume(const TriangleMesh& mesh, double edge, RunAxis axis) {
     const Grid grid = *Grid::make(glm::dvec3(-11.0), edge, glm::ivec3(static_cast<int>(std::ceil(22.0 / edge))), axis);
     RunVolume volume = emptyVolume(grid, 8'000'000);
     const VoxelisationReport report = fill(mesh, volume);
-    if (report.linesWithOddCrossings + report.linesWithTurnedFaces + report.clippedLines > 0) return -1e9;
+    if (report.linesWithOddCrossings + report.turnedFaces.count + report.clippedLines > 0) return -1e9;
     if (report.filledUnits != volume.amounts().units[part]) return -1e9;
     return static_cast<double>(volume.amounts().units[part]) * grid.unitVolume();
 }
@@ -127,7 +127,7 @@ private slots:
             RunVolume volume = emptyVolume(grid);
             const auto report = fill(mesh, volume);
             RC_ASSERT(report.linesWithOddCrossings == 0U);
-            RC_ASSERT(report.linesWithTurnedFaces == 0U);
+            RC_ASSERT(report.turnedFaces.count == 0U);
             // The lines pass exactly through corners and edges: a touch beside them decides as the tie was decided.
             std::mt19937 random(seed);
             for (int i = 0; i < 60; ++i) {
@@ -162,7 +162,7 @@ private slots:
         RunVolume volume = emptyVolume(grid);
         TriangleMesh mesh = boxMesh({1, 1, 1}, {9, 9, 9});
         for (auto& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
-        QCOMPARE(fill(mesh, volume).linesWithTurnedFaces, std::size_t{0});
+        QCOMPARE(fill(mesh, volume).turnedFaces.count, std::size_t{0});
         QCOMPARE(volume.amounts().units[part], std::uint64_t{512 * 256});
     }
 
@@ -177,7 +177,7 @@ private slots:
             const Grid grid = cubeGrid({128, 128, 128}, everyAxis[random() % 3]);
             RunVolume volume = emptyVolume(grid);
             const auto report = fill(mesh, volume);
-            RC_ASSERT(report.linesWithOddCrossings + report.linesWithTurnedFaces == 0U);
+            RC_ASSERT(report.linesWithOddCrossings + report.turnedFaces.count == 0U);
             RC_ASSERT(report.filledUnits == volume.amounts().units[part]);
             for (int i = 0; i < 40; ++i) {
                 const VoxelIndex voxel{static_cast<int>(random() % 128), static_cast<int>(random() % 128),
