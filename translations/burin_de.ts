@@ -1254,9 +1254,9 @@
         <translation>Abtastlinien: %1</translation>
     </message>
     <message>
-        <source>%1 %2 to %3</source>
+        <source>%1&#xa0;%2 to %3</source>
         <comment>X 0.000 to 10.000 mm</comment>
-        <translation>%1 %2 bis %3</translation>
+        <translation>%1&#xa0;%2 bis %3</translation>
     </message>
     <message>
         <source>The surface of “%1” is open (edges: %2, rims: %3), so what it encloses there is a guess (%4); close it in the CAD program.</source>

@@ -20,7 +20,7 @@ class EmbeddingWords {
 QString whereText(const EmbeddingFinding& finding, LengthUnit unit) {
     QStringList parts{EmbeddingWords::tr("scanlines: %1").arg(countText(finding.count))};
     for (int axis = 0; axis < 3 && !finding.place.empty(); ++axis)
-        parts.append(EmbeddingWords::tr("%1 %2 to %3", "X 0.000 to 10.000 mm")
+        parts.append(EmbeddingWords::tr("%1\u00a0%2 to %3", "X 0.000 to 10.000 mm")
                          .arg(QChar(u'X' + axis))
                          .arg(quantityNumber(finding.place.low[axis], Quantity::length, unit),
                               quantityText(finding.place.high[axis], Quantity::length, unit)));
