@@ -3174,6 +3174,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>not checked</source>
         <translation>ungeprüft</translation>
     </message>
+    <message>
+        <source>part doubtful</source>
+        <translation>Teil zweifelhaft</translation>
+    </message>
 </context>
 <context>
     <name>burin::KeyList</name>
@@ -3305,10 +3309,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>On the path</source>
         <translation>Auf der Bahn</translation>
-    </message>
-    <message>
-        <source>Something about the part is doubtful; the step “Stock” says what was made of it.</source>
-        <translation>Etwas am Teil ist zweifelhaft; der Schritt „Rohteil“ sagt, was daraus gemacht wurde.</translation>
     </message>
 </context>
 <context>

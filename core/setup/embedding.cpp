@@ -96,13 +96,14 @@ std::vector<EmbeddingFinding> findingsOf(const Body& body, const VoxelisationRep
     const auto add = [&](Kind kind, const DoubtfulLines& lines) {
         if (lines.count > 0) findings.push_back({.kind = kind, .count = lines.count, .place = lines.place});
     };
-    add(Kind::openSurface, report.throughHoles);
-    if (findings.empty() && (report.openEdges > 0 || (body.openEdges > 0 && report.clean())))
-        findings.push_back({.kind = Kind::unseenOpening});
-    for (EmbeddingFinding& opening : findings) {
-        opening.openEdges = report.openEdges > 0 ? report.openEdges : body.openEdges;
-        opening.rims = report.holes;
-    }
+    if (report.openEdges > 0)
+        findings.push_back({.kind = report.throughHoles.count > 0 ? Kind::openSurface : Kind::unseenOpening,
+                            .count = report.throughHoles.count,
+                            .openEdges = report.openEdges,
+                            .rims = report.holes,
+                            .place = report.throughHoles.place});
+    else if (body.openEdges > 0 && report.clean()) // slits that closed
+        findings.push_back({.kind = Kind::unseenOpening, .openEdges = body.openEdges});
     add(Kind::turnedFaces, report.turnedFaces);
     add(Kind::insideOut, report.insideOut);
     add(Kind::overlappingShells, report.overlaps);

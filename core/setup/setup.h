@@ -55,6 +55,9 @@ struct EmbeddingFinding {
     std::string otherBody{};   ///< that it overlaps
     double volume = 0.0;       ///< mm³, of an overlap of bodies
     Box place{};               ///< mm, setup frame; empty: not known
+
+    /// What was filled is what it would be without.
+    bool harmless() const noexcept { return kind == Kind::unseenOpening || kind == Kind::duplicateTriangles; }
 };
 
 /// A part in its stock, as runs.

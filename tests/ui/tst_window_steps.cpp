@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_steps.h"
+#include "ui/panels/notice.h"
 
 #include <QtTest>
 
@@ -11,6 +12,7 @@ class TestWindowSteps : public QObject {
     Q_OBJECT
 private slots:
     void eachStepTellsWhatItHolds();
+    void aDoubtfulPartIsObjectedTo();
 };
 
 void TestWindowSteps::eachStepTellsWhatItHolds() {
@@ -41,6 +43,28 @@ void TestWindowSteps::eachStepTellsWhatItHolds() {
     driver.shoot("small-03-mill");
     driver.key(Qt::Key_Escape);
     QVERIFY(driver.waitFor([&] { return !bench.mill.active(); }, 5000));
+}
+
+/// A guess in what is protected must not look like a step that is done.
+void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
+    WindowDriver driver(QSize(1280, 800));
+    Workbench& bench = driver.window().workbench();
+    const auto progress = [&] { return driver.visible<QWidget>("stepStock")->accessibleDescription(); };
+    QVERIFY(makeReady(driver, 1.0));
+    QVERIFY(progress().startsWith(QStringLiteral("done")));
+    QVERIFY(driver.visible<QWidget>("findingsNotice") == nullptr);
+
+    const auto sound = bench.model.model();
+    drop(driver.window(), writeBlock(driver, false));
+    QVERIFY(driver.waitFor([&] { return bench.model.model() != sound; }));
+    QVERIFY(driver.step(JobStep::stock) && driver.settle());
+    QVERIFY(driver.clickOn("embedButton"));
+    QVERIFY(driver.waitFor([&] { return bench.bench.ready(); }) && driver.settle());
+    driver.shoot("small-04-doubtful");
+    QVERIFY2(progress().startsWith(QStringLiteral("objected to")), qPrintable(progress()));
+    auto* const notice = driver.visible<Notice>("findingsNotice");
+    QVERIFY(notice != nullptr);
+    QVERIFY(notice->sentence().contains(QStringLiteral("is open (edges: 4, rims: 1)")));
 }
 
 QTEST_MAIN(TestWindowSteps)

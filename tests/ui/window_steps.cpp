@@ -10,6 +10,8 @@
 #include <QPushButton>
 #include <QtTest>
 
+#include <span>
+
 namespace burin::testing {
 
 void drop(MainWindow& window, const QString& file) {
@@ -22,11 +24,11 @@ void drop(MainWindow& window, const QString& file) {
     QCoreApplication::sendEvent(&window, &dropped);
 }
 
-QString writeBlock(const WindowDriver& driver) {
-    constexpr int faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                                  {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+QString writeBlock(const WindowDriver& driver, bool closed) {
+    constexpr int faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
+                                  {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}, {4, 5, 6}, {5, 7, 6}};
     QString text = "solid block\n";
-    for (const auto& face : faces) {
+    for (const auto& face : std::span(faces).first(closed ? 12 : 10)) {
         text += "facet normal 0 0 0\nouter loop\n";
         for (const int corner : face)
             text += QString("vertex %1 %2 %3\n")

@@ -18,8 +18,8 @@ QAction* menuAction(WindowDriver& driver, const QString& name);
 bool saveAs(WindowDriver& driver, const QString& file);
 /// Lets a file fall on the window.
 void drop(MainWindow& window, const QString& file);
-/// A block of 40 x 30 x 20 mm as an STL file: read in a moment.
-QString writeBlock(const WindowDriver& driver);
+/// A block of 40 x 30 x 20 mm as an STL file: read in a moment. @param closed false: without its top
+QString writeBlock(const WindowDriver& driver, bool closed = true);
 /// Drops the block on the window and embeds it; ready to be milled. Coarse voxels do where a test asks how the window
 /// behaves, not how finely it mills. @param voxel  mm
 bool makeReady(WindowDriver& driver, double voxel = 0.5);

@@ -7,6 +7,8 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace burin {
 
 JobPresenter::JobPresenter(Workbench& workbench, JobLine& line, QObject* parent)
@@ -40,7 +42,10 @@ JobStepState JobPresenter::stock() const {
     const QString text = side(size.x) + QStringLiteral(" × ") + side(size.y) + QStringLiteral(" × ") + side(size.z) +
                          QLatin1Char(' ') + unitText(unit());
     if (workbench_.bench.embedding()) return {StepProgress::current, tr("embedding")};
-    return {workbench_.bench.embedded() ? StepProgress::done : StepProgress::ready, text};
+    if (!workbench_.bench.embedded()) return {StepProgress::ready, text};
+    if (!std::ranges::all_of(workbench_.bench.bench()->embedded.findings, &EmbeddingFinding::harmless))
+        return {StepProgress::objected, tr("part doubtful")};
+    return {StepProgress::done, text};
 }
 
 JobStepState JobPresenter::material() const {

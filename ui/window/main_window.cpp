@@ -192,7 +192,6 @@ void MainWindow::connectWorkbench() {
         const bool stopped = error.code == ErrorCode::cancelled;
         message_->tell(stopped ? Notice::Kind::information : Notice::Kind::error, Messages::sentence(error));
     });
-    connect(&workbench_.bench, &BenchController::replayed, this, &MainWindow::tellAboutFindings);
     connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
     workbench_.styluses.start();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
@@ -298,13 +297,6 @@ void MainWindow::tellAboutOpened() {
     else if (document.recovered())
         message_->tell(Notice::Kind::information,
                        tr("Burin ended before this work was saved; all that was entered and recorded is here again."));
-}
-
-/// Nobody looks for what they do not expect: the panel says what was found.
-void MainWindow::tellAboutFindings() {
-    if (workbench_.bench.bench()->embedded.findings.empty()) return;
-    message_->tell(Notice::Kind::warning,
-                   tr("Something about the part is doubtful; the step “Stock” says what was made of it."));
 }
 
 void MainWindow::tellAboutBattery(double share) {

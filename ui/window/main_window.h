@@ -45,7 +45,6 @@ private:
     void showBench(bool shown);
     void showWelcome();
     void lookForLeftWork();
-    void tellAboutFindings();
     void tellAboutBattery(double share);
     void updateTitle();
     void dress(Theme theme);
