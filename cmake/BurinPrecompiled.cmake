@@ -35,4 +35,6 @@ if(BURIN_PRECOMPILED_HEADERS)
         <vector> <glm/glm.hpp>)
     burin_precompiled_set(standard HEADERS ${standard} USES glm::glm)
     burin_precompiled_set(qt HEADERS ${standard} <QtCore> USES glm::glm Qt6::Core)
+    burin_precompiled_set(command HEADERS ${standard} <CLI/CLI.hpp> <nlohmann/json.hpp>
+        USES glm::glm CLI11::CLI11 nlohmann_json::nlohmann_json)
 endif()

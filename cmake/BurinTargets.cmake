@@ -57,17 +57,36 @@ if(BURIN_SANITIZE)
     endif()
 endif()
 
-# burin_library(NAME [SOURCES ...] [PUBLIC ...] [PRIVATE ...] [SYSTEM_INCLUDES ...])
+option(BURIN_UNITY "Compile several sources of a folder at once: it spares two thirds of the time" ON)
+
+# burin_unity(TARGET)
+# Compiles its sources six at once. Names in the anonymous namespaces of a folder have to differ then. Never for the
+# folders that each tick runs through: what their functions inline stays as it was measured.
+function(burin_unity target)
+    if(BURIN_UNITY)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+        if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+            # A source that another one includes is taken for a header, whose types nobody else could complete; and
+            # where much is inlined g++ 12 sees unset members of an empty std::variant (the preset debug asks it again).
+            target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-maybe-uninitialized)
+        endif()
+    endif()
+endfunction()
+
+# burin_library(NAME [UNITY] [SOURCES ...] [PUBLIC ...] [PRIVATE ...] [SYSTEM_INCLUDES ...])
 # One folder, one library burin::NAME. Without SOURCES it is header-only. The variable BURIN_PRECOMPILED_SET of a folder
 # names the precompiled headers of its libraries.
 set(BURIN_PRECOMPILED_SET standard)
 function(burin_library name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE;SYSTEM_INCLUDES")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "UNITY" "" "SOURCES;PUBLIC;PRIVATE;SYSTEM_INCLUDES")
     if(arg_SOURCES)
         add_library(burin_${name} STATIC ${arg_SOURCES})
         target_link_libraries(burin_${name} PUBLIC burin_options ${arg_PUBLIC} PRIVATE burin_warnings ${arg_PRIVATE})
         target_include_directories(burin_${name} SYSTEM PRIVATE ${arg_SYSTEM_INCLUDES})
         burin_precompile(burin_${name} ${BURIN_PRECOMPILED_SET})
+        if(arg_UNITY)
+            burin_unity(burin_${name})
+        endif()
     else()
         add_library(burin_${name} INTERFACE)
         target_link_libraries(burin_${name} INTERFACE burin_options ${arg_PUBLIC})
@@ -101,6 +120,7 @@ function(burin_plugin kind name)
         LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/${kind}/${name})
     add_custom_command(TARGET ${target} POST_BUILD COMMAND ${CMAKE_COMMAND} -E copy_if_different
         ${CMAKE_CURRENT_SOURCE_DIR}/plugin.json ${CMAKE_BINARY_DIR}/plugins/${kind}/${name}/plugin.json)
+    set_property(GLOBAL APPEND PROPERTY BURIN_PLUGINS ${target})
 endfunction()
 
 # burin_test(PLACE NAME [GUI] [USES ...] [LABELS ...] [TIMEOUT SECONDS] [AFTER ...])

@@ -128,7 +128,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                                 {"part_volume_mm3", embedded->partVolume},
                                 {"model_volume_mm3", model->volume()},
                                 {"stock_volume_mm3", embedded->stockVolume},
-                                {"work_offset_mm", jsonOf(setup->workOffset)},
+                                {"work_offset_mm", burin::jsonOf(setup->workOffset)},
                                 {"material", setup->stockMaterial},
                                 {"axis", jsonOf(*axis)},
                                 {"obstacles", jsonOf(*obstacles)},

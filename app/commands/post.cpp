@@ -77,7 +77,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     answer["blocks"] = program->parsed.blocks;
     answer["edits"] = jsonOf(edited->reports);
     answer["error_budget_mm"] = edited->errorBudget;
-    answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
+    answer["work_offset_mm"] = burin::jsonOf(bench->setup.workOffset);
     answer["tool"] = jsonOf(bench->tool);
     answer["tools"] = nlohmann::json::array();
     for (const Tool& tool : edited->program.tools) answer["tools"].push_back(jsonOf(tool));

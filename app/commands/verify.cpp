@@ -62,7 +62,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
     answer["blocks"] = checked->parsed.blocks;
     answer["tool"] = jsonOf(checked->tools.front());
-    answer["work_offset_mm"] = jsonOf(bench->setup.workOffset);
+    answer["work_offset_mm"] = burin::jsonOf(bench->setup.workOffset);
     if (!arguments.map.empty()) {
         if (const Result<void> written = writeDeviationMap(checked->report.deviations, arguments.map); !written)
             return context.fail(written.error());

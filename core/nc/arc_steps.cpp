@@ -3,6 +3,7 @@
 #include "core/nc/arc_steps.h"
 
 #include "core/base/units.h"
+#include "core/nc/axis_index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +24,6 @@ glm::dvec3 placeOf(const StepPlace& steps, const NumberWords& numbers) {
 
 StepPlace stepsOf(const glm::dvec3& place, const NumberWords& numbers) {
     return {numbers.stepsOf(place.x), numbers.stepsOf(place.y), numbers.stepsOf(place.z)};
-}
-
-std::size_t at(int axis) noexcept {
-    return static_cast<std::size_t>(axis);
 }
 
 class ArcWriter {
@@ -99,8 +96,8 @@ private:
             rounded.centre[u] -= astray * du / chord;
             rounded.centre[v] -= astray * dv / chord;
         }
-        move.offset[at(u)] = numbers_.stepsOf(rounded.centre[u] - rounded.from[u]);
-        move.offset[at(v)] = numbers_.stepsOf(rounded.centre[v] - rounded.from[v]);
+        move.offset[axisIndex(u)] = numbers_.stepsOf(rounded.centre[u] - rounded.from[u]);
+        move.offset[axisIndex(v)] = numbers_.stepsOf(rounded.centre[v] - rounded.from[v]);
         move.offset = bestOffset(rounded, move.offset);
         rounded.centre = rounded.from + placeOf(move.offset, numbers_);
         const ArcTurn turn = turnOf(rounded), wanted = turnOf(arc);
@@ -121,8 +118,8 @@ private:
         for (const auto& [du, dv] :
              {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
             StepPlace offset = rounded;
-            offset[at(u)] += du;
-            offset[at(v)] += dv;
+            offset[axisIndex(u)] += du;
+            offset[axisIndex(v)] += dv;
             arc.centre = arc.from + placeOf(offset, numbers_);
             const ArcTurn turn = turnOf(arc);
             const double mismatch = std::abs(turn.startRadius - turn.endRadius);

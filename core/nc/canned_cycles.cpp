@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/canned_cycles.h"
 
+#include "core/nc/axis_index.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,10 +17,6 @@ constexpr double mostPecks = 1e5; // of one block; more is a slip, not a program
 char letterOf(int axis) noexcept {
     return static_cast<char>('X' + axis);
 }
-std::size_t at(int axis) noexcept {
-    return static_cast<std::size_t>(axis);
-}
-
 bool needsDwell(int cycle) noexcept {
     return cycle == 820 || cycle == 860 || cycle == 880 || cycle == 890;
 }
@@ -116,11 +114,11 @@ bool CannedCycles::readWords(const Block& block, const Control& control, const M
     }
     if (hole.cycle != 870) return true;
     for (int axis = 0; axis < 3; ++axis) {
-        if (!keep(block, static_cast<char>('I' + axis), offset_[at(axis)], state.length, true))
+        if (!keep(block, static_cast<char>('I' + axis), offset_[axisIndex(axis)], state.length, true))
             return fail(ProgramProblem::cycleWordMissing, hole.column);
-        if (axis != hole.axis) hole.offset[axis] = *offset_[at(axis)];
+        if (axis != hole.axis) hole.offset[axis] = *offset_[axisIndex(axis)];
     }
-    hole.middle = *offset_[at(hole.axis)] + (state.incremental ? hole.depth : state.frames.shift()[hole.axis]);
+    hole.middle = *offset_[axisIndex(hole.axis)] + (state.incremental ? hole.depth : state.frames.shift()[hole.axis]);
     return true;
 }
 
@@ -143,7 +141,7 @@ bool CannedCycles::run(const Block& block, const Control& control, ModalState& s
     for (int axis = 0; axis < 3; ++axis) {
         // Where the hole lies has to be known, and from which height the tool comes.
         const bool stated = !state.incremental && axis != hole.axis && block.word(letterOf(axis)).given();
-        if (!state.frames.known()[at(axis)] && !stated) return fail(ProgramProblem::placeUnknown, hole.column);
+        if (!state.frames.known()[axisIndex(axis)] && !stated) return fail(ProgramProblem::placeUnknown, hole.column);
     }
     if (state.feedMode == FeedMode::inverseTime) return fail(ProgramProblem::cycleFeedMode, hole.column);
     if (!(state.feed > 0.0)) return fail(ProgramProblem::feedMissing, hole.column);

@@ -3,6 +3,7 @@
 #include "core/nc/expression.h"
 
 #include "core/base/units.h"
+#include "core/nc/letter.h"
 
 #include <charconv>
 #include <cmath>
@@ -21,10 +22,6 @@ bool isBlank(char c) noexcept {
 bool isDigit(char c) noexcept {
     return c >= '0' && c <= '9';
 }
-char upper(char c) noexcept {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 using Function = double (*)(double);
 struct NamedFunction {
     std::string_view name;
@@ -59,7 +56,7 @@ void ExpressionReader::skipBlanks(std::size_t& at) const noexcept {
 bool ExpressionReader::keyword(std::size_t& at, std::string_view word) const noexcept {
     if (line_.size() - at < word.size()) return false;
     for (std::size_t i = 0; i < word.size(); ++i)
-        if (upper(line_[at + i]) != word[i]) return false;
+        if (upperLetter(line_[at + i]) != word[i]) return false;
     at += word.size();
     return true;
 }
@@ -122,7 +119,7 @@ bool ExpressionReader::general(std::size_t word, std::size_t& at, double& value)
     bool point = false;
     if (isDigit(c) || c == '.' || ((c == '-' || c == '+') && (isDigit(next) || next == '.')))
         return number(word, at, value, point);
-    const bool letter = upper(c) >= 'A' && upper(c) <= 'Z';
+    const bool letter = upperLetter(c) >= 'A' && upperLetter(c) <= 'Z';
     if (c != '-' && c != '+' && c != '[' && c != '#' && !letter) return fail(ProgramProblem::numberMissing, word, at);
     if (!control_.expressions) {
         // A letter is the next word: this one lacks its number.
@@ -249,7 +246,7 @@ bool ExpressionReader::parameterName(std::size_t& at, std::string& name) {
     const std::size_t start = at;
     if (!control_.namedParameters) return fail(ProgramProblem::expressionNotRead, start);
     for (++at; at < line_.size() && line_[at] != '>'; ++at)
-        if (!isBlank(line_[at])) name += upper(line_[at]);
+        if (!isBlank(line_[at])) name += upperLetter(line_[at]);
     if (at >= line_.size() || name.empty()) return fail(ProgramProblem::expressionInvalid, start);
     ++at;
     return true;

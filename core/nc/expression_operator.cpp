@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/expression_operator.h"
 
+#include "core/nc/letter.h"
+
 #include <array>
 #include <cmath>
 
@@ -35,14 +37,10 @@ constexpr std::array<Spelling, 16> spellings{{{"]", ExpressionOperator::close},
 /// By place in the enumeration.
 constexpr std::array<int, 16> precedences{0, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 4, 4, 4, 5};
 
-char upper(char c) noexcept {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 bool beginsWith(std::string_view text, std::string_view word) noexcept {
     if (text.size() < word.size()) return false;
     for (std::size_t i = 0; i < word.size(); ++i)
-        if (upper(text[i]) != word[i]) return false;
+        if (upperLetter(text[i]) != word[i]) return false;
     return true;
 }
 

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nc/frames.h"
 
+#include "core/nc/axis_index.h"
+
 namespace burin {
 namespace {
-
-constexpr std::size_t at(int axis) noexcept {
-    return static_cast<std::size_t>(axis);
-}
 
 /// Work offsets in the order in which LinuxCNC's parameters hold them, 5221 on, twenty apart.
 constexpr std::array<int, 9> workOffsetOrder{54, 55, 56, 57, 58, 59, 591, 592, 593};
@@ -27,9 +25,9 @@ Frames::Frames(const MachineState& start)
     , homes_(start.homes)
     , unit_(start.unit) {
     for (int axis = 0; axis < 3; ++axis) {
-        if (!start.place[at(axis)]) continue;
-        const std::optional<double> place = fromMachine(axis, *start.place[at(axis)]);
-        known_[at(axis)] = place.has_value();
+        if (!start.place[axisIndex(axis)]) continue;
+        const std::optional<double> place = fromMachine(axis, *start.place[axisIndex(axis)]);
+        known_[axisIndex(axis)] = place.has_value();
         place_[axis] = place.value_or(0.0);
     }
 }
@@ -41,7 +39,7 @@ void Frames::moveTo(const glm::dvec3& place, const std::array<bool, 3>& known) n
 
 std::optional<double> Frames::offsetOf(int number, int axis) const {
     const auto found = offsets_.find(number);
-    return found == offsets_.end() ? std::nullopt : found->second[at(axis)];
+    return found == offsets_.end() ? std::nullopt : found->second[axisIndex(axis)];
 }
 
 std::optional<double> Frames::fromMachine(int axis, double value) const {
@@ -52,7 +50,7 @@ std::optional<double> Frames::fromMachine(int axis, double value) const {
 
 std::optional<double> Frames::inMachine(int axis) const {
     const std::optional<double> offset = offsetOf(workOffset_, axis);
-    if (!offset || !known_[at(axis)] || (axis == 2 && !length_)) return std::nullopt;
+    if (!offset || !known_[axisIndex(axis)] || (axis == 2 && !length_)) return std::nullopt;
     return place_[axis] + *offset + (axis == 2 ? *length_ : 0.0);
 }
 
@@ -63,37 +61,37 @@ void Frames::setWorkOffset(int number) {
         if (before && after)
             place_[axis] += *before - *after;
         else
-            known_[at(axis)] = false;
+            known_[axisIndex(axis)] = false;
     }
     workOffset_ = number;
 }
 
 void Frames::writeWorkOffset(int number, const PartialPlace& zero) {
     for (int axis = 0; axis < 3; ++axis) {
-        if (!zero[at(axis)]) continue;
+        if (!zero[axisIndex(axis)]) continue;
         if (number == workOffset_) {
             const std::optional<double> before = offsetOf(number, axis);
             if (before)
-                place_[axis] += *before - *zero[at(axis)];
+                place_[axis] += *before - *zero[axisIndex(axis)];
             else
-                known_[at(axis)] = false;
+                known_[axisIndex(axis)] = false;
         }
-        offsets_[number][at(axis)] = zero[at(axis)];
+        offsets_[number][axisIndex(axis)] = zero[axisIndex(axis)];
         ownZero_ = true;
     }
 }
 
 void Frames::writeWorkOffsetHere(int number, const PartialPlace& here) {
     for (int axis = 0; axis < 3; ++axis) {
-        if (!here[at(axis)]) continue;
-        const double place = *here[at(axis)] + shift_[axis];
+        if (!here[axisIndex(axis)]) continue;
+        const double place = *here[axisIndex(axis)] + shift_[axis];
         std::optional<double> zero = inMachine(axis);
         if (zero) zero = *zero - place - (axis == 2 ? *length_ : 0.0);
-        offsets_[number][at(axis)] = zero;
+        offsets_[number][axisIndex(axis)] = zero;
         ownZero_ = true;
         if (number != workOffset_) continue;
         place_[axis] = place;
-        known_[at(axis)] = true;
+        known_[axisIndex(axis)] = true;
     }
 }
 
@@ -113,12 +111,12 @@ std::optional<double> Frames::lengthOf(int number) const {
 
 void Frames::shiftSoThatHereIs(const PartialPlace& here) noexcept {
     for (int axis = 0; axis < 3; ++axis) {
-        if (!here[at(axis)]) continue;
-        if (known_[at(axis)]) {
-            shift_[axis] = place_[axis] - *here[at(axis)];
+        if (!here[axisIndex(axis)]) continue;
+        if (known_[axisIndex(axis)]) {
+            shift_[axis] = place_[axis] - *here[axisIndex(axis)];
         } else { // the text never says where this zero lies in the work offset's frame
-            place_[axis] = *here[at(axis)] + shift_[axis];
-            known_[at(axis)] = true;
+            place_[axis] = *here[axisIndex(axis)] + shift_[axis];
+            known_[axisIndex(axis)] = true;
             ownZero_ = true;
         }
     }
@@ -127,7 +125,7 @@ void Frames::shiftSoThatHereIs(const PartialPlace& here) noexcept {
 
 void Frames::setShift(const PartialPlace& shift) noexcept {
     for (int axis = 0; axis < 3; ++axis)
-        if (shift[at(axis)]) shift_[axis] = *shift[at(axis)];
+        if (shift[axisIndex(axis)]) shift_[axis] = *shift[axisIndex(axis)];
     keptShift_ = shift_;
 }
 
@@ -137,7 +135,7 @@ void Frames::dropShift(bool keep) noexcept {
 }
 
 void Frames::storeHome(std::size_t which) {
-    for (int axis = 0; axis < 3; ++axis) homes_[which][at(axis)] = inMachine(axis);
+    for (int axis = 0; axis < 3; ++axis) homes_[which][axisIndex(axis)] = inMachine(axis);
 }
 
 std::optional<double> Frames::parameter(int number, double length, int tool) const {
@@ -146,9 +144,9 @@ std::optional<double> Frames::parameter(int number, double length, int tool) con
     };
     if (number == 5400) return tool;
     if (const int axis = axisOf(number, 5420); axis >= 0)
-        return known_[at(axis)] ? std::optional<double>((place_[axis] - shift_[axis]) / length) : std::nullopt;
-    if (const int axis = axisOf(number, 5161); axis >= 0) return inUnit(homes_[0][at(axis)]);
-    if (const int axis = axisOf(number, 5181); axis >= 0) return inUnit(homes_[1][at(axis)]);
+        return known_[axisIndex(axis)] ? std::optional<double>((place_[axis] - shift_[axis]) / length) : std::nullopt;
+    if (const int axis = axisOf(number, 5161); axis >= 0) return inUnit(homes_[0][axisIndex(axis)]);
+    if (const int axis = axisOf(number, 5181); axis >= 0) return inUnit(homes_[1][axisIndex(axis)]);
     if (const int axis = axisOf(number, 5211); axis >= 0) return inUnit(keptShift_[axis]);
     for (std::size_t i = 0; i < workOffsetOrder.size(); ++i) {
         if (number == 5220 && workOffsetOrder[i] == workOffset_) return static_cast<double>(i + 1);

@@ -10,8 +10,8 @@
 namespace burin {
 namespace {
 
-constexpr double shortestStep = 0.02; // mm on the way down
-constexpr double precision = 1e-5;    // mm of the place where the tool touches
+constexpr double shortestStep = 0.02;   // mm on the way down
+constexpr double touchPrecision = 1e-5; // mm of the position where the tool touches
 
 } // namespace
 
@@ -29,7 +29,7 @@ std::optional<glm::dvec3> Lowering::alongAxis(glm::dvec3 tip) const {
         spare = spareAt(low);
         if (spare > 0.0) high = low;
     }
-    while (high - low > precision) {
+    while (high - low > touchPrecision) {
         const double middle = 0.5 * (low + high);
         (spareAt(middle) > 0.0 ? high : low) = middle;
     }
@@ -41,7 +41,7 @@ std::optional<glm::dvec3> Lowering::alongNormal(glm::dvec3 tip) const {
     for (int i = 0; i < attempts; ++i) {
         const ToolClearance now = guard_.clearance(tip, 1e3);
         const double missing = distance_ - now.clearance;
-        if (std::abs(missing) <= precision) return tip;
+        if (std::abs(missing) <= touchPrecision) return tip;
         tip += missing * now.away;
     }
     return {};

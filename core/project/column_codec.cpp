@@ -11,7 +11,7 @@ namespace burin {
 namespace {
 
 constexpr std::uint64_t signBit = std::uint64_t{1} << 63;
-constexpr std::size_t wordBytes = 8;
+constexpr std::size_t columnWordBytes = 8;
 
 // The first byte of a packed column. A value n >= columnBefore refers to the column n - columnBefore + 1 places before.
 enum Prediction : unsigned char { rowBefore = 0, straightOn = 1, columnBefore = 2 };
@@ -46,13 +46,13 @@ std::size_t significantBits(const Column& column) {
 }
 
 void appendPlanes(std::string& bytes, const Column& words) {
-    for (std::size_t plane = 0; plane < wordBytes; ++plane)
+    for (std::size_t plane = 0; plane < columnWordBytes; ++plane)
         for (const std::uint64_t word : words) bytes.push_back(static_cast<char>((word >> (8 * plane)) & 0xff));
 }
 
 Column wordsOfPlanes(std::string_view planes, std::size_t rows) {
     Column words(rows);
-    for (std::size_t plane = 0; plane < wordBytes; ++plane)
+    for (std::size_t plane = 0; plane < columnWordBytes; ++plane)
         for (std::size_t row = 0; row < rows; ++row) {
             const auto byte = static_cast<unsigned char>(planes[plane * rows + row]);
             words[row] |= std::uint64_t{byte} << (8 * plane);
@@ -82,7 +82,7 @@ void appendColumn(std::string& bytes, const Column& column, const Column* refere
 
 std::string encodeColumns(const std::vector<Column>& columns, std::size_t reference) {
     std::string bytes;
-    if (!columns.empty()) bytes.reserve(columns.size() * (1 + wordBytes * columns.front().size()));
+    if (!columns.empty()) bytes.reserve(columns.size() * (1 + columnWordBytes * columns.front().size()));
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Column* before = reference > 0 && i >= reference ? &columns[i - reference] : nullptr;
         appendColumn(bytes, columns[i], before, reference);
@@ -91,7 +91,7 @@ std::string encodeColumns(const std::vector<Column>& columns, std::size_t refere
 }
 
 std::optional<std::vector<Column>> decodeColumns(std::string_view bytes, std::size_t columns, std::size_t rows) {
-    const std::size_t columnSize = 1 + wordBytes * rows;
+    const std::size_t columnSize = 1 + columnWordBytes * rows;
     const std::optional<std::string> plain = decompress(bytes, columns * columnSize);
     if (!plain || plain->size() != columns * columnSize) return std::nullopt;
     std::vector<Column> result;

@@ -14,9 +14,9 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t batchLength = 256;   // samples
-constexpr std::size_t longestStretch = 16; // samples
-constexpr double straight = 5e-4;          // mm: samples of a stretch lie no farther from its chord
+constexpr std::size_t samplesPerBatch = 256; // samples
+constexpr std::size_t longestStretch = 16;   // samples
+constexpr double straight = 5e-4;            // mm: samples of a stretch lie no farther from its chord
 /// A gouge is told exactly, what is clear to 1e-4 mm: more than that is neither reported nor ranked.
 constexpr ClearanceTolerance answers{1e-4, 0.0, 1e-8};
 constexpr double leastSearch = 0.5, greatestSearch = 8.0; // mm: farther from the part nobody asks how far
@@ -238,7 +238,7 @@ NearSamples nearSamples(const std::vector<ToolMove>& moves, const MoveSamples& p
                         std::span<const ShrunkOutline> outlines, const VerifyRequest& request, std::size_t worst,
                         Progress& progress) {
     const Sampler sampler(moves, tools, outlines, request);
-    std::vector<Batch> batches((places.count() + batchLength - 1) / batchLength);
+    std::vector<Batch> batches((places.count() + samplesPerBatch - 1) / samplesPerBatch);
     ParallelProgress shared(progress, 2 * batches.size());
     const auto forEachBatch = [&](const auto& work) {
         parallelFor(std::size_t{0}, batches.size(), [&](std::size_t i) {
@@ -248,7 +248,7 @@ NearSamples nearSamples(const std::vector<ToolMove>& moves, const MoveSamples& p
         });
     };
     forEachBatch([&](std::size_t i) {
-        batches[i] = sampler.begin(places, i * batchLength, std::min((i + 1) * batchLength, places.count()));
+        batches[i] = sampler.begin(places, i * samplesPerBatch, std::min((i + 1) * samplesPerBatch, places.count()));
     });
     const double limit = limitOf(batches, worst, request.gougeTolerance);
     forEachBatch([&](std::size_t i) { sampler.finish(batches[i], limit); });

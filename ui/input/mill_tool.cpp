@@ -17,10 +17,6 @@ constexpr int settlingInterval = 120;                   // ms
 constexpr double arrived = 0.1;                         // mm
 constexpr double besideStock = 20.0;                    // mm beyond the tool's radius that the tip may leave the grid
 
-Sight sightOf(const ViewportEvent& event) {
-    return {event.rayOrigin, event.rayDirection};
-}
-
 Box reachOf(const VolumeSnapshot& workpiece, const Cutter& cutter) {
     return workpiece.grid().box().grown(cutter.radius() + besideStock);
 }

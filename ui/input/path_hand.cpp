@@ -16,10 +16,6 @@ constexpr double clickReach = 4.0;    // pixels that a click may tremble
 constexpr double drawnSpacing = 0.2;  // mm between places that are drawn
 constexpr double smallestSine = 1e-3; // of a sight to a plane or an axis
 
-Sight sightOf(const ViewportEvent& event) {
-    return {event.rayOrigin, event.rayDirection};
-}
-
 /// Where a sight meets the plane through a place, mm.
 std::optional<glm::dvec3> onPlane(const Sight& sight, const glm::dvec3& place, const glm::dvec3& normal) {
     const double slope = glm::dot(sight.direction, normal);

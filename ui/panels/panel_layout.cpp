@@ -24,9 +24,9 @@ class PanelLayout : public QVBoxLayout {
 public:
     using QVBoxLayout::QVBoxLayout;
     QSize minimumSize() const override {
-        const QSize smallest = QVBoxLayout::minimumSize();
-        if (!hasHeightForWidth()) return smallest;
-        return {smallest.width(), minimumHeightForWidth(std::max(smallest.width(), panelWidth))};
+        const QSize least = QVBoxLayout::minimumSize();
+        if (!hasHeightForWidth()) return least;
+        return {least.width(), minimumHeightForWidth(std::max(least.width(), panelWidth))};
     }
 };
 

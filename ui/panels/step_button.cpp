@@ -13,8 +13,8 @@ namespace burin {
 
 namespace {
 
-constexpr int circleSize = 22, gap = 8, padding = 8;
-constexpr double titleSize = 1.0, lineSize = 0.82, corner = 8.0;
+constexpr int circleSize = 22, stepGap = 8, padding = 8;
+constexpr double titleSize = 1.0, lineSize = 0.82, frameCorner = 8.0;
 
 ColourRole roleOf(StepProgress progress) {
     switch (progress) {
@@ -83,7 +83,7 @@ QFont StepButton::lineFont() const {
 }
 
 QRect StepButton::textRect() const {
-    return rect().adjusted(padding + circleSize + gap, 0, -padding, 0);
+    return rect().adjusted(padding + circleSize + stepGap, 0, -padding, 0);
 }
 
 QSize StepButton::sizeHint() const {
@@ -93,7 +93,7 @@ QSize StepButton::sizeHint() const {
 
 QSize StepButton::minimumSizeHint() const {
     const int title = QFontMetrics(titleFont()).horizontalAdvance(text());
-    return {2 * padding + circleSize + gap + title, sizeHint().height()};
+    return {2 * padding + circleSize + stepGap + title, sizeHint().height()};
 }
 
 void StepButton::paintCircle(QPainter& painter, const QRectF& circle) const {
@@ -123,12 +123,12 @@ void StepButton::paintEvent(QPaintEvent*) {
         painter.setPen(shown_ ? QPen(colours.accent, 1.0) : QPen(Qt::NoPen));
         painter.setBrush(shown_ ? mixed(colours.window, colours.accent, 0.1)
                                 : mixed(colours.window, colours.text, 0.06));
-        painter.drawRoundedRect(frame, corner, corner);
+        painter.drawRoundedRect(frame, frameCorner, frameCorner);
     }
     if (hasFocus()) {
         painter.setPen(QPen(colours.part, 2.0));
         painter.setBrush(Qt::NoBrush);
-        painter.drawRoundedRect(frame, corner, corner);
+        painter.drawRoundedRect(frame, frameCorner, frameCorner);
     }
     paintCircle(painter, QRectF(padding, 0.5 * (height() - circleSize), circleSize, circleSize));
 

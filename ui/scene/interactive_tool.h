@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/scene/sight.h"
+
 #include <glm/glm.hpp>
 
 #include <QPointF>
@@ -19,6 +21,11 @@ struct ViewportEvent {
     Qt::KeyboardModifiers modifiers;
     double wheelSteps = 0.0; ///< notches, > 0 away from the user
 };
+
+/// The sight through the pointer.
+inline Sight sightOf(const ViewportEvent& event) noexcept {
+    return {event.rayOrigin, event.rayDirection};
+}
 
 /// One way of using the pointer in the viewport: the camera, the mouse as a stylus, … The viewport asks the active tool
 /// first; what it doesn't take (false) moves the camera.

@@ -18,7 +18,6 @@
 namespace burin {
 namespace {
 
-constexpr double creaseAngle = 25.0 * pi / 180.0;
 constexpr double filmOpacity = 0.12, holdingFilmOpacity = 0.28, offOpacity = 0.45;
 constexpr double holdingShare = 0.35; // of red
 

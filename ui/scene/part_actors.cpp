@@ -10,12 +10,6 @@
 #include <vtkProperty.h>
 
 namespace burin {
-namespace {
-
-constexpr double creaseAngle = 25.0 * pi / 180.0;
-
-} // namespace
-
 std::vector<ShadedBody> shadedBodies(const Model& model) {
     std::vector<ShadedBody> bodies;
     bodies.reserve(model.bodies.size());

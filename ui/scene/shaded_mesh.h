@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/units.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <cstdint>
@@ -17,6 +18,9 @@ struct ShadedMesh {
     std::vector<std::uint32_t> triangles; ///< three corners each
     std::vector<std::uint32_t> creases;   ///< two ends each: edges that are drawn as lines
 };
+
+/// Between normals of two triangles that meet at an edge of a solid, rad.
+inline constexpr double creaseAngle = 25.0 * pi / 180.0;
 
 /// Smooth where neighbouring triangles differ by less than `crease` (rad), sharp elsewhere. Triangles without area are
 /// left out. Any thread; cost: linear.
