@@ -549,8 +549,8 @@
         <translation>Vorschub und Drehzahl setzen</translation>
     </message>
     <message>
-        <source>Smooth by a spline</source>
-        <translation>Mit einem Spline glätten</translation>
+        <source>Smooth by a spline in time (earlier version)</source>
+        <translation>Mit einem Spline über der Zeit glätten (frühere Fassung)</translation>
     </message>
     <message>
         <source>Cut out</source>
@@ -640,6 +640,10 @@
         <source>Feed in an area</source>
         <translation>Vorschub in einem Bereich</translation>
     </message>
+    <message>
+        <source>Smooth in time (earlier version)</source>
+        <translation>Über der Zeit glätten (frühere Fassung)</translation>
+    </message>
 </context>
 <context>
     <name>EditParameterTexts</name>
@@ -668,20 +672,16 @@
         <translation>Kürzeres Verweilen bleibt</translation>
     </message>
     <message>
-        <source>Cut-off</source>
-        <translation>Grenzfrequenz</translation>
-    </message>
-    <message>
-        <source>What trembles faster than this is smoothed away</source>
-        <translation>Schnelleres Zittern wird weggeglättet</translation>
+        <source>Tremor above it is removed</source>
+        <translation>Zittern oberhalb davon wird entfernt</translation>
     </message>
     <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>
     <message>
-        <source>No farther from what the hand did than this</source>
-        <translation>Höchstens so weit von der Handbewegung entfernt</translation>
+        <source>Largest deviation from the recording</source>
+        <translation>Größte Abweichung von der Aufnahme</translation>
     </message>
     <message>
         <source>Clearance</source>
@@ -1245,6 +1245,18 @@
     <message>
         <source>Greatest height of the area, from program zero</source>
         <translation>Oberste Höhe des Bereichs, vom Programmnullpunkt aus</translation>
+    </message>
+    <message>
+        <source>Cut-off wavelength</source>
+        <translation>Grenzwellenlänge</translation>
+    </message>
+    <message>
+        <source>Tremor across the path with shorter waves than this is removed</source>
+        <translation>Zittern quer zur Bahn mit kürzeren Wellen wird entfernt</translation>
+    </message>
+    <message>
+        <source>Cut-off frequency</source>
+        <translation>Grenzfrequenz</translation>
     </message>
 </context>
 <context>
@@ -2544,6 +2556,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Remove this edit</source>
         <translation>Diese Bearbeitung entfernen</translation>
+    </message>
+    <message>
+        <source>Update this edit to its current version; its result changes</source>
+        <translation>Diese Bearbeitung auf ihre heutige Fassung bringen; ihr Ergebnis ändert sich</translation>
     </message>
 </context>
 <context>

@@ -123,11 +123,25 @@ Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
     return {};
 }
 
+Result<void> checkPlace(const StoredPath& path, const PathArguments& arguments) {
+    if (arguments.place < path.edits.size()) return {};
+    return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
+                 "0 to " + std::to_string(path.edits.size()) + " (exclusive)"};
+}
+
 Result<void> removeEdit(StoredPath& path, const PathArguments& arguments) {
-    if (arguments.place >= path.edits.size())
-        return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
-                     "0 to " + std::to_string(path.edits.size()) + " (exclusive)"};
+    if (const Result<void> there = checkPlace(path, arguments); !there) return there;
     path.edits.erase(path.edits.begin() + static_cast<std::ptrdiff_t>(arguments.place));
+    return {};
+}
+
+Result<void> updateEdit(StoredPath& path, const PathArguments& arguments) {
+    if (const Result<void> there = checkPlace(path, arguments); !there) return there;
+    const std::optional<Edit> newer = updated(path.edits[arguments.place]);
+    if (!newer)
+        return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
+                     "an edit of an earlier version; this one is current"};
+    path.edits[arguments.place] = *newer;
     return {};
 }
 
@@ -251,6 +265,12 @@ void registerPath(CLI::App& program, CommandContext& context, int& status) {
             return change(given, where, [&](StoredPath& path) { return removeEdit(path, given); });
         }));
     undo->add_option("--place", arguments->place, "Which edit, from 0")->required();
+    CLI::App* update =
+        withPath(add("update", "Bring an edit of an earlier version up to date",
+                     [](const PathArguments& given, CommandContext& where) {
+                         return change(given, where, [&](StoredPath& path) { return updateEdit(path, given); });
+                     }));
+    update->add_option("--place", arguments->place, "Which edit, from 0")->required();
     for (const bool asTrace : {false, true}) {
         CLI::App* part = add(
             asTrace ? "trace" : "take",

@@ -33,6 +33,7 @@ Deviation changeEach(PathUnderEdit& state, const Progress& progress,
 // same result with any number of threads. Errors: argumentInvalid, cancelled, and what each one states.
 Result<Deviation> apply(const DropAirCuts& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const DropDwells& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+Result<Deviation> apply(const SmoothShape& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const Smooth& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const SmoothSpline& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const CutOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);

@@ -102,8 +102,19 @@ Result<void> validate(const Edit& edit) {
     return {};
 }
 
+std::optional<Edit> updated(const Edit& edit) {
+    constexpr double typicalSpeed = 15.0; // mm/s, of a hand that follows a shape
+    const auto ofShape = [&](double cutOff, double tolerance) {
+        return Edit{SmoothShape{typicalSpeed / cutOff, tolerance}, edit.enabled};
+    };
+    if (const auto* inTime = std::get_if<Smooth>(&edit.parameters)) return ofShape(inTime->cutOff, inTime->tolerance);
+    if (const auto* spline = std::get_if<SmoothSpline>(&edit.parameters))
+        return ofShape(spline->cutOff, spline->tolerance);
+    return std::nullopt;
+}
+
 std::vector<Edit> standardEdits() {
-    return {{DropAirCuts{}}, {DropDwells{}}, {Smooth{}}, {HoldOut{}}, {Simplify{}}, {Link{}}, {SetFeed{}}};
+    return {{DropAirCuts{}}, {DropDwells{}}, {SmoothShape{}}, {HoldOut{}}, {Simplify{}}, {Link{}}, {SetFeed{}}};
 }
 
 std::vector<Edit> everyEdit() {

@@ -9,6 +9,7 @@
 #include "core/path/recording_edits.h"
 #include "core/path/surface_edits.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,8 +20,8 @@ namespace burin {
 
 /// All kinds of edits. What is known of each stands in one row of edit_rows.h.
 using EditParameters = std::variant<DropAirCuts, DropDwells, CutOut, Trim, Split, Join, Reorder, Reverse, Mirror,
-                                    Rotate, Array, MovePoints, ReplaceStretch, RemoveArea, LiftArea, Smooth,
-                                    SmoothSpline, LayOnPart, Offset, StepOverRows, HoldOut, Simplify, RoundCorners,
+                                    Rotate, Array, MovePoints, ReplaceStretch, RemoveArea, LiftArea,
+                                    SmoothShape, Smooth, SmoothSpline, LayOnPart, Offset, StepOverRows, HoldOut, Simplify, RoundCorners,
                                     FitArcs, LeadIn, LeadOut, Link, SetFeed, LevelFeed, AreaFeed>;
 
 /// One entry of a path's history.
@@ -55,6 +56,10 @@ struct EditField {
 std::vector<EditField> fieldsOf(const EditParameters& parameters);
 /// @param key of one of the edit's parameters; @param value of its kind, not checked here: see `validate`
 void setField(EditParameters& parameters, std::string_view key, const EditValue& value);
+
+/// What replaces an edit of an earlier version, and does what was meant by it: smoothing in time becomes smoothing of
+/// the shape, its cut-off the wavelength that a hand of 15 mm/s gives that frequency. Nothing: the edit is the newest.
+std::optional<Edit> updated(const Edit& edit);
 
 /// The edits of the main job, in the order that keeps their guarantees.
 std::vector<Edit> standardEdits();

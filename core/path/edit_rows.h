@@ -32,22 +32,34 @@ struct EditRow<DropDwells> {
                                        number("time_s", &DropDwells::time, 0.0, 60.0)};
 };
 template <>
-struct EditRow<Smooth> {
-    static constexpr EditTraits traits{.id = "smooth",
+struct EditRow<SmoothShape> {
+    static constexpr EditTraits traits{.id = "smooth-shape",
                                        .title = BURIN_TEXT("Edit", "Smooth"),
                                        .group = EditGroup::smoothing,
                                        .approximates = true,
                                        .mayEnter = true};
+    static constexpr std::tuple fields{number("wavelength_mm", &SmoothShape::wavelength, 0.05, 1000.0),
+                                       number("tolerance_mm", &SmoothShape::tolerance, 0.0, 10.0)};
+};
+template <>
+struct EditRow<Smooth> {
+    static constexpr EditTraits traits{.id = "smooth",
+                                       .title = BURIN_TEXT("Edit", "Smooth in time (earlier version)"),
+                                       .group = EditGroup::smoothing,
+                                       .approximates = true,
+                                       .mayEnter = true,
+                                       .superseded = true};
     static constexpr std::tuple fields{number("cut_off_hz", &Smooth::cutOff, 0.1, 500.0),
                                        number("tolerance_mm", &Smooth::tolerance, 0.0, 10.0)};
 };
 template <>
 struct EditRow<SmoothSpline> {
     static constexpr EditTraits traits{.id = "smooth-spline",
-                                       .title = BURIN_TEXT("Edit", "Smooth by a spline"),
+                                       .title = BURIN_TEXT("Edit", "Smooth by a spline in time (earlier version)"),
                                        .group = EditGroup::smoothing,
                                        .approximates = true,
-                                       .mayEnter = true};
+                                       .mayEnter = true,
+                                       .superseded = true};
     static constexpr std::tuple fields{number("cut_off_hz", &SmoothSpline::cutOff, 0.1, 500.0),
                                        number("tolerance_mm", &SmoothSpline::tolerance, 0.0, 10.0)};
 };
@@ -246,7 +258,8 @@ struct EditRow<Link> {
                                        .title = BURIN_TEXT("Edit", "Link"),
                                        .group = EditGroup::links,
                                        .step = EditStep::links,
-                                       .once = true};
+                                       .once = true,
+                                       .approximates = true};
     static constexpr std::array<std::string_view, 3> travels{"safe", "lowest", "around"};
     static constexpr std::tuple fields{number("clearance_above_mm", &Link::clearanceAbove, 0.1, 1000.0),
                                        number("approach_mm", &Link::approach, 0.1, 100.0),

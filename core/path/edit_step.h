@@ -43,6 +43,7 @@ struct EditTraits {
     bool approximates = false; ///< what it moves the path by is an error, and counts in the budget
     bool mayEnter = false;     ///< may lead the path into the part
     bool holdsOut = false;     ///< keeps the allowance, whatever was before
+    bool superseded = false;   ///< an earlier version, kept for the paths that have it: see `updated`
 };
 const EditTraits& traitsOf(const EditParameters& parameters);
 

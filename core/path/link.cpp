@@ -4,6 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/parallel.h"
+#include "core/path/back_steps.h"
 #include "core/path/cleared_heights.h"
 #include "core/path/part_guard.h"
 #include "core/path/round_corner.h"
@@ -368,6 +369,7 @@ Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContex
     if (!guard) return guard.error();
     if (context.stock.empty()) return Error{ErrorCode::argumentInvalid, "stock", "", "links need the stock's box"};
     std::erase_if(state.strokes, [](const PathStroke& stroke) { return stroke.points.empty(); });
+    const Deviation deviation = dropBackSteps(state, *guard, progress);
     const double height = safeHeightOf(edit, state, context, *guard);
     std::vector<Access> accesses(state.strokes.size());
     parallelFor(std::size_t{0}, accesses.size(), [&](std::size_t i) {
@@ -389,7 +391,7 @@ Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContex
     state.points = std::move(linker.points);
     state.strokes.clear();
     state.linked = true;
-    return Deviation{};
+    return deviation;
 }
 
 } // namespace burin

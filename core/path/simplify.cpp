@@ -3,6 +3,7 @@
 #include "core/path/apply.h"
 
 #include "core/base/parallel.h"
+#include "core/path/back_steps.h"
 #include "core/path/part_guard.h"
 #include "core/path/polyline.h"
 
@@ -17,9 +18,11 @@ Result<Deviation> apply(const Simplify& edit, PathUnderEdit& state, const PathCo
         const auto staysClear = [&](const glm::dvec3& from, const glm::dvec3& to) {
             return !progress.cancelled() && guard->isClear(from, to, stroke.required, defaultSampling);
         };
-        const std::vector<std::size_t> kept = simplifyInGroups(stroke.points, edit.tolerance, staysClear, progress);
+        std::vector<std::size_t> kept = simplifyInGroups(stroke.points, edit.tolerance, staysClear, progress);
+        const Deviation thinned = thinnedDeviation(stroke.points, kept);
+        deviations[i] = dropBackSteps(stroke.points, kept, edit.tolerance, staysClear, progress);
         if (progress.cancelled()) return;
-        deviations[i] = thinnedDeviation(stroke.points, kept);
+        deviations[i].include(thinned);
         keepOnly(stroke.points, kept);
     });
     Deviation deviation;

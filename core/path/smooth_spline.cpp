@@ -4,11 +4,11 @@
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/path/apply.h"
-#include "core/path/band_solver.h"
+#include "core/path/penalised_spline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 
 namespace burin {
 namespace {
@@ -21,83 +21,54 @@ constexpr int rounds = 16;
 constexpr double aim = 0.97;
 constexpr double heaviest = 1e7;
 
-/// Uniform cubic B-splines over a place between two knots, 0 … 1.
-std::array<double, 4> basis(double s) noexcept {
-    const double r = 1.0 - s;
-    return {r * r * r / 6.0, (3.0 * s * s * s - 6.0 * s * s + 4.0) / 6.0, (3.0 * r * r * r - 6.0 * r * r + 4.0) / 6.0,
-            s * s * s / 6.0};
-}
-
-/// A spline in time through evenly timed points (Eilers & Marx 1996: B-splines with a penalty on differences of their
-/// coefficients).
-class PenalisedSpline {
+/// A spline in time through a stroke's evenly timed points.
+class TimedSpline {
 public:
-    PenalisedSpline(const PathStroke& stroke, double cutOff)
-        : points_(stroke.points)
-        , perKnot_(
-              std::max<std::size_t>(1, static_cast<std::size_t>(1.0 / (knotsPerPeriod * cutOff * stroke.tickPeriod))))
-        , size_((stroke.points.size() - 1) / perKnot_ + BandMatrix::width) {
-        // Gain 1 / (1 + (f / fc)⁶) asks for a penalty of (2 pi fc)⁻⁶ on the third derivative.
-        const double gap = static_cast<double>(perKnot_) * stroke.tickPeriod;
-        penalty_ = std::pow(2.0 * pi * cutOff, -6.0) * std::pow(gap, -5.0) / stroke.tickPeriod;
+    TimedSpline(const PathStroke& stroke, double cutOff) : weights(stroke.points.size(), 1.0) {
+        const auto perKnot =
+            std::max<std::size_t>(1, static_cast<std::size_t>(1.0 / (knotsPerPeriod * cutOff * stroke.tickPeriod)));
+        for (std::size_t k = 0; k < stroke.points.size(); ++k) {
+            at_.push_back(splinePosition(k / perKnot, static_cast<double>(k % perKnot) / static_cast<double>(perKnot)));
+            tips_.push_back(stroke.points[k].tip);
+        }
+        const double gap = static_cast<double>(perKnot) * stroke.tickPeriod;
+        const double penalty = std::pow(2.0 * pi * cutOff, -6.0) * std::pow(gap, -5.0) / stroke.tickPeriod;
+        spline_.emplace(PenalisedSpline::sizeFor((stroke.points.size() - 1) / perKnot), penalty);
     }
 
-    /// The spline at each point's time. @param weights of the points
-    std::vector<glm::dvec3> fitted(const std::vector<double>& weights) const {
-        BandMatrix matrix(size_);
-        std::vector<glm::dvec3> coefficients(size_, glm::dvec3(0.0));
-        for (std::size_t k = 0; k < points_.size(); ++k) {
-            const auto [cell, values] = at(k);
-            for (std::size_t i = 0; i < 4; ++i) {
-                for (std::size_t j = 0; j <= i; ++j) matrix.add(cell + i, cell + j, weights[k] * values[i] * values[j]);
-                coefficients[cell + i] += weights[k] * values[i] * points_[k].tip;
-            }
-        }
-        constexpr std::array<double, 4> difference{-1.0, 3.0, -3.0, 1.0};
-        for (std::size_t cell = 0; cell + 3 < size_; ++cell)
-            for (std::size_t i = 0; i < 4; ++i)
-                for (std::size_t j = 0; j <= i; ++j)
-                    matrix.add(cell + i, cell + j, penalty_ * difference[i] * difference[j]);
-        matrix.solve(coefficients);
-        std::vector<glm::dvec3> tips(points_.size(), glm::dvec3(0.0));
-        for (std::size_t k = 0; k < tips.size(); ++k) {
-            const auto [cell, values] = at(k);
-            for (std::size_t i = 0; i < 4; ++i) tips[k] += values[i] * coefficients[cell + i];
-        }
+    /// The spline at each point's time.
+    std::vector<glm::dvec3> fitted() {
+        spline_->fit(at_, tips_, weights);
+        std::vector<glm::dvec3> tips;
+        tips.reserve(at_.size());
+        for (const SplinePosition& at : at_) tips.push_back((*spline_)(at));
         return tips;
     }
 
-private:
-    struct Place {
-        std::size_t cell;
-        std::array<double, 4> values;
-    };
-    Place at(std::size_t k) const noexcept {
-        return {k / perKnot_, basis(static_cast<double>(k % perKnot_) / static_cast<double>(perKnot_))};
-    }
+    std::vector<double> weights; ///< of the points
 
-    const std::vector<StrokePoint>& points_;
-    std::size_t perKnot_, size_;
-    double penalty_ = 0.0;
+private:
+    std::vector<SplinePosition> at_;
+    std::vector<glm::dvec3> tips_;
+    std::optional<PenalisedSpline> spline_;
 };
 
 /// Both polylines have a corner at each tick, so that no place of one is farther from the other than the ticks are.
 Deviation smooth(PathStroke& stroke, const SmoothSpline& edit, const Progress& progress) {
     Deviation deviation;
     std::vector<StrokePoint>& points = stroke.points;
-    if (points.size() < BandMatrix::width) return deviation;
-    const PenalisedSpline spline(stroke, edit.cutOff);
-    std::vector<double> weights(points.size(), 1.0);
+    if (points.size() < 4) return deviation;
+    TimedSpline spline(stroke, edit.cutOff);
     std::vector<glm::dvec3> tips;
     for (int round = 0; round <= rounds && !progress.cancelled(); ++round) {
-        tips = spline.fitted(weights);
+        tips = spline.fitted();
         bool within = true;
         for (std::size_t k = 0; k < points.size(); ++k) {
             const double off = glm::distance(tips[k], points[k].tip);
             if (off <= edit.tolerance) continue;
             within = false;
             const double times = edit.tolerance > 0.0 ? off / (aim * edit.tolerance) : heaviest;
-            weights[k] = std::min(heaviest, weights[k] * times * times);
+            spline.weights[k] = std::min(heaviest, spline.weights[k] * times * times);
         }
         if (within) break;
     }

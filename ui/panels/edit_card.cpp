@@ -48,10 +48,15 @@ void EditCard::addHead(const QString& name) {
     connect(earlier_, &QToolButton::clicked, this, [this] { emit moveRequested(-1); });
     connect(later_, &QToolButton::clicked, this, [this] { emit moveRequested(1); });
     connect(remove, &QToolButton::clicked, this, &EditCard::removalRequested);
+    auto* update = button("refresh", tr("Update this edit to its current version; its result changes"), "Update");
+    update->setVisible(updated(edit_).has_value());
+    connect(update, &QToolButton::clicked, this, [this] {
+        if (const std::optional<Edit> newer = updated(edit_)) emit edited(*newer);
+    });
     auto* head = new QHBoxLayout;
     head->setSpacing(0);
     head->addWidget(switch_, 1);
-    for (QToolButton* each : {earlier_, later_, remove}) head->addWidget(each);
+    for (QToolButton* each : {update, earlier_, later_, remove}) head->addWidget(each);
     static_cast<QVBoxLayout*>(layout())->addLayout(head);
 }
 

@@ -240,7 +240,8 @@ QMenu* PathPanel::Fields::editMenu() {
     for (const auto& [group, title] : groups) {
         QMenu* part = menu->addMenu(title);
         for (const Edit& edit : edits)
-            if (traitsOf(edit.parameters).group == group) offer(edit, part);
+            if (const EditTraits& traits = traitsOf(edit.parameters); traits.group == group && !traits.superseded)
+                offer(edit, part);
     }
     return menu;
 }

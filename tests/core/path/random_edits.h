@@ -45,6 +45,7 @@ inline std::vector<Edit> randomEdits(bool surface) {
                                           {ReplaceStretch{{}, {by, -by, {by.y, by.x, 0}}}},
                                           {lift},
                                           {remove},
+                                          {SmoothShape{3.0, std::abs(by.x)}},
                                           {Smooth{5.0, std::abs(by.x)}},
                                           {SmoothSpline{5.0, std::abs(by.x)}}};
         const std::vector<Edit> onSurface{{Offset{stretch, by.x}}, {Simplify{0.5}}, {LayOnPart{0.2}}};

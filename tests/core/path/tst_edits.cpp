@@ -59,7 +59,7 @@ class TestEdits : public QObject {
 private slots:
     void everyEditComesBackFromItsText() {
         std::vector<Edit> edits = standardEdits();
-        std::get<Smooth>(edits[2].parameters).cutOff = 4.25;
+        std::get<SmoothShape>(edits[2].parameters).wavelength = 4.25;
         edits[1].enabled = false;
         for (const Edit& edit : edits) {
             const auto back = editFromJson(toJson(edit));
@@ -70,7 +70,20 @@ private slots:
             QVERIFY(!idOf(edit.parameters).empty());
         }
         QCOMPARE(QString::fromStdString(toJson(edits[2])),
-                 R"({"edit":"smooth","enabled":true,"cut_off_hz":4.25,"tolerance_mm":0.03})");
+                 R"({"edit":"smooth-shape","enabled":true,"wavelength_mm":4.25,"tolerance_mm":0.03})");
+    }
+
+    /// Stored ones keep their kind and text until the user updates them.
+    void editsOfEarlierVersionsAreUpdatedOnDemand() {
+        const auto stored = editFromJson(R"({"edit":"smooth","enabled":false,"cut_off_hz":5,"tolerance_mm":0.02})");
+        QVERIFY(stored && std::holds_alternative<Smooth>(stored->parameters));
+        const std::optional<Edit> newer = updated(*stored);
+        QVERIFY(newer && !newer->enabled);
+        QCOMPARE(std::get<SmoothShape>(newer->parameters).wavelength, 3.0); // at 15 mm/s
+        QCOMPARE(std::get<SmoothShape>(newer->parameters).tolerance, 0.02);
+        QVERIFY(!updated(*newer));
+        for (const Edit& edit : everyEdit()) QCOMPARE(updated(edit).has_value(), traitsOf(edit.parameters).superseded);
+        for (const Edit& edit : standardEdits()) QVERIFY(!updated(edit));
     }
 
     void everyParameterOfEveryKindIsKeptAndChecked() {

@@ -1,52 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/units.h"
+#include "hands.h"
 #include "path_fixture.h"
 
 #include <rapidcheck.h>
 
 #include <QTest>
 
-#include <random>
-
 using namespace burin;
 using namespace burin::test;
-
-namespace {
-
-/// Tremor of the band that hands have: twenty waves a coordinate of 8 to 12 Hz, so much in all (root of the mean
-/// square of the distance).
-void tremble(std::vector<Tick>& ticks, double rms, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> frequency(8.0, 12.0), phase(0.0, 2.0 * pi);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int wave = 0; wave < 20; ++wave) {
-            const double f = frequency(random), start = phase(random), height = rms * std::sqrt(2.0 / 60.0);
-            for (std::size_t i = 0; i < ticks.size(); ++i)
-                ticks[i].tip[axis] += height * std::sin(2.0 * pi * f * 0.001 * static_cast<double>(i) + start);
-        }
-    }
-}
-
-std::vector<Tick> circle(double radius, double speed, double turns) {
-    std::vector<Tick> ticks;
-    const double angle = 0.001 * speed / radius;
-    for (int i = 0; i * angle < turns * 2.0 * pi; ++i)
-        ticks.push_back({{radius * std::cos(i * angle), radius * std::sin(i * angle), -2.0}});
-    return ticks;
-}
-
-double offCircle(const glm::dvec3& tip, double radius) {
-    return std::hypot(std::hypot(tip.x, tip.y) - radius, tip.z + 2.0);
-}
-
-double rmsOffCircle(const std::vector<glm::dvec3>& tips, double radius) {
-    double sum = 0.0;
-    for (const glm::dvec3& tip : tips) sum += offCircle(tip, radius) * offCircle(tip, radius);
-    return std::sqrt(sum / static_cast<double>(tips.size()));
-}
-
-} // namespace
 
 class TestSmoothSpline : public QObject {
     Q_OBJECT

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/back_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace burin {
+namespace {
+
+/// What is looked at together on either side of a back-step: so far, and so many points.
+constexpr double reach = 3.0 * longestBackStep; // mm
+constexpr std::size_t mostPoints = 24;
+
+/// How far a move leaves a line of moves, mm; never understated. Exact where both ends are nearest to one of them, else
+/// halved until that hardly counts. Stops early beyond `limit`.
+double farthestOf(const glm::dvec3& from, const glm::dvec3& to, std::span<const glm::dvec3> line, double limit,
+                  int halvings = 6) {
+    double least = std::numeric_limits<double>::infinity(), nearFrom = least, nearTo = least;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+        const double first = distanceToSegment(from, line[k - 1], line[k]);
+        const double second = distanceToSegment(to, line[k - 1], line[k]);
+        least = std::min(least, std::max(first, second)); // distance from a segment is convex
+        nearFrom = std::min(nearFrom, first);
+        nearTo = std::min(nearTo, second);
+    }
+    const double ends = std::max(nearFrom, nearTo);
+    if (least <= ends || halvings == 0 || ends > limit) return least;
+    const glm::dvec3 middle = 0.5 * (from + to);
+    return std::max(farthestOf(from, middle, line, limit, halvings - 1),
+                    farthestOf(middle, to, line, limit, halvings - 1));
+}
+
+class BackStepDropper {
+public:
+    BackStepDropper(std::span<const StrokePoint> points, double tolerance, const ShortcutTest& allowed)
+        : points_(points), tolerance_(tolerance), allowed_(allowed) {}
+
+    /// @return the indices that stay
+    std::vector<std::size_t> dropFrom(const std::vector<std::size_t>& kept, const Progress& progress) {
+        // Points wait in reverse order: taking one, and putting some back to be looked at again, shifts no others.
+        std::vector<std::size_t> waiting(kept.rbegin(), kept.rend()), done;
+        while (!waiting.empty() && !progress.cancelled()) {
+            done.push_back(waiting.back());
+            waiting.pop_back();
+            if (done.size() < 3 || !stepsBack(done[done.size() - 3], done[done.size() - 2], done.back())) continue;
+            const std::size_t turn = done[done.size() - 2];
+            const std::size_t before = 1 + countNear(turn, done.rbegin() + 1, done.rend()); // the point behind it, too
+            const std::size_t behind = countNear(turn, waiting.rbegin(), waiting.rend());
+            std::vector<std::size_t> window(done.end() - static_cast<std::ptrdiff_t>(before), done.end());
+            window.insert(window.end(), waiting.rbegin(), waiting.rbegin() + static_cast<std::ptrdiff_t>(behind));
+            if (!shorten(window)) continue;
+            done.resize(done.size() - before);
+            waiting.resize(waiting.size() - behind);
+            waiting.insert(waiting.end(), window.rbegin(), window.rend());
+        }
+        done.insert(done.end(), waiting.rbegin(), waiting.rend());
+        return done;
+    }
+    const Deviation& farthest() const noexcept { return farthest_; }
+
+private:
+    bool stepsBack(std::size_t from, std::size_t at, std::size_t to) const {
+        return !points_[at].arc && !points_[to].arc && isBackStep(points_[from].tip, points_[at].tip, points_[to].tip);
+    }
+
+    /// Points that are looked at, and one beyond: a move that comes from afar counts as well.
+    template <class Iterator>
+    std::size_t countNear(std::size_t turn, Iterator at, Iterator end) const {
+        std::size_t count = 0;
+        for (; at != end && count < mostPoints; ++at) {
+            ++count;
+            if (glm::distance(points_[*at].tip, points_[turn].tip) > reach) break;
+        }
+        return count;
+    }
+
+    /// One straight move takes the place of several: the one after which the fewest back-steps are left.
+    /// @return false where none is near enough to what it replaces, or is not allowed
+    bool shorten(std::vector<std::size_t>& window) {
+        const std::size_t size = window.size();
+        std::vector<std::size_t> turnsBefore(size + 1, 0); // back-steps at points with a lower index
+        for (std::size_t i = 0; i < size; ++i)
+            turnsBefore[i + 1] =
+                turnsBefore[i] +
+                (i > 0 && i + 1 < size && stepsBack(window[i - 1], window[i], window[i + 1]) ? 1U : 0U);
+        std::size_t fewest = turnsBefore[size], from = 0, to = 0;
+        Deviation least;
+        for (std::size_t i = 0; i < size; ++i)
+            for (std::size_t j = i + 2; j < size && !points_[window[j - 1]].arc && !points_[window[j]].arc; ++j) {
+                std::size_t left = turnsBefore[i] + turnsBefore[size] - turnsBefore[j + 1];
+                if (i > 0 && stepsBack(window[i - 1], window[i], window[j])) ++left;
+                if (j + 1 < size && stepsBack(window[i], window[j], window[j + 1])) ++left;
+                if (left >= turnsBefore[size] || left > fewest) continue;
+                const Deviation deviation = deviationOf(window, i, j);
+                const bool better = to == 0 || left < fewest || deviation.distance < least.distance;
+                if (!better || deviation.distance > tolerance_) continue;
+                if (!allowed_(points_[window[i]].tip, points_[window[j]].tip)) continue;
+                fewest = left;
+                least = deviation;
+                from = i;
+                to = j;
+            }
+        if (to == 0) return false;
+        window.erase(window.begin() + static_cast<std::ptrdiff_t>(from + 1),
+                     window.begin() + static_cast<std::ptrdiff_t>(to));
+        farthest_.include(least);
+        return true;
+    }
+
+    /// How far the moves between two points of a window, with those that an edit left out before, and what takes their
+    /// place lie apart: the straight move, and the moves beside it, which the tool goes as well.
+    Deviation deviationOf(const std::vector<std::size_t>& window, std::size_t from, std::size_t to) const {
+        std::vector<glm::dvec3> before, after;
+        for (std::size_t k = window[from]; k <= window[to]; ++k) before.push_back(points_[k].tip);
+        if (from > 0) after.push_back(points_[window[from - 1]].tip);
+        after.push_back(before.front());
+        after.push_back(before.back());
+        if (to + 1 < window.size()) after.push_back(points_[window[to + 1]].tip);
+        Deviation deviation;
+        for (std::size_t k = 1; k < before.size() && deviation.distance <= tolerance_; ++k)
+            deviation.include(farthestOf(before[k - 1], before[k], after, tolerance_), before[k]);
+        deviation.include(farthestOf(before.front(), before.back(), before, tolerance_), before.back());
+        return deviation;
+    }
+
+    std::span<const StrokePoint> points_;
+    double tolerance_; // mm
+    const ShortcutTest& allowed_;
+    Deviation farthest_;
+};
+
+} // namespace
+
+bool isBackStep(const glm::dvec3& from, const glm::dvec3& at, const glm::dvec3& to) noexcept {
+    const glm::dvec3 in = at - from, out = to - at;
+    const double lengths = glm::length(in) * glm::length(out);
+    return lengths > 0.0 && glm::dot(in, out) < std::cos(backStepTurn) * lengths &&
+           std::min(glm::length(in), glm::length(out)) < longestBackStep;
+}
+
+Deviation dropBackSteps(std::span<const StrokePoint> points, std::vector<std::size_t>& kept, double tolerance,
+                        const ShortcutTest& allowed, const Progress& progress) {
+    BackStepDropper dropper(points, tolerance, allowed);
+    kept = dropper.dropFrom(kept, progress);
+    return dropper.farthest();
+}
+
+Deviation dropBackSteps(PathUnderEdit& state, const PartGuard& guard, const Progress& progress) {
+    return changeEach(state, progress, [&](PathStroke& stroke) {
+        std::vector<std::size_t> kept(stroke.points.size());
+        std::iota(kept.begin(), kept.end(), std::size_t{0});
+        const auto staysClear = [&](const glm::dvec3& from, const glm::dvec3& to) {
+            return guard.isClear(from, to, stroke.required, defaultSampling);
+        };
+        const Deviation deviation = dropBackSteps(stroke.points, kept, backStepTolerance, staysClear, progress);
+        keepOnly(stroke.points, kept);
+        return deviation;
+    });
+}
+
+} // namespace burin

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/shape_course.h"
+
+#include "core/path/polyline.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace burin {
+namespace {
+
+/// Along the chord between two points of a stroke, mm from the first of them, each between 0 and the chord's length.
+std::vector<double> alongChord(std::span<const StrokePoint> points) {
+    const glm::dvec3 from = points.front().tip, chord = points.back().tip - from;
+    const double length = glm::length(chord);
+    std::vector<double> along;
+    along.reserve(points.size());
+    for (const StrokePoint& point : points)
+        along.push_back(length > 0.0 ? std::clamp(glm::dot(point.tip - from, chord) / length, 0.0, length) : 0.0);
+    return along;
+}
+
+/// The longest step back: where it begins and ends.
+struct StepBack {
+    std::size_t from = 0, to = 0;
+    double length = 0.0; ///< mm
+};
+StepBack longestStepBack(std::span<const double> along) {
+    StepBack longest;
+    std::size_t farthest = 0;
+    for (std::size_t i = 1; i < along.size(); ++i) {
+        if (along[i] > along[farthest]) farthest = i;
+        const double back = along[farthest] - along[i];
+        if (back > longest.length) longest = {farthest, i, back};
+    }
+    return longest;
+}
+
+} // namespace
+
+void makeMonotone(std::span<double> values) {
+    struct Pool {
+        double sum;
+        std::size_t count;
+        double mean() const { return sum / static_cast<double>(count); }
+    };
+    std::vector<Pool> pools;
+    for (const double value : values) {
+        pools.push_back({value, 1});
+        while (pools.size() > 1 && pools[pools.size() - 2].mean() >= pools.back().mean()) {
+            pools[pools.size() - 2].sum += pools.back().sum;
+            pools[pools.size() - 2].count += pools.back().count;
+            pools.pop_back();
+        }
+    }
+    std::size_t i = 0;
+    for (const Pool& pool : pools)
+        for (std::size_t k = 0; k < pool.count; ++k) values[i++] = pool.mean();
+}
+
+std::vector<double> shapeCourse(std::span<const StrokePoint> points, double chord, double slack,
+                                const Progress& progress) {
+    std::vector<double> course(points.size(), 0.0);
+    if (points.size() < 2) return course;
+    const std::vector<std::size_t> corners = simplifyInGroups(
+        points, chord, [](const glm::dvec3&, const glm::dvec3&) { return true; }, progress);
+    // A chord along which the hand turned back is three; the nearest of those that wait stands last.
+    std::vector<std::size_t> ends(corners.rbegin(), corners.rend());
+    ends.pop_back();
+    std::size_t first = 0;
+    double length = 0.0;
+    while (!ends.empty() && !progress.cancelled()) {
+        const std::size_t last = ends.back();
+        std::vector<double> along = alongChord(points.subspan(first, last - first + 1));
+        if (const StepBack back = longestStepBack(along); back.length > slack) {
+            ends.push_back(first + back.to);
+            ends.push_back(first + back.from);
+            continue;
+        }
+        makeMonotone(along);
+        for (std::size_t i = 0; i < along.size(); ++i) course[first + i] = length + along[i];
+        length += along.back();
+        first = last;
+        ends.pop_back();
+    }
+    return course;
+}
+
+} // namespace burin

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/units.h"
+#include "path_fixture.h"
+
+#include <random>
+
+/// Made-up hands for the tests of smoothing, and what their strokes are held against.
+namespace burin::test {
+
+/// Tremor of the band that hands have: twenty waves a coordinate of 8 to 12 Hz, so much in all (root of the mean
+/// square of the distance).
+inline void tremble(std::vector<Tick>& ticks, double rms, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> frequency(8.0, 12.0), phase(0.0, 2.0 * pi);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int wave = 0; wave < 20; ++wave) {
+            const double f = frequency(random), start = phase(random), height = rms * std::sqrt(2.0 / 60.0);
+            for (std::size_t i = 0; i < ticks.size(); ++i)
+                ticks[i].tip[axis] += height * std::sin(2.0 * pi * f * 0.001 * static_cast<double>(i) + start);
+        }
+    }
+}
+
+inline std::vector<Tick> circle(double radius, double speed, double turns) {
+    std::vector<Tick> ticks;
+    const double angle = 0.001 * speed / radius;
+    for (int i = 0; i * angle < turns * 2.0 * pi; ++i)
+        ticks.push_back({{radius * std::cos(i * angle), radius * std::sin(i * angle), -2.0}});
+    return ticks;
+}
+
+inline double offCircle(const glm::dvec3& tip, double radius) {
+    return std::hypot(std::hypot(tip.x, tip.y) - radius, tip.z + 2.0);
+}
+
+inline double rmsOffCircle(const std::vector<glm::dvec3>& tips, double radius) {
+    double sum = 0.0;
+    for (const glm::dvec3& tip : tips) sum += offCircle(tip, radius) * offCircle(tip, radius);
+    return std::sqrt(sum / static_cast<double>(tips.size()));
+}
+
+/// A hand that draws a smooth random curve without turning back, stops and goes on at random, as a mouse does whose
+/// pointer comes in jumps: each stop is approached ever slower.
+inline std::vector<Tick> steadyHand(std::mt19937& random) {
+    std::uniform_real_distribution<double> one(-1.0, 1.0);
+    double heading = 3.0 * one(random), bend = 0.0, speed = 0.0, wanted = 40.0;
+    glm::dvec3 at(0.0, 0.0, -2.0);
+    std::vector<Tick> ticks{{at}};
+    for (int tick = 0; tick < 3000; ++tick) {
+        if (tick % 200 == 0) bend = 0.25 * one(random); // 1/mm: radii of 4 mm and more
+        if (tick % 150 == 0) wanted = one(random) < -0.2 ? 0.0 : 60.0 * std::abs(one(random)); // mm/s
+        speed += (wanted - speed) * 0.04;
+        const double way = 0.001 * speed;
+        heading += bend * way;
+        at += way * glm::dvec3(std::cos(heading), std::sin(heading), 0.1 * std::sin(0.7 * heading));
+        ticks.push_back({at});
+    }
+    return ticks;
+}
+
+/// Turns of more than 155° with a leg of less than 0.1 mm: what a machine stutters at. Points closer than a control
+/// tells apart are one.
+inline std::size_t backSteps(const std::vector<glm::dvec3>& line) {
+    std::vector<glm::dvec3> apart;
+    for (const glm::dvec3& point : line)
+        if (apart.empty() || glm::distance(point, apart.back()) > 1e-6) apart.push_back(point);
+    std::size_t count = 0;
+    for (std::size_t i = 1; i + 1 < apart.size(); ++i) {
+        const glm::dvec3 in = apart[i] - apart[i - 1], out = apart[i + 1] - apart[i];
+        const double turn = std::acos(glm::clamp(glm::dot(in, out) / (glm::length(in) * glm::length(out)), -1.0, 1.0));
+        if (turn > 155.0 * pi / 180.0 && std::min(glm::length(in), glm::length(out)) < 0.1) ++count;
+    }
+    return count;
+}
+
+/// Places of a path's cutting moves, arcs among them in chords.
+inline std::vector<glm::dvec3> cutsOf(const std::vector<PathPoint>& points) {
+    std::vector<glm::dvec3> places;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        if (points[i].kind != MoveKind::cut) continue;
+        const std::vector<glm::dvec3> move = placesOf(points[i - 1].tip, points[i], points[i].arc ? 0.05 : 1e9);
+        places.insert(places.end(), move.begin(), move.end());
+    }
+    return places;
+}
+
+} // namespace burin::test

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
+#include "hands.h"
+#include "path_fixture.h"
+
+#include <rapidcheck.h>
+
+#include <QTest>
+
+#include <random>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+/// From corner to corner at even speed, with a rest of half a second in the middle of each move.
+std::vector<Tick> withRests(const std::vector<glm::dvec3>& corners, double speed) {
+    std::vector<Tick> ticks;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const glm::dvec3 middle = glm::mix(corners[i - 1], corners[i], 0.5);
+        append(ticks, along({corners[i - 1], middle}, speed));
+        append(ticks, std::vector<Tick>(500, {middle}));
+        append(ticks, along({middle, corners[i]}, speed));
+    }
+    return ticks;
+}
+
+} // namespace
+
+class TestSmoothShape : public QObject {
+    Q_OBJECT
+
+private slots:
+    void tremorComesDownTenTimes() {
+        constexpr double tube = 0.2;
+        for (unsigned seed = 1; seed <= 5; ++seed) {
+            std::vector<Tick> ticks = circle(20.0, 15.0, 3.0);
+            tremble(ticks, 0.05, seed);
+            const auto path = run({takeOf(ticks)}, {{SmoothShape{3.0, tube}}}, context());
+            QVERIFY(path);
+            const std::vector<glm::dvec3> recorded = tipsOf(ticks), smoothed = tipsOf(path->path.points);
+            QCOMPARE(smoothed.size(), recorded.size());
+            const double across = rmsOffCircle(recorded, 20.0), left = rmsOffCircle(smoothed, 20.0);
+            qInfo() << "across the curve" << 1000.0 * across << "um down to" << 1000.0 * left;
+            QVERIFY(10.0 * left <= across);
+            QVERIFY(farthestFrom(recorded, smoothed) <= tube + 1e-9);
+            QVERIFY(farthestFrom(smoothed, recorded) <= tube + 1e-9);
+        }
+    }
+
+    void circlesStayTheirSize_data() {
+        QTest::addColumn<double>("radius");
+        QTest::addColumn<double>("most"); // mm
+        QTest::newRow("radius 5") << 5.0 << 0.001;
+        QTest::newRow("radius 2") << 2.0 << 0.002;
+        QTest::newRow("radius 1") << 1.0 << 0.015;
+    }
+    void circlesStayTheirSize() {
+        QFETCH(double, radius);
+        QFETCH(double, most);
+        for (const double speed : {5.0, 20.0, 100.0}) {
+            const auto path = run({takeOf(circle(radius, speed, 4.0))}, {{SmoothShape{3.0, 0.2}}}, context());
+            QVERIFY(path);
+            const std::vector<glm::dvec3> tips = tipsOf(path->path.points);
+            double off = 0.0; // two wavelengths from the ends, where nothing is known of beyond
+            const auto margin = static_cast<std::size_t>(6.0 / (0.001 * speed));
+            for (std::size_t i = margin; i + margin < tips.size(); ++i) off = std::max(off, offCircle(tips[i], radius));
+            qInfo() << "radius" << radius << "at" << speed << "mm/s:" << 1000.0 * off << "um";
+            QVERIFY(off <= most);
+        }
+    }
+
+    void cornersStayWhereTheTubeDemands() {
+        const std::vector<Tick> ticks = along({{0, 0, -1}, {30, 0, -1}, {30, 30, -1}, {5, 2, -3}}, 50.0);
+        for (const double tube : {0.005, 0.03, 0.3}) {
+            const auto path = run({takeOf(ticks)}, {{SmoothShape{3.0, tube}}}, context());
+            QVERIFY(path);
+            const std::vector<glm::dvec3> tips = tipsOf(path->path.points), source = tipsOf(ticks);
+            qInfo() << tube << farthestFrom(tips, source) << farthestFrom(source, tips)
+                    << path->reports.front().largestDeviation;
+            QVERIFY(farthestFrom(tips, source) <= tube + 1e-9);
+            QVERIFY(farthestFrom(source, tips) <= tube + 1e-9);
+            QVERIFY(path->reports.front().largestDeviation >= farthestFrom(source, tips) - 1e-9);
+            QVERIFY(path->reports.front().largestDeviation <= tube + 1e-9);
+        }
+    }
+
+    /// The same shape, whatever the hand's law of time: at even speed, and with stops.
+    void timeSaysNothingAboutTheShape() {
+        const std::vector<glm::dvec3> corners{{0, 0, -1}, {12, 1, -1}, {20, 6, -1.5}, {24, 16, -1}};
+        const auto even = run({takeOf(along(corners, 20.0))}, {{SmoothShape{3.0, 0.1}}}, context());
+        const auto halting = run({takeOf(withRests(corners, 20.0))}, {{SmoothShape{3.0, 0.1}}}, context());
+        QVERIFY(even && halting);
+        const double apart = farthestFrom(tipsOf(halting->path.points), tipsOf(even->path.points));
+        qInfo() << "apart by" << 1000.0 * apart << "um";
+        QVERIFY(apart < 0.002);
+    }
+
+    void strokesOfSteadyHandsNeverTurnBack_data() {
+        QTest::addColumn<QVector<int>>("edits");
+        QTest::newRow("smoothed") << QVector<int>{0};
+        QTest::newRow("smoothed, simplified") << QVector<int>{0, 1};
+        QTest::newRow("smoothed, held out, simplified") << QVector<int>{0, 2, 1};
+        QTest::newRow("smoothed, held out, simplified, corners rounded") << QVector<int>{0, 2, 1, 4};
+        QTest::newRow("smoothed, held out, simplified, arcs") << QVector<int>{0, 2, 1, 3};
+        QTest::newRow("in time, linked") << QVector<int>{5, 2, 7};
+        QTest::newRow("by a spline in time, simplified, linked") << QVector<int>{6, 2, 1, 7};
+    }
+    void strokesOfSteadyHandsNeverTurnBack() {
+        QFETCH(QVector<int>, edits);
+        const std::vector<Edit> kinds{{SmoothShape{}},  {Simplify{}}, {HoldOut{}},      {FitArcs{}},
+                                      {RoundCorners{}}, {Smooth{}},   {SmoothSpline{}}, {Link{}}};
+        QVERIFY(rc::check("no back-step that the hand has not made", [&] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            const std::vector<Tick> ticks = steadyHand(random);
+            RC_ASSERT(backSteps(tipsOf(ticks)) == 0U);
+            std::vector<Edit> list;
+            for (const int edit : edits) list.push_back(kinds[static_cast<std::size_t>(edit)]);
+            const auto path = run({takeOf(ticks)}, list, context());
+            RC_ASSERT(static_cast<bool>(path));
+            RC_ASSERT(backSteps(cutsOf(path->path.points)) == 0U);
+        }));
+    }
+
+    void tremblingHandsLoseTheirBackSteps() {
+        QVERIFY(rc::check("fewer than before", [&] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            std::vector<Tick> ticks = steadyHand(random);
+            tremble(ticks, 0.02, static_cast<unsigned>(random()));
+            const auto path = run({takeOf(ticks)}, {{SmoothShape{}}, {HoldOut{}}, {Simplify{}}, {Link{}}}, context());
+            RC_ASSERT(static_cast<bool>(path));
+            RC_ASSERT(backSteps(cutsOf(path->path.points)) == 0U);
+        }));
+    }
+
+    void handsThatGoBackForReasonStillDo() {
+        const std::vector<Tick> ticks = along({{0, 0, -1}, {30, 0, -1}, {10, 0, -1}, {40, 0, -1}}, 40.0);
+        const auto path = run({takeOf(ticks)}, {{SmoothShape{}}}, context());
+        QVERIFY(path);
+        double length = 0.0;
+        for (std::size_t i = 1; i < path->path.points.size(); ++i)
+            length += glm::distance(path->path.points[i - 1].tip, path->path.points[i].tip);
+        QVERIFY(std::abs(length - 80.0) < 0.2);
+    }
+
+    void randomStrokesStayInTheTube() {
+        QVERIFY(rc::check("both ways, whatever the cut-off", [&] {
+            std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+            std::uniform_real_distribution<double> one(-1.0, 1.0);
+            const int count = *rc::gen::inRange(1, 600);
+            const double tube = *rc::gen::element(0.0, 0.01, 0.1), wavelength = *rc::gen::element(0.2, 3.0, 50.0);
+            std::vector<Tick> ticks;
+            glm::dvec3 at(0.0), speed(0.0);
+            for (int i = 0; i < count; ++i) {
+                if (i % 60 == 0) speed = 0.1 * glm::dvec3(one(random), one(random), one(random));
+                at += speed + 0.01 * glm::dvec3(one(random), one(random), one(random));
+                ticks.push_back({at});
+            }
+            const auto path = run({takeOf(ticks)}, {{SmoothShape{wavelength, tube}}}, context());
+            RC_ASSERT(static_cast<bool>(path));
+            RC_ASSERT(path->path.points.size() == ticks.size());
+            const std::vector<glm::dvec3> tips = tipsOf(path->path.points), source = tipsOf(ticks);
+            double farthest = 0.0;
+            for (const glm::dvec3& tip : tips) farthest = std::max(farthest, distanceToPolyline(tip, source));
+            for (const glm::dvec3& tip : source) farthest = std::max(farthest, distanceToPolyline(tip, tips));
+            RC_ASSERT(path->reports.front().largestDeviation >= farthest - 1e-9);
+            RC_ASSERT(farthest <= tube + 1e-9);
+        }));
+    }
+
+private:
+    PathContext context() const { return contextOf(nothing_, ballTool(), {{-200, -200, -20}, {200, 200, 0}}); }
+    const MeshDistance nothing_{TriangleMesh{}};
+};
+
+QTEST_APPLESS_MAIN(TestSmoothShape)
+#include "tst_smooth_shape.moc"
