@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
 
     CLI::App program("Burin: milling tool paths authored by hand", "burin");
     program.set_version_flag("--version", BURIN_VERSION);
+    program.set_help_all_flag("--help-all", "Help for all commands");
     program.require_subcommand(1);
     burin::CommandContext context;
     int status = 0;

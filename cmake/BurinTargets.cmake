@@ -117,7 +117,7 @@ function(burin_plugin kind name)
     add_library(${target} MODULE ${arg_SOURCES})
     target_link_libraries(${target} PRIVATE burin_options burin_warnings ${arg_USES})
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} CXX_VISIBILITY_PRESET hidden
-        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/${kind}/${name})
+        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/plugins/${kind}/${name} BURIN_PLUGIN_FOLDER plugins/${kind}/${name})
     add_custom_command(TARGET ${target} POST_BUILD COMMAND ${CMAKE_COMMAND} -E copy_if_different
         ${CMAKE_CURRENT_SOURCE_DIR}/plugin.json ${CMAKE_BINARY_DIR}/plugins/${kind}/${name}/plugin.json)
     set_property(GLOBAL APPEND PROPERTY BURIN_PLUGINS ${target})

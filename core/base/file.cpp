@@ -163,12 +163,18 @@ fs::path executableDirectory() {
 
 fs::path resourceDirectory() {
     const fs::path here = executableDirectory();
-    return firstExisting(here / "resources", firstExisting(here / "../resources", here / "../share/burin/resources"));
+    return firstExisting(here / "../share/burin/resources", firstExisting(here / "resources", here / "../resources"));
 }
 
 fs::path pluginDirectory() {
     const fs::path here = executableDirectory();
-    return firstExisting(here / "plugins", firstExisting(here / "../plugins", here / "../lib/burin/plugins"));
+    return firstExisting(here / "../lib/burin/plugins", firstExisting(here / "plugins", here / "../plugins"));
+}
+
+fs::path translationDirectory() {
+    const fs::path here = executableDirectory();
+    return firstExisting(here / "../share/burin/translations",
+                         firstExisting(here / "translations", here / "../translations"));
 }
 
 } // namespace burin

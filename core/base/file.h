@@ -40,10 +40,14 @@ Error writeError(const std::filesystem::path& file, int systemError);
 /// Folder of the running program.
 std::filesystem::path executableDirectory();
 
-/// Folder of the data that Burin is shipped with: `resources` beside the program, or ../share/burin/resources.
+/// Folder of the data that Burin is shipped with: ../share/burin/resources of an installed program; in the build tree
+/// `resources` beside the program, or one folder up from a test.
 std::filesystem::path resourceDirectory();
 
-/// Folder of the plugins that Burin is shipped with: `plugins` beside the program, or ../lib/burin/plugins.
+/// Folder of the plugins that Burin is shipped with: ../lib/burin/plugins, or `plugins` in the build tree.
 std::filesystem::path pluginDirectory();
+
+/// Folder of the compiled translations: ../share/burin/translations, or `translations` in the build tree.
+std::filesystem::path translationDirectory();
 
 } // namespace burin

@@ -33,7 +33,7 @@ fs::path workerProgram(const ImportOptions& options) {
     if (!options.worker.empty()) return options.worker;
     const fs::path here = executableDirectory();
     std::error_code ignored;
-    for (const fs::path& folder : {here, here / "..", here / "../lib/burin"})
+    for (const fs::path& folder : {here / "../lib/burin", here, here / ".."})
         if (fs::exists(folder / "burin-import", ignored)) return folder / "burin-import";
     return here / "burin-import";
 }

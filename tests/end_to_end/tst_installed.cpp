@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/places.h"
+
+#include <QDirIterator>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Outcome {
+    int status = -1;
+    QByteArray out, messages;
+};
+
+/// In an environment that holds nothing but what is given.
+Outcome run(const QString& program, const QStringList& arguments, const QStringList& environment = {},
+            const QString& folder = {}) {
+    QProcess process;
+    if (!environment.isEmpty()) {
+        QProcessEnvironment bare;
+        for (const QString& entry : environment) {
+            const qsizetype at = entry.indexOf(QLatin1Char('='));
+            bare.insert(entry.left(at), entry.mid(at + 1));
+        }
+        process.setProcessEnvironment(bare);
+    }
+    if (!folder.isEmpty()) process.setWorkingDirectory(folder);
+    process.start(program, arguments);
+    if (!process.waitForFinished(240000)) return {};
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
+            process.readAllStandardError()};
+}
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+/// Burin as it is installed from the build tree, copied elsewhere, in an environment without anything of it.
+class TestInstalled : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QVERIFY(place_.isValid());
+        const Outcome installed =
+            run(QStringLiteral("cmake"), {QStringLiteral("--install"), BURIN_BUILD_DIRECTORY,
+                                          QStringLiteral("--prefix"), path(QStringLiteral("first"))});
+        QVERIFY2(installed.status == 0, installed.messages.constData());
+        // What was found by the place that it was installed to would be missed here.
+        QVERIFY(QDir().rename(path(QStringLiteral("first")), path(QStringLiteral("root"))));
+        bare_ = {QStringLiteral("PATH=/usr/bin:/bin"), QStringLiteral("HOME=") + path(QStringLiteral("home"))};
+        QVERIFY(QDir().mkpath(path(QStringLiteral("home"))));
+    }
+
+    void allFilesAreThere_data() {
+        QTest::addColumn<QString>("file");
+        for (const char* file :
+             {"bin/burin", "lib/burin/burin-import", "lib/burin/plugins/devices/open_stylus/plugin.json",
+              "lib/burin/plugins/devices/spacemouse/plugin.json", "share/burin/resources/samples/mouse.step",
+              "share/burin/translations/burin_de.qm", "share/applications/org.burin.Burin.desktop",
+              "share/icons/hicolor/scalable/apps/org.burin.Burin.svg", "share/mime/packages/org.burin.Burin.xml",
+              "share/metainfo/org.burin.Burin.metainfo.xml", "share/man/man1/burin.1",
+              "share/bash-completion/completions/burin", "lib/udev/rules.d/70-burin-devices.rules",
+              "share/doc/burin/copyright"})
+            QTest::newRow(file) << QString::fromLatin1(file);
+    }
+    void allFilesAreThere() {
+        QFETCH(QString, file);
+        QVERIFY(QFileInfo(path(QStringLiteral("root/")) + file).size() > 0);
+    }
+
+    void noFileNamesTheBuildOrTheSources() {
+        QDirIterator files(path(QStringLiteral("root")), QDir::Files, QDirIterator::Subdirectories);
+        int count = 0;
+        while (files.hasNext()) {
+            const QByteArray content = contentOf(files.next());
+            ++count;
+            QVERIFY2(!content.contains(BURIN_SOURCE_DIRECTORY), qPrintable(files.filePath()));
+            QVERIFY2(!content.contains(BURIN_BUILD_DIRECTORY), qPrintable(files.filePath()));
+        }
+        QVERIFY(count > 50);
+    }
+
+    void desktopFilesAreValid() {
+        const Outcome entry = run(QStringLiteral("desktop-file-validate"),
+                                  {path(QStringLiteral("root/share/applications/org.burin.Burin.desktop"))});
+        QVERIFY2(entry.status == 0 && entry.out.isEmpty(), entry.out.constData());
+        const Outcome metadata = run(QStringLiteral("appstreamcli"),
+                                     {QStringLiteral("validate"), QStringLiteral("--no-net"),
+                                      path(QStringLiteral("root/share/metainfo/org.burin.Burin.metainfo.xml"))});
+        QVERIFY2(metadata.status == 0, metadata.out.constData());
+        const Outcome types = run(QStringLiteral("update-mime-database"),
+                                  {QStringLiteral("-V"), path(QStringLiteral("root/share/mime"))});
+        QVERIFY2(types.status == 0 && !types.messages.contains("rror"), types.messages.constData());
+        const QByteArray globs = contentOf(path(QStringLiteral("root/share/mime/globs2")));
+        for (const char* glob : {"application/x-burin-project:*.burin", "model/step:*.stp", "text/x-gcode:*.ngc"})
+            QVERIFY2(globs.contains(glob), glob);
+    }
+
+    /// The man page names every command and its options, as the program itself does.
+    void manPageAndCompletionKnowEveryCommand() {
+        const QByteArray page = contentOf(path(QStringLiteral("root/share/man/man1/burin.1")));
+        const Outcome help = run(burin(), {QStringLiteral("--help")}, bare_);
+        QCOMPARE(help.status, 0);
+        const QStringList lines = QString::fromUtf8(help.out).split(QLatin1Char('\n'));
+        QStringList commands;
+        for (qsizetype i = lines.indexOf(QStringLiteral("Subcommands:")) + 1; i > 0 && i < lines.size(); ++i)
+            if (lines[i].startsWith(QStringLiteral("  ")) && lines[i][2].isLetter())
+                commands.append(lines[i].trimmed().section(QLatin1Char(' '), 0, 0));
+        QVERIFY(commands.size() >= 12);
+        for (const QString& command : commands) QVERIFY2(page.contains(command.toUtf8()), qPrintable(command));
+        QVERIFY(page.contains("voxel"));
+        const Outcome completed =
+            run(QStringLiteral("bash"),
+                {QStringLiteral("-c"),
+                 QStringLiteral("source '%1'; COMP_WORDS=('%2' ''); COMP_CWORD=1; _burin; "
+                                "printf '%s\\n' \"${COMPREPLY[@]}\"; COMP_WORDS=('%2' embed --vo); "
+                                "COMP_CWORD=2; _burin; printf '%s\\n' \"${COMPREPLY[@]}\"")
+                     .arg(path(QStringLiteral("root/share/bash-completion/completions/burin")), burin())},
+                bare_, path(QStringLiteral("home")));
+        const QList<QByteArray> offered = completed.out.split('\n');
+        for (const QString& command : commands) QVERIFY2(offered.contains(command.toUtf8()), qPrintable(command));
+        QVERIFY2(offered.contains("--voxel"), completed.out.constData());
+    }
+
+    void pluginsAreFound() {
+        const Outcome devices = run(burin(), {QStringLiteral("devices"), QStringLiteral("--json")}, bare_);
+        QVERIFY2(devices.status == 0, devices.messages.constData());
+        QVERIFY2(devices.messages.isEmpty(), devices.messages.constData());
+    }
+
+    void itSpeaksTheUsersLanguage() {
+        QStringList german = bare_;
+        german << QStringLiteral("LANGUAGE=de") << QStringLiteral("LANG=C.UTF-8")
+               << QStringLiteral("LC_ALL=de_DE.UTF-8");
+        const Outcome missing = run(burin(), {QStringLiteral("info"), QStringLiteral("not-there.burin")}, german,
+                                    path(QStringLiteral("home")));
+        QCOMPARE(missing.status, 3);
+        QVERIFY2(missing.messages.contains("nicht"), missing.messages.constData());
+    }
+
+    void theDemoRuns() {
+        const Outcome demo = run(burin(),
+                                 {QStringLiteral("demo"), QStringLiteral("--json"), QStringLiteral("--voxel"),
+                                  QStringLiteral("1"), QStringLiteral("--seconds"), QStringLiteral("20"),
+                                  QStringLiteral("--output"), path(QStringLiteral("home/out"))},
+                                 bare_, path(QStringLiteral("home")));
+        QVERIFY2(demo.status == 0, (demo.messages + demo.out).constData());
+        QDirIterator written(path(QStringLiteral("home/out")), QDir::Files);
+        QStringList kinds;
+        while (written.hasNext()) kinds.append(QFileInfo(written.next()).suffix());
+        for (const char* kind : {"burin", "ngc", "png"}) QVERIFY2(kinds.contains(QLatin1String(kind)), kind);
+    }
+
+private:
+    QString path(const QString& inside) const { return place_.filePath(inside); }
+    QString burin() const { return path(QStringLiteral("root/bin/burin")); }
+
+    QTemporaryDir place_;
+    QStringList bare_;
+};
+
+QTEST_GUILESS_MAIN(TestInstalled)
+#include "tst_installed.moc"
