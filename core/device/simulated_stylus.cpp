@@ -33,17 +33,22 @@ double lateralDistance(const glm::dvec3& a, const glm::dvec3& b) {
 
 } // namespace
 
-SimulatedStylus::SimulatedStylus(const glm::dvec3& start) : shownTip_(start), tip_(start), hoverHeight_(start.z) {
+SimulatedStylus::SimulatedStylus(const glm::dvec3& start) : shown_{start, false}, tip_(start), hoverHeight_(start.z) {
     target_.tip = start;
 }
 
-void SimulatedStylus::wish(const StylusTarget& target) noexcept {
-    wishes_.post(target);
+bool SimulatedStylus::wish(const StylusTarget& target) noexcept {
+    return wishes_.push(target);
 }
 
 glm::dvec3 SimulatedStylus::tip() noexcept {
-    places_.take(shownTip_);
-    return shownTip_;
+    places_.take(shown_);
+    return shown_.tip;
+}
+
+bool SimulatedStylus::strokeUnderWay() noexcept {
+    places_.take(shown_);
+    return shown_.strokeUnderWay;
 }
 
 StylusDescription SimulatedStylus::description() const {
@@ -67,21 +72,52 @@ StylusDescription SimulatedStylus::description() const {
 Result<void> SimulatedStylus::open() {
     lastTime_.reset();
     velocity_ = glm::dvec3(0.0);
+    waiting_.reset();
+    after_.reset();
     phase_ = Phase::hover;
     return {};
 }
 
-void SimulatedStylus::takeWish() noexcept {
-    if (!wishes_.take(target_)) return;
-    target_.maximumSpeed = std::clamp(target_.maximumSpeed, 0.0, maximumSpeed);
-    if (!target_.cutting) {
-        hoverHeight_ = target_.tip.z;
-        phase_ = Phase::hover;
-    } else if (phase_ == Phase::hover) {
-        strokeStart_ = target_.tip;
-        hoverHeight_ = std::max(hoverHeight_, target_.clearHeight);
+void SimulatedStylus::takeWishes() noexcept {
+    for (;;) {
+        if (!waiting_) {
+            StylusTarget next;
+            if (wishes_.pop({&next, 1}) == 0) return;
+            next.maximumSpeed = std::clamp(next.maximumSpeed, 0.0, maximumSpeed);
+            waiting_ = next;
+        }
+        if (!apply(*waiting_)) return;
+        waiting_.reset();
+    }
+}
+
+/// @return false: not yet
+bool SimulatedStylus::apply(const StylusTarget& target) noexcept {
+    if (!target.cutting) {
+        if (phase_ != Phase::hover && target.finishStroke)
+            after_ = target;
+        else
+            hoverOver(target);
+        return true;
+    }
+    if (after_) return false; // the next stroke
+    if (phase_ != Phase::hover) {
+        if (!trail_.append(target.tip)) return false;
+    } else {
+        strokeStart_ = target.tip;
+        hoverHeight_ = std::max(hoverHeight_, target.clearHeight);
+        trail_.begin(strokeStart_);
         phase_ = Phase::approach;
     }
+    target_ = target;
+    return true;
+}
+
+void SimulatedStylus::hoverOver(const StylusTarget& target) noexcept {
+    target_ = target;
+    hoverHeight_ = target.tip.z;
+    after_.reset();
+    phase_ = Phase::hover;
 }
 
 /// Over a place at a height that is clear, or on the way up to that height.
@@ -98,20 +134,26 @@ glm::dvec3 SimulatedStylus::goal() const noexcept {
     case Phase::approach:
         return above(strokeStart_);
     case Phase::plunge:
-        return strokeStart_;
     case Phase::follow:
         break;
     }
-    return target_.tip;
+    return strokeStart_;
 }
 
 void SimulatedStylus::changePhase() noexcept {
     const bool still = glm::length(velocity_) < 20.0 * restSpeed;
     if (phase_ == Phase::approach && still && lateralDistance(tip_, strokeStart_) < near) phase_ = Phase::plunge;
-    if (phase_ == Phase::plunge && still && glm::length(tip_ - strokeStart_) < near) phase_ = Phase::follow;
+    if (phase_ == Phase::plunge && still && tip_ == strokeStart_) phase_ = Phase::follow;
+    if (phase_ == Phase::follow && after_ && trail_.finished()) hoverOver(*after_);
 }
 
 void SimulatedStylus::step(double seconds) noexcept {
+    if (phase_ == Phase::follow) {
+        tip_ = trail_.step(seconds, target_.maximumSpeed);
+        velocity_ = trail_.velocity();
+        changePhase();
+        return;
+    }
     const glm::dvec3 way = goal() - tip_;
     const double distance = glm::length(way);
     if (distance < restDistance && glm::length(velocity_) < restSpeed) {
@@ -127,11 +169,11 @@ void SimulatedStylus::step(double seconds) noexcept {
 }
 
 StylusState SimulatedStylus::read(double time) noexcept {
-    takeWish();
+    takeWishes();
     double gap = lastTime_ ? std::clamp(time - *lastTime_, 0.0, longestGap) : 0.0;
     lastTime_ = time;
     for (; gap > 0.0; gap -= longestStep) step(std::min(gap, longestStep));
-    places_.post(tip_);
+    places_.post({tip_, phase_ != Phase::hover});
     StylusState state;
     state.time = time;
     state.pose.position = tip_;

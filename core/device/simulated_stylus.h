@@ -3,7 +3,9 @@
 #pragma once
 
 #include "core/base/mailbox.h"
+#include "core/base/ring.h"
 #include "core/device/stylus.h"
+#include "core/device/trail_follower.h"
 
 #include <optional>
 
@@ -17,19 +19,23 @@ struct StylusTarget {
     /// mm, z: with this height or more the way to a stroke's start is clear. Read from a stroke's first target only;
     /// the height of the newest target that doesn't cut counts as well.
     double clearHeight = -1.0e9;
+    /// Of a target that doesn't cut: a stroke that is under way goes on to its end first. Else it ends where it is.
+    bool finishStroke = false;
 };
 
-/// The simulated stylus: mouse or keyboard. Its device frame is the setup frame (mapping 1 : 1). It leads the tip to
-/// the newest target along a smooth, speed-limited way, so that the loop sees a hand and not an event queue: a function
-/// of the targets and the times of reading alone.
+/// The simulated stylus: mouse or keyboard. Its device frame is the setup frame (mapping 1 : 1). It leads the tip along
+/// a smooth, speed-limited motion, so that the loop sees a hand and not an event queue: a function of the targets and
+/// the times of reading alone.
 ///
 /// Hovering, it first rises to within `clearance` of where the target is higher, and comes down last. A stroke begins
 /// at the first cutting target: the tip goes above that place at hover height, then the button goes down (the spindle
-/// turns), then the tip goes straight down to it, and only then does it follow the newest target. So no stroke drags
-/// through stock on its way to its start. When the target no longer cuts, the button goes up at once and the tip rises
-/// before anything else. A stroke that is taken back before its start was reached never presses the button.
+/// turns), then the tip goes straight down to it, and only then does it follow all of the stroke's targets in order
+/// (trail_follower.h), as late as the speed makes it. So no stroke drags through stock on its way to its start, and
+/// none cuts a corner. A target that doesn't cut ends the stroke: where the trail ends (`finishStroke`), or at once.
+/// Then the button goes up and the tip rises before anything else. A stroke that is given up before its start was
+/// reached never presses the button. What is asked for meanwhile waits until a trail is finished.
 ///
-/// Thread: `wish` and `tip` the user interface's, the rest the haptic loop's. No lock, no allocation.
+/// Thread: `wish`, `tip` and `strokeUnderWay` the user interface's, the rest the haptic loop's. No lock, no allocation.
 class SimulatedStylus final : public Stylus {
 public:
     static constexpr double maximumSpeed = 400.0;  ///< mm/s, never exceeded
@@ -41,10 +47,13 @@ public:
     /// @param start where the tip is first, mm, setup frame; clear of everything
     explicit SimulatedStylus(const glm::dvec3& start);
 
-    /// The newest one counts.
-    void wish(const StylusTarget& target) noexcept;
+    /// Hovering, the newest one counts; a stroke goes through all.
+    /// @return false where so many wait that this one is lost: nobody reads
+    bool wish(const StylusTarget& target) noexcept;
     /// Where the tip was at the newest reading, mm, setup frame.
     glm::dvec3 tip() noexcept;
+    /// Whether a stroke was under way at the newest reading, its trail after the button's release among it.
+    bool strokeUnderWay() noexcept;
 
     StylusDescription description() const override;
     Result<void> open() override;
@@ -59,18 +68,30 @@ private:
         hover,
         approach, ///< at hover height to the stroke's start
         plunge,   ///< straight down to it, spindle on
-        follow    ///< the newest target, spindle on
+        follow    ///< the stroke's targets, spindle on
     };
-    void takeWish() noexcept;
+    /// What the user interface is shown.
+    struct Shown {
+        glm::dvec3 tip{0.0}; // mm
+        bool strokeUnderWay = false;
+    };
+    void takeWishes() noexcept;
+    bool apply(const StylusTarget& target) noexcept;
+    void hoverOver(const StylusTarget& target) noexcept;
     glm::dvec3 goal() const noexcept;
     glm::dvec3 above(const glm::dvec3& place) const noexcept;
     void step(double seconds) noexcept;
     void changePhase() noexcept;
 
-    Mailbox<StylusTarget> wishes_;
-    Mailbox<glm::dvec3> places_;
-    glm::dvec3 shownTip_{0.0}; ///< the user interface's copy
+    static constexpr std::size_t mostWishes = 4096;
+
+    Ring<StylusTarget> wishes_{mostWishes};
+    Mailbox<Shown> places_;
+    Shown shown_; ///< the user interface's copy
     StylusTarget target_;
+    std::optional<StylusTarget> waiting_; ///< taken from the wishes; not to be followed yet
+    std::optional<StylusTarget> after_;   ///< the stroke that is under way is being finished; then this
+    TrailFollower trail_;
     glm::dvec3 tip_{0.0}, velocity_{0.0}; ///< mm, mm/s
     glm::dvec3 strokeStart_{0.0};         ///< mm
     double hoverHeight_ = 0.0;            ///< mm, z at which the way to the goal is clear

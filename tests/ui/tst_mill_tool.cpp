@@ -137,8 +137,9 @@ private slots:
         rest();
         QVERIFY(cutting_);
         // Over the slot and back: what lies deeper under the pointer doesn't matter.
+        // The pointer draws where it pressed, on the top.
         for (const glm::dvec3& place : {glm::dvec3(-12.0, 12.0, top - 1.5), glm::dvec3(4.0, 15.0, top - 1.5)}) {
-            tool_->move(over(place, Qt::LeftButton));
+            tool_->move(over({place.x, place.y, top}, Qt::LeftButton));
             glm::dvec3 before = rest(1);
             for (int tick = 0; tick < 900; ++tick) {
                 const glm::dvec3 tip = read();
@@ -159,8 +160,48 @@ private slots:
         tool_->move(over({0.0, 12.0, top}));
         tool_->move(over({0.0, 24.0, top})); // beside the block: the level of what was under the pointer last
         rest();
-        tool_->press(left({0.0, 24.0, top - 1.0}));
+        tool_->press(left({0.0, 24.0, top}));
         QVERIFY(glm::distance(rest(), glm::dvec3(0.0, 24.0, top - 1.0)) < 1e-6);
+    }
+
+    /// Whatever the depth rule and the view: pressing takes the tool down along its axis, from where it hovers.
+    void aPressDoesNotMoveTheToolAside_data() {
+        QTest::addColumn<bool>("alongPart");
+        QTest::newRow("level") << false;
+        QTest::newRow("along the part") << true;
+    }
+    void aPressDoesNotMoveTheToolAside() {
+        QFETCH(bool, alongPart);
+        tool_->setSettings({.rule = alongPart ? DepthRule::part : DepthRule::level, .depthOfCut = 1.5});
+        tool_->move(over({2.0, -3.0, top}));
+        const glm::dvec3 hovering = rest();
+        tool_->press(left({2.0, -3.0, top}));
+        for (int tick = 0; tick < 2000; ++tick) {
+            const glm::dvec3 tip = read();
+            QVERIFY(std::hypot(tip.x - hovering.x, tip.y - hovering.y) < 1e-3);
+        }
+        QVERIFY(cutting_);
+    }
+
+    /// Fast round a corner, then released: the tool goes round the corner, too, and to where the pointer was released.
+    void aFastStrokeIsFinishedAsItWasDrawn() {
+        tool_->setSettings({.depthOfCut = 1.0, .speed = 80.0});
+        tool_->move(over({-2.0, 12.0, top}));
+        rest();
+        tool_->press(left({-2.0, 12.0, top}));
+        for (int i = 1; i <= 4; ++i) tool_->move(over({-2.0 + 2.0 * i, 12.0, top}, Qt::LeftButton));
+        for (int i = 1; i <= 2; ++i) tool_->move(over({6.0, 12.0 - 4.0 * i, top}, Qt::LeftButton));
+        QVERIFY(tool_->release(left({6.0, 4.0, top})));
+        double toCorner = 1e9, toEnd = 1e9;
+        for (int tick = 0; tick < 3000; ++tick) {
+            const glm::dvec3 tip = read();
+            if (!cutting_ || std::abs(tip.z - (top - 1.0)) > 1e-6) continue;
+            toCorner = std::min(toCorner, glm::distance(tip, {6.0, 12.0, top - 1.0}));
+            toEnd = std::min(toEnd, glm::distance(tip, {6.0, 4.0, top - 1.0}));
+            QVERIFY(std::min(std::abs(tip.y - 12.0), std::abs(tip.x - 6.0)) < 0.1); // an L, no diagonal
+        }
+        QVERIFY(toCorner < 0.1 && toEnd < 0.001);
+        QVERIFY(!cutting_);
     }
 
     void wheelMovesAlongTheAxis() {
@@ -185,13 +226,13 @@ private slots:
 
     void partRulePressesIntoThePart() {
         tool_->setSettings({.rule = DepthRule::part, .press = 2.0});
-        tool_->press(left({1.0, 2.0, plateauZ})); // the stock above it doesn't stop this sight
+        tool_->press(left({1.0, 2.0, top})); // the part below, unseen, gives the depth alone
         QVERIFY(glm::distance(rest(), glm::dvec3(1.0, 2.0, plateauZ - 2.0)) < edge);
         QVERIFY(cutting_);
-        tool_->move(over({-3.0, 4.0, plateauZ}, Qt::LeftButton));
+        tool_->move(over({-3.0, 4.0, top}, Qt::LeftButton));
         QVERIFY(glm::distance(rest(), glm::dvec3(-3.0, 4.0, plateauZ - 2.0)) < edge);
         // Beside the part the stroke goes on at the height that it had.
-        tool_->move(over({-12.0, 8.0, plateauZ - 2.0}, Qt::LeftButton));
+        tool_->move(over({-12.0, 8.0, top}, Qt::LeftButton));
         QVERIFY(glm::distance(rest(), glm::dvec3(-12.0, 8.0, plateauZ - 2.0)) < 2.0 * edge);
     }
 
@@ -234,15 +275,17 @@ private slots:
         else
             tool_->leave();
         QCOMPARE(ends.count(), 1);
-        QCOMPARE(leaves.count(), escape ? 1 : 0);
         read();
         QVERIFY(!cutting_);
+        QCOMPARE(leaves.count(), 0); // the stroke alone was ended
         const glm::dvec3 lifted = rest();
         QVERIFY(std::hypot(lifted.x - where.x, lifted.y - where.y) < 1e-6);
         QCOMPARE(lifted.z, top + hoverClearance);
         tool_->move(over({5.0, 12.0, top}, Qt::LeftButton)); // the button is still down: no stroke
         rest();
         QVERIFY(!cutting_);
+        tool_->key(Qt::Key_Escape, Qt::NoModifier);
+        QCOMPARE(leaves.count(), 1);
     }
 
     void theKeyboardAloneMills() {

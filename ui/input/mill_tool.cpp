@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -34,14 +35,22 @@ void MillTool::setSettings(const MillToolSettings& settings) {
     settings_ = settings;
 }
 
+/// From where the tool is, and from where a stroke that it still finishes ends.
+double MillTool::clearHeightTo(const VolumeSnapshot& workpiece, const glm::dvec3& place) {
+    const glm::dvec3 now = stylus_.tip();
+    const double height = clearTipHeight(workpiece, tool_.cutter, {now.x, now.y}, {place.x, place.y});
+    if (!strokeEnd_) return height;
+    return std::max(height,
+                    clearTipHeight(workpiece, tool_.cutter, {strokeEnd_->x, strokeEnd_->y}, {place.x, place.y}));
+}
+
 void MillTool::hoverAt(const glm::dvec3& place) {
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return;
     target_ = keptWithin(reachOf(workpiece, tool_.cutter), place);
     wantedHeight_ = place.z;
-    const glm::dvec3 now = stylus_.tip();
-    target_.z = std::max(place.z, clearTipHeight(workpiece, tool_.cutter, {now.x, now.y}, {target_.x, target_.y}));
-    stylus_.wish({.tip = target_});
+    target_.z = std::max(place.z, clearHeightTo(workpiece, target_));
+    stylus_.wish({.tip = target_, .finishStroke = true});
     settling_.start();
 }
 
@@ -50,10 +59,12 @@ void MillTool::settle() {
     const glm::dvec3 now = stylus_.tip();
     const VolumeSnapshot workpiece = view_();
     if (stroke_ != Stroke::none || workpiece.empty()) return;
-    if (std::hypot(now.x - target_.x, now.y - target_.y) > arrived) return settling_.start();
+    if (stylus_.strokeUnderWay() || std::hypot(now.x - target_.x, now.y - target_.y) > arrived)
+        return settling_.start();
+    strokeEnd_.reset();
     const glm::dvec2 place(target_.x, target_.y);
     target_.z = std::max(wantedHeight_, clearTipHeight(workpiece, tool_.cutter, place, place));
-    stylus_.wish({.tip = target_});
+    stylus_.wish({.tip = target_, .finishStroke = true});
 }
 
 void MillTool::hoverOver(const Sight& sight) {
@@ -70,17 +81,24 @@ void MillTool::hoverOver(const Sight& sight) {
     if (place) hoverAt({place->x, place->y, grid.low().z});
 }
 
-/// The tip of a stroke under the pointer; nothing where the sight leads nowhere.
-std::optional<glm::dvec3> MillTool::strokePlace(const VolumeSnapshot& workpiece, const Sight& sight) {
+/// Along the part, so far below it that the boundary is pressed on; where there is none below, as deep as before.
+double MillTool::strokeHeight(const VolumeSnapshot& workpiece, const glm::dvec3& place) {
     if (settings_.rule == DepthRule::part) {
-        if (const auto hit = castRay(workpiece, sight.origin, sight.direction, RayTarget::protectedOnly)) {
-            levelHeight_ = hit->place.z - settings_.press; // goes on at this height where the sight misses the part
-            return glm::dvec3(hit->place.x, hit->place.y, levelHeight_ + wheelOffset_);
-        }
+        const glm::dvec3 above(place.x, place.y, workpiece.grid().box().high.z + 1.0);
+        if (const auto hit = castRay(workpiece, above, {0.0, 0.0, -1.0}, RayTarget::protectedOnly))
+            levelHeight_ = hit->place.z - settings_.press;
     }
-    const auto place = onLevel(sight, levelHeight_ + wheelOffset_);
+    return levelHeight_ + wheelOffset_;
+}
+
+/// The tip of a stroke under the pointer; nothing where the sight leads nowhere. The pointer draws on the plane where
+/// the stroke began, in plan as it is seen: what lies below, and can't be seen, moves the tool along its axis alone.
+std::optional<glm::dvec3> MillTool::strokePlace(const VolumeSnapshot& workpiece, const Sight& sight) {
+    const auto place = onLevel(sight, pointedHeight_);
     if (!place) return std::nullopt;
-    return keptWithin(reachOf(workpiece, tool_.cutter), *place);
+    glm::dvec3 within = keptWithin(reachOf(workpiece, tool_.cutter), *place);
+    within.z = strokeHeight(workpiece, within);
+    return within;
 }
 
 void MillTool::cutTo(const glm::dvec3& tip, double clearHeight) {
@@ -104,13 +122,13 @@ bool MillTool::press(const ViewportEvent& event) {
     fine_.reset();
     lastSight_ = fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier));
     if (const auto hit = castRay(workpiece, sight.origin, sight.direction)) surfaceHeight_ = hit->place.z;
-    levelHeight_ = surfaceHeight_.value_or(workpiece.grid().box().high.z) - settings_.depthOfCut;
+    pointedHeight_ = surfaceHeight_.value_or(workpiece.grid().box().high.z);
+    levelHeight_ = pointedHeight_ - settings_.depthOfCut;
     const auto place = strokePlace(workpiece, lastSight_);
     if (!place) return true;
     stroke_ = Stroke::pointer;
     emit strokeBegins();
-    const glm::dvec3 now = stylus_.tip();
-    cutTo(*place, clearTipHeight(workpiece, tool_.cutter, {now.x, now.y}, {place->x, place->y}));
+    cutTo(*place, clearHeightTo(workpiece, *place));
     return true;
 }
 
@@ -128,7 +146,7 @@ bool MillTool::move(const ViewportEvent& event) {
 
 bool MillTool::release(const ViewportEvent& event) {
     if (event.button != Qt::LeftButton) return false;
-    if (stroke_ == Stroke::pointer) endStroke();
+    if (stroke_ == Stroke::pointer) endStroke(End::finished);
     return true;
 }
 
@@ -145,15 +163,19 @@ bool MillTool::wheel(const ViewportEvent& event) {
     return true;
 }
 
-/// The spindle stops where the tool is; from there it rises straight up until it is clear.
-void MillTool::endStroke() {
-    if (stroke_ == Stroke::none) return;
-    stroke_ = Stroke::none;
+/// The spindle stops where the trail ends, or where the tool is; from there it rises straight up until it is clear.
+void MillTool::endStroke(End how) {
+    if (stroke_ == Stroke::none && !stylus_.strokeUnderWay()) return;
+    const bool drawing = std::exchange(stroke_, Stroke::none) != Stroke::none;
     fine_.reset();
-    target_ = stylus_.tip();
-    stylus_.wish({.tip = target_}); // the spindle stops even if there is no workpiece to hover over any more
+    if (how == End::givenUp) {
+        target_ = stylus_.tip();
+        stylus_.wish({.tip = target_}); // even if there is no workpiece to hover over any more
+    }
+    strokeEnd_ = target_;
+    stylus_.wish({.tip = target_, .finishStroke = true});
     hoverAt(target_);
-    emit strokeEnds();
+    if (drawing) emit strokeEnds();
 }
 
 void MillTool::step(const glm::dvec3& way) {
@@ -168,7 +190,7 @@ void MillTool::step(const glm::dvec3& way) {
 }
 
 void MillTool::toggleSpindle() {
-    if (stroke_ != Stroke::none) return endStroke();
+    if (stroke_ != Stroke::none) return endStroke(End::finished);
     if (view_().empty()) return;
     stroke_ = Stroke::keyboard;
     emit strokeBegins();
@@ -177,8 +199,10 @@ void MillTool::toggleSpindle() {
 
 bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
     if (key == Qt::Key_Escape) {
-        endStroke();
-        emit leaveRequested();
+        if (stroke_ == Stroke::none && !stylus_.strokeUnderWay())
+            emit leaveRequested();
+        else
+            endStroke(End::givenUp);
         return true;
     }
     if (key == Qt::Key_Space) {
@@ -197,7 +221,7 @@ bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void MillTool::leave() {
-    endStroke();
+    endStroke(End::givenUp);
 }
 
 } // namespace burin

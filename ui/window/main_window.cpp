@@ -136,7 +136,7 @@ void MainWindow::connectActions() {
         if (wanted)
             workbench_.mill.startRecording();
         else
-            workbench_.mill.stopRecording();
+            workbench_.mill.leave(); // a stroke would only begin the next take
     });
     on(ActionId::showMe, [this] { workbench_.showHowItIsDone(); });
     on(ActionId::stopShow, [this] { workbench_.showMe.stop(); });
@@ -184,7 +184,7 @@ void MainWindow::connectActions() {
     connect(panels_->path, &PathPanel::visibilityToggled, actions_[ActionId::showPath], &QAction::setChecked);
     connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);
     connect(jobLine_, &JobLine::stepChosen, this, &MainWindow::showStep);
-    connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openFile);
+    connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openAny);
 }
 
 void MainWindow::connectWorkbench() {
@@ -229,7 +229,7 @@ void MainWindow::connectWelcome() {
     connect(welcome_, &WelcomePage::sampleRequested, &flow_, &DocumentFlow::importSample);
     connect(welcome_, &WelcomePage::showMeRequested, &flow_, &DocumentFlow::showSample);
     connect(welcome_, &WelcomePage::openRequested, &flow_, &DocumentFlow::open);
-    connect(welcome_, &WelcomePage::recentChosen, &flow_, &DocumentFlow::openFile);
+    connect(welcome_, &WelcomePage::recentChosen, &flow_, &DocumentFlow::openAny);
     connect(welcome_, &WelcomePage::leftWorkChosen, &flow_, &DocumentFlow::openFile);
     connect(welcome_, &WelcomePage::leftWorkForgotten, this, [this](const QString& file) {
         if (!confirm(this, tr("Delete this work?"), tr("It was never saved, and no undo brings it back."),
@@ -271,6 +271,8 @@ void MainWindow::showBench(bool shown) {
 }
 
 void MainWindow::showStep(JobStep step) {
+    // The left button cuts where one sees that it does. (A device's own button is another matter.)
+    if (step != JobStep::mill && workbench_.mill.stylus() != nullptr) workbench_.mill.leave();
     presenters_->job.setShown(step);
     presenters_->guideScene.setShown(step);
     presenters_->deviation.setShown(step == JobStep::program);

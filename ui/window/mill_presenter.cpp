@@ -36,7 +36,7 @@ MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& pa
         else if (on)
             workbench_.mill.startRecording();
         else
-            workbench_.mill.stopRecording();
+            workbench_.mill.leave(); // a stroke would only begin the next take
     });
     connect(&panel, &MillPanel::stylusChosen, this,
             [this](int index) { workbench_.styluses.choose(static_cast<std::size_t>(index)); });

@@ -44,6 +44,17 @@ double aside(const glm::dvec3& a, const glm::dvec3& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+/// Distance to a line of points; slow and obvious.
+double distanceTo(const glm::dvec3& point, const std::vector<glm::dvec3>& line) {
+    double nearest = glm::distance(point, line.front());
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const glm::dvec3 way = line[i] - line[i - 1];
+        const double share = glm::clamp(glm::dot(point - line[i - 1], way) / glm::dot(way, way), 0.0, 1.0);
+        nearest = std::min(nearest, glm::distance(point, line[i - 1] + share * way));
+    }
+    return nearest;
+}
+
 /// Targets of a wild user: jumps, pauses, strokes, changing speeds. Every `n`-th tick has one.
 std::vector<std::pair<int, StylusTarget>> wildTargets(unsigned seed) {
     std::mt19937 random(seed);
@@ -182,6 +193,79 @@ private slots:
             if (tick.tip.z < 20.0 - SimulatedStylus::clearance) QVERIFY(std::abs(tick.tip.x) < 1e-9);
         }
         QCOMPARE(hand.now().tip, glm::dvec3(30.0, 0.0, 20.0));
+    }
+
+    /// A pointer that jumps from goal to goal, quicker than the tool: the tool goes along all of its trail, not across.
+    void aStrokeGoesAlongThePointersTrailToItsEnd() {
+        for (unsigned seed = 1; seed <= 20; ++seed) {
+            std::mt19937 random(seed);
+            std::uniform_real_distribution<double> place(-30.0, 30.0), small(-2.0, 2.0);
+            std::uniform_int_distribution<int> pause(1, 30), coin(0, 3);
+            std::vector<glm::dvec3> trail{{0.0, 0.0, -2.0}};
+            Hand hand({0.0, 0.0, 20.0});
+            hand.stylus.wish({.tip = trail.back(), .maximumSpeed = 150.0, .cutting = true});
+            std::vector<Tick> way = hand.run(1200);
+            for (int goal = 0; goal < 25; ++goal) {
+                trail.push_back(coin(random) == 0 ? glm::dvec3(place(random), place(random), -2.0)
+                                                  : trail.back() + glm::dvec3(small(random), small(random), 0.0));
+                hand.stylus.wish({.tip = trail.back(), .maximumSpeed = 150.0, .cutting = true});
+                const std::vector<Tick> more = hand.run(pause(random));
+                way.insert(way.end(), more.begin(), more.end());
+            }
+            hand.stylus.wish({.tip = {0.0, 0.0, 20.0}, .finishStroke = true}); // released long before its end
+            const std::vector<Tick> rest = hand.run(8000);
+            way.insert(way.end(), rest.begin(), rest.end());
+            std::vector<glm::dvec3> cut;
+            for (const Tick& tick : way)
+                if (tick.cutting && tick.tip.z < -1.97) cut.push_back(tick.tip);
+            QVERIFY(glm::distance(cut.back(), trail.back()) < 1e-9 && !way.back().cutting);
+            double farthest = 0.0;
+            for (const glm::dvec3& tip : cut) farthest = std::max(farthest, distanceTo(tip, trail));
+            QVERIFY2(farthest <= TrailFollower::tolerance + 0.005, qPrintable(QString::number(farthest)));
+            for (const glm::dvec3& corner : trail) {
+                double nearest = 1e9;
+                for (const glm::dvec3& tip : cut) nearest = std::min(nearest, glm::distance(tip, corner));
+                QVERIFY(nearest <= 0.15 + TrailFollower::tolerance); // a tick at 150 mm/s, and what a corner is cut by
+            }
+        }
+    }
+
+    /// Sixty jumps a second become one even motion: a sweep at constant speed is recorded as one.
+    void evenlySpacedGoalsBecomeAnEvenMotion() {
+        Hand hand({0.0, 0.0, 20.0});
+        hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .cutting = true});
+        hand.run(1500);
+        std::vector<Tick> way;
+        for (int event = 1; event <= 60; ++event) { // 100 mm/s
+            hand.stylus.wish({.tip = {100.0 / 60.0 * event, 0.0, 0.0}, .cutting = true});
+            const std::vector<Tick> more = hand.run(event % 3 == 0 ? 16 : 17);
+            way.insert(way.end(), more.begin(), more.end());
+        }
+        double slowest = 1e9, fastest = 0.0;
+        for (std::size_t i = 301; i < way.size(); ++i) {
+            const double speed = (way[i].tip.x - way[i - 1].tip.x) / period;
+            slowest = std::min(slowest, speed);
+            fastest = std::max(fastest, speed);
+        }
+        QVERIFY2(slowest > 85.0 && fastest < 115.0, qPrintable(QStringLiteral("%1 %2").arg(slowest).arg(fastest)));
+    }
+
+    /// The next stroke begins where it is asked for once the trail of the one before is finished.
+    void aPressDuringTheTailWaits() {
+        Hand hand({0.0, 0.0, 20.0});
+        hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .maximumSpeed = 50.0, .cutting = true});
+        hand.run(1200);
+        hand.stylus.wish({.tip = {40.0, 0.0, 0.0}, .maximumSpeed = 50.0, .cutting = true});
+        hand.stylus.wish({.tip = {40.0, 0.0, 20.0}, .finishStroke = true});
+        hand.stylus.wish({.tip = {0.0, 30.0, 0.0}, .maximumSpeed = 50.0, .cutting = true, .clearHeight = 20.0});
+        bool reachedEnd = false, reachedNext = false;
+        for (const Tick& tick : hand.run(6000)) {
+            reachedEnd = reachedEnd || glm::distance(tick.tip, {40.0, 0.0, 0.0}) < 1e-6;
+            if (tick.tip.y > 0.01) QVERIFY(reachedEnd);
+            if (tick.tip.y > 0.01 && tick.tip.y < 29.9) QVERIFY(!tick.cutting);
+            reachedNext = reachedNext || glm::distance(tick.tip, {0.0, 30.0, 0.0}) < 1e-6;
+        }
+        QVERIFY(reachedNext);
     }
 
     void aStrokeTakenBackNeverTurnsTheSpindle() {
