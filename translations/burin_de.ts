@@ -2532,6 +2532,25 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::DocumentFlow</name>
+    <message>
+        <source>“%1” is an NC program; to check it, open its project and paste its text into the editor of the step Program.</source>
+        <translation>„%1“ ist ein NC-Programm; um es zu prüfen, öffnen Sie sein Projekt und fügen Sie den Text in den Editor des Schritts „Programm“ ein.</translation>
+    </message>
+    <message>
+        <source>Take “%1” off the list of recent files?</source>
+        <translation>„%1“ aus der Liste der zuletzt benutzten Dateien entfernen?</translation>
+    </message>
+    <message>
+        <source>It is not where it was: it was moved, renamed or deleted, or its drive is not connected.</source>
+        <translation>Die Datei ist nicht mehr dort: sie wurde verschoben, umbenannt oder gelöscht, oder ihr Laufwerk ist nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>Take it off the list</source>
+        <translation>Aus der Liste entfernen</translation>
+    </message>
+</context>
+<context>
     <name>burin::EditCard</name>
     <message>
         <source>Switch this edit on or off</source>
@@ -3370,6 +3389,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Es gibt Aufzeichnungen: Rohteil und Werkstoff bleiben, wie sie sind.</translation>
     </message>
     <message>
+        <source>Until the first recording the material can be changed; the workpiece stays.</source>
+        <translation>Bis zur ersten Aufzeichnung kann der Werkstoff geändert werden; das Werkstück bleibt erhalten.</translation>
+    </message>
+    <message>
         <source>Figures of %1</source>
         <translation>Kennwerte: %1</translation>
     </message>
@@ -3599,8 +3622,21 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Take the newest stroke back</source>
-        <translation>Den letzten Zug zurücknehmen</translation>
+        <source>There is no stroke to take back.</source>
+        <translation>Es gibt keinen Zug, der zurückgenommen werden kann.</translation>
+    </message>
+    <message>
+        <source>Strokes from before the project was opened can&apos;t be taken back; remove their take instead.</source>
+        <translation>Züge aus der Zeit vor dem Öffnen des Projekts lassen sich nicht zurücknehmen; entfernen Sie stattdessen ihre Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Take the newest stroke back; no other one can be taken back</source>
+        <translation>Den letzten Zug zurücknehmen; weitere lassen sich nicht zurücknehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Take the newest stroke back; the last %n strokes can be taken back</source>
+        <translation><numerusform>Den letzten Zug zurücknehmen; %n Zug lässt sich zurücknehmen</numerusform>
+            <numerusform>Den letzten Zug zurücknehmen; die letzten %n Züge lassen sich zurücknehmen</numerusform></translation>
     </message>
     <message>
         <source>Put the stroke back that was taken back last</source>
@@ -4736,6 +4772,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Werkstück entspricht diesen Einstellungen.</translation>
     </message>
     <message>
+        <source>The workpiece matches these settings; after a change of stock or voxels it has to be embedded again.</source>
+        <translation>Das Werkstück entspricht diesen Einstellungen; nach einer Änderung von Rohteil oder Voxeln muss es neu eingebettet werden.</translation>
+    </message>
+    <message>
         <source>And %1 more, which “burin embed” lists.</source>
         <translation>Und %1 weitere, die „burin embed“ auflistet.</translation>
     </message>
@@ -4918,6 +4958,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>1 stroke</source>
         <translation>1 Zug</translation>
+    </message>
+    <message>
+        <source>being replayed</source>
+        <translation>wird wiederholt</translation>
     </message>
     <message numerus="yes">
         <source>%n strokes</source>

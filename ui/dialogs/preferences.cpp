@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/preferences.h"
 
-#include <QFileInfo>
-
 namespace burin {
 
 namespace {
@@ -35,10 +33,17 @@ void UserSettings::setPreferences(const Preferences& preferences) {
 }
 
 QStringList UserSettings::recentFiles() const {
-    QStringList files;
-    for (const QString& file : settings_.value(recentKey).toStringList())
-        if (QFileInfo::exists(file)) files.append(file);
-    return files;
+    return settings_.value(recentKey).toStringList();
+}
+
+bool UserSettings::isRecentFile(const QString& file) const {
+    return recentFiles().contains(file);
+}
+
+void UserSettings::removeRecentFile(const QString& file) {
+    QStringList files = recentFiles();
+    files.removeAll(file);
+    settings_.setValue(recentKey, files);
 }
 
 void UserSettings::addRecentFile(const QString& file) {

@@ -28,8 +28,10 @@ public:
     void setPreferences(const Preferences& preferences);
 
     static constexpr int maximumRecentFiles = 8;
-    QStringList recentFiles() const; ///< the newest first; only what still exists
+    QStringList recentFiles() const; ///< the newest first
     void addRecentFile(const QString& file);
+    void removeRecentFile(const QString& file);
+    bool isRecentFile(const QString& file) const; ///< whether it still exists or not
 
     QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);

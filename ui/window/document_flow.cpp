@@ -3,8 +3,10 @@
 #include "ui/window/document_flow.h"
 
 #include "core/base/file.h"
+#include "core/project/file_kind.h"
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/dialogs/questions.h"
+#include "ui/messages/messages.h"
 #include "ui/window/path_presenters.h"
 
 #include <QFileInfo>
@@ -66,20 +68,45 @@ void DocumentFlow::open() {
     const QString file = askProjectToOpen(&window_, folder());
     if (file.isEmpty()) return;
     keepFolder(file);
-    openFile(file);
+    openAny(file);
 }
 
-void DocumentFlow::openFile(const QString& file) {
-    settle([this, file](bool abandon) {
-        workbench_.comeToRest([this, file, abandon] { workbench_.document.openFile(pathOf(file), abandon); });
+void DocumentFlow::openProject(const QString& file) {
+    if (workbench_.document.holds(pathOf(file))) {
+        emit alreadyOpen();
+        return;
+    }
+    using Prepared = std::shared_ptr<DocumentController::Prepared>;
+    workbench_.document.prepare(pathOf(file), [this, file](const Result<Prepared>& prepared) {
+        if (!prepared) {
+            refuse(file, prepared.error());
+            return;
+        }
+        settle([this, project = *prepared](bool abandon) {
+            workbench_.comeToRest([this, project, abandon] { workbench_.document.open(project, abandon); });
+        });
     });
+}
+
+/// Nothing has changed. A file of the list that is not there any more needs a decision, anything else a sentence.
+void DocumentFlow::refuse(const QString& file, const Error& error) {
+    if (error.code != ErrorCode::fileNotFound || !settings_.isRecentFile(file)) {
+        emit refused(Messages::sentence(error));
+        return;
+    }
+    if (!confirm(&window_, tr("Take “%1” off the list of recent files?").arg(QFileInfo(file).fileName()),
+                 tr("It is not where it was: it was moved, renamed or deleted, or its drive is not connected."),
+                 tr("Take it off the list")))
+        return;
+    settings_.removeRecentFile(file);
+    emit recentFilesChanged();
 }
 
 void DocumentFlow::import() {
     const QString file = askPartToImport(&window_, folder());
     if (file.isEmpty()) return;
     keepFolder(file);
-    importFile(file);
+    openAny(file);
 }
 
 void DocumentFlow::importFixture() {
@@ -92,11 +119,13 @@ void DocumentFlow::importFixture() {
 }
 
 void DocumentFlow::importFile(const QString& file, double stlUnit) {
-    if (!workbench_.importNeedsNewProject()) {
-        workbench_.importPart(pathOf(file), false, stlUnit);
-        return;
-    }
-    settle([this, file, stlUnit](bool abandon) { workbench_.importPart(pathOf(file), abandon, stlUnit); });
+    workbench_.model.read(pathOf(file), stlUnit, [this](const std::shared_ptr<const Model>& part) {
+        if (!workbench_.importNeedsNewProject()) {
+            workbench_.adoptPart(part, false);
+            return;
+        }
+        settle([this, part](bool abandon) { workbench_.adoptPart(part, abandon); });
+    });
 }
 
 void DocumentFlow::importAgain(double stlUnit) {
@@ -120,8 +149,16 @@ void DocumentFlow::showSample() {
 }
 
 void DocumentFlow::openAny(const QString& file) {
-    if (file.endsWith(QStringLiteral(".burin"), Qt::CaseInsensitive))
-        openFile(file);
+    const Result<FileKind> kind = fileKind(pathOf(file));
+    if (!kind)
+        refuse(file, kind.error());
+    else if (*kind == FileKind::program)
+        emit refused(
+            tr("“%1” is an NC program; to check it, open its project and paste its text into the editor of the "
+               "step Program.")
+                .arg(QFileInfo(file).fileName()));
+    else if (*kind == FileKind::project)
+        openProject(file);
     else
         importFile(file);
 }

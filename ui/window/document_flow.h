@@ -22,14 +22,14 @@ public:
     void connectActions(const Actions& actions);
     void createNew();
     void open();
-    void openFile(const QString& file);
     void import();
     void importFile(const QString& file, double stlUnit = 1.0); ///< @param stlUnit mm per unit of an STL file
-    void importAgain(double stlUnit); ///< the part, whose file meant another unit
-    void importFixture(); ///< that the tool keeps out of
+    void importAgain(double stlUnit);                           ///< the part, whose file meant another unit
+    void importFixture();                                       ///< that the tool keeps out of
     void importSample();
     void showSample(); ///< imports the sample part and lets the virtual operator mill it
-    /// A project or a part, as its name says.
+    /// A project or a part, as its content says. The file is looked at, and read as a whole, before anything is asked
+    /// or what is open changes; a file that can't be used costs a sentence and nothing else.
     void openAny(const QString& file);
     void save();
     void saveAs();
@@ -43,9 +43,13 @@ public:
 
 signals:
     void recentFilesChanged();
+    void alreadyOpen();                    ///< what was to be opened is the open project
+    void refused(const QString& sentence); ///< a file, and why; nothing has changed
     void exported(const QString& file);
 
 private:
+    void openProject(const QString& file);
+    void refuse(const QString& file, const Error& error);
     void saveThen(std::function<void()> then);
     void saveAsThen(std::function<void()> then);
     void noteSaved();

@@ -192,6 +192,9 @@ void MainWindow::connectWorkbench() {
         const bool stopped = error.code == ErrorCode::cancelled;
         message_->tell(stopped ? Notice::Kind::information : Notice::Kind::error, Messages::sentence(error));
     });
+    connect(&flow_, &DocumentFlow::refused, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::error, sentence); });
+    connect(&flow_, &DocumentFlow::alreadyOpen, this, [this] { showBench(true); });
     connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
     workbench_.styluses.start();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
@@ -230,7 +233,7 @@ void MainWindow::connectWelcome() {
     connect(welcome_, &WelcomePage::showMeRequested, &flow_, &DocumentFlow::showSample);
     connect(welcome_, &WelcomePage::openRequested, &flow_, &DocumentFlow::open);
     connect(welcome_, &WelcomePage::recentChosen, &flow_, &DocumentFlow::openAny);
-    connect(welcome_, &WelcomePage::leftWorkChosen, &flow_, &DocumentFlow::openFile);
+    connect(welcome_, &WelcomePage::leftWorkChosen, &flow_, &DocumentFlow::openAny);
     connect(welcome_, &WelcomePage::leftWorkForgotten, this, [this](const QString& file) {
         if (!confirm(this, tr("Delete this work?"), tr("It was never saved, and no undo brings it back."),
                      tr("Delete")))

@@ -81,6 +81,11 @@ Result<ProjectContents> contentsOf(const Project& project) {
 
 } // namespace
 
+struct DocumentController::Prepared {
+    Project project;
+    ProjectContents contents;
+};
+
 struct DocumentController::Opened {
     ProjectContents contents;
     fs::path file, keptAside;
@@ -123,36 +128,62 @@ void DocumentController::forget(const LeftWork& work) {
     if (project) project->abandonChanges();
 }
 
-Result<DocumentController::Opened> DocumentController::exchange(std::optional<Project>& place, Result<Project> project,
-                                                                bool abandon) {
+Result<std::shared_ptr<DocumentController::Prepared>> DocumentController::read(Result<Project> project) {
     if (!project) return std::move(project).error();
     Result<ProjectContents> contents = contentsOf(*project);
     if (!contents) return std::move(contents).error();
+    return std::make_shared<Prepared>(Prepared{std::move(*project), std::move(*contents)});
+}
+
+DocumentController::Opened DocumentController::exchange(std::optional<Project>& place, Prepared& prepared,
+                                                        bool abandon) {
     if (place && abandon) place->abandonChanges();
     place.reset();
-    place.emplace(std::move(*project));
-    return Opened{std::move(*contents), place->file(), place->keptAside(), place->recovered(), place->readOnly()};
+    place.emplace(std::move(prepared.project));
+    return Opened{std::move(prepared.contents), place->file(), place->keptAside(), place->recovered(),
+                  place->readOnly()};
 }
 
 void DocumentController::createNew(bool abandon, Then then) {
     desk_.project.postToPlace(
         [abandon](std::optional<Project>& place) -> Result<Opened> {
-            return exchange(place, Project::create(nextUnnamedFile()), abandon);
+            const Result<std::shared_ptr<Prepared>> made = read(Project::create(nextUnnamedFile()));
+            if (!made) return made.error();
+            return exchange(place, **made, abandon);
+        },
+        [this, then = std::move(then)](Result<Opened> outcome) { take(std::move(outcome), then); });
+}
+
+bool DocumentController::holds(const fs::path& file) const {
+    std::error_code failed;
+    return isOpen() && (file == file_ || fs::equivalent(file, file_, failed));
+}
+
+void DocumentController::prepare(const fs::path& file, WhenPrepared then) {
+    desk_.project.postToPlace([file](std::optional<Project>&) { return read(Project::open(file)); }, std::move(then));
+}
+
+void DocumentController::open(const std::shared_ptr<Prepared>& prepared, bool abandon, Then then) {
+    desk_.project.postToPlace(
+        [prepared, abandon](std::optional<Project>& place) -> Result<Opened> {
+            return exchange(place, *prepared, abandon);
         },
         [this, then = std::move(then)](Result<Opened> outcome) { take(std::move(outcome), then); });
 }
 
 void DocumentController::openFile(const fs::path& file, bool abandon, Then then) {
-    std::error_code failed;
-    if (isOpen() && fs::equivalent(file, file_, failed)) { // it is open already
+    if (holds(file)) {
         if (then) then(true);
         return;
     }
-    desk_.project.postToPlace(
-        [file, abandon](std::optional<Project>& place) -> Result<Opened> {
-            return exchange(place, Project::open(file), abandon);
-        },
-        [this, then = std::move(then)](Result<Opened> outcome) { take(std::move(outcome), then); });
+    prepare(file, [this, abandon, then = std::move(then)](const Result<std::shared_ptr<Prepared>>& prepared) {
+        if (prepared) {
+            open(*prepared, abandon, then);
+            return;
+        }
+        emit failed(prepared.error());
+        if (then) then(false);
+    });
 }
 
 void DocumentController::take(Result<Opened> outcome, const Then& then) {

@@ -53,6 +53,15 @@ public:
     /// @param abandon what it had unsaved is not wanted; otherwise it waits to be taken up again
     void createNew(bool abandon, Then then = {});
     void openFile(const std::filesystem::path& file, bool abandon, Then then = {});
+    bool holds(const std::filesystem::path& file) const; ///< it is the open one
+
+    /// A project that was read as a whole and is locked, but not the open one yet. Dropped, it is as it was before.
+    struct Prepared;
+    using WhenPrepared = std::function<void(Result<std::shared_ptr<Prepared>>)>;
+    /// Reads another project and leaves the open one as it is: who asks about unsaved work then asks in earnest.
+    void prepare(const std::filesystem::path& file, WhenPrepared then);
+    /// Makes it the open one, as `openFile`.
+    void open(const std::shared_ptr<Prepared>& prepared, bool abandon, Then then = {});
     void save(Then then = {});
     void saveAs(const std::filesystem::path& file, Then then = {});
     void close(bool abandon, Then then = {});
@@ -69,7 +78,8 @@ signals:
 
 private:
     struct Opened;
-    static Result<Opened> exchange(std::optional<Project>& place, Result<Project> project, bool abandon);
+    static Result<std::shared_ptr<Prepared>> read(Result<Project> project);
+    static Opened exchange(std::optional<Project>& place, Prepared& prepared, bool abandon);
     void take(Result<Opened> outcome, const Then& then);
     void saved(const Result<void>& outcome, const Then& then);
     void askUnsaved();

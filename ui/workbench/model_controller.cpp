@@ -6,7 +6,7 @@
 
 namespace burin {
 
-void ModelController::importFile(const std::filesystem::path& file, double stlUnit) {
+void ModelController::read(const std::filesystem::path& file, double stlUnit, Then then) {
     const QString title = tr("Importing %1").arg(QString::fromStdString(file.filename().string()));
     desk_.tasks.start(
         TaskKind::importing, title,
@@ -17,17 +17,20 @@ void ModelController::importFile(const std::filesystem::path& file, double stlUn
             if (!model) return std::move(model).error();
             return std::make_shared<const Model>(std::move(*model));
         },
-        [this](Result<std::shared_ptr<const Model>> outcome) {
-            if (outcome) {
-                load(*outcome);
-                store([model = *outcome](Project& project) { return project.setModel(*model); });
-                emit imported();
-            } else {
-                emit changed();
+        [this, then = std::move(then)](const Result<std::shared_ptr<const Model>>& outcome) {
+            emit changed();
+            if (outcome)
+                then(*outcome);
+            else
                 emit failed(outcome.error());
-            }
         });
     emit changed();
+}
+
+void ModelController::adopt(const std::shared_ptr<const Model>& model) {
+    load(model);
+    store([model](Project& project) { return project.setModel(*model); });
+    emit imported();
 }
 
 void ModelController::load(std::shared_ptr<const Model> model) {

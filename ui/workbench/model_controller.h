@@ -6,6 +6,7 @@
 #include "ui/workbench/controller.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 namespace burin {
@@ -19,9 +20,12 @@ public:
     const std::shared_ptr<const Model>& model() const noexcept { return model_; }
     bool importing() const { return desk_.tasks.running(TaskKind::importing); }
 
-    /// Reads a file and makes it the part of the open project; the one before stays until then.
+    using Then = std::function<void(std::shared_ptr<const Model>)>;
+    /// Reads a file and changes nothing; `then` is called where that went well, `failed` reports it otherwise.
     /// @param stlUnit mm per unit of an STL file, which states none
-    void importFile(const std::filesystem::path& file, double stlUnit);
+    void read(const std::filesystem::path& file, double stlUnit, Then then);
+    /// Makes a model that was read the part of the open project.
+    void adopt(const std::shared_ptr<const Model>& model);
     /// What a project holds; stored already.
     void load(std::shared_ptr<const Model> model);
 

@@ -102,13 +102,17 @@ void Workbench::updateWanted() {
 }
 
 void Workbench::importPart(const std::filesystem::path& file, bool abandon, double stlUnit) {
+    model.read(file, stlUnit, [this, abandon](const std::shared_ptr<const Model>& part) { adoptPart(part, abandon); });
+}
+
+void Workbench::adoptPart(const std::shared_ptr<const Model>& part, bool abandon) {
     if (!importNeedsNewProject()) {
-        model.importFile(file, stlUnit);
+        model.adopt(part);
         return;
     }
-    comeToRest([this, file, abandon, stlUnit] {
-        document.createNew(abandon, [this, file, stlUnit](bool made) {
-            if (made) model.importFile(file, stlUnit);
+    comeToRest([this, part, abandon] {
+        document.createNew(abandon, [this, part](bool made) {
+            if (made) model.adopt(part);
         });
     });
 }

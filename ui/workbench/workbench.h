@@ -53,9 +53,12 @@ public:
     TaskRunner& tasks() noexcept { return tasks_; }
     QUndoStack& undo() noexcept { return undo_; }
 
-    /// Makes `file` the part: in the open project as long as that has no recordings, in a new one otherwise.
-    /// @param abandon what the project then had unsaved is not wanted @param stlUnit mm per unit of an STL file
+    /// Reads `file`, and makes it the part as `adoptPart` does. What is open stays as it is where that fails.
+    /// @param stlUnit mm per unit of an STL file
     void importPart(const std::filesystem::path& file, bool abandon, double stlUnit = 1.0);
+    /// Makes a model the part: in the open project as long as that has no recordings, in a new one otherwise.
+    /// @param abandon what the project then had unsaved is not wanted
+    void adoptPart(const std::shared_ptr<const Model>& part, bool abandon);
     bool importNeedsNewProject() const { return !document.isOpen() || !mill.takes().empty(); }
     /// Shows how it is done as soon as part, workpiece and boundary are there; embeds where that is missing.
     void showHowItIsDone();

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/places.h"
+#include "tests/ui/window_steps.h"
+
+#include <QFile>
+#include <QPushButton>
+#include <QtTest>
+
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+using namespace burin;
+using namespace burin::testing;
+
+/// Files that a user drops, opens or clicks on by mistake.
+class TestWindowFiles : public QObject {
+    Q_OBJECT
+private slots:
+    void aWrongFileLeavesTheOpenProjectAsItIs();
+    void theQuestionComesOnceTheFileIsKnownToBeGood();
+    void aMissingRecentFileIsTakenOffTheList();
+    void whatIsOpenAlreadyIsShown();
+};
+
+namespace {
+
+QString write(const WindowDriver& driver, const char* name, const QByteArray& content) {
+    QFile file(driver.folder().filePath(name));
+    if (file.open(QIODevice::WriteOnly)) file.write(content);
+    return file.fileName();
+}
+
+QByteArray contentOf(const QString& name) {
+    QFile file(name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// A project that says it is of a version to come.
+QString writeNewer(const WindowDriver& driver, const QString& project) {
+    const QString newer = driver.folder().filePath("newer.burin");
+    if (!QFile::copy(project, newer)) return {};
+    sqlite3* database = nullptr;
+    if (sqlite3_open(newer.toUtf8().constData(), &database) == SQLITE_OK)
+        sqlite3_exec(database, "PRAGMA user_version = 999", nullptr, nullptr, nullptr);
+    sqlite3_close(database);
+    return newer;
+}
+
+/// Records one stroke, so that another part needs another project, and leaves it unsaved.
+bool milledAndUnsaved(WindowDriver& driver) {
+    const Workbench& bench = driver.window().workbench();
+    return makeReady(driver, 1.0) && recordLine(driver, {-10, 0}, {10, 0}) && driver.settle() &&
+           driver.waitFor([&] { return bench.mill.takes().size() == 1 && bench.document.unsaved(); }, 10000);
+}
+
+} // namespace
+
+void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
+    WindowDriver driver;
+    QVERIFY(milledAndUnsaved(driver));
+    Workbench& bench = driver.window().workbench();
+    const auto fixture = QStringLiteral(BURIN_FIXTURES "/projects/v3/");
+    const QString whole = QDir(fixture).filePath(QDir(fixture).entryList({"*.burin"}).value(0));
+    const QByteArray project = contentOf(whole);
+    QVERIFY(project.size() > 20000);
+    const QString pipe = driver.folder().filePath("pipe.burin");
+    QCOMPARE(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+    const QString unreadable = write(driver, "secret.step", "ISO-10303-21;");
+    const bool locked = QFile::setPermissions(unreadable, {}) && !QFile(unreadable).open(QIODevice::ReadOnly);
+    QStringList files{write(driver, "empty.burin", {}),
+                      write(driver, "empty.step", {}),
+                      write(driver, "letter.step", "Dear Emil, this is no part.\n"),
+                      write(driver, "letter.burin", "Dear Emil, this is no project.\n"),
+                      write(driver, "cut.burin", project.left(project.size() / 2)),
+                      write(driver, "stub.burin", project.left(60)),
+                      write(driver, "part.ngc", "G21\nG0 X1 Y2\nG1 Z-1 F100\nM2\n"),
+                      driver.folder().filePath("none.step"),
+                      driver.folder().filePath("none.burin"),
+                      pipe,
+                      writeNewer(driver, whole)};
+    QVERIFY(QDir(driver.folder().path()).mkdir("folder.burin"));
+    files << driver.folder().filePath("folder.burin");
+    if (locked) files << unreadable; // nothing is to root
+
+    const auto open = bench.document.file();
+    const auto model = bench.model.model();
+    const auto workpiece = bench.bench.bench();
+    const QString title = driver.window().windowTitle();
+    const int undo = bench.undo().index();
+    QVERIFY(undo > 0);
+    bool asked = false;
+    for (const QString& file : files) {
+        driver.whenDialogStands([&](QWidget& dialog) { asked = answer(dialog, "cancelButton"); });
+        drop(driver.window(), file);
+        const QString name = QFileInfo(file).fileName();
+        QVERIFY2(driver.waitFor([&] { return driver.message().contains(name); }, 20000), qPrintable(name));
+        QVERIFY2(driver.message().endsWith('.') && driver.message().count(QStringLiteral(". ")) == 0,
+                 qPrintable(driver.message()));
+        QVERIFY2(!asked, qPrintable(name));
+        QVERIFY(driver.settle());
+        QVERIFY2(bench.document.file() == open && bench.model.model() == model && bench.bench.bench() == workpiece,
+                 qPrintable(name));
+        QCOMPARE(driver.window().windowTitle(), title);
+        QCOMPARE(bench.undo().index(), undo);
+        QVERIFY(bench.document.unsaved());
+        QCOMPARE(bench.mill.takes().size(), std::size_t{1});
+    }
+    driver.shoot("40-wrong-file-on-open-project");
+    QVERIFY(driver.clickOn("dismissMessageButton"));
+}
+
+void TestWindowFiles::theQuestionComesOnceTheFileIsKnownToBeGood() {
+    WindowDriver driver;
+    QVERIFY(milledAndUnsaved(driver));
+    Workbench& bench = driver.window().workbench();
+    const auto open = bench.document.file();
+    const QString part = driver.folder().filePath("other.stl");
+    QVERIFY(QFile::copy(driver.folder().filePath("block.stl"), part));
+    const QString fixture = QStringLiteral(BURIN_FIXTURES "/projects/v3/");
+    const QString project = driver.folder().filePath("good.burin");
+    QVERIFY(QFile::copy(QDir(fixture).filePath(QDir(fixture).entryList({"*.burin"}).value(0)), project));
+    const QByteArray before = contentOf(project);
+    for (const QString& file : {part, project}) {
+        bool asked = false;
+        driver.whenDialogStands([&](QWidget& dialog) { asked = answer(dialog, "cancelButton"); });
+        drop(driver.window(), file);
+        QVERIFY(driver.waitFor([&] { return asked; }, 20000));
+        QVERIFY(driver.settle());
+        QCOMPARE(bench.document.file(), open);
+        QCOMPARE(bench.mill.takes().size(), std::size_t{1});
+    }
+    QCOMPARE(contentOf(project), before);
+    QVERIFY(!QFile::exists(driver.folder().filePath(".good.burin.working"))); // and it is not held any more
+    driver.whenDialogStands([&](QWidget& dialog) { answer(dialog, "discardButton"); });
+    drop(driver.window(), project);
+    QVERIFY(driver.waitFor([&] { return bench.document.file() == project.toStdString(); }, 20000));
+    QVERIFY(driver.settle());
+}
+
+void TestWindowFiles::aMissingRecentFileIsTakenOffTheList() {
+    WindowDriver driver;
+    QVERIFY(makeReady(driver, 1.0));
+    const QString file = driver.folder().filePath("gone.burin");
+    QVERIFY(saveAs(driver, file));
+    QVERIFY(driver.restart(true));
+    QVERIFY(QFile::remove(file));
+    QString question;
+    driver.whenDialogStands([&](QWidget& dialog) { answer(dialog, "cancelButton"); });
+    QVERIFY(driver.clickOn("recentFileButton"));
+    QCOMPARE(UserSettings().recentFiles(), QStringList{file}); // it stays until the user says so
+    driver.whenDialogStands([&](QWidget& dialog) {
+        dialog.grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/41-missing-recent.png"));
+        answer(dialog, "confirmButton");
+    });
+    QVERIFY(driver.clickOn("recentFileButton"));
+    QVERIFY(driver.waitFor([&] { return UserSettings().recentFiles().isEmpty(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recentFileButton") == nullptr; }, 5000));
+}
+
+void TestWindowFiles::whatIsOpenAlreadyIsShown() {
+    WindowDriver driver;
+    QVERIFY(makeReady(driver, 1.0));
+    const QString file = driver.folder().filePath("here.burin");
+    QVERIFY(saveAs(driver, file));
+    driver.key(Qt::Key_F1);
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recentFileButton") != nullptr; }, 5000));
+    const auto workpiece = driver.window().workbench().bench.bench();
+    QVERIFY(driver.clickOn("recentFileButton"));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("benchPage") != nullptr; }, 5000));
+    QCOMPARE(driver.window().workbench().bench.bench(), workpiece);
+}
+
+QTEST_MAIN(TestWindowFiles)
+#include "tst_window_files.moc"
