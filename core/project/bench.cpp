@@ -4,6 +4,8 @@
 
 #include "core/cutting/removal.h"
 #include "core/machine/machine_library.h"
+#include "core/project/bench_materials.h"
+#include "core/setup/material_change.h"
 
 #include <algorithm>
 
@@ -123,6 +125,22 @@ Result<Bench> makeBench(const Project& project, const Tool& tool, const std::str
     request.travel = *travel;
     if (materials) request.materials = std::move(*materials);
     return makeBench(request, progress);
+}
+
+Result<void> changeMaterials(Bench& bench, const Setup& setup, const std::vector<Property>& materials) {
+    Result<EmbeddedSetup> embedded = withMaterials(bench.embedded, *bench.model, setup, materials);
+    if (!embedded) return std::move(embedded).error();
+    const Result<CuttingConditions> conditions =
+        cuttingConditions(bench.tool, embedded->workpiece.properties()[embedded->stockProperty],
+                          bench.machine.maximumSpindleSpeed, bench.machine.maximumFeed);
+    if (!conditions) return conditions.error();
+    bench.setup = setup;
+    bench.materials = materials;
+    bench.embedded = std::move(*embedded);
+    bench.conditions = *conditions;
+    bench.stock =
+        std::make_shared<MilledStock>(stockMaker({bench.model, setup, bench.tool, bench.machine.id, materials}));
+    return {};
 }
 
 Result<std::unique_ptr<const ClearanceField>> clearanceField(const Bench& bench, double maximumAllowance,

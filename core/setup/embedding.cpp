@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
+#include "core/setup/material_change.h"
 #include "core/setup/setup.h"
+#include "core/volume/assembly.h"
 #include "core/volume/voxelisation.h"
 
 #include <algorithm>
@@ -163,6 +165,21 @@ Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::v
         embedded.partVolume += static_cast<double>(amounts.units[property]) * grid->unitVolume();
     embedded.stockVolume = static_cast<double>(amounts.units[embedded.stockProperty]) * grid->unitVolume();
     return embedded;
+}
+
+Result<EmbeddedSetup> withMaterials(const EmbeddedSetup& embedded, const Model& model, const Setup& setup,
+                                    const std::vector<Property>& materials) {
+    Result<Materials> gathered = gatherMaterials(model, setup, materials);
+    if (!gathered) return std::move(gathered).error();
+    const RunVolume& before = embedded.workpiece;
+    Result<RunVolume> workpiece =
+        assemble(before.grid(), std::move(gathered->list), [&](LineIndex line, std::vector<Segment>& segments) {
+            const std::span<const Segment> kept = before.line(line);
+            segments.assign(kept.begin(), kept.end());
+        });
+    if (!workpiece) return std::move(workpiece).error();
+    return EmbeddedSetup{std::move(*workpiece), std::move(gathered->bodies), gathered->stock,
+                         embedded.partVolume,   embedded.stockVolume,        embedded.findings};
 }
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 
+#include <QComboBox>
 #include <QtTest>
 
 using namespace burin;
@@ -13,6 +14,7 @@ class TestWindowSteps : public QObject {
 private slots:
     void eachStepTellsWhatItHolds();
     void aDoubtfulPartIsObjectedTo();
+    void choosingAMaterialKeepsTheWorkpiece();
 };
 
 void TestWindowSteps::eachStepTellsWhatItHolds() {
@@ -65,6 +67,46 @@ void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
     auto* const notice = driver.visible<Notice>("findingsNotice");
     QVERIFY(notice != nullptr);
     QVERIFY(notice->sentence().contains(QStringLiteral("is open (edges: 4, rims: 1)")));
+}
+
+/// Stock comes before material in the job: who goes through the steps from left to right loses nothing.
+void TestWindowSteps::choosingAMaterialKeepsTheWorkpiece() {
+    WindowDriver driver(QSize(1280, 800));
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(makeReady(driver, 1.0));
+    const auto workpiece = bench.bench.bench();
+    const auto bounds = bench.bench.bounds();
+    const auto materialCut = [&] {
+        const EmbeddedSetup& embedded = bench.bench.bench()->embedded;
+        return embedded.workpiece.properties()[embedded.stockProperty].id;
+    };
+    QCOMPARE(materialCut(), std::string("machinable-wax"));
+    const double volume = workpiece->workpieceVolume();
+    QVERIFY(driver.step(JobStep::material));
+    auto* const choice = driver.visible<QComboBox>("stockMaterial");
+    QVERIFY(choice != nullptr);
+    choice->setFocus();
+    QTest::keyClick(choice, Qt::Key_Home);
+    const std::string chosen = choice->currentData().toString().toStdString();
+    QVERIFY(chosen != "machinable-wax");
+    QVERIFY(driver.waitFor([&] { return bench.bench.embedded() && materialCut() == chosen; }, 5000));
+    QVERIFY(driver.settle());
+    QCOMPARE(bench.bench.bench(), workpiece);
+    QCOMPARE(bench.bench.bounds(), bounds);
+    QCOMPARE(workpiece->workpieceVolume(), volume);
+    QVERIFY(bench.bench.ready());
+    driver.shoot("small-05-other-material");
+    QVERIFY(driver.visible<QWidget>("stepStock")->accessibleDescription().startsWith(QStringLiteral("done")));
+
+    driver.window().setFocus();
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(driver.waitFor([&] { return bench.bench.embedded() && materialCut() == "machinable-wax"; }, 5000));
+    driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(driver.waitFor([&] { return bench.bench.embedded() && materialCut() == chosen; }, 5000));
+    QVERIFY(driver.settle());
+    QVERIFY(recordLine(driver, {-10, 0}, {10, 0})); // and it is milled as any other
+    QVERIFY(driver.settle());
+    QVERIFY(removedSoFar(*bench.bench.bench()) > 1.0);
 }
 
 QTEST_MAIN(TestWindowSteps)

@@ -146,7 +146,8 @@ void MaterialPanel::Fields::refreshChoices() {
     body_->setEnabled(!bodies.isEmpty());
     locked_->tell(Notice::Kind::information,
                   state.locked ? MaterialPanel::tr("There are recordings: stock and material stay as they are.")
-                               : QString());
+                               : MaterialPanel::tr(
+                                     "Until the first recording the material can be changed; the workpiece stays."));
 }
 
 void MaterialPanel::Fields::refreshValues() {

@@ -160,7 +160,9 @@ void StockPanel::Fields::refreshNotices() {
         notice_->tell(Notice::Kind::information,
                       StockPanel::tr("There are recordings: stock and material stay as they are."));
     else if (state.embedded)
-        notice_->tell(Notice::Kind::passed, StockPanel::tr("The workpiece matches these settings."));
+        notice_->tell(Notice::Kind::passed,
+                      StockPanel::tr("The workpiece matches these settings; after a change of stock or voxels "
+                                     "it has to be embedded again."));
     else
         notice_->clear();
     findings_->tell(Notice::Kind::warning, findingsText());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/bench_controller.h"
 
+#include "core/project/bench_materials.h"
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/stroke_count.h"
 #include "ui/workbench/tool_controller.h"
@@ -30,7 +31,22 @@ void BenchController::setWanted(std::shared_ptr<const Model> model, const Setup&
     materials_ = materials;
     tool_ = tool;
     if (otherTool && bench_) buildBounds();
+    if (bench_ && bench_->model == model_ && !embedded() && shapedAlike(bench_->setup, setup_)) changeMaterials();
     emit changed();
+}
+
+/// The workpiece stays, and so do the bounds, which know no material.
+void BenchController::changeMaterials() {
+    letGo([this] {
+        if (!bench_ || embedded() || !shapedAlike(bench_->setup, setup_)) return; // changed again meanwhile
+        if (const Result<void> done = burin::changeMaterials(*bench_, setup_, materials_); !done) {
+            emit failed(done.error());
+            return;
+        }
+        strokes_.clear(); // of the volume that was
+        emit workpieceChanged();
+        emit toolChanged();
+    });
 }
 
 void BenchController::setWanted(const WantedBounds& bounds) {

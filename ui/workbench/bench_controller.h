@@ -70,6 +70,7 @@ signals:
     void replayed(const std::map<std::int64_t, std::size_t>& strokes);
 
 private:
+    void changeMaterials();
     void embedWith(std::vector<TakeWithTool> takes);
     void adopt(std::shared_ptr<Bench> bench);
     void buildBounds();

@@ -37,9 +37,13 @@ double suitableVoxel(const Box& part) {
     return best;
 }
 
+bool shapedAlike(const Setup& one, const Setup& other) {
+    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh;
+}
+
 bool embedAlike(const Setup& one, const Setup& other) {
-    return one.voxel == other.voxel && one.marginLow == other.marginLow && one.marginHigh == other.marginHigh &&
-           one.stockMaterial == other.stockMaterial && one.bodyMaterials == other.bodyMaterials;
+    return shapedAlike(one, other) && one.stockMaterial == other.stockMaterial &&
+           one.bodyMaterials == other.bodyMaterials;
 }
 
 SetupController::SetupController(const Desk& desk, QObject* parent) : Controller(desk, parent) {

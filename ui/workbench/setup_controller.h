@@ -54,10 +54,12 @@ private:
     bool locked_ = false;
 };
 
-/// The voxel for a part, mm: of the sizes 1, 2 and 5, the one that gives its longest side about 200 voxels, and the stock
-/// around it about 600 at most.
+/// The voxel for a part, mm: of the sizes 1, 2 and 5, the one that gives its longest side about 200 voxels, and the
+/// stock around it about 600 at most.
 double suitableVoxel(const Box& part);
 
+/// Whether two setups embed to workpieces of one shape, whatever their materials.
+bool shapedAlike(const Setup& one, const Setup& other);
 /// Whether two setups embed to the same workpiece.
 bool embedAlike(const Setup& one, const Setup& other);
 

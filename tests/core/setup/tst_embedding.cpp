@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/file.h"
 #include "core/base/units.h"
+#include "core/setup/material_change.h"
 #include "core/setup/setup.h"
 #include "tests/core/volume/shapes.h"
 
@@ -252,6 +253,44 @@ private slots:
         progress.cancel();
         const auto embedded = embed(part, *placeStock(part, withVoxel(0.5, 1.0)), {}, progress);
         QVERIFY(!embedded && embedded.error().code == ErrorCode::cancelled);
+    }
+
+    /// As embedding anew would make it, but with what was cut so far.
+    void anotherMaterialKeepsTheWorkpiece() {
+        const Model part = model({body("block", boxMesh({0, 0, 0}, {10, 8, 6}))});
+        Setup wax = withVoxel(0.5, 2.0);
+        wax = *placeStock(part, wax);
+        Result<EmbeddedSetup> embedded = embedIn(part, wax);
+        QVERIFY(embedded);
+        Setup metal = wax;
+        metal.stockMaterial = "test-metal";
+        Result<EmbeddedSetup> anew = embedIn(part, metal);
+        QVERIFY(anew);
+        for (EmbeddedSetup* each : {&*embedded, &*anew}) {
+            RunAmounts removed;
+            QCOMPARE(each->workpiece.removeSpan({9, 7}, 0, 2000, removed), Removal::removed);
+        }
+        const Result<EmbeddedSetup> changed = withMaterials(*embedded, part, metal, {});
+        QVERIFY(changed);
+        QCOMPARE(changed->stockProperty, anew->stockProperty);
+        QCOMPARE(changed->bodyProperties, anew->bodyProperties);
+        QCOMPARE(changed->partVolume, anew->partVolume);
+        QCOMPARE(changed->stockVolume, anew->stockVolume);
+        const PropertyList &list = changed->workpiece.properties(), &expected = anew->workpiece.properties();
+        QCOMPARE(list.size(), expected.size());
+        for (int i = 0; i < list.size(); ++i)
+            QCOMPARE(list[static_cast<PropertyIndex>(i)].id, expected[static_cast<PropertyIndex>(i)].id);
+        QCOMPARE(list[changed->stockProperty].id, std::string("test-metal"));
+        QCOMPARE(changed->workpiece.amounts(), anew->workpiece.amounts());
+        const Grid& grid = changed->workpiece.grid();
+        for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
+            for (line.u = 0; line.u < grid.lineCountU(); ++line.u)
+                QVERIFY(std::ranges::equal(changed->workpiece.line(line), anew->workpiece.line(line)));
+
+        metal.stockMaterial = "no-such-thing";
+        const Result<EmbeddedSetup> unknown = withMaterials(*embedded, part, metal, {});
+        QVERIFY(!unknown);
+        QCOMPARE(unknown.error().code, ErrorCode::nameUnknown);
     }
 };
 
