@@ -31,6 +31,8 @@ private:
                             double low, double high, void (MillPanel::*edited)(double));
     void chooseRule(DepthChoice rule);
     void refreshButtons();
+    QString reasonAgainstUndo() const;
+    QString undoText() const;
     void refreshStylus();
     void refreshDepth();
 
@@ -92,7 +94,6 @@ void MillPanel::Fields::addButtons() {
     mill_->setCheckable(true);
     undo_ = makeButton(MillPanel::tr("Undo"), QStringLiteral("undo"), QStringLiteral("undoStrokeButton"), panel_);
     redo_ = makeButton(MillPanel::tr("Redo"), QStringLiteral("redo"), QStringLiteral("redoStrokeButton"), panel_);
-    undo_->setToolTip(MillPanel::tr("Take the newest stroke back"));
     redo_->setToolTip(MillPanel::tr("Put the stroke back that was taken back last"));
     auto* first = new QHBoxLayout;
     first->setSpacing(8);
@@ -167,6 +168,21 @@ void MillPanel::Fields::chooseRule(DepthChoice rule) {
     if (other) emit panel_->depthRuleChosen(rule);
 }
 
+/// A history of strokes belongs to a workpiece, which is made anew when a project is opened.
+QString MillPanel::Fields::reasonAgainstUndo() const {
+    if (state.canUndoStroke) return {};
+    if (state.takes.empty() || state.recording || state.showing)
+        return MillPanel::tr("There is no stroke to take back.");
+    return MillPanel::tr("Strokes from before the project was opened can't be taken back; remove their take instead.");
+}
+
+QString MillPanel::Fields::undoText() const {
+    return state.undoableStrokes == 1
+               ? MillPanel::tr("Take the newest stroke back; no other one can be taken back")
+               : MillPanel::tr("Take the newest stroke back; the last %n strokes can be taken back", nullptr,
+                               static_cast<int>(state.undoableStrokes));
+}
+
 void MillPanel::Fields::refreshButtons() {
     const QString missing =
         state.missing.isEmpty() ? MillPanel::tr("Embed the part and choose a tool first.") : state.missing;
@@ -185,7 +201,7 @@ void MillPanel::Fields::refreshButtons() {
     showIcon(mill_, QStringLiteral("mill"), state.ready && !state.active ? &Palette::field : &Palette::text);
     enableUnless(mill_, state.active ? QString() : reason,
                  state.active ? MillPanel::tr("Put the tool away") : MillPanel::tr("The tool follows the stylus"));
-    undo_->setEnabled(state.canUndoStroke);
+    enableUnless(undo_, reasonAgainstUndo(), undoText());
     redo_->setEnabled(state.canRedoStroke);
     enableUnless(show_,
                  state.showing     ? QString()

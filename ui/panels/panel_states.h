@@ -96,6 +96,7 @@ struct TakeRow {
     QString tool; ///< its name
     std::size_t strokes = 0;
     bool recording = false; ///< it grows
+    bool replaying = false; ///< it is being cut again; its strokes are not counted yet
 };
 
 struct MillState {
@@ -105,6 +106,7 @@ struct MillState {
     bool recording = false;
     double recordedSeconds = 0.0;
     bool canUndoStroke = false, canRedoStroke = false;
+    std::size_t undoableStrokes = 0; ///< that can be taken back one after the other
     DepthChoice depthRule = DepthChoice::level;
     double depthOfCut = 1.0, press = 2.0, speed = 60.0; ///< mm, mm, mm/s
     QString alarm;                                      ///< what keeps the tool from cutting; empty: nothing

@@ -18,16 +18,17 @@ namespace burin {
 namespace {
 
 bool same(const TakeRow& one, const TakeRow& other) {
-    return one.strokes == other.strokes && one.recording == other.recording && one.info.id == other.info.id &&
-           one.info.name == other.info.name && one.tool == other.tool &&
+    return one.strokes == other.strokes && one.recording == other.recording && one.replaying == other.replaying &&
+           one.info.id == other.info.id && one.info.name == other.info.name && one.tool == other.tool &&
            one.info.sampleCount == other.info.sampleCount && one.info.seconds == other.info.seconds &&
            one.info.complete == other.info.complete && one.info.stylus == other.info.stylus;
 }
 
 QString detailOf(const TakeRow& take) {
     QStringList parts{take.tool};
-    parts.append(take.strokes == 1 ? TakeList::tr("1 stroke")
-                                   : TakeList::tr("%n strokes", nullptr, static_cast<int>(take.strokes)));
+    parts.append(take.replaying      ? TakeList::tr("being replayed")
+                 : take.strokes == 1 ? TakeList::tr("1 stroke")
+                                     : TakeList::tr("%n strokes", nullptr, static_cast<int>(take.strokes)));
     if (take.recording) {
         parts.append(TakeList::tr("recording")); // how many samples there are is known when they are written
         return parts.join(QStringLiteral(" · "));

@@ -112,6 +112,7 @@ void MillPresenter::present() {
     state.recordedSeconds = session.recordedSeconds;
     StrokeHistory& strokes = workbench_.bench.strokes();
     state.canUndoStroke = strokes.canUndo() && !workbench_.showMe.showing();
+    state.undoableStrokes = strokes.count();
     state.canRedoStroke = strokes.canRedo() && !workbench_.showMe.showing();
     const MillToolSettings& settings = mode_.settings();
     state.depthRule = settings.rule == DepthRule::part ? DepthChoice::part : DepthChoice::level;
@@ -123,6 +124,7 @@ void MillPresenter::present() {
     state.hint = hint();
     for (const TakeInfo& take : mill.takes()) {
         TakeRow row{take, toolName(workbench_.tool.tools(), take.toolId), workbench_.mill.strokesOf(take.id), false};
+        row.replaying = workbench_.bench.embedding();
         row.recording = state.recording && take.id == session.take;
         if (row.recording) row.info.seconds = session.recordedSeconds;
         state.takes.push_back(std::move(row));
