@@ -3635,8 +3635,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message numerus="yes">
         <source>Take the newest stroke back; the last %n strokes can be taken back</source>
-        <translation><numerusform>Den letzten Zug zurücknehmen; %n Zug lässt sich zurücknehmen</numerusform>
-            <numerusform>Den letzten Zug zurücknehmen; die letzten %n Züge lassen sich zurücknehmen</numerusform></translation>
+        <translation>
+            <numerusform>Den letzten Zug zurücknehmen; %n Zug lässt sich zurücknehmen</numerusform>
+            <numerusform>Den letzten Zug zurücknehmen; die letzten %n Züge lassen sich zurücknehmen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Put the stroke back that was taken back last</source>
