@@ -3345,6 +3345,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>On the path</source>
         <translation>Auf der Bahn</translation>
     </message>
+    <message>
+        <source>Drag to make the panel wider or narrower</source>
+        <translation>Ziehen, um das Bedienfeld breiter oder schmaler zu machen</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialPanel</name>

@@ -9,7 +9,7 @@ namespace burin {
 namespace {
 
 constexpr std::array<int, 9> offsetsInOrder{54, 55, 56, 57, 58, 59, 591, 592, 593};
-constexpr int firstFurtherOffset = 1000; // NcMotion::workOffset
+constexpr int furtherOffsetsBegin = 1000; // NcMotion::workOffset
 
 } // namespace
 
@@ -41,9 +41,9 @@ bool Interpreter::workOffset(const Block& block) {
         if (!which.given()) return fail(ProgramProblem::workOffsetMissing, code);
         if (which.value < 1.0 || which.value > 300.0 || which.value != std::floor(which.value))
             return fail(ProgramProblem::numberOutOfRange, which);
-        number = firstFurtherOffset + static_cast<int>(which.value);
+        number = furtherOffsetsBegin + static_cast<int>(which.value);
     } else if (code.number >= 1100) { // G110 is G154 P1
-        number = firstFurtherOffset + code.number / 10 - 109;
+        number = furtherOffsetsBegin + code.number / 10 - 109;
     }
     state_.frames.setWorkOffset(number);
     return true;

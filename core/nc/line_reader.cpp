@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-bool isBlank(char c) noexcept {
+bool isSpaceOrTab(char c) noexcept {
     return c == ' ' || c == '\t';
 }
 
@@ -53,7 +53,7 @@ private:
             for (const char c : line_) {
                 if (c == ';' && !comment) break;
                 if (c == '(') comment = true;
-                if (!comment && !isBlank(c) && c != '/') ++count;
+                if (!comment && !isSpaceOrTab(c) && c != '/') ++count;
                 if (c == ')') comment = false;
             }
             if (count <= limit) return true;
@@ -66,7 +66,7 @@ private:
     bool skip() noexcept {
         while (!atEnd()) {
             const char c = line_[at_];
-            if (isBlank(c) || (c == '/' && control_.slashIsDropped)) {
+            if (isSpaceOrTab(c) || (c == '/' && control_.slashIsDropped)) {
                 ++at_;
             } else if (c == ';' && control_.semicolonComments) {
                 at_ = line_.size();

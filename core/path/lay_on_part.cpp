@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-constexpr double thinning = 0.002; // mm, of points between which there is no shape, before they are laid on the part
+constexpr double layThinning = 0.002; // mm, of points between which there is no shape, before they are laid on the part
 
 } // namespace
 
@@ -21,7 +21,7 @@ Result<Deviation> apply(const LayOnPart& edit, PathUnderEdit& state, const PathC
         if (progress.cancelled()) break;
         keepOnly(stroke.points,
                  simplifyInGroups(
-                     stroke.points, thinning, [](const glm::dvec3&, const glm::dvec3&) { return true; }, progress));
+                     stroke.points, layThinning, [](const glm::dvec3&, const glm::dvec3&) { return true; }, progress));
         stroke.allowance = edit.allowance;
         for (PathStroke& part : lowered(stroke, lowering, edit.sampling, progress)) laid.push_back(std::move(part));
     }

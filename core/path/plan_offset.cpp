@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 /// What the polyline is thinned by first, and what chords of rounded corners leave them by, mm.
-constexpr double chordTolerance = 0.001;
+constexpr double planChordTolerance = 0.001;
 /// Places of the raw curve are looked at this far apart, mm: a loop that is smaller may stay.
 constexpr double sampling = 0.05;
 /// A place nearer to the polyline than its distance by more than this is part of a loop, mm.
@@ -62,7 +62,7 @@ private:
     void round(const StrokePoint& corner, const glm::dvec3& side) {
         const double turn = std::atan2(side_.x * side.y - side_.y * side.x, glm::dot(side_, side));
         if (turn * distance_ >= 0.0) return; // the inside: moves cross
-        const double finest = 2.0 * std::acos(std::max(0.5, 1.0 - chordTolerance / std::abs(distance_)));
+        const double finest = 2.0 * std::acos(std::max(0.5, 1.0 - planChordTolerance / std::abs(distance_)));
         const int steps = static_cast<int>(std::ceil(std::abs(turn) / finest));
         const double start = std::atan2(side_.y, side_.x);
         for (int k = 1; k < steps; ++k) {
@@ -91,10 +91,10 @@ StrokePoint border(StrokePoint good, const StrokePoint& bad, std::span<const Str
 
 std::vector<std::vector<StrokePoint>> offsetInPlan(std::span<const StrokePoint> points, double distance) {
     std::vector<StrokePoint> line(points.begin(), points.end());
-    keepOnly(line, simplify(line, chordTolerance, [](const glm::dvec3&, const glm::dvec3&) { return true; }));
+    keepOnly(line, simplify(line, planChordTolerance, [](const glm::dvec3&, const glm::dvec3&) { return true; }));
     if (distance == 0.0 || line.size() < 2) return {line};
     const std::vector<StrokePoint> raw = RawOffset(line, distance).places;
-    const double least = std::abs(distance) - chordTolerance - slack;
+    const double least = std::abs(distance) - planChordTolerance - slack;
     std::vector<std::vector<StrokePoint>> pieces;
     bool good = false;
     for (std::size_t i = 0; i < raw.size(); ++i) {

@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-constexpr char formVersion = 1;
+constexpr char meshFormVersion = 1;
 constexpr std::size_t wordBytes = 8;
 constexpr std::size_t headerSize = 1 + 3 * wordBytes; // form, vertices, triangles, bytes of the packed vertices
 constexpr std::uint64_t largestCount = std::numeric_limits<std::uint32_t>::max();
@@ -45,7 +45,7 @@ std::string packedTriangles(const TriangleMesh& mesh) {
 
 std::string encodeMesh(const TriangleMesh& mesh) {
     const std::string vertices = packedVertices(mesh);
-    std::string blob(1, formVersion);
+    std::string blob(1, meshFormVersion);
     appendWord(blob, mesh.vertices.size());
     appendWord(blob, mesh.triangles.size());
     appendWord(blob, vertices.size());
@@ -53,7 +53,7 @@ std::string encodeMesh(const TriangleMesh& mesh) {
 }
 
 std::optional<TriangleMesh> decodeMesh(std::string_view blob) {
-    if (blob.size() < headerSize || blob.front() != formVersion) return std::nullopt;
+    if (blob.size() < headerSize || blob.front() != meshFormVersion) return std::nullopt;
     const std::uint64_t vertexCount = wordAt(blob, 1), triangleCount = wordAt(blob, 1 + wordBytes);
     const std::uint64_t vertexBytes = wordAt(blob, 1 + 2 * wordBytes);
     if (vertexCount > largestCount || triangleCount > largestCount || vertexBytes > blob.size() - headerSize)

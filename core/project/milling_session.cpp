@@ -24,7 +24,7 @@ using Wish = SessionLoop::Wish;
 /// For so long the owner waits for a view; it takes a tick, unless the loop stands.
 constexpr std::chrono::milliseconds viewPatience{3};
 /// Between two looks at what the loop does: a fraction of a tick.
-constexpr std::chrono::microseconds glance{200};
+constexpr std::chrono::microseconds sessionGlance{200};
 
 Error nothingToDo(const char* what, const char* needed) {
     return {ErrorCode::argumentInvalid, what, {}, needed};
@@ -149,7 +149,7 @@ bool LiveSession::fulfilled() {
             return false;
         }
         collectStrokes();
-        std::this_thread::sleep_for(glance);
+        std::this_thread::sleep_for(sessionGlance);
     }
     return true;
 }
@@ -298,7 +298,7 @@ bool LiveSession::newestView(WorkpieceView& view) {
         const Clock::time_point end = Clock::now() + viewPatience;
         while (!loop_.takeView(newest)) {
             if (ended() || Clock::now() >= end) return false;
-            std::this_thread::sleep_for(glance);
+            std::this_thread::sleep_for(sessionGlance);
         }
     }
     noteCut(newest);

@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-constexpr char formVersion = 1;
+constexpr char chunkFormVersion = 1;
 
 // Columns of form 1, in this order. The proxy's tip follows the stylus's three columns later, so that free motion,
 // where both are the same, costs nothing twice.
@@ -82,11 +82,11 @@ std::string encodeSamples(std::span<const Sample> samples) {
         const Row row = rowOf(samples[i]);
         for (std::size_t column = 0; column < columnCount; ++column) columns[column][i] = row[column];
     }
-    return formVersion + encodeColumns(columns, lookBack);
+    return chunkFormVersion + encodeColumns(columns, lookBack);
 }
 
 std::optional<std::vector<Sample>> decodeSamples(std::string_view chunk, std::size_t count) {
-    if (chunk.empty() || chunk.front() != formVersion || count > samplesPerChunk) return std::nullopt;
+    if (chunk.empty() || chunk.front() != chunkFormVersion || count > samplesPerChunk) return std::nullopt;
     const std::optional<std::vector<Column>> columns = decodeColumns(chunk.substr(1), columnCount, count);
     if (!columns) return std::nullopt;
     std::vector<Sample> samples;

@@ -19,10 +19,10 @@ std::optional<BlobView> unlessEmpty(const std::string& blob) {
     return blob.empty() ? std::nullopt : std::optional(BlobView{blob});
 }
 
-Result<void> storeSetting(Database& database, std::string_view name, const std::string& json) {
+Result<void> storeSetting(Database& database, std::string_view name, const std::string& text) {
     return run(database,
                "INSERT INTO milling_setting VALUES(?, ?) ON CONFLICT(name) DO UPDATE SET json = excluded.json", name,
-               json);
+               text);
 }
 
 /// Nothing where it was never stored.

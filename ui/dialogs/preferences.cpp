@@ -11,6 +11,7 @@ constexpr const char* unitKey = "unit";
 constexpr const char* languageKey = "language";
 constexpr const char* recentKey = "recent_files";
 constexpr const char* geometryKey = "window_geometry";
+constexpr const char* panelWidthKey = "panel_width";
 constexpr const char* folderKey = "last_folder";
 
 } // namespace
@@ -60,6 +61,14 @@ QByteArray UserSettings::windowGeometry() const {
 
 void UserSettings::setWindowGeometry(const QByteArray& geometry) {
     settings_.setValue(geometryKey, geometry);
+}
+
+QByteArray UserSettings::panelWidth() const {
+    return settings_.value(panelWidthKey).toByteArray();
+}
+
+void UserSettings::setPanelWidth(const QByteArray& state) {
+    settings_.setValue(panelWidthKey, state);
 }
 
 QString UserSettings::lastFolder() const {

@@ -35,6 +35,8 @@ public:
 
     QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);
+    QByteArray panelWidth() const; ///< state of the splitter between view and panel
+    void setPanelWidth(const QByteArray& state);
     QString lastFolder() const; ///< that a file was chosen in; empty: none yet
     void setLastFolder(const QString& folder);
 

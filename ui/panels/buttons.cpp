@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-constexpr int iconSize = 18;
+constexpr int buttonIconSize = 18;
 constexpr char waitsForFocus[] = "waitsForFocus"; // property: it had the focus when it was disabled
 
 } // namespace
@@ -26,7 +26,7 @@ QPushButton* makeButton(const QString& text, const QString& icon, const QString&
     button->setObjectName(objectName);
     button->setCursor(Qt::PointingHandCursor);
     button->setAutoDefault(false);
-    button->setIconSize({iconSize, iconSize});
+    button->setIconSize({buttonIconSize, buttonIconSize});
     if (!icon.isEmpty()) button->setIcon(themedIcon(icon));
     return button;
 }
@@ -36,7 +36,7 @@ QToolButton* makeIconButton(const QString& icon, const QString& toolTip, const Q
     button->setObjectName(objectName);
     button->setProperty("look", "flat");
     button->setIcon(themedIcon(icon));
-    button->setIconSize({iconSize, iconSize});
+    button->setIconSize({buttonIconSize, buttonIconSize});
     button->setToolTip(toolTip);
     button->setAccessibleName(toolTip);
     button->setFocusPolicy(Qt::StrongFocus);

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/choice_box.h"
 
+#include <QAbstractItemView>
 #include <QHelpEvent>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
 #include <QToolTip>
 #include <QWheelEvent>
+
+#include <algorithm>
 
 namespace burin {
 
@@ -27,6 +30,11 @@ QString ChoiceBox::elided() const {
     initStyleOption(&option);
     const QRect room = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
     return fontMetrics().elidedText(currentText(), Qt::ElideRight, room.width() - textPadding);
+}
+
+void ChoiceBox::showPopup() {
+    view()->setMinimumWidth(std::max(width(), view()->sizeHintForColumn(0) + 2 * textPadding));
+    QComboBox::showPopup();
 }
 
 bool ChoiceBox::event(QEvent* event) {

@@ -6,12 +6,13 @@
 
 namespace burin {
 
-/// A choice of one of several texts; a long one ends in "…" and is the tooltip in whole. The wheel changes it only when
+/// A choice of one of several texts; a long one ends in "…" and is the tooltip in whole, and the list shows all in whole. The wheel changes it only when
 /// it has the focus. `activated` tells of the user alone.
 class ChoiceBox : public QComboBox {
     Q_OBJECT
 public:
     explicit ChoiceBox(QWidget* parent = nullptr);
+    void showPopup() override;
 
 protected:
     bool event(QEvent* event) override;

@@ -14,8 +14,8 @@ namespace burin {
 
 namespace {
 
-constexpr int iconSize = 18, paddingAcross = 12, paddingAlong = 8, gap = 8;
-constexpr double tint = 0.12, corner = 8.0;
+constexpr int noticeIconSize = 18, noticePaddingAcross = 12, noticePaddingAlong = 8, noticeGap = 8;
+constexpr double tint = 0.12, noticeCorner = 8.0;
 
 ColourRole roleOf(Notice::Kind kind) {
     switch (kind) {
@@ -49,7 +49,8 @@ QString iconOf(Notice::Kind kind) {
 
 Notice::Notice(QWidget* parent) : QFrame(parent), text_(makeWrappedLabel(this)) {
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(paddingAcross + iconSize + gap, paddingAlong, paddingAcross, paddingAlong);
+    row->setContentsMargins(noticePaddingAcross + noticeIconSize + noticeGap, noticePaddingAlong, noticePaddingAcross,
+                            noticePaddingAlong);
     row->addWidget(text_);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     hide();
@@ -73,8 +74,9 @@ void Notice::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(mixed(activePalette().panel, activePalette().*roleOf(kind_), tint));
-    painter.drawRoundedRect(rect(), corner, corner);
-    themedIcon(iconOf(kind_), roleOf(kind_)).paint(&painter, {paddingAcross, paddingAlong, iconSize, iconSize});
+    painter.drawRoundedRect(rect(), noticeCorner, noticeCorner);
+    themedIcon(iconOf(kind_), roleOf(kind_))
+        .paint(&painter, {noticePaddingAcross, noticePaddingAlong, noticeIconSize, noticeIconSize});
 }
 
 } // namespace burin

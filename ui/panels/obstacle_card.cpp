@@ -16,7 +16,7 @@
 namespace burin {
 namespace {
 
-constexpr double farthest = 10'000.0, smallest = 0.01, widestMargin = 100.0; // mm
+constexpr double farthestCoordinate = 10'000.0, smallest = 0.01, widestMargin = 100.0; // mm
 
 Box& boxOf(Obstacle& obstacle) {
     return std::get<burin::Box>(obstacle.shape);
@@ -109,7 +109,7 @@ void ObstacleCard::addTriple(const QString& name, const QString& label, const QS
         const QString letter = axisLetter(axis);
         QuantityField* field =
             addField(name + letter, label + QLatin1Char(' ') + letter, place ? axis : -1, get(axis), set(axis));
-        field->limit(place ? -farthest : smallest, farthest);
+        field->limit(place ? -farthestCoordinate : smallest, farthestCoordinate);
         field->setToolTip(toolTip);
         field->setMinimumWidth(40);
         fields_.back().bare = true;
@@ -155,12 +155,12 @@ void ObstacleCard::addShape() {
                    QStringLiteral("Diameter"), tr("Diameter"), -1,
                    [](const Obstacle& of) { return 2.0 * cylinderOf(of).radius; },
                    [](Obstacle& of, double value) { cylinderOf(of).radius = 0.5 * value; }));
-        fields_.back().field->limit(smallest, farthest);
+        fields_.back().field->limit(smallest, farthestCoordinate);
         addRow(tr("Height"), tr("Of the cylinder"),
                addField(
                    QStringLiteral("Height"), tr("Height"), -1, [](const Obstacle& of) { return cylinderOf(of).height; },
                    [](Obstacle& of, double value) { cylinderOf(of).height = value; }));
-        fields_.back().field->limit(smallest, farthest);
+        fields_.back().field->limit(smallest, farthestCoordinate);
     } else {
         QLabel* count = makeWrappedLabel(figures_);
         count->setProperty("look", "small");

@@ -105,6 +105,7 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     verdict_->setObjectName(QStringLiteral("verdict"));
     column_->addWidget(verdict_);
     findings_ = new RowList(panel);
+    findings_->setTitlesWrap(true);
     findings_->setObjectName(QStringLiteral("findingList"));
     findings_->setAccessibleName(ProgramPanel::tr("Findings of the check"));
     findings_->setMaximumRows(5);

@@ -6,7 +6,12 @@
 #include "ui/theme/icon.h"
 #include "ui/theme/number_font.h"
 
+#include <QAbstractItemView>
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
 
 namespace burin {
 
@@ -38,36 +43,44 @@ void paintGround(QPainter& painter, const QStyleOptionViewItem& option) {
     painter.drawRoundedRect(QRectF(option.rect).adjusted(2.0, 1.0, -2.0, -1.0), corner, corner);
 }
 
-/// The icon or swatch at the left; gives the room that it takes.
-int paintMark(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index, const QRect& line) {
+/// The room that the icon or swatch at the left takes.
+int markWidth(const QModelIndex& index) {
+    if (index.data(swatchRole).value<QColor>().isValid()) return swatchSize + gap;
+    return index.data(iconRole).value<QIcon>().isNull() ? 0 : iconSize + gap;
+}
+
+void paintMark(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index, const QPoint& left) {
     if (const QColor swatch = index.data(swatchRole).value<QColor>(); swatch.isValid()) {
         painter.setPen(activePalette().border);
         painter.setBrush(swatch);
-        const QRectF square(line.left() + 0.5, line.center().y() - 0.5 * swatchSize, swatchSize, swatchSize);
-        painter.drawRoundedRect(square, 2.0, 2.0);
-        return swatchSize + gap;
+        painter.drawRoundedRect(QRectF(left.x() + 0.5, left.y() - 0.5 * swatchSize, swatchSize, swatchSize), 2.0, 2.0);
+        return;
     }
-    const QIcon icon = index.data(iconRole).value<QIcon>();
-    if (icon.isNull()) return 0;
-    const QRect square(line.left(), line.center().y() - iconSize / 2, iconSize, iconSize);
-    icon.paint(&painter, square, Qt::AlignCenter,
-               (option.state & QStyle::State_Enabled) ? QIcon::Normal : QIcon::Disabled);
-    return iconSize + gap;
+    const QRect square(left.x(), left.y() - iconSize / 2, iconSize, iconSize);
+    index.data(iconRole).value<QIcon>().paint(&painter, square, Qt::AlignCenter,
+                                              (option.state & QStyle::State_Enabled) ? QIcon::Normal : QIcon::Disabled);
 }
 
-/// The badge, right-aligned at `right`; gives the room that it takes.
-int paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index, int right) {
-    const QString badge = textOf(index, badgeRole);
-    if (badge.isEmpty()) return 0;
+/// The room that value and badge at the right of the title take.
+int badgeWidth(const QStyleOptionViewItem& option, const QString& badge) {
+    return QFontMetrics(detailFont(option.font)).horizontalAdvance(badge) + gap;
+}
+int valueWidth(const QStyleOptionViewItem& option, const QModelIndex& index) {
+    const QString value = textOf(index, valueRole), badge = textOf(index, badgeRole);
+    return (value.isEmpty() ? 0 : QFontMetrics(numberFont(option.font)).horizontalAdvance(value) + gap) +
+           (badge.isEmpty() ? 0 : badgeWidth(option, badge) + gap);
+}
+
+/// The badge, right-aligned at `right`.
+void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QString& badge, int right) {
     painter.setFont(detailFont(option.font));
-    const int width = painter.fontMetrics().horizontalAdvance(badge) + gap;
+    const int width = badgeWidth(option, badge);
     const QRectF frame(right - width + 0.5, option.rect.top() + paddingAlong + 0.5, width,
                        option.fontMetrics.height() - 1.0);
     painter.setPen(activePalette().accent);
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(frame, 4.0, 4.0);
     painter.drawText(frame, Qt::AlignCenter, badge);
-    return width + gap;
 }
 
 } // namespace
@@ -85,40 +98,78 @@ void RowDelegate::fill(QListWidgetItem& item, const ListRow& row) {
     item.setData(Qt::AccessibleTextRole, spoken.join(QStringLiteral(", ")));
 }
 
+RowDelegate::Places RowDelegate::placesOf(const QStyleOptionViewItem& option, const QModelIndex& index,
+                                          const QRect& row) const {
+    const QRect room = row.adjusted(paddingAcross + markWidth(index), paddingAlong, -paddingAcross, -paddingAlong);
+    const int width = std::max(1, room.width() - valueWidth(option, index));
+    int height = option.fontMetrics.height();
+    if (wrap_)
+        height =
+            std::max(height, option.fontMetrics
+                                 .boundingRect(QRect(0, 0, width, 10000), Qt::TextWordWrap, textOf(index, titleRole))
+                                 .height());
+    return {QRect(room.left(), room.top(), width, height),
+            QRect(room.left(), room.top() + height + 1, room.width(), QFontMetrics(detailFont(option.font)).height())};
+}
+
 void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const Palette& colours = activePalette();
     const bool enabled = (option.state & QStyle::State_Enabled) != 0;
+    const Places places = placesOf(option, index, option.rect);
+    const QString title = textOf(index, titleRole), value = textOf(index, valueRole), badge = textOf(index, badgeRole);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     paintGround(*painter, option);
-    QRect room = option.rect.adjusted(paddingAcross, paddingAlong, -paddingAcross, -paddingAlong);
-    QRect line(room.left(), room.top(), room.width(), option.fontMetrics.height());
-    room.setLeft(room.left() + paintMark(*painter, option, index, line));
-    line.setLeft(room.left());
+    const QRect line(option.rect.left() + paddingAcross, places.title.top(), option.rect.width() - 2 * paddingAcross,
+                     option.fontMetrics.height());
+    if (markWidth(index) > 0) paintMark(*painter, option, index, {line.left(), line.center().y()});
 
     painter->setFont(numberFont(option.font));
     painter->setPen(enabled ? colours.text : colours.quietText);
-    const QString value = textOf(index, valueRole);
     painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, value);
-    int titleWidth = line.width() - (value.isEmpty() ? 0 : painter->fontMetrics().horizontalAdvance(value) + gap);
-    titleWidth -= paintBadge(*painter, option, index, line.left() + titleWidth);
+    const int valueRoom = value.isEmpty() ? 0 : painter->fontMetrics().horizontalAdvance(value) + gap;
+    if (!badge.isEmpty()) paintBadge(*painter, option, badge, line.right() + 1 - valueRoom);
     painter->setFont(option.font);
     painter->setPen(enabled ? colours.text : colours.quietText);
-    painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                      option.fontMetrics.elidedText(textOf(index, titleRole), Qt::ElideRight, titleWidth));
+    if (wrap_)
+        painter->drawText(places.title, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, title);
+    else
+        painter->drawText(places.title, Qt::AlignLeft | Qt::AlignVCenter,
+                          option.fontMetrics.elidedText(title, Qt::ElideRight, places.title.width()));
 
     painter->setFont(detailFont(option.font));
     painter->setPen(colours.quietText);
-    const QRect second(room.left(), line.bottom() + 1, room.width(), painter->fontMetrics().height());
-    painter->drawText(second, Qt::AlignLeft | Qt::AlignVCenter,
-                      painter->fontMetrics().elidedText(textOf(index, detailRole), Qt::ElideRight, second.width()));
+    painter->drawText(
+        places.detail, Qt::AlignLeft | Qt::AlignVCenter,
+        painter->fontMetrics().elidedText(textOf(index, detailRole), Qt::ElideRight, places.detail.width()));
     painter->restore();
 }
 
 QSize RowDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    int height = option.fontMetrics.height() + 2 * paddingAlong;
-    if (!textOf(index, detailRole).isEmpty()) height += QFontMetrics(detailFont(option.font)).height() + 1;
-    return {96, height};
+    const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
+    const QRect row(0, 0, view != nullptr ? view->viewport()->width() : option.rect.width(), 0);
+    const Places places = placesOf(option, index, row);
+    const bool hasDetail = !textOf(index, detailRole).isEmpty();
+    return {96, (hasDetail ? places.detail.bottom() : places.title.bottom()) + 1 + paddingAlong};
+}
+
+bool RowDelegate::helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) {
+    if (event->type() != QEvent::ToolTip || !index.isValid())
+        return QStyledItemDelegate::helpEvent(event, view, option, index);
+    const Places places = placesOf(option, index, option.rect);
+    QStringList texts;
+    if (const QString title = textOf(index, titleRole);
+        !wrap_ && option.fontMetrics.horizontalAdvance(title) > places.title.width())
+        texts << title;
+    if (const QString detail = textOf(index, detailRole);
+        QFontMetrics(detailFont(option.font)).horizontalAdvance(detail) > places.detail.width())
+        texts << detail;
+    texts << index.data(Qt::ToolTipRole).toString();
+    texts.removeAll(QString());
+    texts.removeDuplicates();
+    QToolTip::showText(event->globalPos(), texts.join(QLatin1Char('\n')), view);
+    return true;
 }
 
 } // namespace burin

@@ -8,15 +8,28 @@
 
 namespace burin {
 
-/// Paints the rows of a RowList.
+/// Paints the rows of a RowList. What has no room ends in "…", and is whole in the tooltip.
 class RowDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
+    /// Titles are as many lines as they need instead: for whole sentences.
+    void setTitlesWrap(bool wrap) { wrap_ = wrap; }
     static void fill(QListWidgetItem& item, const ListRow& row);
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) override;
+
+private:
+    /// Where the parts of a row are, in its view's pixels.
+    struct Places {
+        QRect title, detail;
+    };
+    Places placesOf(const QStyleOptionViewItem& option, const QModelIndex& index, const QRect& row) const;
+
+    bool wrap_ = false;
 };
 
 } // namespace burin

@@ -4,6 +4,7 @@
 
 #include "ui/panels/row_delegate.h"
 
+#include <QResizeEvent>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -27,6 +28,20 @@ RowList::RowList(QWidget* parent) : QListWidget(parent) {
 
 void RowList::setMaximumRows(int rows) {
     maximumRows_ = rows;
+    updateGeometry();
+}
+
+void RowList::setTitlesWrap(bool wrap) {
+    static_cast<RowDelegate*>(itemDelegate())->setTitlesWrap(wrap);
+    scheduleDelayedItemsLayout();
+    updateGeometry();
+}
+
+/// Rows of several lines have another height in another width.
+void RowList::resizeEvent(QResizeEvent* event) {
+    QListWidget::resizeEvent(event);
+    if (event->size().width() == event->oldSize().width()) return;
+    scheduleDelayedItemsLayout();
     updateGeometry();
 }
 

@@ -26,6 +26,7 @@ class RowList : public QListWidget {
 public:
     explicit RowList(QWidget* parent = nullptr);
     void setMaximumRows(int rows);
+    void setTitlesWrap(bool wrap); ///< titles are whole sentences, over several lines
     /// Shows rows without a signal; nothing is done when it has them. The current row stays where it can.
     void setRows(const std::vector<ListRow>& rows);
     void setChosen(int row); ///< without a signal; -1: none
@@ -40,6 +41,7 @@ signals:
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     std::vector<ListRow> rows_;

@@ -18,7 +18,7 @@
 namespace burin {
 namespace {
 
-constexpr double filmOpacity = 0.12, holdingFilmOpacity = 0.28, offOpacity = 0.45;
+constexpr double obstacleOpacity = 0.12, holdingObstacleOpacity = 0.28, offOpacity = 0.45;
 constexpr double holdingShare = 0.35; // of red
 
 void setData(vtkActor& actor, vtkPolyData* data) {
@@ -100,7 +100,7 @@ void ObstacleActors::dress(const Drawn& drawn) const {
     drawn.film->SetVisibility(on && keepOut);
     setColour(*drawn.solid, holds ? mixed(palette_.holder, palette_.force, holdingShare) : palette_.holder);
     setColour(*drawn.film, palette_.force);
-    drawn.film->GetProperty()->SetOpacity(holds ? holdingFilmOpacity : filmOpacity);
+    drawn.film->GetProperty()->SetOpacity(holds ? holdingObstacleOpacity : obstacleOpacity);
     setColour(*drawn.edges, keepOut || holds ? palette_.force : palette_.quietText);
     setBlended(*drawn.edges, on ? 1.0 : offOpacity);
     burin::setLineWidth(*drawn.edges, lineWidth_ * (holds ? boldLine : thinLine));

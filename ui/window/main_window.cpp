@@ -11,6 +11,7 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -55,6 +56,7 @@ MainWindow::MainWindow(QWidget* parent)
     presenters_->setUnit(settings_.preferences().unit);
     resize(firstWindow);
     restoreGeometry(settings_.windowGeometry());
+    work_->restoreState(settings_.panelWidth());
     showStep(JobStep::part);
     showWelcome();
     updateTitle();
@@ -77,19 +79,21 @@ void MainWindow::layOut() {
     message_ = new MessageStrip;
     welcome_ = new WelcomePage;
 
-    auto* work = new QWidget;
-    auto* beside = new QHBoxLayout(work);
-    beside->setContentsMargins(0, 0, 0, 0);
-    beside->setSpacing(0);
-    beside->addWidget(viewport_, 1);
-    beside->addWidget(panels_);
+    work_ = new QSplitter(Qt::Horizontal);
+    work_->setObjectName(QStringLiteral("workSplitter"));
+    work_->setChildrenCollapsible(false);
+    work_->addWidget(viewport_);
+    work_->addWidget(panels_);
+    work_->setStretchFactor(0, 1);
+    work_->setStretchFactor(1, 0);
+    work_->handle(1)->setToolTip(tr("Drag to make the panel wider or narrower"));
     bench_ = new QWidget;
     bench_->setObjectName(QStringLiteral("benchPage"));
     auto* bench = new QVBoxLayout(bench_);
     bench->setContentsMargins(0, 0, 0, 0);
     bench->setSpacing(0);
     bench->addWidget(jobLine_);
-    bench->addWidget(work, 1);
+    bench->addWidget(work_, 1);
 
     pages_ = new QStackedWidget;
     pages_->setObjectName(QStringLiteral("pages"));
@@ -392,6 +396,7 @@ void MainWindow::endQuietly() {
 void MainWindow::end(bool abandon) {
     ending_ = true;
     settings_.setWindowGeometry(saveGeometry());
+    settings_.setPanelWidth(work_->saveState());
     flow_.closeProject(abandon, [this] {
         ended_ = true;
         close();

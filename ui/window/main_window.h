@@ -13,6 +13,7 @@
 #include <QMainWindow>
 #include <QTimer>
 
+class QSplitter;
 class QStackedWidget;
 
 namespace burin {
@@ -63,6 +64,7 @@ private:
     DocumentFlow flow_;
     QStackedWidget* pages_ = nullptr;
     WelcomePage* welcome_ = nullptr;
+    QSplitter* work_ = nullptr; ///< the view, and the panel beside it
     QWidget* bench_ = nullptr;
     Viewport* viewport_ = nullptr;
     JobLine* jobLine_ = nullptr;

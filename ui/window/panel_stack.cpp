@@ -12,7 +12,7 @@ namespace burin {
 
 namespace {
 
-constexpr int stackWidth = 344; // pixels: a panel's 320 with margins
+constexpr int leastWidth = 344, mostWidth = 900; // pixels: a panel's 320 with margins; a program's long lines
 
 /// Each panel scrolls by itself, so that a long one never stretches the others.
 QWidget* scrolling(QWidget* panel, const char* name) {
@@ -55,7 +55,8 @@ PanelStack::PanelStack(QWidget* parent)
     , meters(new Meters)
     , stack_(new QStackedWidget) {
     setObjectName(QStringLiteral("panelStack"));
-    setFixedWidth(stackWidth);
+    setMinimumWidth(leastWidth);
+    setMaximumWidth(mostWidth);
     stack_->setObjectName(QStringLiteral("panelPages"));
     const std::array<std::pair<QWidget*, const char*>, 8> panels{{{part, "partPage"},
                                                                   {stacked({stock, surroundings}), "stockPage"},

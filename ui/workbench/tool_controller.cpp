@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* defaultTool = "ball-6";
 
-std::vector<Tool> library() {
+std::vector<Tool> toolLibrary() {
     std::vector<Tool> tools;
     for (const std::string& id : toolIds())
         if (Result<Tool> tool = loadTool(id)) tools.push_back(std::move(*tool));
@@ -24,7 +24,7 @@ std::vector<Tool> library() {
 
 } // namespace
 
-ToolController::ToolController(const Desk& desk, QObject* parent) : Controller(desk, parent), tools_(library()) {
+ToolController::ToolController(const Desk& desk, QObject* parent) : Controller(desk, parent), tools_(toolLibrary()) {
     load({}, {});
 }
 
@@ -63,7 +63,7 @@ void ToolController::apply(const std::string& id) {
 }
 
 void ToolController::load(const std::vector<Tool>& own, const std::string& last) {
-    tools_ = library();
+    tools_ = toolLibrary();
     for (const Tool& tool : own) { // as they were when they were used, whatever the library says now
         const auto same = std::ranges::find(tools_, tool.id, &Tool::id);
         if (same == tools_.end())
