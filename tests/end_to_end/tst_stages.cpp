@@ -88,6 +88,17 @@ void StagesTest::editsPaths() {
     QVERIFY2(runBurin({"path", project_, "apply", "1", "--edit", smooth, "--place", "0"}).status == 0, "apply");
     QCOMPARE(runBurin({"path", project_, "--json"}).json()["paths"].toArray()[0].toObject()["edits"].toArray().size(),
              edits + 1);
+    // An edit of an earlier version stays what it is until it is asked for.
+    QCOMPARE(runBurin({"path", project_, "update", "1", "--place", "0"}).status, 0);
+    QCOMPARE(runBurin({"path", project_, "--json"})
+                 .json()["paths"]
+                 .toArray()[0]
+                 .toObject()["edits"]
+                 .toArray()[0]
+                 .toObject()["edit"]
+                 .toString(),
+             QString("smooth-shape"));
+    QCOMPARE(runBurin({"path", project_, "update", "1", "--place", "0"}).status, 2);
     QCOMPARE(runBurin({"path", project_, "undo", "1", "--place", "0"}).status, 0);
     QCOMPARE(runBurin({"path", project_, "undo", "1", "--place", "99"}).status, 2);
     QCOMPARE(runBurin({"path", project_, "apply", "1", "--edit", "{}", "--place", "0"}).status == 0, false);

@@ -146,12 +146,12 @@ inline PathState path() {
     state.path.takes = {1, 2};
     state.path.edits = standardEdits();
     state.path.edits[1].enabled = false;
-    for (const char* id : {"drop-air-cuts", "smooth", "hold-out", "simplify", "link", "set-feed"}) {
+    for (const char* id : {"drop-air-cuts", "smooth-shape", "hold-out", "simplify", "link", "set-feed"}) {
         EditReport report;
         report.edit = id;
         report.pointsBefore = 89254;
         report.pointsAfter = 12408;
-        report.largestDeviation = std::string_view(id) == "smooth" ? 0.0183 : 0.0;
+        report.largestDeviation = std::string_view(id) == "smooth-shape" ? 0.0183 : 0.0;
         state.reports.push_back(report);
     }
     state.errorBudget = 0.0332;

@@ -46,8 +46,8 @@ private slots:
         type(panel, "edit2_tolerance_mm", "0.05");
         QCOMPARE(changed.size(), std::size_t{1});
         QCOMPARE(changed[0].first, std::size_t{2});
-        QCOMPARE(std::get<Smooth>(changed[0].second.parameters).tolerance, 0.05);
-        QCOMPARE(std::get<Smooth>(changed[0].second.parameters).cutOff, 5.0);
+        QCOMPARE(std::get<SmoothShape>(changed[0].second.parameters).tolerance, 0.05);
+        QCOMPARE(std::get<SmoothShape>(changed[0].second.parameters).wavelength, 3.0);
         QTest::mouseClick(&child<QCheckBox>(panel, "edit1Switch"), Qt::LeftButton, {}, {10, 10});
         QCOMPARE(changed.size(), std::size_t{2});
         QCOMPARE(changed[1].first, std::size_t{1});
