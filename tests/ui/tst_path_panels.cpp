@@ -172,7 +172,10 @@ private slots:
             QVERIFY(group->menu() != nullptr && !group->menu()->isEmpty());
             offered += group->menu()->actions().size();
         }
-        QCOMPARE(offered, static_cast<qsizetype>(everyEdit().size()));
+        // Earlier versions stay in the paths that have them, and are offered no more.
+        const std::vector<Edit> kinds = everyEdit();
+        const auto current = std::ranges::count_if(kinds, [](const Edit& edit) { return !updated(edit); });
+        QCOMPARE(offered, static_cast<qsizetype>(current));
         child<QAction>(panel, "add-mirror").trigger();
         QCOMPARE(added, (std::vector<std::string>{"mirror"}));
         click(panel, "edit2Earlier");
