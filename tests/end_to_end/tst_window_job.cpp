@@ -150,7 +150,11 @@ void WindowJobTest::editsThePath() {
             return evaluated != nullptr && evaluated->path.points.size() > before;
         },
         60000));
-    QVERIFY(bench().path.evaluated()->errorBudget < 0.06);
+    // What leaves back-steps out when the path is linked has a bound of its own, and counts in the budget.
+    const auto evaluated = bench().path.evaluated();
+    const auto link = std::ranges::find(evaluated->reports, "link", &EditReport::edit);
+    QVERIFY(link != evaluated->reports.end() && link->largestDeviation <= 0.06);
+    QVERIFY(evaluated->errorBudget - link->largestDeviation < 0.06);
     driver_->shoot("job-5-path");
 }
 
