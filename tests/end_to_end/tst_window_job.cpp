@@ -10,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
+
 using namespace burin;
 using burin::testing::chooseFile;
 using burin::testing::WindowDriver;
