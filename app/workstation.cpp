@@ -74,6 +74,7 @@ int runWorkstation(int argc, char** argv) {
     QCoreApplication::setApplicationName(QStringLiteral("Burin"));
     QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));
     QGuiApplication::setWindowIcon(themedIcon(QStringLiteral("mill"), &Palette::accent));
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.burin.Burin")); // its icon, also on Wayland
     installLanguage();
 
     MainWindow window;

@@ -1251,8 +1251,8 @@
         <translation>Grenzwellenlänge</translation>
     </message>
     <message>
-        <source>Tremor across the path with shorter waves than this is removed</source>
-        <translation>Zittern quer zur Bahn mit kürzeren Wellen wird entfernt</translation>
+        <source>Tremor across the path with a shorter wavelength is removed</source>
+        <translation>Zittern quer zur Bahn mit kürzerer Wellenlänge wird entfernt</translation>
     </message>
     <message>
         <source>Cut-off frequency</source>

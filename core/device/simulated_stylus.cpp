@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -38,7 +39,9 @@ SimulatedStylus::SimulatedStylus(const glm::dvec3& start) : shown_{start, false}
 }
 
 bool SimulatedStylus::wish(const StylusTarget& target) noexcept {
-    return wishes_.push(target);
+    if (target.cutting && wishes_.size() + roomToEnd >= wishes_.capacity()) return false;
+    if (!target.cutting && !target.finishStroke) givenUp_.fetch_add(1, std::memory_order_relaxed);
+    return wishes_.push({target, givenUp_.load(std::memory_order_relaxed)});
 }
 
 glm::dvec3 SimulatedStylus::tip() noexcept {
@@ -79,12 +82,16 @@ Result<void> SimulatedStylus::open() {
 }
 
 void SimulatedStylus::takeWishes() noexcept {
+    const std::uint32_t givenUp = givenUp_.load(std::memory_order_relaxed);
+    if (std::exchange(givenUpSeen_, givenUp) != givenUp) waiting_.reset(); // it was made before
     for (;;) {
         if (!waiting_) {
-            StylusTarget next;
+            Wish next;
             if (wishes_.pop({&next, 1}) == 0) return;
-            next.maximumSpeed = std::clamp(next.maximumSpeed, 0.0, maximumSpeed);
-            waiting_ = next;
+            // As a difference: the count may have gone round, and newer ones may come in between.
+            if (static_cast<std::int32_t>(next.givenUp - givenUp) < 0) continue;
+            next.target.maximumSpeed = std::clamp(next.target.maximumSpeed, 0.0, maximumSpeed);
+            waiting_ = next.target;
         }
         if (!apply(*waiting_)) return;
         waiting_.reset();

@@ -7,6 +7,7 @@
 #include "core/device/stylus.h"
 #include "core/device/trail_follower.h"
 
+#include <atomic>
 #include <optional>
 
 namespace burin {
@@ -47,8 +48,8 @@ public:
     /// @param start where the tip is first, mm, setup frame; clear of everything
     explicit SimulatedStylus(const glm::dvec3& start);
 
-    /// Hovering, the newest one counts; a stroke goes through all.
-    /// @return false where so many wait that this one is lost: nobody reads
+    /// Hovering, the newest one counts; a stroke goes through all. One that gives a stroke up overtakes all before it.
+    /// @return false where so many wait that this one is lost; there is always room to end a stroke
     bool wish(const StylusTarget& target) noexcept;
     /// Where the tip was at the newest reading, mm, setup frame.
     glm::dvec3 tip() noexcept;
@@ -83,9 +84,15 @@ private:
     void step(double seconds) noexcept;
     void changePhase() noexcept;
 
-    static constexpr std::size_t mostWishes = 4096;
+    static constexpr std::size_t mostWishes = 4096, roomToEnd = 64;
+    struct Wish {
+        StylusTarget target;
+        std::uint32_t givenUp = 0; // how often a stroke had been given up when it was made
+    };
 
-    Ring<StylusTarget> wishes_{mostWishes};
+    Ring<Wish> wishes_{mostWishes};
+    std::atomic<std::uint32_t> givenUp_{0}; ///< by the user interface
+    std::uint32_t givenUpSeen_ = 0;
     Mailbox<Shown> places_;
     Shown shown_; ///< the user interface's copy
     StylusTarget target_;

@@ -31,7 +31,7 @@ double cornerSpeed(const glm::dvec3& in, const glm::dvec3& out, double time) noe
 
 void TrailFollower::begin(const glm::dvec3& start) noexcept {
     first_ = count_ = oldest_ = 0;
-    last_ = carrier_ = before_ = mean_ = start;
+    last_ = passed_ = carrier_ = before_ = mean_ = start;
     recent_.fill(start);
     ahead_ = speed_ = time_ = 0.0;
     velocity_ = glm::dvec3(0.0);
@@ -44,9 +44,8 @@ bool TrailFollower::append(const glm::dvec3& point) noexcept {
     if (count_ == capacity) return false;
     if (count_ > 0) {
         Corner& bend = corner(count_ - 1);
-        const glm::dvec3 from = count_ > 1 ? corner(count_ - 2).point : carrier_;
-        if (glm::distance(from, bend.point) > shortest)
-            bend.speed = cornerSpeed(bend.point - from, point - bend.point, period * static_cast<double>(window));
+        const glm::dvec3 from = count_ > 1 ? corner(count_ - 2).point : passed_;
+        bend.speed = cornerSpeed(bend.point - from, point - bend.point, period * static_cast<double>(window));
     }
     corner(count_++) = {point, length, 0.0};
     last_ = point;
@@ -76,7 +75,7 @@ void TrailFollower::advance(double way) noexcept {
             return;
         }
         way -= length;
-        carrier_ = corner(0).point;
+        carrier_ = passed_ = corner(0).point;
         first_ = (first_ + 1) % capacity;
         --count_;
     }
@@ -92,7 +91,7 @@ void TrailFollower::tick(double maximumSpeed) noexcept {
         speed_ = std::clamp(speed, 0.0, ahead_ / period);
         advance(speed_ * period);
         if (ahead_ <= restDistance) { // there
-            carrier_ = last_;
+            carrier_ = passed_ = last_;
             count_ = 0;
             ahead_ = 0.0;
         }

@@ -46,6 +46,7 @@ private:
     std::array<Corner, capacity> corners_; // the next one to be reached first
     std::size_t first_ = 0, count_ = 0;
     glm::dvec3 last_{0.0};    // the newest point of the line, mm
+    glm::dvec3 passed_{0.0};  // the last one that was passed, mm
     glm::dvec3 carrier_{0.0}; // what goes along the line, mm
     double ahead_ = 0.0;      // mm, to the line's end
     double speed_ = 0.0;      // mm/s

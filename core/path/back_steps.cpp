@@ -110,19 +110,19 @@ private:
         return true;
     }
 
-    /// How far the moves between two points of a window, with those that an edit left out before, and what takes their
-    /// place lie apart: the straight move, and the moves beside it, which the tool goes as well.
+    /// How far the path and what it becomes lie apart where one move takes the place of those between two points of a
+    /// window. The moves on either side are held against it as well: what was left out of them may rely on what goes.
     Deviation deviationOf(const std::vector<std::size_t>& window, std::size_t from, std::size_t to) const {
+        const std::size_t first = from - std::min<std::size_t>(from, 1), last = std::min(to + 1, window.size() - 1);
         std::vector<glm::dvec3> before, after;
-        for (std::size_t k = window[from]; k <= window[to]; ++k) before.push_back(points_[k].tip);
-        if (from > 0) after.push_back(points_[window[from - 1]].tip);
-        after.push_back(before.front());
-        after.push_back(before.back());
-        if (to + 1 < window.size()) after.push_back(points_[window[to + 1]].tip);
+        for (std::size_t k = window[first]; k <= window[last]; ++k) before.push_back(points_[k].tip);
+        for (std::size_t i = from - std::min<std::size_t>(from, 2); i <= std::min(to + 2, window.size() - 1); ++i)
+            if (i <= from || i >= to) after.push_back(points_[window[i]].tip);
         Deviation deviation;
         for (std::size_t k = 1; k < before.size() && deviation.distance <= tolerance_; ++k)
             deviation.include(farthestOf(before[k - 1], before[k], after, tolerance_), before[k]);
-        deviation.include(farthestOf(before.front(), before.back(), before, tolerance_), before.back());
+        deviation.include(farthestOf(points_[window[from]].tip, points_[window[to]].tip, before, tolerance_),
+                          points_[window[to]].tip);
         return deviation;
     }
 

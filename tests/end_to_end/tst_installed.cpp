@@ -101,7 +101,7 @@ private slots:
                                   {QStringLiteral("-V"), path(QStringLiteral("root/share/mime"))});
         QVERIFY2(types.status == 0 && !types.messages.contains("rror"), types.messages.constData());
         const QByteArray globs = contentOf(path(QStringLiteral("root/share/mime/globs2")));
-        for (const char* glob : {"application/x-burin-project:*.burin", "model/step:*.stp", "text/x-gcode:*.ngc"})
+        for (const char* glob : {"application/x-burin-project:*.burin", "model/step:*.stp", "text/x.gcode:*.ngc"})
             QVERIFY2(globs.contains(glob), glob);
     }
 

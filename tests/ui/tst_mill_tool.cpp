@@ -192,6 +192,7 @@ private slots:
         for (int i = 1; i <= 4; ++i) tool_->move(over({-2.0 + 2.0 * i, 12.0, top}, Qt::LeftButton));
         for (int i = 1; i <= 2; ++i) tool_->move(over({6.0, 12.0 - 4.0 * i, top}, Qt::LeftButton));
         QVERIFY(tool_->release(left({6.0, 4.0, top})));
+        tool_->leave(); // to the panel, say
         double toCorner = 1e9, toEnd = 1e9;
         for (int tick = 0; tick < 3000; ++tick) {
             const glm::dvec3 tip = read();

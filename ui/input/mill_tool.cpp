@@ -220,8 +220,9 @@ bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
     return true;
 }
 
+/// A stroke that was released is finished, wherever the pointer goes.
 void MillTool::leave() {
-    endStroke(End::givenUp);
+    if (stroke_ != Stroke::none) endStroke(End::givenUp);
 }
 
 } // namespace burin

@@ -35,7 +35,7 @@ constexpr std::array rows{
     Row{"",
         "wavelength_mm",
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Cut-off wavelength"),
-         QT_TRANSLATE_NOOP("EditParameterTexts", "Tremor across the path with shorter waves than this is removed")}},
+         QT_TRANSLATE_NOOP("EditParameterTexts", "Tremor across the path with a shorter wavelength is removed")}},
     Row{"",
         "cut_off_hz",
         {QT_TRANSLATE_NOOP("EditParameterTexts", "Cut-off frequency"),

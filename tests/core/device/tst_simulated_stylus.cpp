@@ -268,6 +268,53 @@ private slots:
         QVERIFY(reachedNext);
     }
 
+    /// Esc holds for all that waits: a tail, a stroke that was pressed during it, and more points than the tool keeps.
+    void givingUpOvertakesWhatWaits() {
+        Hand hand({0.0, 0.0, 20.0});
+        hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .maximumSpeed = 20.0, .cutting = true});
+        hand.run(1200);
+        for (int i = 1; i <= 3000; ++i)
+            hand.stylus.wish({.tip = {0.1 * i, i % 2 == 0 ? 0.0 : 0.5, 0.0}, .maximumSpeed = 20.0, .cutting = true});
+        hand.stylus.wish({.tip = {0.0, 0.0, 20.0}, .finishStroke = true});
+        hand.stylus.wish({.tip = {0.0, 30.0, 0.0}, .maximumSpeed = 20.0, .cutting = true});
+        hand.run(100);
+        QVERIFY(hand.now().cutting);
+        hand.stylus.wish({.tip = {0.0, 0.0, 20.0}});
+        for (const Tick& tick : hand.run(2000)) QVERIFY(!tick.cutting);
+        QCOMPARE(hand.now().tip, glm::dvec3(0.0, 0.0, 20.0));
+    }
+
+    /// However much waits, and though nobody reads meanwhile: the end of a stroke is never lost.
+    void theEndOfAStrokeAlwaysHasRoom() {
+        Hand hand({0.0, 0.0, 20.0});
+        bool full = false;
+        for (int i = 0; i < 10000; ++i)
+            full = !hand.stylus.wish({.tip = {0.001 * i, 0.0, 0.0}, .maximumSpeed = 400.0, .cutting = true}) || full;
+        QVERIFY(full);
+        QVERIFY(hand.stylus.wish({.tip = {0.0, 0.0, 20.0}, .finishStroke = true}));
+        const std::vector<Tick> way = hand.run(8000);
+        QVERIFY(std::ranges::any_of(way, &Tick::cutting) && !way.back().cutting);
+    }
+
+    /// A goal that comes when the one before it is all but reached doesn't make the tool stop.
+    void aGoalAtTheLastMomentGoesOnEvenly() {
+        for (int wait = 60; wait < 140; ++wait) {
+            Hand hand({0.0, 0.0, 20.0});
+            hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .cutting = true});
+            hand.run(1500);
+            hand.stylus.wish({.tip = {5.0, 0.0, 0.0}, .cutting = true});
+            const std::vector<Tick> arriving = hand.run(wait);
+            const double speed = (arriving.back().tip.x - arriving[arriving.size() - 2].tip.x) / period;
+            hand.stylus.wish({.tip = {40.0, 0.0, 0.0}, .cutting = true});
+            double before = arriving.back().tip.x;
+            for (const Tick& tick : hand.run(400)) { // it may slow down for as long as its mean goes back, by half
+                if (speed > 5.0 && tick.tip.x < 30.0) QVERIFY((tick.tip.x - before) / period > 0.3 * speed);
+                before = tick.tip.x;
+            }
+            QVERIFY(before > 35.0);
+        }
+    }
+
     void aStrokeTakenBackNeverTurnsTheSpindle() {
         Hand hand({0.0, 0.0, 20.0});
         hand.stylus.wish({.tip = {100.0, 0.0, 4.0}, .cutting = true});

@@ -61,6 +61,19 @@ inline std::vector<Tick> steadyHand(std::mt19937& random) {
     return ticks;
 }
 
+/// A hand that shakes at every tick and changes its direction every 60: nothing smooth about it.
+inline std::vector<Tick> jitteryHand(std::mt19937& random, int count) {
+    std::uniform_real_distribution<double> one(-1.0, 1.0);
+    std::vector<Tick> ticks;
+    glm::dvec3 at(0.0), speed(0.0);
+    for (int i = 0; i < count; ++i) {
+        if (i % 60 == 0) speed = 0.1 * glm::dvec3(one(random), one(random), one(random));
+        at += speed + 0.01 * glm::dvec3(one(random), one(random), one(random));
+        ticks.push_back({at});
+    }
+    return ticks;
+}
+
 /// Turns of more than 155° with a leg of less than 0.1 mm: what a machine stutters at. Points closer than a control
 /// tells apart are one.
 inline std::size_t backSteps(const std::vector<glm::dvec3>& line) {

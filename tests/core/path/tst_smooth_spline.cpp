@@ -84,16 +84,9 @@ private slots:
     void randomStrokesStayInTheTube() {
         QVERIFY(rc::check("both ways, at every place, whatever the cut-off", [&] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            std::uniform_real_distribution<double> one(-1.0, 1.0);
             const int count = *rc::gen::inRange(1, 600);
             const double tube = *rc::gen::element(0.0, 0.01, 0.1), cutOff = *rc::gen::element(0.5, 5.0, 60.0);
-            std::vector<Tick> ticks;
-            glm::dvec3 at(0.0), speed(0.0);
-            for (int i = 0; i < count; ++i) {
-                if (i % 60 == 0) speed = 0.1 * glm::dvec3(one(random), one(random), one(random));
-                at += speed + 0.01 * glm::dvec3(one(random), one(random), one(random));
-                ticks.push_back({at});
-            }
+            const std::vector<Tick> ticks = jitteryHand(random, count);
             const auto path = run({takeOf(ticks)}, {{SmoothSpline{cutOff, tube}}}, context());
             RC_ASSERT(static_cast<bool>(path));
             RC_ASSERT(path->path.points.size() == ticks.size());
