@@ -296,25 +296,6 @@ private slots:
         QVERIFY(std::ranges::any_of(way, &Tick::cutting) && !way.back().cutting);
     }
 
-    /// A goal that comes when the one before it is all but reached doesn't make the tool stop.
-    void aGoalAtTheLastMomentGoesOnEvenly() {
-        for (int wait = 60; wait < 140; ++wait) {
-            Hand hand({0.0, 0.0, 20.0});
-            hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .cutting = true});
-            hand.run(1500);
-            hand.stylus.wish({.tip = {5.0, 0.0, 0.0}, .cutting = true});
-            const std::vector<Tick> arriving = hand.run(wait);
-            const double speed = (arriving.back().tip.x - arriving[arriving.size() - 2].tip.x) / period;
-            hand.stylus.wish({.tip = {40.0, 0.0, 0.0}, .cutting = true});
-            double before = arriving.back().tip.x;
-            for (const Tick& tick : hand.run(400)) { // it may slow down for as long as its mean goes back, by half
-                if (speed > 5.0 && tick.tip.x < 30.0) QVERIFY((tick.tip.x - before) / period > 0.3 * speed);
-                before = tick.tip.x;
-            }
-            QVERIFY(before > 35.0);
-        }
-    }
-
     void aStrokeTakenBackNeverTurnsTheSpindle() {
         Hand hand({0.0, 0.0, 20.0});
         hand.stylus.wish({.tip = {100.0, 0.0, 4.0}, .cutting = true});
