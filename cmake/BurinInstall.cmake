@@ -23,39 +23,46 @@ install(FILES ${desktop}/${burin_id}.svg DESTINATION share/icons/hicolor/scalabl
 install(FILES ${desktop}/${burin_id}.xml DESTINATION share/mime/packages)
 install(FILES ${desktop}/burin.bash-completion DESTINATION share/bash-completion/completions RENAME burin)
 install(FILES ${CMAKE_SOURCE_DIR}/resources/udev/70-burin-devices.rules DESTINATION lib/udev/rules.d)
-install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION share/doc/burin RENAME copyright)
+install(FILES ${desktop}/copyright DESTINATION share/doc/burin)
 
 # The date of what is installed is that of the sources, so that the same sources give the same package.
 string(TIMESTAMP burin_date "%Y-%m-%d" UTC)
+string(TIMESTAMP burin_changelog_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 find_package(Git QUIET)
 if(GIT_FOUND)
-    execute_process(COMMAND ${GIT_EXECUTABLE} log -1 --format=%cs WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+    execute_process(COMMAND ${GIT_EXECUTABLE} log -1 "--format=%cs;%cD" WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
         OUTPUT_VARIABLE committed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     if(committed)
-        set(burin_date ${committed})
+        list(GET committed 0 burin_date)
+        list(GET committed 1 burin_changelog_date)
     endif()
 endif()
 configure_file(${desktop}/${burin_id}.metainfo.xml.in ${CMAKE_BINARY_DIR}/${burin_id}.metainfo.xml @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/${burin_id}.metainfo.xml DESTINATION share/metainfo)
 
-# The man page is what the program says of itself.
+# The man page is what the program says of itself. Both are compressed as Debian wants it, without a name or a time.
 find_program(HELP2MAN help2man REQUIRED)
-add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/burin.1
+find_program(GZIP gzip REQUIRED)
+configure_file(${desktop}/changelog.in ${CMAKE_BINARY_DIR}/changelog @ONLY)
+add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/burin.1.gz ${CMAKE_BINARY_DIR}/changelog.gz
     COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 ${HELP2MAN} --no-info --section=1 --source=Burin
         "--name=author milling tool paths by hand" "--help-option=--help-all" --version-string=${PROJECT_VERSION}
         --output=${CMAKE_BINARY_DIR}/burin.1 $<TARGET_FILE:burin>
-    DEPENDS burin burin_translations COMMENT "Writing the man page")
-add_custom_target(burin_man_page ALL DEPENDS ${CMAKE_BINARY_DIR}/burin.1)
-add_dependencies(burin_program burin_man_page)
-install(FILES ${CMAKE_BINARY_DIR}/burin.1 DESTINATION share/man/man1)
+    COMMAND ${GZIP} -9nkf ${CMAKE_BINARY_DIR}/burin.1 ${CMAKE_BINARY_DIR}/changelog
+    DEPENDS burin burin_translations ${CMAKE_BINARY_DIR}/changelog COMMENT "Writing the man page")
+add_custom_target(burin_documents ALL DEPENDS ${CMAKE_BINARY_DIR}/burin.1.gz)
+add_dependencies(burin_program burin_documents)
+install(FILES ${CMAKE_BINARY_DIR}/burin.1.gz DESTINATION share/man/man1)
+install(FILES ${CMAKE_BINARY_DIR}/changelog.gz DESTINATION share/doc/burin)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME burin)
 set(CPACK_PACKAGE_CONTACT "The Burin authors <burin@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Workstation for authoring milling tool paths by hand")
-set(CPACK_PACKAGE_DESCRIPTION "Burin embeds a CAD part in a virtual stock, which is milled with a stylus or the mouse.
-The part's boundary pushes back, so that the hand can't gouge it. What the hand did is recorded, edited, smoothed,
-checked against the part and posted as NC code that a real machine runs.")
+set(CPACK_PACKAGE_DESCRIPTION "Burin embeds a CAD part in a virtual stock, which is milled with a stylus or
+the mouse. The part's boundary pushes back, so that the hand can't gouge it.
+What the hand did is recorded, edited, smoothed, checked against the part and
+posted as NC code that a real machine runs.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -7,8 +7,12 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
 
 namespace {
 
@@ -67,9 +71,9 @@ private slots:
               "lib/burin/plugins/devices/spacemouse/plugin.json", "share/burin/resources/samples/mouse.step",
               "share/burin/translations/burin_de.qm", "share/applications/org.burin.Burin.desktop",
               "share/icons/hicolor/scalable/apps/org.burin.Burin.svg", "share/mime/packages/org.burin.Burin.xml",
-              "share/metainfo/org.burin.Burin.metainfo.xml", "share/man/man1/burin.1",
+              "share/metainfo/org.burin.Burin.metainfo.xml", "share/man/man1/burin.1.gz",
               "share/bash-completion/completions/burin", "lib/udev/rules.d/70-burin-devices.rules",
-              "share/doc/burin/copyright"})
+              "share/doc/burin/copyright", "share/doc/burin/changelog.gz"})
             QTest::newRow(file) << QString::fromLatin1(file);
     }
     void allFilesAreThere() {
@@ -107,7 +111,9 @@ private slots:
 
     /// The man page names every command and its options, as the program itself does.
     void manPageAndCompletionKnowEveryCommand() {
-        const QByteArray page = contentOf(path(QStringLiteral("root/share/man/man1/burin.1")));
+        const QByteArray page =
+            run(QStringLiteral("gzip"), {QStringLiteral("-dc"), path(QStringLiteral("root/share/man/man1/burin.1.gz"))})
+                .out;
         const Outcome help = run(burin(), {QStringLiteral("--help")}, bare_);
         QCOMPARE(help.status, 0);
         const QStringList lines = QString::fromUtf8(help.out).split(QLatin1Char('\n'));
@@ -160,7 +166,69 @@ private slots:
         for (const char* kind : {"burin", "ngc", "png"}) QVERIFY2(kinds.contains(QLatin1String(kind)), kind);
     }
 
+    /// Each library that a program of it asks for comes with a package that it depends on: readelf and dpkg say so.
+    void thePackageDependsOnAllThatItLoads() {
+        const Outcome packed = run(QStringLiteral("cpack"),
+                                   {QStringLiteral("-G"), QStringLiteral("DEB"), QStringLiteral("--config"),
+                                    QStringLiteral(BURIN_BUILD_DIRECTORY "/CPackConfig.cmake"), QStringLiteral("-B"),
+                                    path(QStringLiteral("packed"))});
+        QVERIFY2(packed.status == 0, (packed.out + packed.messages).constData());
+        const QStringList packages = QDir(path(QStringLiteral("packed"))).entryList({QStringLiteral("burin_*.deb")});
+        QCOMPARE(packages.size(), 1);
+        const QString package = path(QStringLiteral("packed/")) + packages.first();
+        const QString unpacked = path(QStringLiteral("unpacked"));
+        QCOMPARE(run(QStringLiteral("dpkg-deb"), {QStringLiteral("-x"), package, unpacked}).status, 0);
+
+        const QSet<QString> libraries = librariesOf(unpacked + QStringLiteral("/usr/bin")) +
+                                        librariesOf(unpacked + QStringLiteral("/usr/lib"));
+        QVERIFY(libraries.size() > 20);
+        const QStringList depended = dependenciesOf(package);
+        for (const QString& library : libraries) {
+            const QStringList owners = packagesWith(library);
+            QVERIFY2(std::ranges::any_of(owners, [&](const QString& owner) { return depended.contains(owner); }),
+                     qPrintable(library + QStringLiteral(": ") + owners.join(QLatin1Char(' '))));
+        }
+        const Outcome version = run(unpacked + QStringLiteral("/usr/bin/burin"), {QStringLiteral("--version")}, bare_);
+        QCOMPARE(version.status, 0);
+        QVERIFY2(packages.first().contains(QString::fromUtf8(version.out.trimmed().split(' ').last())),
+                 version.out.constData());
+    }
+
 private:
+    /// Sonames that the programs and modules below a folder name as needed.
+    static QSet<QString> librariesOf(const QString& folder) {
+        QSet<QString> libraries;
+        QDirIterator files(folder, QDir::Files, QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            const QString content =
+                QString::fromUtf8(run(QStringLiteral("readelf"), {QStringLiteral("-d"), files.next()}).out);
+            static const QRegularExpression needed(QStringLiteral("\\(NEEDED\\).*\\[(.+)\\]"));
+            for (auto matches = needed.globalMatch(content); matches.hasNext();)
+                libraries.insert(matches.next().captured(1));
+        }
+        return libraries;
+    }
+
+    /// Names, without versions and alternatives.
+    static QStringList dependenciesOf(const QString& package) {
+        const QByteArray field =
+            run(QStringLiteral("dpkg-deb"), {QStringLiteral("-f"), package, QStringLiteral("Depends")}).out;
+        QStringList names;
+        for (const QString& entry : QString::fromUtf8(field).split(QLatin1Char(',')))
+            names.append(entry.trimmed().section(QLatin1Char(' '), 0, 0));
+        return names;
+    }
+
+    /// Of those installed here.
+    static QStringList packagesWith(const QString& library) {
+        QStringList names;
+        const QByteArray lines =
+            run(QStringLiteral("dpkg-query"), {QStringLiteral("-S"), QStringLiteral("*/") + library}).out;
+        for (const QString& line : QString::fromUtf8(lines).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+            names.append(line.section(QLatin1Char(':'), 0, 0));
+        return names;
+    }
+
     QString path(const QString& inside) const { return place_.filePath(inside); }
     QString burin() const { return path(QStringLiteral("root/bin/burin")); }
 
