@@ -5,9 +5,12 @@
 
 option(BURIN_PRECOMPILED_HEADERS "Compile the headers of the standard library, GLM and QtCore once" ON)
 
-# burin_precompiled_set(NAME HEADERS ... USES ...)
+# burin_precompiled_set(NAME HEADERS ... USES ...): what burin_precompile(TARGET NAME) takes.
 function(burin_precompiled_set name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;USES")
+    if(NOT BURIN_PRECOMPILED_HEADERS)
+        return()
+    endif()
     set(source ${CMAKE_BINARY_DIR}/precompiled/${name}.cpp)
     file(CONFIGURE OUTPUT ${source} CONTENT "")
     add_library(burin_precompiled_${name} STATIC ${source})
@@ -29,12 +32,10 @@ function(burin_precompile target set)
     endif()
 endfunction()
 
-if(BURIN_PRECOMPILED_HEADERS)
-    set(standard <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <filesystem> <functional> <limits> <map>
-        <memory> <mutex> <optional> <random> <span> <string> <string_view> <thread> <unordered_map> <utility> <variant>
-        <vector> <glm/glm.hpp>)
-    burin_precompiled_set(standard HEADERS ${standard} USES glm::glm)
-    burin_precompiled_set(qt HEADERS ${standard} <QtCore> USES glm::glm Qt6::Core)
-    burin_precompiled_set(command HEADERS ${standard} <CLI/CLI.hpp> <nlohmann/json.hpp>
-        USES glm::glm CLI11::CLI11 nlohmann_json::nlohmann_json)
-endif()
+set(BURIN_STANDARD_HEADERS <algorithm> <array> <atomic> <chrono> <cmath> <cstdint> <filesystem> <functional> <limits>
+    <map> <memory> <mutex> <optional> <random> <span> <string> <string_view> <thread> <unordered_map> <utility>
+    <variant> <vector> <glm/glm.hpp>)
+burin_precompiled_set(standard HEADERS ${BURIN_STANDARD_HEADERS} USES glm::glm)
+burin_precompiled_set(qt HEADERS ${BURIN_STANDARD_HEADERS} <QtCore> USES glm::glm Qt6::Core)
+burin_precompiled_set(command HEADERS ${BURIN_STANDARD_HEADERS} <CLI/CLI.hpp> <nlohmann/json.hpp>
+    USES glm::glm CLI11::CLI11 nlohmann_json::nlohmann_json)
