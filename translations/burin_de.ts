@@ -208,22 +208,6 @@
         <translation>Setzt das Teil in sein Rohteil: das Werkstück entsteht.</translation>
     </message>
     <message>
-        <source>&amp;Mill mode</source>
-        <translation>&amp;Fräsmodus</translation>
-    </message>
-    <message>
-        <source>Take the tool in hand; Esc puts it away.</source>
-        <translation>Nimmt das Werkzeug in die Hand; Esc legt es weg.</translation>
-    </message>
-    <message>
-        <source>&amp;Record</source>
-        <translation>&amp;Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Start or stop a recording.</source>
-        <translation>Startet oder beendet eine Aufzeichnung.</translation>
-    </message>
-    <message>
         <source>&amp;Show me</source>
         <translation>&amp;Vorführen</translation>
     </message>
@@ -434,6 +418,46 @@
     <message>
         <source>All shortcuts, and what the mouse does.</source>
         <translation>Alle Tastenkürzel und was die Maus tut.</translation>
+    </message>
+    <message>
+        <source>&amp;Mill</source>
+        <translation>&amp;Fräsen</translation>
+    </message>
+    <message>
+        <source>Take the tool in hand: what it cuts is recorded. Esc puts it away.</source>
+        <translation>Das Werkzeug in die Hand nehmen: was es schneidet, wird aufgezeichnet. Esc legt es weg.</translation>
+    </message>
+    <message>
+        <source>Ras&amp;ter</source>
+        <translation>Ras&amp;ter</translation>
+    </message>
+    <message>
+        <source>A drag spans a rectangle, which is milled in rows at the step-over.</source>
+        <translation>Ein Zug spannt ein Rechteck auf, das in Zeilen im Zeilenabstand gefräst wird.</translation>
+    </message>
+    <message>
+        <source>Repeat &amp;lower</source>
+        <translation>&amp;Tiefer wiederholen</translation>
+    </message>
+    <message>
+        <source>Cut the last stroke again, deeper by the depth of cut.</source>
+        <translation>Den letzten Zug noch einmal fräsen, um die Schnitttiefe tiefer.</translation>
+    </message>
+    <message>
+        <source>Repeat beside, le&amp;ft</source>
+        <translation>Links &amp;daneben wiederholen</translation>
+    </message>
+    <message>
+        <source>Cut the last stroke again, a step-over to its left as it went.</source>
+        <translation>Den letzten Zug noch einmal fräsen, einen Zeilenabstand links von seiner Richtung.</translation>
+    </message>
+    <message>
+        <source>Repeat beside, ri&amp;ght</source>
+        <translation>&amp;Rechts daneben wiederholen</translation>
+    </message>
+    <message>
+        <source>Cut the last stroke again, a step-over to its right as it went.</source>
+        <translation>Den letzten Zug noch einmal fräsen, einen Zeilenabstand rechts von seiner Richtung.</translation>
     </message>
 </context>
 <context>
@@ -2823,10 +2847,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Links ziehen</translation>
     </message>
     <message>
-        <source>Cuts a stroke.</source>
-        <translation>Schneidet einen Zug.</translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation>Mausrad</translation>
     </message>
@@ -2837,10 +2857,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Shift</source>
         <translation>Umschalt</translation>
-    </message>
-    <message>
-        <source>Makes pointer and wheel fine.</source>
-        <translation>Macht Zeiger und Mausrad fein.</translation>
     </message>
     <message>
         <source>Right drag</source>
@@ -2877,10 +2893,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Esc</source>
         <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Leaves mill mode.</source>
-        <translation>Verlässt den Fräsmodus.</translation>
     </message>
     <message>
         <source>Click</source>
@@ -2933,6 +2945,38 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Looks at that side.</source>
         <translation>Blickt auf diese Seite.</translation>
+    </message>
+    <message>
+        <source>Cuts a stroke, or spans a raster.</source>
+        <translation>Schneidet einen Zug oder spannt ein Raster auf.</translation>
+    </message>
+    <message>
+        <source>Cuts straight on from the end of the last stroke.</source>
+        <translation>Schneidet gerade weiter vom Ende des letzten Zugs.</translation>
+    </message>
+    <message>
+        <source>X, Y</source>
+        <translation>X, Y</translation>
+    </message>
+    <message>
+        <source>Strokes go along X or Y only, until pressed again.</source>
+        <translation>Züge gehen nur entlang X oder Y, bis zum nächsten Druck.</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>Strokes keep their direction, until pressed again.</source>
+        <translation>Züge halten ihre Richtung, bis zum nächsten Druck.</translation>
+    </message>
+    <message>
+        <source>Makes a drag and the wheel fine.</source>
+        <translation>Macht Zug und Rad fein.</translation>
+    </message>
+    <message>
+        <source>Ends the stroke, then puts the tool away.</source>
+        <translation>Beendet den Zug, legt dann das Werkzeug weg.</translation>
     </message>
 </context>
 <context>
@@ -3606,10 +3650,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Aufnahmen</translation>
     </message>
     <message>
-        <source>Nothing is recorded yet. Record while you mill, or let the virtual operator show it to you.</source>
-        <translation>Noch ist nichts aufgezeichnet. Zeichnen Sie beim Fräsen auf, oder lassen Sie es sich vom virtuellen Bediener vorführen.</translation>
-    </message>
-    <message>
         <source>Show me</source>
         <translation>Vorführen</translation>
     </message>
@@ -3689,28 +3729,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Betten Sie zuerst das Teil ein und wählen Sie ein Werkzeug.</translation>
     </message>
     <message>
-        <source>Stop %1</source>
-        <translation>Stopp %1</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>End the take</source>
-        <translation>Die Aufnahme beenden</translation>
-    </message>
-    <message>
-        <source>Record what the hand does, as a take</source>
-        <translation>Die Handbewegung als Aufnahme aufzeichnen</translation>
-    </message>
-    <message>
         <source>Stop milling</source>
         <translation>Fräsen beenden</translation>
-    </message>
-    <message>
-        <source>Put the tool away</source>
-        <translation>Das Werkzeug weglegen</translation>
     </message>
     <message>
         <source>Stop the recording first.</source>
@@ -3741,8 +3761,72 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Was das Werkzeug führt</translation>
     </message>
     <message>
-        <source>The tool follows the stylus</source>
-        <translation>Das Werkzeug folgt dem Stift</translation>
+        <source>Nothing is recorded yet. All that you mill is, or let the virtual operator show it to you.</source>
+        <translation>Noch ist nichts aufgezeichnet. Alles, was Sie fräsen, wird es; oder lassen Sie es sich vom virtuellen Bediener zeigen.</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>A drag cuts where the pointer goes</source>
+        <translation>Ein Zug mit der Maus schneidet, wo der Zeiger geht</translation>
+    </message>
+    <message>
+        <source>Raster</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>A drag spans a rectangle, which is milled in rows at the step-over (T)</source>
+        <translation>Ein Zug mit der Maus spannt ein Rechteck auf, das in Zeilen im Zeilenabstand gefräst wird (T)</translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>Zeilenabstand</translation>
+    </message>
+    <message>
+        <source>Between the rows of a raster, and to a stroke that is repeated beside</source>
+        <translation>Zwischen den Zeilen eines Rasters und zu einem Zug, der daneben wiederholt wird</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Tiefer</translation>
+    </message>
+    <message>
+        <source>Cut the last stroke again, deeper by the depth of cut (L)</source>
+        <translation>Den letzten Zug noch einmal fräsen, um die Schnitttiefe tiefer (L)</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Cut the last stroke again, a step-over to its left as it went (B)</source>
+        <translation>Den letzten Zug noch einmal fräsen, einen Zeilenabstand links von seiner Richtung (B)</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Cut the last stroke again, a step-over to its right as it went (Shift+B)</source>
+        <translation>Den letzten Zug noch einmal fräsen, einen Zeilenabstand rechts von seiner Richtung (Umschalt+B)</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Stop, recorded %1</source>
+        <translation>Stopp, aufgezeichnet %1</translation>
+    </message>
+    <message>
+        <source>End the take, and put the tool away</source>
+        <translation>Die Aufnahme beenden und das Werkzeug weglegen</translation>
+    </message>
+    <message>
+        <source>The tool follows the stylus; what it cuts is recorded</source>
+        <translation>Das Werkzeug folgt dem Stift; was es schneidet, wird aufgezeichnet</translation>
     </message>
 </context>
 <context>
@@ -3774,6 +3858,57 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>There is no boundary for the tool: choose another tool, or embed again, with larger voxels where memory was short.</source>
         <translation>Für das Werkzeug gibt es keine Grenzfläche: ein anderes Werkzeug wählen oder neu einbetten, mit größeren Voxeln, wo der Speicher nicht reichte.</translation>
+    </message>
+    <message>
+        <source>Strokes go along X only; X lets them free.</source>
+        <translation>Züge gehen nur entlang X; X gibt sie frei.</translation>
+    </message>
+    <message>
+        <source>Strokes go along Y only; Y lets them free.</source>
+        <translation>Züge gehen nur entlang Y; Y gibt sie frei.</translation>
+    </message>
+    <message>
+        <source>Strokes keep their direction; D lets them free.</source>
+        <translation>Züge halten ihre Richtung; D gibt sie frei.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::MillTool</name>
+    <message>
+        <source>Esc: no line</source>
+        <translation>Esc: keine Gerade</translation>
+    </message>
+    <message>
+        <source>Esc: no raster</source>
+        <translation>Esc: kein Raster</translation>
+    </message>
+    <message>
+        <source>Esc: end the stroke here</source>
+        <translation>Esc: den Zug hier beenden</translation>
+    </message>
+    <message>
+        <source>Esc: put the tool away</source>
+        <translation>Esc: das Werkzeug weglegen</translation>
+    </message>
+    <message>
+        <source>There is no direction to keep yet: draw a little first.</source>
+        <translation>Es gibt noch keine Richtung zu halten: Ziehen Sie erst ein Stück.</translation>
+    </message>
+    <message>
+        <source>That are more than a million places to follow the part at. Take a larger step-over, or a smaller rectangle.</source>
+        <translation>Das sind mehr als eine Million Stellen, an denen dem Teil zu folgen ist. Nehmen Sie einen größeren Zeilenabstand oder ein kleineres Rechteck.</translation>
+    </message>
+    <message>
+        <source>Along the part there is nothing lower: the part holds the tool.</source>
+        <translation>Am Teil entlang geht es nicht tiefer: Das Teil hält das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>The depth of cut is zero, so that lower would be the same again.</source>
+        <translation>Die Schnitttiefe ist null; tiefer wäre dasselbe noch einmal.</translation>
+    </message>
+    <message>
+        <source>The last stroke only goes down: it has no side.</source>
+        <translation>Der letzte Zug geht nur nach unten: Er hat keine Seite.</translation>
     </message>
 </context>
 <context>
@@ -4007,6 +4142,21 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>new path</source>
         <translation>neue Bahn</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PathHand</name>
+    <message>
+        <source>Esc: give it up</source>
+        <translation>Esc: aufgeben</translation>
+    </message>
+    <message>
+        <source>Esc: draw nothing</source>
+        <translation>Esc: nichts zeichnen</translation>
+    </message>
+    <message>
+        <source>Esc: choose nothing</source>
+        <translation>Esc: nichts auswählen</translation>
     </message>
 </context>
 <context>
@@ -4613,6 +4763,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Ticks per second of the haptic loop that were really reached, how long 999 of 1000 forces let wait for the next one at most, what a tick costs at most, and ticks that were skipped.</source>
         <translation>Tatsächlich erreichte Takte je Sekunde der Haptikschleife, wie lange 999 von 1000 Kräften höchstens auf die nächste warten lassen, was ein Takt höchstens kostet, und ausgelassene Takte.</translation>
     </message>
+    <message>
+        <source>All that is cut goes into this take.</source>
+        <translation>Alles, was geschnitten wird, kommt in diese Aufnahme.</translation>
+    </message>
+    <message>
+        <source>What the Escape key does now.</source>
+        <translation>Was die Esc-Taste jetzt tut.</translation>
+    </message>
 </context>
 <context>
     <name>burin::StatusPresenter</name>
@@ -4666,6 +4824,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>motors %1</source>
         <translation>Motoren %1</translation>
+    </message>
+    <message>
+        <source>● Recording %1</source>
+        <translation>● Aufnahme %1</translation>
     </message>
 </context>
 <context>
@@ -5237,6 +5399,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The sample part, milled.</source>
         <translation>Das Beispielteil, gefräst.</translation>
+    </message>
+    <message>
+        <source>Go on where you were (Esc)</source>
+        <translation>Dort weitermachen, wo Sie waren (Esc)</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>Zurück zu %1</translation>
     </message>
 </context>
 </TS>

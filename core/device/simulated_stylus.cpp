@@ -34,7 +34,7 @@ double lateralDistance(const glm::dvec3& a, const glm::dvec3& b) {
 
 } // namespace
 
-SimulatedStylus::SimulatedStylus(const glm::dvec3& start) : shown_{start, false}, tip_(start), hoverHeight_(start.z) {
+SimulatedStylus::SimulatedStylus(const glm::dvec3& start) : shown_{.tip = start}, tip_(start), hoverHeight_(start.z) {
     target_.tip = start;
 }
 
@@ -52,6 +52,11 @@ glm::dvec3 SimulatedStylus::tip() noexcept {
 bool SimulatedStylus::strokeUnderWay() noexcept {
     places_.take(shown_);
     return shown_.strokeUnderWay;
+}
+
+std::size_t SimulatedStylus::targetsAhead() noexcept {
+    places_.take(shown_);
+    return shown_.targetsAhead + wishes_.size();
 }
 
 StylusDescription SimulatedStylus::description() const {
@@ -180,7 +185,8 @@ StylusState SimulatedStylus::read(double time) noexcept {
     double gap = lastTime_ ? std::clamp(time - *lastTime_, 0.0, longestGap) : 0.0;
     lastTime_ = time;
     for (; gap > 0.0; gap -= longestStep) step(std::min(gap, longestStep));
-    places_.post({tip_, phase_ != Phase::hover});
+    const std::size_t ahead = phase_ == Phase::hover ? 0 : trail_.ahead() + (waiting_ ? 1 : 0);
+    places_.post({tip_, phase_ != Phase::hover, ahead});
     StylusState state;
     state.time = time;
     state.pose.position = tip_;

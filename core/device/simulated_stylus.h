@@ -36,7 +36,7 @@ struct StylusTarget {
 /// Then the button goes up and the tip rises before anything else. A stroke that is given up before its start was
 /// reached never presses the button. What is asked for meanwhile waits until a trail is finished.
 ///
-/// Thread: `wish`, `tip` and `strokeUnderWay` the user interface's, the rest the haptic loop's. No lock, no allocation.
+/// Thread: `wish`, `tip`, `strokeUnderWay` and `targetsAhead` the user interface's, the rest the haptic loop's. No lock, no allocation.
 class SimulatedStylus final : public Stylus {
 public:
     static constexpr double maximumSpeed = 400.0;  ///< mm/s, never exceeded
@@ -55,6 +55,8 @@ public:
     glm::dvec3 tip() noexcept;
     /// Whether a stroke was under way at the newest reading, its trail after the button's release among it.
     bool strokeUnderWay() noexcept;
+    /// How many of a stroke's targets were not passed at the newest reading; those that end it may count among them.
+    std::size_t targetsAhead() noexcept;
 
     StylusDescription description() const override;
     Result<void> open() override;
@@ -75,6 +77,7 @@ private:
     struct Shown {
         glm::dvec3 tip{0.0}; // mm
         bool strokeUnderWay = false;
+        std::size_t targetsAhead = 0;
     };
     void takeWishes() noexcept;
     bool apply(const StylusTarget& target) noexcept;

@@ -27,6 +27,7 @@ public:
     /// @return where it is, mm
     glm::dvec3 step(double seconds, double maximumSpeed) noexcept;
     const glm::dvec3& velocity() const noexcept { return velocity_; } ///< mm/s
+    std::size_t ahead() const noexcept { return count_; }             ///< points that are not passed
     bool finished() const noexcept;                                   ///< it rests at the line's end
 
 private:

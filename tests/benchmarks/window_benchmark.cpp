@@ -286,8 +286,8 @@ int run(StallWatch& watch) {
     report.addStalls("gui_stall_max_embedding", watch);
 
     driver.step(JobStep::mill);
-    driver.clickOn("recordButton"); // takes the tool in hand as well
-    if (!runUntil([&] { return bench.mill.recording(); }, 5s)) {
+    driver.clickOn("millButton");
+    if (!runUntil([&] { return bench.mill.active(); }, 5s)) {
         std::cerr << "Mill mode did not begin: " << qPrintable(driver.message()) << '\n';
         return 0;
     }

@@ -113,8 +113,8 @@ void WindowJobTest::stroke(const glm::dvec3& from, const glm::dvec3& to, const Q
 void WindowJobTest::millsAlongThePart() {
     QVERIFY(driver_->step(JobStep::mill));
     QVERIFY(driver_->clickOn("alongPartButton"));
-    QVERIFY(driver_->clickOn("recordButton"));
-    QVERIFY(driver_->waitFor([&] { return bench().mill.recording(); }, 5000));
+    QVERIFY(driver_->clickOn("millButton"));
+    QVERIFY(driver_->waitFor([&] { return bench().mill.active(); }, 5000));
     const Box box = judge_->model().box();
     const glm::dvec3 centre = box.centre();
     const double height = box.high.z - 4.0;

@@ -29,8 +29,8 @@ int main(int argc, char** argv) {
     WindowDriver driver;
     tell("folder " + driver.folder().path());
     burin::Workbench& bench = driver.window().workbench();
-    if (!makeReady(driver) || !driver.step(burin::JobStep::mill) || !driver.clickOn("recordButton")) return 1;
-    if (!driver.waitFor([&] { return bench.mill.recording(); }, 10000)) return 1;
+    if (!makeReady(driver) || !driver.step(burin::JobStep::mill) || !driver.clickOn("millButton")) return 1;
+    if (!driver.waitFor([&] { return bench.mill.active(); }, 10000)) return 1;
     QSocketNotifier order(STDIN_FILENO, QSocketNotifier::Read);
     QObject::connect(&order, &QSocketNotifier::activated, &driver.window(), [&] {
         order.setEnabled(false);

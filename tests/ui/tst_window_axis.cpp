@@ -41,8 +41,8 @@ void TestWindowAxis::theToolStandsAsChosen() {
         [&] { return std::abs(bench.bench.bound().axis.direction.z - std::cos(25.0 * pi / 180.0)) < 1e-9; }));
     driver.shoot("18-chosen-axis");
     QVERIFY(driver.step(JobStep::mill));
-    QVERIFY(driver.clickOn("recordButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.recording(); }, 5000));
+    QVERIFY(driver.clickOn("millButton"));
+    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }, 5000));
     const glm::dvec3 axis = bench.bench.bound().axis.direction;
     bool stood = true;
     int ticks = 0;

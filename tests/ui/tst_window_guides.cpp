@@ -49,8 +49,8 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     plane.point.y = zero;
     bench.guides.change(0, plane);
 
-    QVERIFY(driver.clickOn("recordButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.recording(); }, 5000));
+    QVERIFY(driver.clickOn("millButton"));
+    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }, 5000));
     double farthest = 0.0, wanted = 0.0;
     bool told = false;
     QObject::connect(&bench.session, &SessionRunner::ticked, this, [&] {

@@ -26,8 +26,8 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QVERIFY(makeReady(driver));
     driver.shoot("02-embedded");
     QVERIFY(driver.step(JobStep::mill));
-    QVERIFY(driver.clickOn("recordButton")); // takes the tool in hand as well
-    QVERIFY(driver.waitFor([&] { return bench.mill.recording(); }, 5000));
+    QVERIFY(driver.clickOn("millButton"));
+    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }, 5000));
     millLine(driver, {-20, -12}, {20, -12});
     driver.shoot("03-first-stroke");
     QVERIFY(driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 3000));

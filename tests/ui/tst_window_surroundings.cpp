@@ -70,8 +70,8 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
     driver.shoot("16-fixture");
 
     QVERIFY(driver.step(JobStep::mill));
-    QVERIFY(driver.clickOn("recordButton"));
-    QVERIFY(driver.waitFor([&] { return bench.mill.recording(); }, 5000));
+    QVERIFY(driver.clickOn("millButton"));
+    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }, 5000));
     bool told = false;
     const auto* hint = driver.window().findChild<Notice*>("millHint");
     const auto listening = QObject::connect(&bench.session, &SessionRunner::ticked, this, [&] {

@@ -73,8 +73,8 @@ void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to
 
 bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to) {
     Workbench& bench = driver.window().workbench();
-    if (!driver.step(JobStep::mill) || !driver.clickOn("recordButton")) return false;
-    if (!driver.waitFor([&] { return bench.mill.recording(); }, 5000)) return false;
+    if (!driver.step(JobStep::mill) || !driver.clickOn("millButton")) return false;
+    if (!driver.waitFor([&] { return bench.mill.active(); }, 5000)) return false;
     millLine(driver, from, to);
     driver.key(Qt::Key_Escape);
     return driver.waitFor([&] { return !bench.session.running(); }, 5000);

@@ -29,7 +29,7 @@ void ActionStates::update() {
            bench.setup.hasPart() && !bench.surroundings.locked() && !bench.surroundings.importing());
     enable(ActionId::axisOfView, bench.setup.hasPart() && !bench.surroundings.locked());
     enable(ActionId::millMode, bench.bench.ready() && !showing);
-    enable(ActionId::record, bench.bench.ready() && !showing);
+    enable(ActionId::raster, bench.bench.ready() && !showing);
     enable(ActionId::showMe, bench.setup.usable() && !showing && !bench.mill.active());
     enable(ActionId::stopShow, showing);
     enable(ActionId::nearestEdge, bench.guides.hasEdges() && !bench.guides.full());
@@ -49,7 +49,6 @@ void ActionStates::update() {
     enable(ActionId::overrideCheck, bench.program.refused() && !bench.program.busy());
     updateUndo();
     actions_[ActionId::millMode]->setChecked(bench.mill.active());
-    actions_[ActionId::record]->setChecked(bench.mill.recording());
     actions_[ActionId::guides]->setChecked(bench.guides.on());
     actions_[ActionId::clutch]->setChecked(bench.hand.clutched());
     actions_[ActionId::rateControl]->setChecked(bench.hand.canRate() &&

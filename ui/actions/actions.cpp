@@ -82,10 +82,16 @@ constexpr std::array rows{
     Row{ActionId::axisOfView, "axisOfViewAction", QT_TRANSLATE_NOOP("Actions", "A&xis as the view looks"),
         QT_TRANSLATE_NOOP("Actions", "The tool stands along the line from the eye, as a 3+2 machine holds it."),
         "Ctrl+Shift+X"},
-    Row{ActionId::millMode, "millModeAction", QT_TRANSLATE_NOOP("Actions", "&Mill mode"),
-        QT_TRANSLATE_NOOP("Actions", "Take the tool in hand; Esc puts it away."), "M", true},
-    Row{ActionId::record, "recordAction", QT_TRANSLATE_NOOP("Actions", "&Record"),
-        QT_TRANSLATE_NOOP("Actions", "Start or stop a recording."), "R", true},
+    Row{ActionId::millMode, "millModeAction", QT_TRANSLATE_NOOP("Actions", "&Mill"),
+        QT_TRANSLATE_NOOP("Actions", "Take the tool in hand: what it cuts is recorded. Esc puts it away."), "M", true},
+    Row{ActionId::raster, "rasterAction", QT_TRANSLATE_NOOP("Actions", "Ras&ter"),
+        QT_TRANSLATE_NOOP("Actions", "A drag spans a rectangle, which is milled in rows at the step-over."), "T", true},
+    Row{ActionId::repeatLower, "repeatLowerAction", QT_TRANSLATE_NOOP("Actions", "Repeat &lower"),
+        QT_TRANSLATE_NOOP("Actions", "Cut the last stroke again, deeper by the depth of cut."), "L"},
+    Row{ActionId::repeatLeft, "repeatLeftAction", QT_TRANSLATE_NOOP("Actions", "Repeat beside, le&ft"),
+        QT_TRANSLATE_NOOP("Actions", "Cut the last stroke again, a step-over to its left as it went."), "B"},
+    Row{ActionId::repeatRight, "repeatRightAction", QT_TRANSLATE_NOOP("Actions", "Repeat beside, ri&ght"),
+        QT_TRANSLATE_NOOP("Actions", "Cut the last stroke again, a step-over to its right as it went."), "Shift+B"},
     Row{ActionId::showMe, "showMeAction", QT_TRANSLATE_NOOP("Actions", "&Show me"),
         QT_TRANSLATE_NOOP("Actions", "Watch a virtual operator mill this part."), "Ctrl+M"},
     Row{ActionId::stopShow, "stopShowAction", QT_TRANSLATE_NOOP("Actions", "S&top the virtual operator"),
@@ -152,7 +158,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
         actions_[static_cast<std::size_t>(row.id)] = action;
     }
     (*this)[ActionId::millMode]->setChecked(false);
-    (*this)[ActionId::record]->setChecked(false);
+    (*this)[ActionId::raster]->setChecked(false);
     (*this)[ActionId::clutch]->setChecked(false);
     (*this)[ActionId::rateControl]->setChecked(false);
     (*this)[ActionId::quit]->setMenuRole(QAction::QuitRole);

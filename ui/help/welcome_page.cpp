@@ -89,6 +89,10 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
+    back_ = button({}, "backButton", tr("Go on where you were (Esc)"), "previous");
+    connect(back_, &QPushButton::clicked, this, &WelcomePage::backRequested);
+    layout->addWidget(back_, 0, Qt::AlignLeft);
+    back_->hide();
     auto* title = new QLabel(tr("Burin"), centre);
     title->setProperty("look", "title");
     title->setStyleSheet(QStringLiteral("font-size: 30pt; font-weight: 600;"));
@@ -166,6 +170,11 @@ QWidget* WelcomePage::lately() {
     layout->addStretch(1);
     setRecentFiles({});
     return box;
+}
+
+void WelcomePage::setProject(const QString& title) {
+    back_->setText(tr("Back to %1").arg(title));
+    back_->setVisible(!title.isEmpty());
 }
 
 void WelcomePage::setRecentFiles(const QStringList& files) {

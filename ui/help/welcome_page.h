@@ -9,6 +9,7 @@
 
 #include <vector>
 
+class QPushButton;
 class QVBoxLayout;
 
 namespace burin {
@@ -26,10 +27,13 @@ class WelcomePage final : public QWidget {
 public:
     explicit WelcomePage(QWidget* parent = nullptr);
 
+    /// The project that is open; empty: none, and there is no way back.
+    void setProject(const QString& title);
     void setRecentFiles(const QStringList& files);
     void setLeftWork(const std::vector<LeftWorkRow>& rows);
 
 signals:
+    void backRequested();
     void importRequested();
     void sampleRequested();
     void showMeRequested();
@@ -42,6 +46,7 @@ private:
     QWidget* beginnings();
     QWidget* lately();
 
+    QPushButton* back_ = nullptr;
     QVBoxLayout* recent_ = nullptr;
     QVBoxLayout* left_ = nullptr;
     std::vector<LeftWorkRow> leftRows_; ///< that are shown

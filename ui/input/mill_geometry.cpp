@@ -12,6 +12,8 @@
 namespace burin {
 namespace {
 
+constexpr double besideStock = 20.0; // mm beyond the tool's radius that the tip may leave the grid
+
 /// Highest run end within a radius of any place on a way, from discs a radius apart that are wide enough to leave no
 /// gap at the way's edges.
 double highestAlong(const VolumeSnapshot& workpiece, const glm::dvec2& from, const glm::dvec2& to, double radius) {
@@ -43,6 +45,10 @@ double clearTipHeight(const VolumeSnapshot& workpiece, const Cutter& cutter, con
         height = std::max(height, highestAlong(workpiece, from, to, piece.widestRadius()) - piece.bottom);
     }
     return height + hoverClearance;
+}
+
+Box strokeReach(const VolumeSnapshot& workpiece, const Cutter& cutter) {
+    return workpiece.grid().box().grown(cutter.radius() + besideStock);
 }
 
 glm::dvec3 keptWithin(const Box& box, const glm::dvec3& place) {

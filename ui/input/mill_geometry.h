@@ -26,6 +26,9 @@ double clearTipHeight(const VolumeSnapshot& workpiece, const Cutter& cutter, con
 /// Moved into the box in x and y, mm.
 glm::dvec3 keptWithin(const Box& box, const glm::dvec3& place);
 
+/// Where the tip of a stroke may be, mm: over the grid and a little beside it.
+Box strokeReach(const VolumeSnapshot& workpiece, const Cutter& cutter);
+
 /// Step of an arrow or page key as the user sees it, along the axis of the setup that comes nearest: Up leads away from
 /// the viewer. Zero for other keys.
 /// @param key a Qt::Key; @param lookingAlong unit, from the eye into the picture

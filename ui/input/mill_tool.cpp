@@ -16,16 +16,13 @@ constexpr double wheelStep = 0.5, fineWheelStep = 0.05; // mm a notch
 constexpr double largestOffset = 500.0;                 // mm
 constexpr int settlingInterval = 120;                   // ms
 constexpr double arrived = 0.1;                         // mm
-constexpr double besideStock = 20.0;                    // mm beyond the tool's radius that the tip may leave the grid
-
-Box reachOf(const VolumeSnapshot& workpiece, const Cutter& cutter) {
-    return workpiece.grid().box().grown(cutter.radius() + besideStock);
-}
+constexpr double settledWay = 1.0;                      // mm: over which a stroke's direction is read
+constexpr double dragReach = 4.0;                      // pixels: what goes farther is a drag
 
 } // namespace
 
 MillTool::MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view, QObject* parent)
-    : QObject(parent), stylus_(stylus), tool_(tool), view_(std::move(view)), target_(stylus.tip()) {
+    : QObject(parent), stylus_(stylus), tool_(tool), view_(std::move(view)), feed_(stylus), target_(stylus.tip()) {
     settling_.setSingleShot(true);
     settling_.setInterval(settlingInterval);
     connect(&settling_, &QTimer::timeout, this, &MillTool::settle);
@@ -33,6 +30,7 @@ MillTool::MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<Volu
 
 void MillTool::setSettings(const MillToolSettings& settings) {
     settings_ = settings;
+    emit stateChanged();
 }
 
 /// From where the tool is, and from where a stroke that it still finishes ends.
@@ -47,10 +45,10 @@ double MillTool::clearHeightTo(const VolumeSnapshot& workpiece, const glm::dvec3
 void MillTool::hoverAt(const glm::dvec3& place) {
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return;
-    target_ = keptWithin(reachOf(workpiece, tool_.cutter), place);
+    target_ = keptWithin(strokeReach(workpiece, tool_.cutter), place);
     wantedHeight_ = place.z;
     target_.z = std::max(place.z, clearHeightTo(workpiece, target_));
-    stylus_.wish({.tip = target_, .finishStroke = true});
+    feed_.add({.tip = target_, .finishStroke = true});
     settling_.start();
 }
 
@@ -59,12 +57,12 @@ void MillTool::settle() {
     const glm::dvec3 now = stylus_.tip();
     const VolumeSnapshot workpiece = view_();
     if (stroke_ != Stroke::none || workpiece.empty()) return;
-    if (stylus_.strokeUnderWay() || std::hypot(now.x - target_.x, now.y - target_.y) > arrived)
+    if (feed_.waits() || stylus_.strokeUnderWay() || std::hypot(now.x - target_.x, now.y - target_.y) > arrived)
         return settling_.start();
     strokeEnd_.reset();
     const glm::dvec2 place(target_.x, target_.y);
     target_.z = std::max(wantedHeight_, clearTipHeight(workpiece, tool_.cutter, place, place));
-    stylus_.wish({.tip = target_, .finishStroke = true});
+    feed_.add({.tip = target_, .finishStroke = true});
 }
 
 void MillTool::hoverOver(const Sight& sight) {
@@ -96,14 +94,16 @@ double MillTool::strokeHeight(const VolumeSnapshot& workpiece, const glm::dvec3&
 std::optional<glm::dvec3> MillTool::strokePlace(const VolumeSnapshot& workpiece, const Sight& sight) {
     const auto place = onLevel(sight, pointedHeight_);
     if (!place) return std::nullopt;
-    glm::dvec3 within = keptWithin(reachOf(workpiece, tool_.cutter), *place);
+    const glm::dvec3 held = locked(lock_, lockAnchor_, lockDirection_, *place);
+    glm::dvec3 within = keptWithin(strokeReach(workpiece, tool_.cutter), held);
     within.z = strokeHeight(workpiece, within);
     return within;
 }
 
 void MillTool::cutTo(const glm::dvec3& tip, double clearHeight) {
     target_ = tip;
-    stylus_.wish({.tip = tip, .maximumSpeed = settings_.speed, .cutting = true, .clearHeight = clearHeight});
+    if (lastStroke_.empty() || lastStroke_.back() != tip) lastStroke_.push_back(tip);
+    feed_.add({.tip = tip, .maximumSpeed = settings_.speed, .cutting = true, .clearHeight = clearHeight});
 }
 
 void MillTool::aim(const Sight& sight) {
@@ -113,40 +113,73 @@ void MillTool::aim(const Sight& sight) {
     if (const auto place = strokePlace(workpiece, sight)) cutTo(*place, place->z);
 }
 
-bool MillTool::press(const ViewportEvent& event) {
-    if (event.button != Qt::LeftButton) return false;
-    const VolumeSnapshot workpiece = view_();
-    if (stroke_ != Stroke::none || workpiece.empty()) return true;
-    const Sight sight = sightOf(event);
-    lookingAlong_ = sight.direction;
-    fine_.reset();
-    lastSight_ = fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier));
+/// Where the pointer draws from now on: the plane through what is under it.
+void MillTool::lookAt(const VolumeSnapshot& workpiece, const Sight& sight) {
     if (const auto hit = castRay(workpiece, sight.origin, sight.direction)) surfaceHeight_ = hit->place.z;
     pointedHeight_ = surfaceHeight_.value_or(workpiece.grid().box().high.z);
     levelHeight_ = pointedHeight_ - settings_.depthOfCut;
+}
+
+void MillTool::beginFreeStroke(const ViewportEvent& event) {
+    const VolumeSnapshot workpiece = view_();
+    const Sight sight = sightOf(event);
+    fine_.reset();
+    lastSight_ = fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier));
+    lookAt(workpiece, sight);
+    if (const auto place = onLevel(lastSight_, pointedHeight_)) lockAnchor_ = *place;
     const auto place = strokePlace(workpiece, lastSight_);
-    if (!place) return true;
+    if (!place) return;
     stroke_ = Stroke::pointer;
+    lastStroke_.clear();
     emit strokeBegins();
     cutTo(*place, clearHeightTo(workpiece, *place));
+}
+
+bool MillTool::press(const ViewportEvent& event) {
+    if (event.button != Qt::LeftButton) return false;
+    if (stroke_ != Stroke::none || drawing_ != Drawing::none || feed_.waits() || view_().empty()) return true;
+    lookingAlong_ = sightOf(event).direction;
+    if (settings_.drag == DragRule::raster)
+        beginDrawing(Drawing::raster, event);
+    else if (event.modifiers.testFlag(Qt::ShiftModifier) && !lastStroke_.empty())
+        beginDrawing(Drawing::line, event);
+    else
+        beginFreeStroke(event);
+    emit stateChanged();
     return true;
+}
+
+QString MillTool::escapeMeaning() {
+    if (drawing_ == Drawing::line) return tr("Esc: no line");
+    if (drawing_ == Drawing::raster) return tr("Esc: no raster");
+    if (stroke_ != Stroke::none || feed_.waits() || stylus_.strokeUnderWay()) return tr("Esc: end the stroke here");
+    return tr("Esc: put the tool away");
 }
 
 bool MillTool::move(const ViewportEvent& event) {
     const Sight sight = sightOf(event);
     lookingAlong_ = sight.direction;
     if (stroke_ == Stroke::keyboard) return true;
-    const Sight fine = fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier));
-    if (stroke_ == Stroke::pointer)
-        aim(fine);
-    else
-        hoverOver(fine);
+    if (drawing_ == Drawing::line &&
+        std::hypot(event.position.x() - pressed_.position.x(), event.position.y() - pressed_.position.y()) > dragReach) {
+        drawing_ = Drawing::none; // a fine stroke after all
+        beginFreeStroke(pressed_);
+    }
+    if (drawing_ != Drawing::none)
+        draw(event);
+    else if (stroke_ == Stroke::pointer)
+        aim(fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier)));
+    else if (!feed_.waits())
+        hoverOver(sight);
     return true;
 }
 
 bool MillTool::release(const ViewportEvent& event) {
     if (event.button != Qt::LeftButton) return false;
-    if (stroke_ == Stroke::pointer) endStroke(End::finished);
+    if (drawing_ != Drawing::none)
+        finishDrawing();
+    else if (stroke_ == Stroke::pointer)
+        endStroke(End::finished);
     return true;
 }
 
@@ -165,24 +198,25 @@ bool MillTool::wheel(const ViewportEvent& event) {
 
 /// The spindle stops where the trail ends, or where the tool is; from there it rises straight up until it is clear.
 void MillTool::endStroke(End how) {
-    if (stroke_ == Stroke::none && !stylus_.strokeUnderWay()) return;
+    if (stroke_ == Stroke::none && !feed_.waits() && !stylus_.strokeUnderWay()) return;
     const bool drawing = std::exchange(stroke_, Stroke::none) != Stroke::none;
     fine_.reset();
     if (how == End::givenUp) {
         target_ = stylus_.tip();
-        stylus_.wish({.tip = target_}); // even if there is no workpiece to hover over any more
+        feed_.giveUp({.tip = target_}); // even if there is no workpiece to hover over any more
     }
     strokeEnd_ = target_;
-    stylus_.wish({.tip = target_, .finishStroke = true});
+    feed_.add({.tip = target_, .finishStroke = true});
     hoverAt(target_);
     if (drawing) emit strokeEnds();
+    emit stateChanged();
 }
 
 void MillTool::step(const glm::dvec3& way) {
-    if (stroke_ == Stroke::pointer) return;
+    if (stroke_ == Stroke::pointer || drawing_ != Drawing::none || feed_.waits()) return;
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return;
-    const glm::dvec3 place = keptWithin(reachOf(workpiece, tool_.cutter), target_ + way);
+    const glm::dvec3 place = keptWithin(strokeReach(workpiece, tool_.cutter), target_ + way);
     if (stroke_ == Stroke::keyboard)
         cutTo(place, place.z);
     else
@@ -193,20 +227,58 @@ void MillTool::toggleSpindle() {
     if (stroke_ != Stroke::none) return endStroke(End::finished);
     if (view_().empty()) return;
     stroke_ = Stroke::keyboard;
+    lastStroke_.clear();
     emit strokeBegins();
     cutTo(target_, target_.z);
+    emit stateChanged();
+}
+
+void MillTool::toggleLock(StrokeLock lock) {
+    if (lock_ == lock) {
+        lock_ = StrokeLock::none;
+    } else {
+        if (lock == StrokeLock::direction) {
+            const auto direction = directionAtEnd(lastStroke_, settledWay);
+            if (!direction) return emit refused(tr("There is no direction to keep yet: draw a little first."));
+            lockDirection_ = *direction;
+        }
+        lock_ = lock;
+        lockAnchor_ = target_;
+    }
+    emit stateChanged();
+}
+
+bool MillTool::lockKey(int key) {
+    switch (key) {
+    case Qt::Key_X:
+        toggleLock(StrokeLock::alongX);
+        return true;
+    case Qt::Key_Y:
+        toggleLock(StrokeLock::alongY);
+        return true;
+    case Qt::Key_D:
+        toggleLock(StrokeLock::direction);
+        return true;
+    default:
+        return false;
+    }
 }
 
 bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
     if (key == Qt::Key_Escape) {
-        if (stroke_ == Stroke::none && !stylus_.strokeUnderWay())
+        if (drawing_ != Drawing::none) {
+            drawing_ = Drawing::none;
+            emit stateChanged();
+        } else if (stroke_ == Stroke::none && !feed_.waits() && !stylus_.strokeUnderWay()) {
             emit leaveRequested();
-        else
+        } else {
             endStroke(End::givenUp);
+        }
         return true;
     }
+    if (modifiers == Qt::NoModifier && lockKey(key)) return true;
     if (key == Qt::Key_Space) {
-        if (stroke_ != Stroke::pointer) toggleSpindle();
+        if (stroke_ != Stroke::pointer && drawing_ == Drawing::none) toggleSpindle();
         return true;
     }
     const glm::dvec3 direction = keyStep(key, lookingAlong_);
@@ -222,6 +294,7 @@ bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
 
 /// A stroke that was released is finished, wherever the pointer goes.
 void MillTool::leave() {
+    if (std::exchange(drawing_, Drawing::none) != Drawing::none) emit stateChanged();
     if (stroke_ != Stroke::none) endStroke(End::givenUp);
 }
 

@@ -143,6 +143,12 @@ bool PathHand::key(int key, Qt::KeyboardModifiers) {
     return true;
 }
 
+QString PathHand::escapeMeaning() {
+    if (doing_ != Doing::nothing) return tr("Esc: give it up");
+    if (height_) return tr("Esc: draw nothing");
+    return places_.empty() ? QString() : tr("Esc: choose nothing");
+}
+
 void PathHand::leave() {
     if (doing_ == Doing::pressed) doing_ = Doing::nothing;
 }

@@ -42,6 +42,7 @@ public:
     bool move(const ViewportEvent& event) override;
     bool release(const ViewportEvent& event) override;
     bool key(int key, Qt::KeyboardModifiers modifiers) override;
+    QString escapeMeaning() override;
     void leave() override;
 
 signals:

@@ -13,6 +13,8 @@
 #include "ui/panels/texts.h"
 #include "ui/theme/number_font.h"
 
+#include <array>
+
 namespace burin {
 
 class MillPanel::Fields : public QObject {
@@ -27,9 +29,12 @@ private:
     void addButtons();
     void addStylus();
     void addDepth();
+    void addDrag();
+    void addRepetitions();
     QuantityField* addField(QuantityField* field, const QString& label, const QString& toolTip, const char* name,
                             double low, double high, void (MillPanel::*edited)(double));
     void chooseRule(DepthChoice rule);
+    void chooseRaster(bool on);
     void refreshButtons();
     QString reasonAgainstUndo() const;
     QString undoText() const;
@@ -38,11 +43,13 @@ private:
 
     MillPanel* panel_;
     QVBoxLayout* column_;
-    QPushButton *mill_, *record_, *undo_, *redo_, *level_, *part_, *show_;
+    QPushButton *mill_, *undo_, *redo_, *level_, *part_, *stroke_, *raster_, *show_;
+    std::array<QPushButton*, 3> repeat_;
+    QWidget* repeatRow_;
     ChoiceBox* stylus_;
     QWidget *pointerTitle_, *keysTitle_, *keys_; ///< of what only the pointer needs
-    QuantityField *depthOfCut_, *press_, *speed_;
-    Notice *missing_, *alarm_, *hint_;
+    QuantityField *depthOfCut_, *press_, *speed_, *stepOver_;
+    Notice *missing_, *alarm_, *hint_, *lock_;
     QLabel* noTakes_;
     TakeList* takes_;
 };
@@ -60,14 +67,19 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
     hint_ = new Notice(panel);
     hint_->setObjectName(QStringLiteral("millHint"));
     column_->addWidget(hint_);
+    lock_ = new Notice(panel);
+    lock_->setObjectName(QStringLiteral("millLock"));
+    column_->addWidget(lock_);
     pointerTitle_ = makeSectionTitle(MillPanel::tr("How the tool follows the hand"), panel);
     column_->addWidget(pointerTitle_);
     addDepth();
+    addDrag();
+    addRepetitions();
     column_->addWidget(makeSectionTitle(MillPanel::tr("Takes"), panel));
     noTakes_ = makeWrappedLabel(panel);
     noTakes_->setProperty("look", "quiet");
     setWrappedText(noTakes_,
-                   MillPanel::tr("Nothing is recorded yet. Record while you mill, or let the virtual operator "
+                   MillPanel::tr("Nothing is recorded yet. All that you mill is, or let the virtual operator "
                                  "show it to you."));
     column_->addWidget(noTakes_);
     takes_ = new TakeList(panel);
@@ -86,30 +98,19 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
 }
 
 void MillPanel::Fields::addButtons() {
-    record_ = makeButton({}, {}, QStringLiteral("recordButton"), panel_);
-    record_->setProperty("look", "record");
-    record_->setCheckable(true);
-    record_->setFont(numberFont(record_->font()));
     mill_ = makeButton({}, QStringLiteral("mill"), QStringLiteral("millButton"), panel_);
     mill_->setCheckable(true);
+    mill_->setFont(numberFont(mill_->font()));
     undo_ = makeButton(MillPanel::tr("Undo"), QStringLiteral("undo"), QStringLiteral("undoStrokeButton"), panel_);
     redo_ = makeButton(MillPanel::tr("Redo"), QStringLiteral("redo"), QStringLiteral("redoStrokeButton"), panel_);
     redo_->setToolTip(MillPanel::tr("Put the stroke back that was taken back last"));
-    auto* first = new QHBoxLayout;
-    first->setSpacing(8);
-    first->addWidget(record_, 1);
-    first->addWidget(mill_, 1);
     auto* second = new QHBoxLayout;
     second->setSpacing(8);
     second->addWidget(undo_, 1);
     second->addWidget(redo_, 1);
-    column_->addLayout(first);
+    column_->addWidget(mill_);
     column_->addLayout(second);
     // The state decides what is on: a click is a wish.
-    connect(record_, &QPushButton::clicked, this, [this] {
-        record_->setChecked(state.recording);
-        emit panel_->recordToggled(!state.recording);
-    });
     connect(mill_, &QPushButton::clicked, this, [this] {
         mill_->setChecked(state.active);
         emit panel_->millModeToggled(!state.active);
@@ -151,6 +152,53 @@ void MillPanel::Fields::addDepth() {
                       1.0, 400.0, &MillPanel::speedEdited);
 }
 
+void MillPanel::Fields::addDrag() {
+    stroke_ = makeChoiceButton(MillPanel::tr("Stroke"), MillPanel::tr("A drag cuts where the pointer goes"),
+                               QStringLiteral("strokeButton"), panel_);
+    raster_ = makeChoiceButton(MillPanel::tr("Raster"),
+                               MillPanel::tr("A drag spans a rectangle, which is milled in rows at the step-over (T)"),
+                               QStringLiteral("rasterButton"), panel_);
+    auto* choice = new QHBoxLayout;
+    choice->setSpacing(4);
+    choice->addWidget(stroke_, 1);
+    choice->addWidget(raster_, 1);
+    column_->addLayout(choice);
+    connect(stroke_, &QPushButton::clicked, this, [this] { chooseRaster(false); });
+    connect(raster_, &QPushButton::clicked, this, [this] { chooseRaster(true); });
+    stepOver_ = addField(new LengthField(panel_), MillPanel::tr("Step-over"),
+                         MillPanel::tr("Between the rows of a raster, and to a stroke that is repeated beside"),
+                         "stepOverField", 0.01, 100.0, &MillPanel::stepOverEdited);
+}
+
+void MillPanel::Fields::addRepetitions() {
+    struct Offer {
+        RepeatChoice how;
+        QString text, toolTip;
+        const char* name;
+    };
+    const std::array offers{
+        Offer{RepeatChoice::lower, MillPanel::tr("Lower"),
+              MillPanel::tr("Cut the last stroke again, deeper by the depth of cut (L)"), "repeatLowerButton"},
+        Offer{RepeatChoice::left, MillPanel::tr("Left"),
+              MillPanel::tr("Cut the last stroke again, a step-over to its left as it went (B)"), "repeatLeftButton"},
+        Offer{RepeatChoice::right, MillPanel::tr("Right"),
+              MillPanel::tr("Cut the last stroke again, a step-over to its right as it went (Shift+B)"),
+              "repeatRightButton"}};
+    repeatRow_ = new QWidget(panel_);
+    auto* row = new QHBoxLayout(repeatRow_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(new QLabel(MillPanel::tr("Repeat"), repeatRow_));
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+        repeat_[i] = makeButton(offers[i].text, {}, QLatin1String(offers[i].name), repeatRow_);
+        repeat_[i]->setToolTip(offers[i].toolTip);
+        row->addWidget(repeat_[i], 1);
+        connect(repeat_[i], &QPushButton::clicked, panel_,
+                [this, how = offers[i].how] { emit panel_->repeatRequested(how); });
+    }
+    column_->addWidget(repeatRow_);
+}
+
 QuantityField* MillPanel::Fields::addField(QuantityField* field, const QString& label, const QString& toolTip,
                                            const char* name, double low, double high,
                                            void (MillPanel::*edited)(double)) {
@@ -166,6 +214,13 @@ void MillPanel::Fields::chooseRule(DepthChoice rule) {
     state.depthRule = rule;
     refreshDepth();
     if (other) emit panel_->depthRuleChosen(rule);
+}
+
+void MillPanel::Fields::chooseRaster(bool on) {
+    const bool other = on != state.raster;
+    state.raster = on;
+    refreshDepth();
+    if (other) emit panel_->rasterChosen(on);
 }
 
 /// A history of strokes belongs to a workpiece, which is made anew when a project is opened.
@@ -187,20 +242,16 @@ void MillPanel::Fields::refreshButtons() {
     const QString missing =
         state.missing.isEmpty() ? MillPanel::tr("Embed the part and choose a tool first.") : state.missing;
     const QString reason = state.ready ? QString() : missing;
-    record_->setChecked(state.recording);
-    record_->setText(state.recording ? MillPanel::tr("Stop %1").arg(durationText(state.recordedSeconds))
-                                     : MillPanel::tr("Record"));
-    showIcon(record_, state.recording ? QStringLiteral("stop") : QStringLiteral("record"),
-             state.recording ? &Palette::field : &Palette::force);
-    enableUnless(record_, state.recording ? QString() : reason,
-                 state.recording ? MillPanel::tr("End the take")
-                                 : MillPanel::tr("Record what the hand does, as a take"));
     mill_->setChecked(state.active);
-    mill_->setText(state.active ? MillPanel::tr("Stop milling") : MillPanel::tr("Mill"));
-    setLook(mill_, state.ready && !state.active ? "primary" : "");
-    showIcon(mill_, QStringLiteral("mill"), state.ready && !state.active ? &Palette::field : &Palette::text);
-    enableUnless(mill_, state.active ? QString() : reason,
-                 state.active ? MillPanel::tr("Put the tool away") : MillPanel::tr("The tool follows the stylus"));
+    mill_->setText(state.recording ? MillPanel::tr("Stop, recorded %1").arg(durationText(state.recordedSeconds))
+                   : state.active  ? MillPanel::tr("Stop milling")
+                                   : MillPanel::tr("Mill"));
+    setLook(mill_, state.recording ? "record" : state.ready && !state.active ? "primary" : "");
+    showIcon(mill_, state.active ? QStringLiteral("stop") : QStringLiteral("mill"),
+             state.recording || (state.ready && !state.active) ? &Palette::field : &Palette::text);
+    enableUnless(mill_, state.active || state.recording ? QString() : reason,
+                 state.active ? MillPanel::tr("End the take, and put the tool away")
+                              : MillPanel::tr("The tool follows the stylus; what it cuts is recorded"));
     enableUnless(undo_, reasonAgainstUndo(), undoText());
     redo_->setEnabled(state.canRedoStroke);
     enableUnless(show_,
@@ -213,6 +264,8 @@ void MillPanel::Fields::refreshButtons() {
     missing_->tell(Notice::Kind::information, reason);
     alarm_->tell(Notice::Kind::error, state.alarm);
     hint_->tell(Notice::Kind::warning, state.hint);
+    lock_->tell(Notice::Kind::information, state.lock);
+    for (QPushButton* button : repeat_) button->setEnabled(state.canRepeat);
 }
 
 /// Devices come and go under the user's eyes, but never under an open list.
@@ -230,10 +283,15 @@ void MillPanel::Fields::refreshStylus() {
 void MillPanel::Fields::refreshDepth() {
     const bool level = state.depthRule == DepthChoice::level, pointer = state.stylus == 0;
     for (QWidget* widget : {pointerTitle_, keysTitle_, keys_, static_cast<QWidget*>(level_),
-                            static_cast<QWidget*>(part_), speed_->parentWidget()})
+                            static_cast<QWidget*>(part_), static_cast<QWidget*>(stroke_),
+                            static_cast<QWidget*>(raster_), repeatRow_, stepOver_->parentWidget(),
+                            speed_->parentWidget()})
         widget->setVisible(pointer);
     level_->setChecked(level);
     part_->setChecked(!level);
+    stroke_->setChecked(!state.raster);
+    raster_->setChecked(state.raster);
+    stepOver_->showValue(state.stepOver);
     depthOfCut_->parentWidget()->setVisible(pointer && level);
     press_->parentWidget()->setVisible(pointer && !level);
     depthOfCut_->showValue(state.depthOfCut);
@@ -251,7 +309,7 @@ void MillPanel::Fields::refresh() {
 }
 
 void MillPanel::Fields::setUnit(LengthUnit unit) {
-    for (QuantityField* field : {depthOfCut_, press_, speed_}) field->setLengthUnit(unit);
+    for (QuantityField* field : {depthOfCut_, press_, speed_, stepOver_}) field->setLengthUnit(unit);
 }
 
 MillPanel::MillPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// Mill mode: record first, then how the tool follows the hand, the takes, and how to mill by mouse and keyboard.
+/// Milling: the one button first, then how the tool follows the hand, the takes, and how to mill by mouse and keyboard.
 class MillPanel : public QWidget {
     Q_OBJECT
 public:
@@ -19,7 +19,6 @@ public:
 
 signals:
     void millModeToggled(bool on);
-    void recordToggled(bool on);
     void stylusChosen(int index); ///< of MillState::styluses
     void undoStrokeRequested();
     void redoStrokeRequested();
@@ -27,6 +26,9 @@ signals:
     void depthOfCutEdited(double millimetres);
     void pressEdited(double millimetres);
     void speedEdited(double millimetresPerSecond);
+    void rasterChosen(bool on);
+    void stepOverEdited(double millimetres);
+    void repeatRequested(burin::RepeatChoice how);
     void showMeRequested();
     void takeRemovalRequested(qint64 take);
 

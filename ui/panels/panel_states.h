@@ -90,6 +90,7 @@ struct AllowanceState {
 };
 
 enum class DepthChoice { level, part };
+enum class RepeatChoice { lower, left, right };
 
 struct TakeRow {
     TakeInfo info;
@@ -108,7 +109,10 @@ struct MillState {
     bool canUndoStroke = false, canRedoStroke = false;
     std::size_t undoableStrokes = 0; ///< that can be taken back one after the other
     DepthChoice depthRule = DepthChoice::level;
-    double depthOfCut = 1.0, press = 2.0, speed = 60.0; ///< mm, mm, mm/s
+    bool raster = false;                                                ///< a drag spans a rectangle
+    double depthOfCut = 1.0, press = 2.0, speed = 60.0, stepOver = 2.0; ///< mm, mm, mm/s, mm
+    bool canRepeat = false;                                             ///< there is a stroke to repeat
+    QString lock;                                                       ///< what strokes keep to; empty: nothing
     QString alarm;                                      ///< what keeps the tool from cutting; empty: nothing
     QString hint;                                       ///< what the hand may wonder about; empty: nothing
     std::vector<TakeRow> takes;

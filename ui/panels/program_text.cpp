@@ -79,7 +79,12 @@ bool ProgramText::editable() const {
 }
 
 bool ProgramText::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != wanted_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+    if (watched != wanted_ || (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride))
+        return QWidget::eventFilter(watched, event);
+    if (event->type() == QEvent::ShortcutOverride) { // Esc is this field's before it is the window's
+        if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) event->accept();
+        return QWidget::eventFilter(watched, event);
+    }
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) {
         search((key->modifiers() & Qt::ShiftModifier) != 0);

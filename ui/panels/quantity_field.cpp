@@ -142,6 +142,16 @@ QAbstractSpinBox::StepEnabled QuantityField::stepEnabled() const {
     return enabled;
 }
 
+/// Esc takes back what is being typed before it means anything to the window.
+bool QuantityField::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && isTyping() &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        return true;
+    }
+    return QDoubleSpinBox::event(event);
+}
+
 void QuantityField::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && isTyping()) {
         restore();

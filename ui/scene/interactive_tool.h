@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <QPointF>
+#include <QString>
 #include <Qt>
 
 namespace burin {
@@ -38,6 +39,8 @@ public:
     virtual bool wheel(const ViewportEvent&) { return false; }
     /// @return true when the key meant something. Esc comes here too.
     virtual bool key(int /*key*/, Qt::KeyboardModifiers) { return false; }
+    /// What Esc does now, a short sentence; empty: nothing.
+    virtual QString escapeMeaning() { return {}; }
     virtual void leave() {} ///< the pointer left the viewport, or the tool is put away
 };
 

@@ -51,6 +51,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , ghost_(*marks_)
     , moveMark_(*marks_)
     , outlines_(*marks_)
+    , strokePlans_(*marks_)
     , force_(*marks_)
     , cube_(window, 3) {
     window.SetNumberOfLayers(4);
@@ -86,6 +87,7 @@ void Scene::setPalette(const Palette& palette) {
     ghost_.setPalette(palette);
     moveMark_.setColour(palette.text);
     outlines_.setColour(palette.quietText);
+    strokePlans_.setColour(palette.text);
     force_.setPalette(palette);
     cube_.setPalette(palette);
 }
@@ -178,6 +180,7 @@ void Scene::setLineWidths(double ratio) {
     ghost_.setLineWidth(boldLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
     outlines_.setLineWidth(pathLine * ratio);
+    strokePlans_.setLineWidth(pathLine * ratio);
     obstacles_.setLineWidth(ratio);
     guides_.setLineWidth(thinLine * ratio);
     tool_.setLineWidth(pathLine * ratio);
@@ -197,7 +200,7 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     cube_.place(view, size, ratio);
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
-                    outlines_.visible());
+                    outlines_.visible() || strokePlans_.visible());
 
     const CameraAxes axes = axesOf(view);
     vtkCamera* camera = bench_->GetActiveCamera();

@@ -58,6 +58,7 @@ public:
     DeviationPoints& deviations() noexcept { return deviations_; }
     MarkedLines& moveMark() noexcept { return moveMark_; }
     MarkedLines& outlines() noexcept { return outlines_; }
+    MarkedLines& strokePlans() noexcept { return strokePlans_; }
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
@@ -92,7 +93,7 @@ private:
     ObstacleActors obstacles_;
     GuideActors guides_;
     StylusGhost ghost_;
-    MarkedLines moveMark_, outlines_;
+    MarkedLines moveMark_, outlines_, strokePlans_;
     ForceArrow force_;
     ViewCube cube_;
 

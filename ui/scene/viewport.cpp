@@ -174,6 +174,11 @@ void Viewport::setOutlines(const PlaceChains& lines) {
     impl_->refresh();
 }
 
+void Viewport::setStrokePlans(const PlaceChains& lines) {
+    impl_->scene.strokePlans().set(lines);
+    impl_->refresh();
+}
+
 void Viewport::setMoveMark(const PlaceChains& moves) {
     impl_->scene.moveMark().set(moves);
     impl_->refresh();
@@ -189,9 +194,14 @@ void Viewport::fit() {
     impl_->moved();
 }
 
+InteractiveTool* Viewport::interactiveTool() const {
+    return impl_->tool;
+}
+
 void Viewport::setInteractiveTool(InteractiveTool* tool) {
     if (impl_->tool != nullptr && impl_->tool != tool) impl_->tool->leave();
     impl_->tool = tool;
+    emit interactiveToolChanged();
 }
 
 ViewportEvent Viewport::sight(const QPointF& position) const {

@@ -99,11 +99,14 @@ public:
     void setMoveMark(const PlaceChains& moves);
     /// What the user drew for the path: areas, guides.
     void setOutlines(const PlaceChains& lines);
+    /// What the tool has still to cut: the pointer's trail, a line or rows to come.
+    void setStrokePlans(const PlaceChains& lines);
 
     void setStandardView(StandardView view);
     void fit();
     /// Not owned; nullptr: the camera alone.
     void setInteractiveTool(InteractiveTool* tool);
+    InteractiveTool* interactiveTool() const; ///< null: the camera alone
     /// Sight through a place of the widget (device-independent pixels).
     ViewportEvent sight(const QPointF& position) const;
     /// The place of workpiece or part that appears there, mm, setup frame; nothing: the bench alone does.
@@ -121,6 +124,7 @@ public:
 signals:
     /// After each paint.
     void painted();
+    void interactiveToolChanged();
     /// OpenGL is too old; the sentence is for the user, as from `drawingObstacle`.
     void drawingFailed(const QString& sentence);
 

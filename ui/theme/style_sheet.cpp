@@ -119,6 +119,7 @@ QMenu::separator { height: 1px; background: @border; margin: 4px 8px; }
 QMenu::icon { padding-left: 8px; }
 QStatusBar { background: @window; color: @quietText; }
 QStatusBar::item { border: none; }
+QStatusBar QLabel[look="force"] { color: @force; font-weight: 600; }
 QToolBar { background: @window; border: none; spacing: 4px; padding: 4px; }
 QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
 QSplitter::handle { background: @window; }

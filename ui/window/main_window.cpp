@@ -11,6 +11,7 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -136,12 +137,6 @@ void MainWindow::connectActions() {
         else
             workbench_.mill.leave();
     });
-    on(ActionId::record, [this](bool wanted) {
-        if (wanted)
-            workbench_.mill.startRecording();
-        else
-            workbench_.mill.leave(); // a stroke would only begin the next take
-    });
     on(ActionId::showMe, [this] { workbench_.showHowItIsDone(); });
     on(ActionId::stopShow, [this] { workbench_.showMe.stop(); });
     on(ActionId::guides, [this](bool wanted) { workbench_.guides.setOn(wanted); });
@@ -179,13 +174,23 @@ void MainWindow::connectActions() {
     });
     on(ActionId::overrideCheck, [this] { overrideCheck(); });
     connect(panels_->program, &ProgramPanel::overrideRequested, actions_[ActionId::overrideCheck], &QAction::trigger);
-    on(ActionId::welcome, [this] { pages_->currentWidget() == welcome_ ? showBench(true) : showWelcome(); });
+    on(ActionId::welcome, [this] {
+        if (pages_->currentWidget() != welcome_)
+            showWelcome();
+        else
+            goBack();
+    });
+    connect(welcome_, &WelcomePage::backRequested, this, &MainWindow::goBack);
+    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
     on(ActionId::keyList, [this] { showKeys(); });
     on(ActionId::about, [this] { showAbout(this, QCoreApplication::applicationVersion()); });
     connect(panels_->part, &PartPanel::importRequested, &flow_, &DocumentFlow::import);
     connect(panels_->part, &PartPanel::stlUnitChosen, &flow_, &DocumentFlow::importAgain);
     connect(panels_->program, &ProgramPanel::exportRequested, &flow_, &DocumentFlow::exportProgram);
     connect(panels_->path, &PathPanel::visibilityToggled, actions_[ActionId::showPath], &QAction::setChecked);
+    presenters_->mill.connectActions(actions_);
+    connect(&presenters_->millMode, &MillMode::refused, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
     connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);
     connect(jobLine_, &JobLine::stepChosen, this, &MainWindow::showStep);
     connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openAny);
@@ -255,6 +260,7 @@ void MainWindow::connectWelcome() {
 void MainWindow::showWelcome() {
     lookForLeftWork();
     welcome_->setRecentFiles(settings_.recentFiles());
+    welcome_->setProject(workbench_.document.isOpen() ? workbench_.document.title() : QString());
     pages_->setCurrentWidget(welcome_);
 }
 
@@ -270,6 +276,18 @@ void MainWindow::lookForLeftWork() {
         rows.push_back({file, QDateTime::fromSecsSinceEpoch(seconds)});
     }
     welcome_->setLeftWork(rows);
+}
+
+/// From the welcome page to the project, where one is open.
+void MainWindow::goBack() {
+    if (workbench_.document.isOpen()) showBench(true);
+}
+
+/// Esc leaves what one is in, wherever the keyboard is; in a field, the field.
+void MainWindow::escape() {
+    if (pages_->currentWidget() == welcome_) return goBack();
+    InteractiveTool* tool = viewport_->interactiveTool();
+    if (tool == nullptr || !tool->key(Qt::Key_Escape, Qt::NoModifier)) viewport_->setFocus();
 }
 
 void MainWindow::showBench(bool shown) {

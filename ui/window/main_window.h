@@ -45,6 +45,8 @@ private:
     void showStep(JobStep step);
     void showBench(bool shown);
     void showWelcome();
+    void goBack();
+    void escape();
     void lookForLeftWork();
     void tellAboutBattery(double share);
     void updateTitle();

@@ -42,7 +42,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
             {fit, line, viewIsometric, viewTop, viewBottom, viewFront, viewBack, viewLeft, viewRight, line,
              showWorkpiece, showPart, showTool, showPath, showOtherPaths, showGuides, line, nextStep, previousStep});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
-            {embed,     addFixtureFile, axisOfView,  line,        millMode, record, line,
+            {embed,     addFixtureFile, axisOfView,  line,        millMode, raster, repeatLower, repeatLeft, repeatRight, line,
              guides,    nearestEdge,    levelAbove,  levelBelow,  line,     clutch, recentre,
              alignHand, finerHand,      coarserHand, rateControl, line,     showMe, stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch, drawEdit});

@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/mill_mode.h"
 
+#include <utility>
+
 namespace burin {
 
 MillMode::MillMode(Workbench& workbench, Viewport& viewport, QObject* parent)
     : QObject(parent), workbench_(workbench), viewport_(viewport) {
     connect(&workbench.mill, &MillController::entered, this, &MillMode::begin);
     connect(&workbench.mill, &MillController::left, this, &MillMode::end);
+    connect(&workbench.mill, &MillController::recordingBegan, this, [this](bool well) {
+        if (tool_) well ? tool_->goOn() : tool_->giveUp();
+    });
+    connect(&workbench.session, &SessionRunner::ticked, this, &MillMode::showPlans);
 }
 
 MillMode::~MillMode() {
@@ -25,16 +31,41 @@ void MillMode::begin() {
     tool_ = std::make_unique<MillTool>(*workbench_.mill.stylus(), workbench_.bench.bench()->tool,
                                        [this] { return workbench_.session.workpiece(); });
     tool_->setSettings(settings_);
-    connect(tool_.get(), &MillTool::strokeBegins, &workbench_.mill, &MillController::startRecording);
+    connect(tool_.get(), &MillTool::strokeBegins, this, &MillMode::record);
+    connect(tool_.get(), &MillTool::stateChanged, this, &MillMode::showPlans);
+    connect(tool_.get(), &MillTool::stateChanged, this, &MillMode::toolChanged);
+    connect(tool_.get(), &MillTool::refused, this, &MillMode::refused);
     // Not at once: the tool would be deleted while it handles the key.
     connect(tool_.get(), &MillTool::leaveRequested, &workbench_.mill, [this] { workbench_.mill.leave(); });
     viewport_.setInteractiveTool(tool_.get());
     viewport_.setFocus();
+    emit toolChanged();
 }
 
 void MillMode::end() {
     viewport_.setInteractiveTool(nullptr);
     tool_.reset();
+    plans_.clear();
+    viewport_.setStrokePlans(plans_);
+    emit toolChanged();
+}
+
+/// A stroke that began waits above its start until its recording runs.
+void MillMode::record() {
+    if (workbench_.mill.startRecording()) tool_->hold();
+}
+
+void MillMode::showPlans() {
+    if (!tool_) return;
+    PlaceChains plans = tool_->plans();
+    if (plans == plans_) return; // nothing to draw anew
+    plans_ = std::move(plans);
+    viewport_.setStrokePlans(plans_);
+}
+
+void MillMode::repeat(MillTool::Repetition how) {
+    if (!tool_) return;
+    if (const QString obstacle = tool_->repeat(how); !obstacle.isEmpty()) emit refused(obstacle);
 }
 
 } // namespace burin

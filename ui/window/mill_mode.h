@@ -22,18 +22,26 @@ public:
 
     const MillToolSettings& settings() const noexcept { return settings_; }
     void setSettings(const MillToolSettings& settings);
+    void repeat(MillTool::Repetition how);
+    bool canRepeat() const noexcept { return tool_ && tool_->canRepeat(); }
+    StrokeLock lock() const noexcept { return tool_ ? tool_->lock() : StrokeLock::none; }
 
 signals:
     void settingsChanged();
+    void toolChanged(); ///< lock, what can be repeated, what Esc does
+    void refused(const QString& sentence);
 
 private:
     void begin();
     void end();
+    void record();
+    void showPlans();
 
     Workbench& workbench_;
     Viewport& viewport_;
     MillToolSettings settings_;
     std::unique_ptr<MillTool> tool_;
+    PlaceChains plans_; ///< that are drawn
 };
 
 } // namespace burin

@@ -6,6 +6,7 @@
 #include "ui/window/session_words.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 
@@ -25,18 +26,22 @@ MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& pa
     connect(&workbench.session, &SessionRunner::ticked, this, &Presenter::presentSoon);
     connect(&mode, &MillMode::settingsChanged, this, &Presenter::presentSoon);
     connect(&panel, &MillPanel::millModeToggled, this, [this](bool on) {
-        if (on)
+        if (workbench_.showMe.showing())
+            workbench_.showMe.stop();
+        else if (on)
             workbench_.mill.enter();
         else
             workbench_.mill.leave();
     });
-    connect(&panel, &MillPanel::recordToggled, this, [this](bool on) {
-        if (workbench_.showMe.showing())
-            workbench_.showMe.stop();
-        else if (on)
-            workbench_.mill.startRecording();
-        else
-            workbench_.mill.leave(); // a stroke would only begin the next take
+    connect(&mode, &MillMode::toolChanged, this, &Presenter::presentSoon);
+    connect(&panel, &MillPanel::rasterChosen, this, &MillPresenter::setRaster);
+    connect(&panel, &MillPanel::stepOverEdited, this, [this](double value) {
+        edit([](MillToolSettings& settings, double wanted) { settings.stepOver = wanted; }, value);
+    });
+    connect(&panel, &MillPanel::repeatRequested, this, [this](RepeatChoice how) {
+        mode_.repeat(how == RepeatChoice::lower  ? MillTool::Repetition::lower
+                     : how == RepeatChoice::left ? MillTool::Repetition::left
+                                                 : MillTool::Repetition::right);
     });
     connect(&panel, &MillPanel::stylusChosen, this,
             [this](int index) { workbench_.styluses.choose(static_cast<std::size_t>(index)); });
@@ -74,6 +79,38 @@ void MillPresenter::edit(void (*change)(MillToolSettings&, double), double value
 void MillPresenter::setUnit(LengthUnit unit) {
     panel_.setUnit(unit);
     Presenter::setUnit(unit);
+}
+
+void MillPresenter::connectActions(const Actions& actions) {
+    actions_ = &actions;
+    connect(actions[ActionId::raster], &QAction::triggered, this, &MillPresenter::setRaster);
+    const std::pair<ActionId, MillTool::Repetition> repetitions[] = {
+        {ActionId::repeatLower, MillTool::Repetition::lower},
+        {ActionId::repeatLeft, MillTool::Repetition::left},
+        {ActionId::repeatRight, MillTool::Repetition::right}};
+    for (const auto& [id, how] : repetitions)
+        connect(actions[id], &QAction::triggered, this, [this, repetition = how] { mode_.repeat(repetition); });
+    presentSoon();
+}
+
+void MillPresenter::setRaster(bool on) {
+    MillToolSettings settings = mode_.settings();
+    settings.drag = on ? DragRule::raster : DragRule::stroke;
+    mode_.setSettings(settings);
+}
+
+QString MillPresenter::lockText() const {
+    switch (mode_.lock()) {
+    case StrokeLock::none:
+        break;
+    case StrokeLock::alongX:
+        return tr("Strokes go along X only; X lets them free.");
+    case StrokeLock::alongY:
+        return tr("Strokes go along Y only; Y lets them free.");
+    case StrokeLock::direction:
+        return tr("Strokes keep their direction; D lets them free.");
+    }
+    return {};
 }
 
 QString MillPresenter::missing() const {
@@ -119,6 +156,15 @@ void MillPresenter::present() {
     state.depthOfCut = settings.depthOfCut;
     state.press = settings.press;
     state.speed = settings.speed;
+    state.raster = settings.drag == DragRule::raster;
+    state.stepOver = settings.stepOver;
+    state.canRepeat = mode_.canRepeat();
+    state.lock = lockText();
+    if (actions_ != nullptr) {
+        (*actions_)[ActionId::raster]->setChecked(state.raster);
+        for (const ActionId id : {ActionId::repeatLower, ActionId::repeatLeft, ActionId::repeatRight})
+            (*actions_)[id]->setEnabled(state.canRepeat);
+    }
     if (workbench_.session.running() && workbench_.bench.bench())
         state.alarm = alarmSentence(session, *workbench_.bench.bench());
     state.hint = hint();

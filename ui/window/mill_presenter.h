@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/actions/actions.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
 #include "ui/window/mill_mode.h"
@@ -17,6 +18,8 @@ class MillPresenter final : public Presenter {
 public:
     MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
+    /// Raster and repetitions.
+    void connectActions(const Actions& actions);
 
 signals:
     void takeRemovalRequested(qint64 take);
@@ -24,10 +27,13 @@ signals:
 private:
     void present() override;
     void edit(void (*change)(MillToolSettings&, double), double value);
+    void setRaster(bool on);
+    QString lockText() const;
     QString missing() const;
     QString hint();
     MillMode& mode_;
     MillPanel& panel_;
+    const Actions* actions_ = nullptr;
     QString hint_; ///< that stands
     QElapsedTimer hintSince_;
 };

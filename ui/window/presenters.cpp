@@ -22,7 +22,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , path(workbench, *stage.panels.path, pathScene, this)
     , program(workbench, *stage.panels.program, this)
     , meters(workbench, *stage.panels.meters, this)
-    , status(workbench, meters, stage.status, this)
+    , status(workbench, meters, millMode, stage.viewport, stage.status, this)
     , job(workbench, stage.jobLine, this)
     , scene(workbench, stage.viewport, actions, this)
     , guideScene(workbench, stage.viewport, actions, this)

@@ -14,6 +14,9 @@ namespace burin {
 StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     setObjectName(QStringLiteral("statusLine"));
     setSizeGripEnabled(false);
+    recording_ = add("recordingStatus", tr("All that is cut goes into this take."));
+    recording_->setProperty("look", "force");
+    escape_ = add("escapeStatus", tr("What the Escape key does now."));
     stylus_ = add("stylusStatus", tr("What leads the tool."));
     rate_ = add("rateStatus", tr("Ticks per second of the haptic loop that were really reached, how long 999 of 1000 "
                                  "forces let wait for the next one at most, what a tick costs at most, and ticks that "
@@ -64,6 +67,14 @@ void put(QLabel* label, const QString& text) {
 
 void StatusLine::setStylus(const QString& text, bool running) {
     put(stylus_, text.isEmpty() ? text : (running ? QStringLiteral("● ") : QStringLiteral("○ ")) + text);
+}
+
+void StatusLine::setRecording(const QString& text) {
+    put(recording_, text);
+}
+
+void StatusLine::setEscape(const QString& text) {
+    put(escape_, text);
 }
 
 void StatusLine::setRate(const QString& text) {

@@ -19,6 +19,8 @@ class StatusLine final : public QStatusBar {
 public:
     explicit StatusLine(QWidget* parent = nullptr);
 
+    void setRecording(const QString& text); ///< empty: nothing is recorded
+    void setEscape(const QString& text);    ///< what Esc does; empty: nothing
     void setStylus(const QString& text, bool running);
     void setRate(const QString& text);
     void setPosition(const QString& text);
@@ -33,6 +35,8 @@ signals:
 private:
     QLabel* add(const char* name, const QString& toolTip);
 
+    QLabel* recording_ = nullptr;
+    QLabel* escape_ = nullptr;
     QLabel* stylus_ = nullptr;
     QLabel* rate_ = nullptr;
     QLabel* position_ = nullptr;

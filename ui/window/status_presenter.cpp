@@ -10,15 +10,20 @@
 
 namespace burin {
 
-StatusPresenter::StatusPresenter(Workbench& workbench, const MeterPresenter& meters, StatusLine& line, QObject* parent)
+StatusPresenter::StatusPresenter(Workbench& workbench, const MeterPresenter& meters, const MillMode& mill,
+                                 const Viewport& viewport, StatusLine& line, QObject* parent)
     : Presenter(workbench,
-                {&workbench.document, &workbench.bench, &workbench.setup, &workbench.session, &workbench.styluses},
+                {&workbench.document, &workbench.bench, &workbench.setup, &workbench.session, &workbench.styluses,
+                 &workbench.path},
                 parent)
     , meters_(meters)
+    , viewport_(viewport)
     , line_(line) {
     connect(&meters, &MeterPresenter::presented, this, &StatusPresenter::presentSession);
     connect(&workbench.tasks(), &TaskRunner::changed, this, &StatusPresenter::presentTask);
     connect(&line, &StatusLine::cancelRequested, &workbench.tasks(), &TaskRunner::cancelAll);
+    connect(&mill, &MillMode::toolChanged, this, &Presenter::presentSoon);
+    connect(&viewport, &Viewport::interactiveToolChanged, this, &Presenter::presentSoon);
     minute_.setInterval(std::chrono::seconds(20)); // "saved 3 minutes ago"
     connect(&minute_, &QTimer::timeout, this, &Presenter::presentSoon);
     minute_.start();
@@ -63,7 +68,16 @@ QString StatusPresenter::healthText() const {
     return text;
 }
 
+void StatusPresenter::presentStroke() {
+    const SessionState& session = workbench_.session.state();
+    const bool recording = workbench_.session.running() && session.recording;
+    line_.setRecording(recording ? tr("● Recording %1").arg(durationText(session.recordedSeconds)) : QString());
+    InteractiveTool* tool = viewport_.interactiveTool();
+    line_.setEscape(tool != nullptr ? tool->escapeMeaning() : QString());
+}
+
 void StatusPresenter::presentSession() {
+    presentStroke();
     const MeterState& state = meters_.state();
     if (!workbench_.session.running()) {
         line_.setStylus(workbench_.bench.ready() ? workbench_.styluses.chosenName() : QString(), false);

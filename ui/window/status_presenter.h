@@ -13,16 +13,19 @@ namespace burin {
 class StatusPresenter final : public Presenter {
     Q_OBJECT
 public:
-    StatusPresenter(Workbench& workbench, const MeterPresenter& meters, StatusLine& line, QObject* parent);
+    StatusPresenter(Workbench& workbench, const MeterPresenter& meters, const MillMode& mill, const Viewport& viewport,
+                    StatusLine& line, QObject* parent);
 
 private:
     void present() override;
+    void presentStroke();
     void presentSession();
     void presentTask();
     QString savedText() const;
     QString healthText() const;
 
     const MeterPresenter& meters_;
+    const Viewport& viewport_;
     StatusLine& line_;
     QTimer minute_;
 };

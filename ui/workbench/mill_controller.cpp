@@ -33,6 +33,7 @@ MillController::MillController(const Desk& desk, BenchController& bench, Session
 
 void MillController::noteLeft() {
     const bool was = std::exchange(active_, false);
+    startingRecording_ = recordingSince_ = false;
     mouse_ = nullptr;
     device_.reset();
     noteStrokes();
@@ -96,7 +97,9 @@ void MillController::begun(bool well, SimulatedStylus* mouse) {
         mouse_ = mouse;
         emit entered();
     }
-    if (std::exchange(recordOnceEntered_, false) && well) startRecording();
+    // Nothing but the end of milling would end a stroke of a device without buttons: all that it does is recorded.
+    const bool always = device_ && device_->buttons == 0;
+    if ((std::exchange(recordOnceEntered_, false) || always) && well) startRecording();
     emit changed();
 }
 
@@ -124,24 +127,29 @@ void MillController::interrupt(std::function<void()> meanwhile) {
     });
 }
 
-void MillController::startRecording() {
+bool MillController::startRecording() {
     if (!active()) {
         recordOnceEntered_ = true;
         enter();
-        return;
+        return true;
     }
-    if (recording() || startingRecording_) return;
+    if (startingRecording_) return true;
+    if (recording() || recordingSince_) return false;
     startingRecording_ = true;
     const QString name = tr("take %1").arg(takes_.empty() ? 1 : takes_.back().id + 1);
-    session_.startRecording(name, [this](bool) {
+    session_.startRecording(name, [this](bool well) {
         startingRecording_ = false;
+        recordingSince_ = well;
+        emit recordingBegan(well);
         refreshTakes();
         emit changed();
     });
+    return true;
 }
 
 void MillController::stopRecording(Then then) {
     session_.stopRecording([this, then = std::move(then)](bool) {
+        recordingSince_ = false;
         noteStrokes();
         refreshTakes();
         if (then) then();

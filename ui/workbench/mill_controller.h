@@ -36,7 +36,8 @@ public:
     void leave(Then then = {});
     /// For a moment without a session, after which mill mode goes on as it was.
     void interrupt(std::function<void()> meanwhile);
-    void startRecording(); ///< enters mill mode where it is not on; nothing happens when one runs
+    /// Enters mill mode where it is not on. @return true: it runs once `recordingBegan` tells so; false: one runs
+    bool startRecording();
     void stopRecording(Then then = {});
     void setAllowance(double millimetres); ///< an entry of the undo stack
     /// Dead man's: forces only while one of these buttons of a device is held, by bit; 0: always. With a device in the
@@ -53,6 +54,7 @@ public:
 signals:
     void entered();
     void left();
+    void recordingBegan(bool well); ///< after startRecording
     void strokeTakenBack(bool undo); ///< the newest one; false: it was put back
     void takesChanged();             ///< recordings came, went, or strokes of them were taken back
 
@@ -73,6 +75,7 @@ private:
     SimulatedStylus* mouse_ = nullptr;
     bool active_ = false, buttonDown_ = false, entering_ = false, startingRecording_ = false,
          recordOnceEntered_ = false;
+    bool recordingSince_ = false; ///< it was begun; the session's state may not tell yet
     std::optional<StylusDescription> device_;
     WorkspaceMapping mapping_;
     std::uint32_t forceButtons_ = 0;

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/window_steps.h"
+#include "ui/panels/notice.h"
+
+#include <QAbstractSpinBox>
+#include <QLabel>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+constexpr double halfTrail = 0.06; // mm: 0.05 that the tool may leave the trail by at corners, and the hand's spring
+
+/// Where the tool's tip cut, from the recording's own trace: mm from the middle of the stock's top.
+class CutTrace {
+public:
+    explicit CutTrace(WindowDriver& driver) : zero_(driver.window().workbench().setup.setup().workOffset) {
+        connection_ = QObject::connect(&driver.window().workbench().session, &SessionRunner::traced,
+                                       [this](const std::vector<MillingSession::TracePoint>& points) {
+                                           for (const auto& point : points) {
+                                               if (point.strokeBegins) strokes_.emplace_back();
+                                               if (!strokes_.empty())
+                                                   strokes_.back().push_back(glm::dvec3(point.tip) - zero_);
+                                           }
+                                       });
+    }
+    ~CutTrace() { QObject::disconnect(connection_); }
+    CutTrace(const CutTrace&) = delete;
+    CutTrace& operator=(const CutTrace&) = delete;
+    const std::vector<glm::dvec3>& last() const { return strokes_.back(); }
+    std::size_t count() const { return strokes_.size(); }
+
+private:
+    glm::dvec3 zero_;
+    QMetaObject::Connection connection_;
+    std::vector<std::vector<glm::dvec3>> strokes_;
+};
+
+double distanceToLine(const glm::dvec3& place, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec2 way = glm::normalize(glm::dvec2(b - a)), off = glm::dvec2(place - a);
+    return std::abs(way.x * off.y - way.y * off.x);
+}
+
+} // namespace
+
+/// Strokes that are straight, locked, repeated or rows, by mouse and keys; what Esc does.
+class TestWindowStrokes : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        driver_ = std::make_unique<WindowDriver>();
+        QVERIFY(makeReady(*driver_));
+        viewport().setStandardView(StandardView::top);
+        QTest::qWait(400); // the view turns
+        QVERIFY(driver_->step(JobStep::mill));
+        QVERIFY(driver_->clickOn("millButton"));
+        QVERIFY(driver_->waitFor([&] { return bench().mill.active(); }, 5000));
+        trace_ = std::make_unique<CutTrace>(*driver_);
+    }
+    void cleanup() {
+        trace_.reset();
+        driver_.reset();
+    }
+
+    void aShiftClickCutsAStraightLineFromTheLastEnd() {
+        millLine(*driver_, {-15, -8}, {-5, -8});
+        QVERIFY(strokesAre(1));
+        const glm::dvec3 end = trace_->last().back();
+        const QPoint wanted = at({12, 7});
+        const glm::dvec3 target = placeAt(wanted);
+        QTest::mouseMove(&viewport(), wanted);
+        QTest::qWait(300);
+        QTest::mouseClick(&viewport(), Qt::LeftButton, Qt::ShiftModifier, wanted);
+        QVERIFY(strokesAre(2));
+        const auto& line = trace_->last();
+        for (const glm::dvec3& place : line) {
+            QVERIFY(distanceToLine(place, end, target) < halfTrail);
+            QVERIFY(place.z > end.z - 0.01);
+        }
+        QVERIFY(glm::distance(glm::dvec2(line.front()), glm::dvec2(end)) < halfTrail);
+        QVERIFY(glm::distance(glm::dvec2(line.back()), glm::dvec2(target)) < halfTrail);
+        QVERIFY(std::abs(line.back().z - end.z) < 0.01); // at the height of the stroke before
+        driver_->shoot("strokes-line");
+    }
+
+    void xAndYLockAStrokeUntilPressedAgain() {
+        driver_->key(Qt::Key_X);
+        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("along X")); }, 2000));
+        millLine(*driver_, {-12, -6}, {12, 6});
+        QVERIFY(strokesAre(1));
+        const std::vector<glm::dvec3> along = trace_->last();
+        for (const glm::dvec3& place : along) QVERIFY(std::abs(place.y - along.front().y) < halfTrail);
+        QVERIFY(std::abs(along.back().x - along.front().x) > 20.0);
+        driver_->key(Qt::Key_Y);
+        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("along Y")); }, 2000));
+        driver_->key(Qt::Key_Y);
+        QVERIFY(driver_->waitFor([&] { return lockSentence().isEmpty(); }, 2000));
+        millLine(*driver_, {-12, -6}, {12, 6});
+        QVERIFY(strokesAre(2));
+        QVERIFY(std::abs(trace_->last().back().y - trace_->last().front().y) > 10.0);
+    }
+
+    /// Beside it to the left as it goes: a stroke to +X gets one that lies a step-over farther to +Y.
+    void theLastStrokeIsRepeatedLowerAndBeside() {
+        QVERIFY(driver_->enter("stepOverField", "3"));
+        QVERIFY(driver_->enter("depthOfCutField", "0.7"));
+        millLine(*driver_, {-12, -4}, {10, -1});
+        QVERIFY(strokesAre(1));
+        const std::vector<glm::dvec3> first = trace_->last();
+        driver_->key(Qt::Key_L);
+        QVERIFY(strokesAre(2));
+        const std::vector<glm::dvec3> lower = trace_->last();
+        QVERIFY(glm::distance(lower.back(), first.back() - glm::dvec3(0, 0, 0.7)) < 0.01);
+        for (const glm::dvec3& place : lower) QVERIFY(distanceToLine(place, first.front(), first.back()) < 0.3);
+        QVERIFY(driver_->clickOn("repeatLeftButton"));
+        QVERIFY(strokesAre(3));
+        const glm::dvec3 across = glm::normalize(
+            glm::dvec3(first.front().y - first.back().y, first.back().x - first.front().x, 0.0));
+        QVERIFY(across.y > 0.0);
+        QVERIFY(glm::distance(trace_->last().back(), lower.back() + 3.0 * across) < 0.02);
+        driver_->shoot("strokes-repeated");
+    }
+
+    /// Rows of a ball of radius 3 mm, 1 mm deep and 2 mm apart, leave ridges of 3 − √(9 − 1) = 0.17 mm: the rectangle
+    /// loses at least all above them, and at most what the ball reaches beyond its edges as well.
+    void aRasterFillsARectangleAsOneStroke() {
+        driver_->key(Qt::Key_T);
+        QVERIFY(driver_->enter("stepOverField", "2"));
+        const double before = removedSoFar(*bench().bench.bench());
+        const QPoint from = at({-14, -7}), to = at({13, 6});
+        const glm::dvec3 a = placeAt(from), b = placeAt(to);
+        QTest::mouseMove(&viewport(), from);
+        QTest::qWait(300);
+        QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
+        for (int i = 1; i <= 10; ++i) {
+            QTest::mouseMove(&viewport(), from + (to - from) * i / 10);
+            QTest::qWait(20);
+        }
+        QCOMPARE(trace_->count(), std::size_t{0}); // it is spanned, not yet cut
+        driver_->shoot("strokes-raster-spanned");
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
+        QTest::qWait(300);
+        driver_->shoot("strokes-raster-under-way");
+        QVERIFY(strokesAre(1));
+        QCOMPARE(trace_->count(), std::size_t{1});
+        const double width = std::abs(b.y - a.y), rows = std::ceil(width / 2.0);
+        for (const glm::dvec3& place : trace_->last()) {
+            const double row = (place.y - a.y) / (b.y - a.y) * rows;
+            const double beside = std::min(std::abs(place.x - a.x), std::abs(place.x - b.x));
+            const double off = std::min(std::abs(row - std::round(row)) * width / rows, beside);
+            QVERIFY2(off < halfTrail, qPrintable(QString::number(off)));
+        }
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
+        const double removed = removedSoFar(*bench().bench.bench()) - before;
+        const double length = std::abs(b.x - a.x), reach = 2.0 * std::sqrt(9.0 - 4.0);
+        QVERIFY(removed > length * width * (1.0 - (3.0 - std::sqrt(8.0))));
+        QVERIFY(removed < (length + reach) * (width + reach) * 1.0);
+        QCOMPARE(bench().mill.takes().size(), std::size_t{1});
+        QCOMPARE(bench().mill.strokesOf(bench().mill.takes()[0].id), std::size_t{1});
+    }
+
+    void escapeEndsARasterThenMilling() {
+        driver_->key(Qt::Key_T);
+        const QPoint from = at({-14, -7}), to = at({13, 6});
+        QTest::mouseMove(&viewport(), from);
+        QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
+        QTest::mouseMove(&viewport(), to);
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("no raster")); }, 2000));
+        driver_->key(Qt::Key_Escape);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
+        QTest::qWait(300);
+        QCOMPARE(trace_->count(), std::size_t{0});
+        QVERIFY(bench().mill.active());
+        QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
+        QTest::mouseMove(&viewport(), to);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
+        QVERIFY(driver_->waitFor([&] { return bench().session.state().cutting; }, 3000));
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("end the stroke")); }, 2000));
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !bench().session.state().cutting; }, 2000));
+        QVERIFY(strokesAre(1)); // what was cut of it
+        QVERIFY(bench().mill.active());
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !bench().mill.active(); }, 5000));
+    }
+
+    /// The keyboard is in a field: Esc takes back what is typed there, then puts the tool away.
+    void escapeLeavesMillingFromAField() {
+        auto* field = driver_->visible<QAbstractSpinBox>("depthOfCutField");
+        QVERIFY(field != nullptr);
+        const QString before = field->text();
+        QTest::mouseDClick(field, Qt::LeftButton, Qt::NoModifier, field->rect().center());
+        QTest::keyClicks(field, QStringLiteral("7"));
+        QVERIFY(field->text() != before);
+        QTest::keyClick(field, Qt::Key_Escape);
+        QCOMPARE(field->text(), before);
+        QTest::qWait(100);
+        QVERIFY(bench().mill.active());
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("put the tool away")); }, 2000));
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !bench().mill.active(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().isEmpty(); }, 2000));
+    }
+
+    void theFirstPressIsRecordedAndOneSeesIt() {
+        QVERIFY(driver_->visible<QLabel>("recordingStatus") == nullptr);
+        millLine(*driver_, {-10, 0}, {10, 0});
+        QVERIFY(driver_->visible<QLabel>("recordingStatus") != nullptr);
+        driver_->shoot("strokes-recording");
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return driver_->visible<QLabel>("recordingStatus") == nullptr; }, 2000));
+        // All that was cut is in the take: cut again from it, as when a project is opened, it is the same workpiece.
+        const double removed = removedSoFar(*bench().bench.bench());
+        QVERIFY(removed > 0.0);
+        QVERIFY(saveAs(*driver_, driver_->folder().filePath("strokes.burin")));
+        const QString file = driver_->folder().filePath("strokes.burin");
+        trace_.reset(); // of the window that goes
+        QVERIFY(driver_->restart());
+        driver_->window().openFile(file);
+        QVERIFY(driver_->waitFor([&] { return bench().bench.ready() && !bench().bench.embedding(); }));
+        QCOMPARE(removedSoFar(*bench().bench.bench()), removed);
+    }
+
+    void helpAndBack() {
+        driver_->key(Qt::Key_F1);
+        QVERIFY(driver_->visible<QWidget>("backButton") != nullptr);
+        driver_->shoot("strokes-welcome-back");
+        QVERIFY(driver_->clickOn("backButton"));
+        QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
+        driver_->key(Qt::Key_F1);
+        driver_->key(Qt::Key_F1);
+        QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
+        driver_->key(Qt::Key_F1);
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
+        QVERIFY(bench().mill.active()); // that Esc was the page's
+    }
+
+private:
+    Workbench& bench() { return driver_->window().workbench(); }
+    Viewport& viewport() { return driver_->window().viewport(); }
+    glm::dvec3 zero() { return bench().setup.setup().workOffset; }
+    /// Pixel over a place on the stock's top, mm from its middle.
+    QPoint at(const glm::dvec2& place) { return viewport().project(zero() + glm::dvec3(place, 0.0)).toPoint(); }
+    /// The place on the stock's top under a pixel: where its sight meets z = 0.
+    glm::dvec3 placeAt(const QPoint& pixel) {
+        const ViewportEvent sight = viewport().sight(QPointF(pixel));
+        const glm::dvec3 from = sight.rayOrigin - zero();
+        return from - sight.rayDirection * (from.z / sight.rayDirection.z);
+    }
+    bool strokesAre(std::size_t count) {
+        return driver_->waitFor([&] { return bench().bench.strokes().count() == count; }, 15000);
+    }
+    QString lockSentence() {
+        auto* lock = driver_->visible<Notice>("millLock");
+        return lock != nullptr ? lock->sentence() : QString();
+    }
+    QString escapeLabel() {
+        auto* label = driver_->visible<QLabel>("escapeStatus");
+        return label != nullptr ? label->text() : QString();
+    }
+
+    std::unique_ptr<WindowDriver> driver_;
+    std::unique_ptr<CutTrace> trace_;
+};
+
+QTEST_MAIN(TestWindowStrokes)
+#include "tst_window_strokes.moc"

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// The mill tool's strokes that are cut by themselves: straight lines, rasters, repetitions.
+#include "ui/input/mill_geometry.h"
+#include "ui/input/mill_tool.h"
+
+#include <utility>
+
+namespace burin {
+namespace {
+
+constexpr double mostPlaces = 1e6; // of one stroke: 50 MB until it is cut
+
+} // namespace
+
+void MillTool::beginDrawing(Drawing what, const ViewportEvent& event) {
+    pressed_ = event;
+    drawing_ = what;
+    lookAt(view_(), sightOf(event));
+    if (what == Drawing::line) { // on the level of the last stroke, where it ends
+        corner_ = lastStroke_.back();
+        lockAnchor_ = corner_;
+        if (settings_.rule == DepthRule::level) levelHeight_ = corner_.z - wheelOffset_;
+    } else {
+        const auto place = onLevel(sightOf(event), pointedHeight_);
+        corner_ = place ? keptWithin(strokeReach(view_(), tool_.cutter), *place) : target_;
+        corner_.z = levelHeight_ + wheelOffset_;
+    }
+    draw(event);
+}
+
+void MillTool::draw(const ViewportEvent& event) {
+    const VolumeSnapshot workpiece = view_();
+    const auto place = onLevel(sightOf(event), pointedHeight_);
+    if (!place || workpiece.empty()) return;
+    const glm::dvec3 held = drawing_ == Drawing::line ? locked(lock_, lockAnchor_, lockDirection_, *place) : *place;
+    across_ = keptWithin(strokeReach(workpiece, tool_.cutter), held);
+    across_.z = corner_.z;
+    emit stateChanged();
+}
+
+std::vector<glm::dvec3> MillTool::drawnCorners() const {
+    if (drawing_ == Drawing::line) return {corner_, across_};
+    return rasterRows(corner_, across_, settings_.stepOver);
+}
+
+void MillTool::finishDrawing() {
+    const std::vector<glm::dvec3> corners = drawnCorners();
+    const Drawing what = std::exchange(drawing_, Drawing::none);
+    const bool fast = what == Drawing::raster && settings_.rule == DepthRule::level;
+    const QString obstacle = cutPlan(corners, fast ? SimulatedStylus::maximumSpeed : settings_.speed);
+    if (!obstacle.isEmpty()) emit refused(obstacle);
+}
+
+/// A whole stroke at once, at the heights of its corners or along the part.
+QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed) {
+    const VolumeSnapshot workpiece = view_();
+    if (workpiece.empty() || corners.empty()) return {};
+    const bool onPart = settings_.rule == DepthRule::part;
+    const double spacing = workpiece.grid().edge();
+    if (onPart && subdividedCount(corners, spacing) > mostPlaces)
+        return tr("That are more than a million places to follow the part at. Take a larger step-over, or a smaller "
+                  "rectangle.");
+    const std::vector<glm::dvec3> places = onPart ? subdivided(corners, spacing) : corners;
+    levelHeight_ = corners.front().z - wheelOffset_;
+    glm::dvec3 first = places.front();
+    if (onPart) first.z = strokeHeight(workpiece, first);
+    emit strokeBegins();
+    const StylusTarget begin{
+        .tip = first, .maximumSpeed = speed, .cutting = true, .clearHeight = clearHeightTo(workpiece, first)};
+    feed_.add(begin);
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        StylusTarget target = begin;
+        target.tip = places[i];
+        if (onPart)
+            feed_.add(target, [this, workpiece](const glm::dvec3& place) { return strokeHeight(workpiece, place); });
+        else
+            feed_.add(target);
+    }
+    target_ = places.back();
+    lastStroke_ = std::move(corners);
+    strokeEnd_ = target_;
+    feed_.add({.tip = target_, .finishStroke = true});
+    hoverAt(target_);
+    emit strokeEnds();
+    emit stateChanged();
+    return {};
+}
+
+QString MillTool::repeat(Repetition how) {
+    if (!canRepeat() || feed_.waits()) return {};
+    glm::dvec3 shift(0.0);
+    if (how == Repetition::lower) {
+        if (settings_.rule == DepthRule::part) return tr("Along the part there is nothing lower: the part holds the tool.");
+        if (settings_.depthOfCut <= 0.0) return tr("The depth of cut is zero, so that lower would be the same again.");
+        shift.z = -settings_.depthOfCut;
+    } else {
+        const auto across = acrossOf(lastStroke_);
+        if (!across) return tr("The last stroke only goes down: it has no side.");
+        shift = *across * (how == Repetition::left ? settings_.stepOver : -settings_.stepOver);
+    }
+    const VolumeSnapshot workpiece = view_();
+    if (workpiece.empty()) return {};
+    std::vector<glm::dvec3> corners = lastStroke_;
+    for (glm::dvec3& corner : corners) corner = keptWithin(strokeReach(workpiece, tool_.cutter), corner + shift);
+    return cutPlan(std::move(corners), settings_.speed);
+}
+
+PlaceChains MillTool::plans() {
+    PlaceChains chains;
+    if (drawing_ != Drawing::none) chains.push_back(drawnCorners());
+    std::vector<glm::dvec3> tail = feed_.tail();
+    if (!tail.empty()) chains.push_back(std::move(tail));
+    return chains;
+}
+
+} // namespace burin

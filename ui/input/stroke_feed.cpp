@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/input/stroke_feed.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+namespace {
+
+constexpr int interval = 10;                  // ms: the stylus holds thousands of places
+constexpr std::size_t placesADeal = 500;  // so that many heights never hold the window up
+constexpr std::size_t longestTail = 4000; // places that are worth drawing
+
+} // namespace
+
+StrokeFeed::StrokeFeed(SimulatedStylus& stylus, QObject* parent) : QObject(parent), stylus_(stylus) {
+    timer_.setInterval(interval);
+    connect(&timer_, &QTimer::timeout, this, &StrokeFeed::feed);
+}
+
+void StrokeFeed::add(const StylusTarget& target, std::function<double(const glm::dvec3&)> height) {
+    if (!target.cutting && !queue_.empty() && !queue_.back().target.cutting) queue_.pop_back();
+    queue_.push_back({target, std::move(height)});
+    feed();
+}
+
+void StrokeFeed::giveUp(const StylusTarget& target) {
+    queue_.clear();
+    handed_.clear();
+    held_ = false;
+    timer_.stop();
+    stylus_.wish(target);
+}
+
+void StrokeFeed::hold() {
+    held_ = true;
+}
+
+void StrokeFeed::goOn() {
+    held_ = false;
+    feed();
+}
+
+void StrokeFeed::feed() {
+    for (std::size_t i = 0; i < placesADeal && !queue_.empty(); ++i) {
+        Entry& next = queue_.front();
+        if (held_ && next.target.cutting) break;
+        if (next.height) {
+            next.target.tip.z = next.height(next.target.tip);
+            next.height = {};
+        }
+        const bool passed = !stylus_.strokeUnderWay() && stylus_.targetsAhead() == 0;
+        if (!stylus_.wish(next.target)) break;
+        if (passed) handed_.clear();
+        if (next.target.cutting) handed_.push_back(next.target.tip);
+        queue_.pop_front();
+    }
+    if (queue_.empty())
+        timer_.stop();
+    else if (!timer_.isActive())
+        timer_.start();
+}
+
+std::vector<glm::dvec3> StrokeFeed::tail() {
+    const std::size_t ahead = std::min(stylus_.targetsAhead(), handed_.size());
+    if (ahead == 0 && queue_.empty()) return {};
+    std::vector<glm::dvec3> places{stylus_.tip()};
+    places.insert(places.end(), handed_.end() - static_cast<std::ptrdiff_t>(ahead), handed_.end());
+    for (const Entry& entry : queue_) {
+        if (places.size() > longestTail) break;
+        if (entry.target.cutting && !entry.height) places.push_back(entry.target.tip);
+    }
+    return places;
+}
+
+} // namespace burin

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/device/simulated_stylus.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <deque>
+#include <functional>
+#include <vector>
+
+namespace burin {
+
+/// Hands the simulated stylus its targets in their order, as fast as it has room for them: a stroke may have more
+/// places than the stylus holds, and may have to wait for its recording. Nothing is lost. Thread: user interface.
+class StrokeFeed final : public QObject {
+    Q_OBJECT
+public:
+    /// Outlives it.
+    explicit StrokeFeed(SimulatedStylus& stylus, QObject* parent = nullptr);
+
+    /// A target of a stroke, or one that ends it where its trail ends. Of targets that don't cut the newest counts.
+    /// @param height gives the target's z (mm) from its x and y when its turn comes; empty: it has it
+    void add(const StylusTarget& target, std::function<double(const glm::dvec3&)> height = {});
+    /// Ends what is under way, here and in the stylus: what waits is forgotten.
+    void giveUp(const StylusTarget& target);
+
+    void hold(); ///< strokes wait from now on
+    void goOn();
+    bool waits() const noexcept { return !queue_.empty(); } ///< the stylus doesn't have all yet
+
+    /// The places of the stroke that the tool has not passed, its own first; mm, setup frame. Empty: it has nothing to
+    /// catch up with. Those that `height` gives are known once they are handed over.
+    std::vector<glm::dvec3> tail();
+
+private:
+    struct Entry {
+        StylusTarget target;
+        std::function<double(const glm::dvec3&)> height;
+    };
+    void feed();
+
+    SimulatedStylus& stylus_;
+    QTimer timer_;
+    std::deque<Entry> queue_;
+    std::vector<glm::dvec3> handed_; ///< of the stroke that is under way
+    bool held_ = false;
+};
+
+} // namespace burin
