@@ -3393,6 +3393,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Drag to make the panel wider or narrower</source>
         <translation>Ziehen, um das Bedienfeld breiter oder schmaler zu machen</translation>
     </message>
+    <message>
+        <source>Esc: back to the project</source>
+        <translation>Esc: zurück zum Projekt</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialPanel</name>
@@ -3618,6 +3622,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>What the system grants the haptic loop; the limits in force (rtprio) or RealtimeKit give real time</source>
         <translation>Was das System der Haptikschleife zugesteht; Echtzeit geben die geltenden Grenzen (rtprio) oder RealtimeKit</translation>
+    </message>
+    <message>
+        <source>Show the figures of the haptic loop as well</source>
+        <translation>Auch die Werte der haptischen Schleife zeigen</translation>
+    </message>
+    <message>
+        <source>Hide the figures of the haptic loop</source>
+        <translation>Die Werte der haptischen Schleife verbergen</translation>
     </message>
 </context>
 <context>

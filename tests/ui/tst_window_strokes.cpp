@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_steps.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
 
 #include <QAbstractSpinBox>
@@ -241,6 +242,39 @@ private slots:
         driver_->key(Qt::Key_Escape);
         QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
         QVERIFY(bench().mill.active()); // that Esc was the page's
+    }
+
+    /// A field is disabled under the hand, and a message comes, while digits are typed: none of them turns the view, and
+    /// nothing moves.
+    void nothingThatComesUnderTheHandMakesAShortcutOfATypedKey() {
+        auto* field = driver_->visible<QAbstractSpinBox>("depthOfCutField");
+        QTest::mouseDClick(field, Qt::LeftButton, Qt::NoModifier, field->rect().center());
+        const QPoint before = field->mapTo(&driver_->window(), QPoint());
+        const double looked = viewport().sight({1.0, 1.0}).rayDirection.z;
+        setEnabledKeepingFocus(field, false);
+        emit bench().failed(Error{ErrorCode::fileNotReadable, "nothing.step", "", ""});
+        QTest::qWait(50);
+        QVERIFY(!driver_->message().isEmpty());
+        QCOMPARE(field->mapTo(&driver_->window(), QPoint()), before);
+        for (const int key : {Qt::Key_4, Qt::Key_3, Qt::Key_L}) {
+            QWidget* focus = QApplication::focusWidget();
+            QTest::keyClick(focus != nullptr ? focus : &driver_->window(), static_cast<Qt::Key>(key));
+        }
+        QTest::qWait(500); // a view would turn
+        QCOMPARE(viewport().sight({1.0, 1.0}).rayDirection.z, looked);
+        setEnabledKeepingFocus(field, true);
+        QVERIFY(field->hasFocus());
+        driver_->shoot("strokes-message");
+    }
+
+    void metersFoldAndStaySo() {
+        QVERIFY(driver_->visible<QWidget>("forceMeter") != nullptr);
+        QVERIFY(driver_->visible<QWidget>("rateMeter") == nullptr);
+        QVERIFY(driver_->clickOn("unfoldMetersButton"));
+        QVERIFY(driver_->visible<QWidget>("rateMeter") != nullptr);
+        trace_.reset();
+        QVERIFY(driver_->restart(true));
+        QVERIFY(!driver_->window().findChild<Meters*>()->folded());
     }
 
 private:

@@ -3,6 +3,7 @@
 #include "ui/panels/allowance_panel.h"
 
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
@@ -47,7 +48,7 @@ void AllowancePanel::setUnit(LengthUnit unit) {
 void AllowancePanel::setState(const AllowanceState& state) {
     fields_->allowance->limit(0.0, state.maximum);
     fields_->allowance->showValue(state.allowance);
-    fields_->allowance->setEnabled(!state.locked);
+    setEnabledKeepingFocus(fields_->allowance, !state.locked);
     fields_->locked->tell(Notice::Kind::information,
                           state.locked ? AllowancePanel::tr("A recording runs: the allowance stays.") : QString());
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/buttons.h"
 
+#include "ui/panels/focus_keeper.h"
 #include "ui/theme/icon.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace burin {
 namespace {
 
 constexpr int buttonIconSize = 18;
-constexpr char waitsForFocus[] = "waitsForFocus"; // property: it had the focus when it was disabled
 
 } // namespace
 
@@ -60,18 +60,7 @@ void showIcon(QAbstractButton* button, const QString& name, ColourRole role) {
 }
 
 void enableUnless(QWidget* button, const QString& reason, const QString& toolTip) {
-    const bool enabled = reason.isEmpty();
-    // Qt would hand the focus on to what comes next, where a key or the wheel may change a choice.
-    QWidget* const place = button->parentWidget();
-    if (!enabled && place != nullptr && button->window()->focusWidget() == button) {
-        place->setFocus(Qt::OtherFocusReason);
-        button->setProperty(waitsForFocus, true);
-    }
-    button->setEnabled(enabled);
-    if (enabled && button->property(waitsForFocus).toBool()) {
-        button->setProperty(waitsForFocus, {});
-        if (button->isVisible() && button->window()->focusWidget() == place) button->setFocus(Qt::OtherFocusReason);
-    }
+    setEnabledKeepingFocus(button, reason.isEmpty());
     button->setToolTip(reason.isEmpty() ? toolTip : reason);
 }
 

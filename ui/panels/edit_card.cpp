@@ -6,6 +6,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/edit_field_editor.h"
 #include "ui/panels/elided_label.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/named_switch.h"
 #include "ui/panels/texts.h"
 #include "ui/theme/number_font.h"
@@ -86,7 +87,7 @@ void EditCard::showEdit(const Edit& edit, const glm::dvec3& zero) {
     const std::vector<EditParameter> parameters = parametersOf(edit.parameters, zero);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         fields_[i]->showParameter(parameters[i]);
-        fields_[i]->setEnabled(edit.enabled);
+        setEnabledKeepingFocus(fields_[i], edit.enabled);
     }
 }
 
@@ -96,8 +97,8 @@ void EditCard::setDrawing(std::string_view key) {
 }
 
 void EditCard::setMovable(bool earlier, bool later) {
-    earlier_->setEnabled(earlier);
-    later_->setEnabled(later);
+    setEnabledKeepingFocus(earlier_, earlier);
+    setEnabledKeepingFocus(later_, later);
 }
 
 void EditCard::showReport(const EditReport* report, LengthUnit unit) {

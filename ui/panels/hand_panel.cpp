@@ -5,6 +5,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/quantity_field.h"
@@ -146,7 +147,7 @@ void HandPanel::Fields::showButton(ChoiceBox* choice, const QString& none, int f
 }
 
 void HandPanel::Fields::refreshMovement(const QString& noDevice) {
-    scale_->setEnabled(state.hasDevice);
+    setEnabledKeepingFocus(scale_, state.hasDevice);
     scale_->showValue(state.hasDevice ? state.scale : 1.0); // the mouse points at the bench itself
     clutch_->setChecked(state.clutched);
     enableUnless(clutch_, noDevice, HandPanel::tr("The hand moves, the tool stays"));

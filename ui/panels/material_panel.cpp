@@ -4,6 +4,7 @@
 
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"
@@ -141,9 +142,9 @@ void MaterialPanel::Fields::refreshChoices() {
     offer(*body_, bodies, places, QString::number(shown));
     offer(*bodyMaterial_, QStringList(MaterialPanel::tr("Same as the stock")) + names, QStringList(QString()) + ids,
           QString::fromStdString(bodyMaterial()));
-    stock_->setEnabled(!state.locked);
-    bodyMaterial_->setEnabled(!state.locked && !bodies.isEmpty());
-    body_->setEnabled(!bodies.isEmpty());
+    setEnabledKeepingFocus(stock_, !state.locked);
+    setEnabledKeepingFocus(bodyMaterial_, !state.locked && !bodies.isEmpty());
+    setEnabledKeepingFocus(body_, !bodies.isEmpty());
     locked_->tell(Notice::Kind::information,
                   state.locked ? MaterialPanel::tr("There are recordings: stock and material stay as they are.")
                                : MaterialPanel::tr(

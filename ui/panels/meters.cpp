@@ -6,6 +6,9 @@
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
+#include "ui/theme/icon.h"
+
+#include <QToolButton>
 
 namespace burin {
 
@@ -32,28 +35,34 @@ public:
     explicit Fields(Meters* meters);
     void refresh();
 
+    void fold(bool wanted);
+
     MeterState state;
+    bool folded = true;
     LengthUnit unit = LengthUnit::millimetre;
 
 private:
     ValueRow* addRow(const QString& label, const char* name, const QString& toolTip);
     MeterBar* addBar(ColourRole role);
+    void addTitle();
     void addPosition();
 
     Meters* meters_;
     QVBoxLayout* column_;
     ValueRow *stylus_, *force_, *removal_, *rate_, *interval_, *work_, *missed_, *late_, *scheduling_, *x_, *y_, *z_;
     MeterBar *forceBar_, *removalBar_;
+    QToolButton* unfold_;
 };
 
 Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), column_(makePanelLayout(meters)) {
     column_->setSpacing(4);
-    column_->addWidget(makeSectionTitle(Meters::tr("Now"), meters));
+    addTitle();
     force_ = addRow(Meters::tr("Force"), "forceMeter",
                     Meters::tr("Cutting force, not scaled; beside it the highest so far"));
     forceBar_ = addBar(&Palette::force);
     removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed per second"));
     removalBar_ = addBar(&Palette::accent);
+    addPosition();
     rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks per second that are really reached"));
     interval_ = addRow(Meters::tr("Interval, p99.9"), "intervalMeter",
                        Meters::tr("999 of 1000 forces come no later than this after the one before"));
@@ -65,8 +74,34 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     scheduling_ = addRow(Meters::tr("Priority"), "schedulingMeter",
                          Meters::tr("What the system grants the haptic loop; the limits in force (rtprio) or "
                                     "RealtimeKit give real time"));
-    addPosition();
     stylus_ = addRow(Meters::tr("Stylus"), "stylusName", Meters::tr("What leads the tool"));
+    fold(true);
+}
+
+/// With what unfolds the loop's figures, which few look at while they mill.
+void Meters::Fields::addTitle() {
+    auto* row = new QHBoxLayout;
+    row->addWidget(makeSectionTitle(Meters::tr("Now"), meters_), 1);
+    unfold_ = new QToolButton(meters_);
+    unfold_->setObjectName(QStringLiteral("unfoldMetersButton"));
+    unfold_->setProperty("look", "flat");
+    connect(unfold_, &QToolButton::clicked, this, [this] {
+        fold(!folded);
+        emit meters_->foldedChanged(folded);
+    });
+    row->addWidget(unfold_);
+    column_->addLayout(row);
+}
+
+void Meters::Fields::fold(bool wanted) {
+    folded = wanted;
+    for (ValueRow* row : {rate_, interval_, work_, missed_, late_, scheduling_, stylus_}) row->setVisible(!folded);
+    unfold_->setIcon(themedIcon(folded ? QStringLiteral("chevron-right") : QStringLiteral("chevron-down"),
+                                &Palette::quietText));
+    const QString does = folded ? Meters::tr("Show the figures of the haptic loop as well")
+                                : Meters::tr("Hide the figures of the haptic loop");
+    unfold_->setToolTip(does);
+    unfold_->setAccessibleName(does);
 }
 
 /// The three coordinates beside each other, each at its place however many digits the others have.
@@ -127,6 +162,14 @@ Meters::Meters(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
 void Meters::setUnit(LengthUnit unit) {
     fields_->unit = unit;
     fields_->refresh();
+}
+
+void Meters::setFolded(bool folded) {
+    fields_->fold(folded);
+}
+
+bool Meters::folded() const {
+    return fields_->folded;
 }
 
 void Meters::setState(const MeterState& state) {

@@ -9,13 +9,18 @@
 
 namespace burin {
 
-/// Force, removal rate, haptic rate and p99.9 as bars and numbers with their units.
+/// Force, removal rate and position as bars and numbers with their units; unfolded, the haptic loop's figures as well.
 class Meters : public QWidget {
     Q_OBJECT
 public:
     explicit Meters(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
     void setState(const MeterState& state);
+    void setFolded(bool folded); ///< never emits
+    bool folded() const;
+
+signals:
+    void foldedChanged(bool folded); ///< by the user
 
 private:
     class Fields;

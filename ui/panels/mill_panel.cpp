@@ -5,6 +5,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/key_lines.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
@@ -253,7 +254,7 @@ void MillPanel::Fields::refreshButtons() {
                  state.active ? MillPanel::tr("End the take, and put the tool away")
                               : MillPanel::tr("The tool follows the stylus; what it cuts is recorded"));
     enableUnless(undo_, reasonAgainstUndo(), undoText());
-    redo_->setEnabled(state.canRedoStroke);
+    setEnabledKeepingFocus(redo_, state.canRedoStroke);
     enableUnless(show_,
                  state.showing     ? QString()
                  : state.recording ? MillPanel::tr("Stop the recording first.")
@@ -265,7 +266,7 @@ void MillPanel::Fields::refreshButtons() {
     alarm_->tell(Notice::Kind::error, state.alarm);
     hint_->tell(Notice::Kind::warning, state.hint);
     lock_->tell(Notice::Kind::information, state.lock);
-    for (QPushButton* button : repeat_) button->setEnabled(state.canRepeat);
+    for (QPushButton* button : repeat_) setEnabledKeepingFocus(button, state.canRepeat);
 }
 
 /// Devices come and go under the user's eyes, but never under an open list.
@@ -277,7 +278,7 @@ void MillPanel::Fields::refreshStylus() {
         stylus_->addItems(state.styluses);
     }
     stylus_->setCurrentIndex(state.stylus);
-    stylus_->setEnabled(!state.active && !state.recording && !state.showing);
+    setEnabledKeepingFocus(stylus_, !state.active && !state.recording && !state.showing);
 }
 
 void MillPanel::Fields::refreshDepth() {

@@ -5,6 +5,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/guide_words.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/named_switch.h"
@@ -179,7 +180,7 @@ void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool 
         const double value = field.get(obstacle_);
         field.field->showValue(field.axis < 0 ? value : value - zero[field.axis]);
     }
-    figures_->setEnabled(!locked);
+    setEnabledKeepingFocus(figures_, !locked);
     enableUnless(remove_, locked ? tr("Stop the recording first.") : QString(), tr("Remove it"));
 }
 

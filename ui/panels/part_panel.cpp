@@ -7,6 +7,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"
@@ -116,7 +117,7 @@ void PartPanel::Fields::makeStlUnit(PartPanel* panel) {
 void PartPanel::Fields::refreshStlUnit() {
     const Model& model = *state.model;
     stlUnitRow_->setVisible(model.format.starts_with("STL"));
-    stlUnit_->setEnabled(!state.busy);
+    setEnabledKeepingFocus(stlUnit_, !state.busy);
     int index = stlUnit_->findData(model.unitScale);
     if (index < 0) {
         stlUnit_->addItem(QString::fromStdString(formatShortest(model.unitScale)) + QStringLiteral(" mm"),

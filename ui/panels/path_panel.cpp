@@ -7,6 +7,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/card_keyboard.h"
 #include "ui/panels/edit_card.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/selection_card.h"
@@ -135,7 +136,7 @@ void PathPanel::Fields::refreshButtons() {
                                  : PathPanel::tr("The path is up to date."),
                  PathPanel::tr("Apply the edits again"));
     enableUnless(add_, busy, PathPanel::tr("Apply one more edit; it comes where the order allows it"));
-    eye_->setEnabled(state.exists);
+    setEnabledKeepingFocus(eye_, state.exists);
 }
 
 QString PathPanel::Fields::withoutTakes() const {
@@ -271,7 +272,7 @@ void PathPanel::Fields::refreshEdits() {
         next += reported ? 1 : 0;
         const bool drawn = state.drawnField && state.drawnField->edit == i;
         cards_[i]->setDrawing(drawn ? std::string_view(state.drawnField->key) : std::string_view());
-        cards_[i]->setEnabled(!state.busy);
+        setEnabledKeepingFocus(cards_[i], !state.busy);
     }
     if (added) {
         adding_.clear();

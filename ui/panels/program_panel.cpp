@@ -7,6 +7,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/deviation_card.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/load_chart.h"
 #include "ui/panels/named_switch.h"
@@ -35,7 +36,7 @@ void showChoices(ChoiceBox& box, const std::vector<NamedChoice>& choices, const 
     }
     const auto found = std::ranges::find(choices, chosen, &NamedChoice::id);
     box.setCurrentIndex(found == choices.end() ? -1 : static_cast<int>(found - choices.begin()));
-    box.setEnabled(!choices.empty());
+    setEnabledKeepingFocus(&box, !choices.empty());
 }
 
 } // namespace

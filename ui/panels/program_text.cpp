@@ -3,6 +3,7 @@
 #include "ui/panels/program_text.h"
 
 #include "ui/panels/buttons.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/theme/number_font.h"
 
@@ -141,8 +142,8 @@ void ProgramText::told() {
     const auto count = view_->occurrences(wanted_->text());
     found_->setText(!wanted ? QString() : count == 0 ? tr("none") : QLocale().toString(count));
     found_->setToolTip(tr("Places where the text stands"));
-    previous_->setEnabled(count > 0);
-    next_->setEnabled(count > 0);
+    setEnabledKeepingFocus(previous_, count > 0);
+    setEnabledKeepingFocus(next_, count > 0);
 }
 
 } // namespace burin

@@ -7,6 +7,7 @@
 #include "ui/panels/edit_parameters.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
@@ -50,7 +51,7 @@ void SelectionCard::setState(const PathState& state) {
     if (state.selectedSide == MillingSide::conventional) chosen += QStringLiteral(" · ") + tr("conventional");
     if (state.drawing) chosen = tr("Draw it in the view; Esc gives it up");
     chosen_->setText(chosen);
-    clear_->setEnabled(state.selection.has_value());
+    setEnabledKeepingFocus(clear_, state.selection.has_value());
     drag_->setCurrentIndex(static_cast<int>(state.drag));
     draw_->setChecked(state.drawing);
     enableUnless(draw_, state.selection ? QString() : tr("Choose a stretch of the path in the view first."),

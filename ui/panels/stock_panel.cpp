@@ -5,6 +5,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/embedding_words.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
@@ -188,7 +189,7 @@ void StockPanel::Fields::refresh() {
     top_->showValue(setup.marginHigh.z);
     bottom_->showValue(setup.marginLow.z);
     voxel_->showValue(setup.voxel);
-    for (LengthField* field : {sides_, top_, bottom_, voxel_}) field->setEnabled(!state.locked);
+    for (LengthField* field : {sides_, top_, bottom_, voxel_}) setEnabledKeepingFocus(field, !state.locked);
     size_->setValue(setup.stock.empty() || !state.hasPart ? QStringLiteral("–") : sizeText(setup.stock.size(), unit_));
     setWrappedText(voxels_, voxelText());
     voxels_->setVisible(state.size.has_value());

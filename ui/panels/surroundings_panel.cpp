@@ -6,6 +6,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/obstacle_card.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/quantity_field.h"
@@ -168,7 +169,7 @@ void SurroundingsPanel::Fields::refreshAxis() {
     const QString locked = state.locked ? SurroundingsPanel::tr("Stop the recording first.") : QString();
     enableUnless(axis_, locked, SurroundingsPanel::tr("Whether the tool stands, and how"));
     enableUnless(ofView_, locked, SurroundingsPanel::tr("The tool stands along the line from the eye"));
-    for (QuantityField* field : {lean_, heading_}) field->setEnabled(!state.locked);
+    for (QuantityField* field : {lean_, heading_}) setEnabledKeepingFocus(field, !state.locked);
 }
 
 void SurroundingsPanel::Fields::refresh() {

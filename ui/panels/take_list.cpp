@@ -4,6 +4,7 @@
 
 #include "ui/panels/buttons.h"
 #include "ui/panels/elided_label.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/texts.h"
 #include "ui/theme/number_font.h"
@@ -71,7 +72,7 @@ void TakeList::makeRows(const std::vector<TakeRow>& takes) {
 void TakeList::setRemovable(bool removable) {
     if (removable == removable_) return;
     removable_ = removable;
-    for (QToolButton* button : findChildren<QToolButton*>()) button->setEnabled(removable);
+    for (QToolButton* button : findChildren<QToolButton*>()) setEnabledKeepingFocus(button, removable);
 }
 
 TakeList::Row TakeList::makeRow(std::int64_t take) {
@@ -93,7 +94,7 @@ TakeList::Row TakeList::makeRow(std::int64_t take) {
     grid->addWidget(row.detail, 1, 0, 1, 2);
     QToolButton* remove = makeIconButton(QStringLiteral("remove"), tr("Remove this take"),
                                          QStringLiteral("removeTake%1").arg(take), frame);
-    remove->setEnabled(removable_);
+    setEnabledKeepingFocus(remove, removable_);
     connect(remove, &QToolButton::clicked, this, [this, take] { emit removalRequested(take); });
     grid->addWidget(remove, 0, 2, 2, 1, Qt::AlignVCenter);
     grid->setColumnStretch(0, 1);

@@ -3,6 +3,7 @@
 #include "ui/panels/tool_panel.h"
 
 #include "core/base/units.h"
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"
@@ -122,7 +123,7 @@ void ToolPanel::Fields::refresh() {
     }
     tools_->setRows(rows);
     tools_->setChosen(chosen);
-    tools_->setEnabled(!state.locked);
+    setEnabledKeepingFocus(tools_, !state.locked);
     if (state.locked)
         notice_->tell(Notice::Kind::information, ToolPanel::tr("A recording runs: the tool stays."));
     else if (state.fieldBusy)

@@ -58,6 +58,9 @@ MainWindow::MainWindow(QWidget* parent)
     resize(firstWindow);
     restoreGeometry(settings_.windowGeometry());
     work_->restoreState(settings_.panelWidth());
+    panels_->meters->setFolded(settings_.metersFolded());
+    connect(panels_->meters, &Meters::foldedChanged, this,
+            [this](bool folded) { settings_.setMetersFolded(folded); });
     showStep(JobStep::part);
     showWelcome();
     updateTitle();
@@ -100,13 +103,14 @@ void MainWindow::layOut() {
     pages_->setObjectName(QStringLiteral("pages"));
     pages_->addWidget(welcome_);
     pages_->addWidget(bench_);
-    auto* whole = new QWidget;
-    auto* layout = new QVBoxLayout(whole);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(message_);
-    layout->addWidget(pages_, 1);
-    setCentralWidget(whole);
+    setCentralWidget(pages_);
+    const auto follow = [this] {
+        const bool working = pages_->currentWidget() == bench_;
+        message_->layOver(working ? static_cast<QWidget*>(viewport_) : welcome_);
+        status_->setPageEscape(working ? QString() : tr("Esc: back to the project"), !working);
+    };
+    connect(pages_, &QStackedWidget::currentChanged, this, follow);
+    follow();
 }
 
 void MainWindow::connectActions() {

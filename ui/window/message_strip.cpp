@@ -4,6 +4,7 @@
 
 #include "ui/theme/icon.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QToolButton>
 
@@ -13,7 +14,7 @@ MessageStrip::MessageStrip(QWidget* parent) : QWidget(parent), notice_(new Notic
     setObjectName(QStringLiteral("messageStrip"));
     notice_->setObjectName(QStringLiteral("messageNotice"));
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 0);
+    layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(8);
     auto* close = new QToolButton(this);
     close->setObjectName(QStringLiteral("dismissMessageButton"));
@@ -28,7 +29,32 @@ MessageStrip::MessageStrip(QWidget* parent) : QWidget(parent), notice_(new Notic
 
 void MessageStrip::tell(Notice::Kind kind, const QString& sentence) {
     notice_->tell(kind, sentence);
+    fit();
     setVisible(true);
+    raise();
+}
+
+void MessageStrip::layOver(QWidget* area) {
+    if (area_ == area) return;
+    if (area_ != nullptr) area_->removeEventFilter(this);
+    area_ = area;
+    area_->installEventFilter(this);
+    const bool shown = !isHidden();
+    setParent(area_);
+    setVisible(shown);
+    fit();
+    raise();
+}
+
+void MessageStrip::fit() {
+    if (area_ == nullptr) return;
+    const int width = area_->width();
+    setGeometry(0, 0, width, layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height());
+}
+
+bool MessageStrip::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == area_ && event->type() == QEvent::Resize) fit();
+    return QWidget::eventFilter(watched, event);
 }
 
 void MessageStrip::dismiss() {

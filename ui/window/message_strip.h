@@ -8,17 +8,26 @@
 
 namespace burin {
 
-/// One sentence above the viewport that the user may put away; it never stops anybody's work.
+/// One sentence over the top of what the user looks at, which may be put away. It never stops anybody's work: nothing
+/// moves for it, and it covers no field.
 class MessageStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit MessageStrip(QWidget* parent = nullptr);
 
+    /// What it lies over from now on. It outlives this.
+    void layOver(QWidget* area);
     void tell(Notice::Kind kind, const QString& sentence);
     void dismiss();
     QString sentence() const { return notice_->sentence(); }
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void fit();
+
+    QWidget* area_ = nullptr;
     Notice* notice_ = nullptr;
 };
 

@@ -74,7 +74,18 @@ void StatusLine::setRecording(const QString& text) {
 }
 
 void StatusLine::setEscape(const QString& text) {
-    put(escape_, text);
+    escapeText_ = text;
+    showEscape();
+}
+
+void StatusLine::setPageEscape(const QString& text, bool counts) {
+    pageEscape_ = text;
+    pageCounts_ = counts;
+    showEscape();
+}
+
+void StatusLine::showEscape() {
+    put(escape_, pageCounts_ ? pageEscape_ : escapeText_);
 }
 
 void StatusLine::setRate(const QString& text) {

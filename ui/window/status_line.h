@@ -21,6 +21,8 @@ public:
 
     void setRecording(const QString& text); ///< empty: nothing is recorded
     void setEscape(const QString& text);    ///< what Esc does; empty: nothing
+    /// On a page where Esc means something else.
+    void setPageEscape(const QString& text, bool counts);
     void setStylus(const QString& text, bool running);
     void setRate(const QString& text);
     void setPosition(const QString& text);
@@ -35,6 +37,10 @@ signals:
 private:
     QLabel* add(const char* name, const QString& toolTip);
 
+    void showEscape();
+
+    QString escapeText_, pageEscape_;
+    bool pageCounts_ = false;
     QLabel* recording_ = nullptr;
     QLabel* escape_ = nullptr;
     QLabel* stylus_ = nullptr;
