@@ -12,6 +12,7 @@ constexpr const char* languageKey = "language";
 constexpr const char* recentKey = "recent_files";
 constexpr const char* geometryKey = "window_geometry";
 constexpr const char* panelWidthKey = "panel_width";
+constexpr const char* parallelKey = "parallel_view";
 constexpr const char* folderKey = "last_folder";
 
 } // namespace
@@ -69,6 +70,14 @@ QByteArray UserSettings::panelWidth() const {
 
 void UserSettings::setPanelWidth(const QByteArray& state) {
     settings_.setValue(panelWidthKey, state);
+}
+
+bool UserSettings::parallelView() const {
+    return settings_.value(parallelKey).toBool();
+}
+
+void UserSettings::setParallelView(bool parallel) {
+    settings_.setValue(parallelKey, parallel);
 }
 
 QString UserSettings::lastFolder() const {

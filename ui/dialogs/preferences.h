@@ -37,6 +37,8 @@ public:
     void setWindowGeometry(const QByteArray& geometry);
     QByteArray panelWidth() const; ///< state of the splitter between view and panel
     void setPanelWidth(const QByteArray& state);
+    bool parallelView() const;
+    void setParallelView(bool parallel);
     QString lastFolder() const; ///< that a file was chosen in; empty: none yet
     void setLastFolder(const QString& folder);
 

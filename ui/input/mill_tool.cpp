@@ -79,6 +79,21 @@ void MillTool::hoverOver(const Sight& sight) {
         place = onLevel(sight, surfaceHeight_.value_or(grid.box().high.z));
     }
     if (place) hoverAt({place->x, place->y, grid.low().z});
+    lastSight_ = sight;
+    showAim(aimPress(workpiece, sight));
+}
+
+/// Where the tip goes if the button is pressed now: the depth counts from what is under the pointer.
+std::optional<glm::dvec3> MillTool::aimPress(const VolumeSnapshot& workpiece, const Sight& sight) {
+    pointedHeight_ = surfaceHeight_.value_or(workpiece.grid().box().high.z);
+    levelHeight_ = pointedHeight_ - settings_.depthOfCut;
+    return strokePlace(workpiece, sight);
+}
+
+void MillTool::showAim(const std::optional<glm::dvec3>& tip) {
+    if (!tip && !aimShown_) return;
+    aimShown_ = tip.has_value();
+    emit pressAimed(tip);
 }
 
 /// Along the part, so far below it that the boundary is pressed on; where there is none below, as deep as before.
@@ -122,10 +137,9 @@ bool MillTool::press(const ViewportEvent& event) {
     fine_.reset();
     lastSight_ = fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier));
     if (const auto hit = castRay(workpiece, sight.origin, sight.direction)) surfaceHeight_ = hit->place.z;
-    pointedHeight_ = surfaceHeight_.value_or(workpiece.grid().box().high.z);
-    levelHeight_ = pointedHeight_ - settings_.depthOfCut;
-    const auto place = strokePlace(workpiece, lastSight_);
+    const auto place = aimPress(workpiece, lastSight_);
     if (!place) return true;
+    showAim({});
     stroke_ = Stroke::pointer;
     emit strokeBegins();
     cutTo(*place, clearHeightTo(workpiece, *place));
@@ -159,6 +173,7 @@ bool MillTool::wheel(const ViewportEvent& event) {
     }
     wheelOffset_ = std::clamp(wheelOffset_ + notch * event.wheelSteps, -largestOffset, largestOffset);
     if (stroke_ == Stroke::pointer) aim(lastSight_);
+    if (const VolumeSnapshot now = view_(); aimShown_ && !now.empty()) showAim(aimPress(now, lastSight_));
     emit depthChanged(wheelOffset_);
     return true;
 }
@@ -180,6 +195,7 @@ void MillTool::endStroke(End how) {
 
 void MillTool::step(const glm::dvec3& way) {
     if (stroke_ == Stroke::pointer) return;
+    showAim({});
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return;
     const glm::dvec3 place = keptWithin(reachOf(workpiece, tool_.cutter), target_ + way);
@@ -192,6 +208,7 @@ void MillTool::step(const glm::dvec3& way) {
 void MillTool::toggleSpindle() {
     if (stroke_ != Stroke::none) return endStroke(End::finished);
     if (view_().empty()) return;
+    showAim({});
     stroke_ = Stroke::keyboard;
     emit strokeBegins();
     cutTo(target_, target_.z);
@@ -222,6 +239,7 @@ bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
 
 /// A stroke that was released is finished, wherever the pointer goes.
 void MillTool::leave() {
+    showAim({});
     if (stroke_ != Stroke::none) endStroke(End::givenUp);
 }
 

@@ -29,6 +29,7 @@ signals:
 private:
     void begin();
     void end();
+    void showAim(const std::optional<glm::dvec3>& tip);
 
     Workbench& workbench_;
     Viewport& viewport_;
