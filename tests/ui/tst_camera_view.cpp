@@ -43,6 +43,100 @@ private slots:
         }
     }
 
+    /// In any projection, those between parallel and perspective too.
+    void pixelsAndSightsAgreeInBothProjections() {
+        for (unsigned seed = 0; seed < 300; ++seed) {
+            CameraView view = someView(seed);
+            view.convergence = seed % 3 == 0 ? 0.0 : seed % 3 == 1 ? 1.0 : 0.37;
+            const glm::dvec3 right = axesOf(view).right;
+            for (const QPointF& at : {QPointF(0.0, 0.0), QPointF(1279.0, 10.0), QPointF(640.0, 400.0)}) {
+                const Sight sight = sightThrough(view, size, at);
+                const glm::dvec3 place = besideFocus(view, sight);
+                QVERIFY(std::abs(glm::dot(place - view.focus, axesOf(view).back)) < 1e-6);
+                for (const double nearer : {-0.4, 0.0, 0.6}) {
+                    const glm::dvec3 on = place - sight.direction * (nearer * view.distance);
+                    QVERIFY(pixels(appearanceOf(view, size, on), at) < 1e-5);
+                    // A pixel there is as wide as it is said to be.
+                    const QPointF beside = appearanceOf(view, size, on + right * pixelAt(view, size, on));
+                    QVERIFY(pixels(beside, at + QPointF(1.0, 0.0)) < 1e-5);
+                }
+            }
+        }
+    }
+
+    /// Nearer is not larger: from above, x and y in the picture are x and y of the world at one scale.
+    void aParallelTopViewIsAPlan() {
+        CameraView top = turnedTo({}, StandardView::top);
+        top.convergence = 0.0;
+        top.focus = {5.0, -3.0, 0.0};
+        const double scale = 2.0 * std::tan(0.5 * cameraViewAngle) * top.distance / size.height(); // mm a pixel
+        for (const glm::dvec3& place : {glm::dvec3(0.0, 0.0, 900.0), glm::dvec3(17.0, 8.0, -40.0)}) {
+            const QPointF expected(640.0 + (place.x - 5.0) / scale, 400.0 - (place.y + 3.0) / scale);
+            QVERIFY(pixels(appearanceOf(top, size, place), expected) < 1e-6);
+            const Sight sight = sightThrough(top, size, expected);
+            QVERIFY(glm::distance(glm::dvec2(sight.origin), glm::dvec2(place)) < 1e-6);
+            QVERIFY(sight.direction == glm::dvec3(0.0, 0.0, -1.0) || glm::distance(sight.direction, {0.0, 0.0, -1.0}) < 1e-9);
+            QVERIFY(sight.origin.z > 1000.0); // before all that stands there
+        }
+    }
+
+    void parallelViewsTurnScaleAndMoveAboutThePointer() {
+        for (unsigned seed = 0; seed < 200; ++seed) {
+            CameraView view = someView(seed);
+            view.convergence = 0.0;
+            const QPointF at(100.0 + seed, 650.0 - seed);
+            const glm::dvec3 pivot = besideFocus(view, sightThrough(view, size, at)) + axesOf(view).back * (seed - 70.0);
+            QVERIFY(pixels(appearanceOf(zoomed(view, 0.6, pivot), size, pivot), at) < 1e-6);
+            QVERIFY(std::abs(pixelAt(zoomed(view, 0.6, pivot), size, pivot) / pixelAt(view, size, pivot) - 0.6) < 1e-9);
+            QVERIFY(pixels(appearanceOf(orbited(view, 0.01 * seed, 0.3, pivot), size, pivot), at) < 1e-6);
+            const QPointF moved = appearanceOf(panned(view, size, {-120.0, 45.0}, pivot), size, pivot);
+            QVERIFY(pixels(moved, at + QPointF(-120.0, 45.0)) < 1e-6);
+        }
+    }
+
+    void theChangeOfProjectionKeepsWhatIsAsFarAsThePivot() {
+        for (unsigned seed = 0; seed < 200; ++seed) {
+            const CameraView view = someView(seed);
+            const glm::dvec3 pivot = placeUnder(view, {300.0, 500.0}, 0.8), right = axesOf(view).right;
+            for (const double convergence : {0.0, 0.5, 1.0}) {
+                const CameraView other = converged(view, convergence, pivot);
+                for (const glm::dvec3& place : {pivot, pivot + 7.0 * right})
+                    QVERIFY(pixels(appearanceOf(other, size, place), appearanceOf(view, size, place)) < 1e-6);
+            }
+        }
+    }
+
+    /// Straight views are plans; turned, they become what the user chose, and what was gripped stays under the pointer.
+    void straightViewsAreParallelUntilTheyAreTurned() {
+        using namespace std::chrono_literals;
+        for (const bool chosen : {false, true}) {
+            CameraMotion motion;
+            motion.setSize(size);
+            motion.setContent({{-10.0, -10.0, 0.0}, {10.0, 10.0, 10.0}});
+            motion.setParallel(chosen, {}, 0ms);
+            QCOMPARE(isParallel(motion.view()), chosen);
+            for (const StandardView straight : {StandardView::top, StandardView::front, StandardView::left}) {
+                motion.turnTo(straight, {}, 0ms);
+                QVERIFY(isParallel(motion.view()));
+                motion.zoom(1.0, motion.view().focus);
+                QVERIFY(isParallel(motion.view()));
+                const glm::dvec3 gripped(6.0, -5.0, 10.0);
+                const QPointF at = appearanceOf(motion.view(), size, gripped);
+                motion.beginDrag(CameraMotion::Drag::pan, at, gripped);
+                motion.drag(at + QPointF(30.0, 0.0));
+                motion.endDrag();
+                QVERIFY(isParallel(motion.view()));
+                motion.beginDrag(CameraMotion::Drag::orbit, at, gripped);
+                motion.drag(at + QPointF(20.0, 12.0));
+                motion.endDrag();
+                QCOMPARE(isParallel(motion.view()), chosen);
+                QVERIFY(pixels(appearanceOf(motion.view(), size, gripped), at + QPointF(30.0, 0.0)) < 1e-6);
+            }
+            motion.turnTo(StandardView::isometric, {}, 0ms);
+            QCOMPARE(isParallel(motion.view()), chosen);
+        }
+    }
+
     void aPlaceToTheRightAppearsToTheRightAndAboveAbove() {
         const CameraView front = turnedTo({}, StandardView::front);
         const QPointF middle = appearanceOf(front, size, {0.0, 0.0, 0.0});
@@ -103,7 +197,9 @@ private slots:
         const Box box{{-30.0, 10.0, 0.0}, {90.0, 50.0, 25.0}};
         for (unsigned seed = 0; seed < 100; ++seed)
             for (const QSizeF& picture : {QSizeF(1280.0, 800.0), QSizeF(300.0, 900.0)}) {
-                const CameraView fit = fitted(someView(seed), picture, box);
+                CameraView view = someView(seed);
+                view.convergence = seed % 2 == 0 ? 1.0 : 0.0;
+                const CameraView fit = fitted(view, picture, box);
                 double widest = 0.0;
                 for (int i = 0; i < 8; ++i) {
                     const glm::dvec3 corner((i & 1) != 0 ? 90.0 : -30.0, (i & 2) != 0 ? 50.0 : 10.0,

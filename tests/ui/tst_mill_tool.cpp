@@ -3,6 +3,7 @@
 #include "tests/ui/bench_fixture.h"
 #include "ui/input/mill_geometry.h"
 #include "ui/input/mill_tool.h"
+#include "ui/input/press_preview.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -249,6 +250,69 @@ private slots:
         QVERIFY(glm::distance(rest(), start + glm::dvec3(0.6, 0.0, 0.0)) < 0.02);
         tool_->move(over({9.0, 10.0, top - 1.0}, Qt::LeftButton));
         QVERIFY(glm::distance(rest(), start + glm::dvec3(3.6, 0.0, 0.0)) < 0.1);
+    }
+
+    /// From straight above, as a parallel view has it: each sight begins over its own place.
+    void shiftMakesThePointerFineInAParallelView() {
+        const auto seen = [](double x, Qt::KeyboardModifiers modifiers) {
+            ViewportEvent event = over({}, Qt::LeftButton, modifiers);
+            event.rayOrigin = {x, 10.0, 1.0e5};
+            event.rayDirection = {0.0, 0.0, -1.0};
+            event.parallel = true;
+            return event;
+        };
+        tool_->setSettings({.depthOfCut = 1.0});
+        ViewportEvent pressed = seen(0.0, Qt::NoModifier);
+        pressed.button = Qt::LeftButton;
+        tool_->press(pressed);
+        const glm::dvec3 start = rest();
+        tool_->move(seen(0.0, Qt::ShiftModifier));
+        tool_->move(seen(6.0, Qt::ShiftModifier));
+        QVERIFY(glm::distance(rest(), start + glm::dvec3(0.6, 0.0, 0.0)) < 1e-6);
+        tool_->move(seen(6.0, Qt::NoModifier));
+        tool_->move(seen(9.0, Qt::NoModifier));
+        QVERIFY(glm::distance(rest(), start + glm::dvec3(3.6, 0.0, 0.0)) < 1e-6);
+    }
+
+    /// What is shown before a press is where the press leads.
+    void aPressLeadsToWhereItWasAimed() {
+        for (const DepthRule rule : {DepthRule::level, DepthRule::part}) {
+            init();
+            tool_->setSettings({.rule = rule, .depthOfCut = 1.5, .press = 2.0});
+            std::optional<glm::dvec3> aimed;
+            connect(tool_.get(), &MillTool::pressAimed, this,
+                    [&](const std::optional<glm::dvec3>& tip) { aimed = tip; });
+            tool_->move(over({2.0, 3.0, top}));
+            QVERIFY(aimed.has_value());
+            const glm::dvec3 shown = *aimed;
+            tool_->press(left({2.0, 3.0, top}));
+            QVERIFY(!aimed); // nothing is aimed at any more
+            QVERIFY(glm::distance(rest(), shown) < 1e-6);
+            tool_->release(left({2.0, 3.0, top}));
+            tool_->move(over({4.0, 3.0, top}));
+            QVERIFY(aimed.has_value());
+            tool_->leave();
+            QVERIFY(!aimed);
+        }
+    }
+
+    /// The plateau is flat: the cutter's edge, 2 mm from its axis, touches it while the tip is still beside it.
+    void thePressedPlaceIsToldFromThePart() {
+        const Cutter cutter = slimTool().cutter;
+        const glm::dvec3 up(0.0, 0.0, 1.0), middle(0.0, 0.0, plateauZ - 2.0);
+        const auto on = pressPreview(workpiece(), cutter, middle, up, 0.25);
+        QVERIFY(on && on->contact);
+        QVERIFY(std::abs(on->tip.z - (plateauZ + 0.25)) < 1e-9); // the allowance is kept
+        QVERIFY(std::abs(on->contact->z - plateauZ) < 1e-9);
+        QVERIFY(std::abs(on->depth - (top - plateauZ - 0.25)) < 1e-9);
+        for (const double beside : {1.0, 3.0}) { // mm from the plateau's border
+            const glm::dvec3 tip(0.0, plateauHigh + beside, plateauZ - 2.0);
+            const auto seen = pressPreview(workpiece(), cutter, tip, up, 0.0);
+            QVERIFY(seen);
+            QCOMPARE(seen->contact.has_value(), beside < cutter.radius());
+            QVERIFY(std::abs(seen->tip.z - (beside < cutter.radius() ? plateauZ : plateauZ - 2.0)) < 1e-9);
+        }
+        QVERIFY(!pressPreview(workpiece(), cutter, {500.0, 0.0, 0.0}, up, 0.0));
     }
 
     void leavesTheOtherButtonsToTheCamera() {

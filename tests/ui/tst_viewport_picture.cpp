@@ -39,6 +39,10 @@ Path somePath() {
     return path;
 }
 
+double pixels(const QPointF& a, const QPointF& b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
 /// How many of a picture's pixels near a place are about a colour's hue and at least as light as a share of it.
 int countLike(const QImage& image, const QRect& where, const QColor& colour, int tolerance) {
     int count = 0;
@@ -133,6 +137,43 @@ private slots:
         QVERIFY(bench_->save("viewport-bench"));
         qInfo("paint p95 %.1f ms, longest %.1f ms, cut to screen %.1f ms, %zu triangles", statistics.paintP95,
               statistics.paintMaximum, statistics.cutToScreenMaximum, statistics.triangles);
+    }
+
+    /// From above shank and holder (10 mm in radius) lie over the work: it is seen through them, nearly as without.
+    void theHolderFadesWhereItHidesTheWork() {
+        volume_ = std::make_unique<RunVolume>(fixture::milledBlock(stock, 0.25, radii));
+        viewport_->setWorkpiece(volume_->snapshot());
+        viewport_->setStandardView(StandardView::top);
+        viewport_->setToolMarks(marksAt({-9.0, -7.0, 30.0})); // parked over the milled side, where the part shows
+        QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 5000);
+        bench_->settle();
+        QVERIFY(bench_->save("viewport-faded-holder"));
+        const QImage with = viewport_->grabFramebuffer();
+        viewport_->setToolVisible(false);
+        const QImage without = viewport_->grabFramebuffer();
+        viewport_->setToolVisible(true);
+        const QPointF tip = viewport_->project({-9.0, -7.0, 30.0}), side = viewport_->project({-4.0, -7.0, 30.0});
+        const double ratio = viewport_->devicePixelRatio(), pixel = pixels(side, tip) * ratio / 5.0; // a mm
+        int seen = 0;
+        for (int i = 0; i < 12; ++i) { // a ring of 6 mm: beside the flutes (3 mm), under the holder
+            const double angle = 0.3 + i * pi / 6.0;
+            const QPoint at = (tip * ratio + 6.0 * pixel * QPointF(std::cos(angle), std::sin(angle))).toPoint();
+            const QColor now = with.pixelColor(at), bare = without.pixelColor(at);
+            QVERIFY(now != bare); // it is not gone either
+            const int off = std::max({std::abs(now.red() - bare.red()), std::abs(now.green() - bare.green()),
+                                      std::abs(now.blue() - bare.blue())});
+            if (off < 80) ++seen;
+        }
+        QCOMPARE(seen, 12);
+        // From the side it hides nothing and is as solid as ever: before the background, and before the stock.
+        viewport_->setStandardView(StandardView::front);
+        viewport_->setToolMarks(marksAt({0.0, -30.0, -15.0}));
+        bench_->settle();
+        const QColor shank = viewport_->grabFramebuffer().pixelColor(
+            (viewport_->project({-2.0, -34.0, 10.0}) * ratio).toPoint());
+        const QColor expected = fixture::palette().shank;
+        QVERIFY(std::abs(shank.hslHueF() - expected.hslHueF()) < 0.06 && shank.lightness() > 60);
+        viewport_->setStandardView(StandardView::isometric);
     }
 
     void anAlarmFlashesAndCarriesAnOutline() {

@@ -58,6 +58,9 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Look from the left."), "5"},
     Row{ActionId::viewRight, "viewRightAction", QT_TRANSLATE_NOOP("Actions", "Ri&ght"),
         QT_TRANSLATE_NOOP("Actions", "Look from the right."), "6"},
+    Row{ActionId::parallelView, "parallelViewAction", QT_TRANSLATE_NOOP("Actions", "Parallel pro&jection"),
+        QT_TRANSLATE_NOOP("Actions", "Parallel edges stay parallel in every view. Views along an axis always are so."),
+        "P", true},
     Row{ActionId::showPart, "showPartAction", QT_TRANSLATE_NOOP("Actions", "&Part"),
         QT_TRANSLATE_NOOP("Actions", "Draw the part beside the workpiece."), "Ctrl+1", true},
     Row{ActionId::showWorkpiece, "showWorkpieceAction", QT_TRANSLATE_NOOP("Actions", "&Workpiece"),
@@ -157,6 +160,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
         if (row.checkable) action->setChecked(row.id != ActionId::showPart);
         actions_[static_cast<std::size_t>(row.id)] = action;
     }
+    (*this)[ActionId::parallelView]->setChecked(false);
     (*this)[ActionId::millMode]->setChecked(false);
     (*this)[ActionId::raster]->setChecked(false);
     (*this)[ActionId::clutch]->setChecked(false);

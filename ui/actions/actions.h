@@ -31,6 +31,7 @@ enum class ActionId : std::size_t {
     viewBack,
     viewLeft,
     viewRight,
+    parallelView,
     showPart,
     showWorkpiece,
     showTool,

@@ -13,6 +13,7 @@ constexpr const char* recentKey = "recent_files";
 constexpr const char* geometryKey = "window_geometry";
 constexpr const char* panelWidthKey = "panel_width";
 constexpr const char* metersKey = "meters_folded";
+constexpr const char* parallelKey = "parallel_view";
 constexpr const char* folderKey = "last_folder";
 
 } // namespace
@@ -78,6 +79,14 @@ bool UserSettings::metersFolded() const {
 
 void UserSettings::setMetersFolded(bool folded) {
     settings_.setValue(metersKey, folded);
+}
+
+bool UserSettings::parallelView() const {
+    return settings_.value(parallelKey).toBool();
+}
+
+void UserSettings::setParallelView(bool parallel) {
+    settings_.setValue(parallelKey, parallel);
 }
 
 QString UserSettings::lastFolder() const {

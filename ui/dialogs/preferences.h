@@ -39,6 +39,8 @@ public:
     void setPanelWidth(const QByteArray& state);
     bool metersFolded() const;
     void setMetersFolded(bool folded);
+    bool parallelView() const;
+    void setParallelView(bool parallel);
     QString lastFolder() const; ///< that a file was chosen in; empty: none yet
     void setLastFolder(const QString& folder);
 

@@ -4,16 +4,31 @@
 
 namespace burin {
 
+namespace {
+
+/// Both are sights of one picture, as far as they tell: its eye, or its direction, is the same.
+bool comparable(const Sight& a, const Sight& b) {
+    if (a.parallel != b.parallel) return false;
+    return a.parallel ? a.direction == b.direction : a.origin == b.origin;
+}
+
+/// `from`, moved by a part of the way between two sights of its picture.
+Sight moved(const Sight& from, const Sight& before, const Sight& now, double part) {
+    return {from.origin + part * (now.origin - before.origin),
+            glm::normalize(from.direction + part * (now.direction - before.direction)), now.parallel};
+}
+
+} // namespace
+
 Sight FinePointer::follow(const Sight& pointer, bool fine) {
     const Sight last = lastPointer_.value_or(pointer);
     lastPointer_ = pointer;
-    if (anchor_ && anchor_->pointer.origin != pointer.origin) anchor_.reset(); // the camera moved: nothing to compare
+    if (anchor_ && !comparable(anchor_->pointer, pointer)) anchor_.reset(); // the camera moved
     const auto used = [this](const Sight& now) {
         if (!anchor_) return now;
-        const glm::dvec3 turn = now.direction - anchor_->pointer.direction;
-        return Sight{now.origin, glm::normalize(anchor_->used.direction + (anchor_->fine ? share : 1.0) * turn)};
+        return moved(anchor_->used, anchor_->pointer, now, anchor_->fine ? share : 1.0);
     };
-    if (fine != (anchor_ && anchor_->fine) && last.origin == pointer.origin && (fine || anchor_))
+    if (fine != (anchor_ && anchor_->fine) && comparable(last, pointer) && (fine || anchor_))
         anchor_ = Anchor{last, used(last), fine};
     return used(pointer);
 }

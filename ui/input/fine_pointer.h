@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// Makes the pointer fine: while it is wanted, the sight turns by a tenth of what the pointer's turned since then.
+/// Makes the pointer fine: while it is wanted, the sight turns (in a parallel picture: moves) by a tenth of what
+/// the pointer's did since then.
 /// Afterwards the sight goes on from where it is, so that nothing jumps, until `reset`.
 class FinePointer {
 public:

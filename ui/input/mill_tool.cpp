@@ -77,6 +77,22 @@ void MillTool::hoverOver(const Sight& sight) {
         place = onLevel(sight, surfaceHeight_.value_or(grid.box().high.z));
     }
     if (place) hoverAt({place->x, place->y, grid.low().z});
+    lastSight_ = sight;
+    showAim(aimPress(workpiece, sight));
+}
+
+/// Where the tip goes if the button is pressed now: the depth counts from what is under the pointer.
+std::optional<glm::dvec3> MillTool::aimPress(const VolumeSnapshot& workpiece, const Sight& sight) {
+    pointedHeight_ = surfaceHeight_.value_or(workpiece.grid().box().high.z);
+    levelHeight_ = pointedHeight_ - settings_.depthOfCut;
+    if (const auto place = onLevel(sight, pointedHeight_)) lockAnchor_ = *place; // of the stroke that would begin
+    return strokePlace(workpiece, sight);
+}
+
+void MillTool::showAim(const std::optional<glm::dvec3>& tip) {
+    if (!tip && !aimShown_) return;
+    aimShown_ = tip.has_value();
+    emit pressAimed(tip);
 }
 
 /// Along the part, so far below it that the boundary is pressed on; where there is none below, as deep as before.
@@ -116,8 +132,7 @@ void MillTool::aim(const Sight& sight) {
 /// Where the pointer draws from now on: the plane through what is under it.
 void MillTool::lookAt(const VolumeSnapshot& workpiece, const Sight& sight) {
     if (const auto hit = castRay(workpiece, sight.origin, sight.direction)) surfaceHeight_ = hit->place.z;
-    pointedHeight_ = surfaceHeight_.value_or(workpiece.grid().box().high.z);
-    levelHeight_ = pointedHeight_ - settings_.depthOfCut;
+    (void)aimPress(workpiece, sight);
 }
 
 void MillTool::beginFreeStroke(const ViewportEvent& event) {
@@ -126,9 +141,9 @@ void MillTool::beginFreeStroke(const ViewportEvent& event) {
     fine_.reset();
     lastSight_ = fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier));
     lookAt(workpiece, sight);
-    if (const auto place = onLevel(lastSight_, pointedHeight_)) lockAnchor_ = *place;
-    const auto place = strokePlace(workpiece, lastSight_);
+    const auto place = aimPress(workpiece, lastSight_);
     if (!place) return;
+    showAim({});
     stroke_ = Stroke::pointer;
     lastStroke_.clear();
     emit strokeBegins();
@@ -192,6 +207,7 @@ bool MillTool::wheel(const ViewportEvent& event) {
     }
     wheelOffset_ = std::clamp(wheelOffset_ + notch * event.wheelSteps, -largestOffset, largestOffset);
     if (stroke_ == Stroke::pointer) aim(lastSight_);
+    if (const VolumeSnapshot now = view_(); aimShown_ && !now.empty()) showAim(aimPress(now, lastSight_));
     emit depthChanged(wheelOffset_);
     return true;
 }
@@ -214,6 +230,7 @@ void MillTool::endStroke(End how) {
 
 void MillTool::step(const glm::dvec3& way) {
     if (stroke_ == Stroke::pointer || drawing_ != Drawing::none || feed_.waits()) return;
+    showAim({});
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return;
     const glm::dvec3 place = keptWithin(strokeReach(workpiece, tool_.cutter), target_ + way);
@@ -226,6 +243,7 @@ void MillTool::step(const glm::dvec3& way) {
 void MillTool::toggleSpindle() {
     if (stroke_ != Stroke::none) return endStroke(End::finished);
     if (view_().empty()) return;
+    showAim({});
     stroke_ = Stroke::keyboard;
     lastStroke_.clear();
     emit strokeBegins();
@@ -295,6 +313,7 @@ bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
 /// A stroke that was released is finished, wherever the pointer goes.
 void MillTool::leave() {
     if (std::exchange(drawing_, Drawing::none) != Drawing::none) emit stateChanged();
+    showAim({});
     if (stroke_ != Stroke::none) endStroke(End::givenUp);
 }
 

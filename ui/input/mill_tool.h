@@ -98,6 +98,8 @@ signals:
     void depthChanged(double offset); ///< mm along the axis that the wheel added
     void stateChanged();              ///< lock, plans, or what Esc does
     void refused(const QString& sentence);
+    /// Where a press would lead the tip, mm, setup frame, the push-back not reckoned with; nothing: there will be none.
+    void pressAimed(const std::optional<glm::dvec3>& tip);
 
 private:
     enum class Stroke : std::uint8_t { none, pointer, keyboard };
@@ -106,6 +108,8 @@ private:
     double clearHeightTo(const VolumeSnapshot& workpiece, const glm::dvec3& place);
     void hoverOver(const Sight& sight);
     void hoverAt(const glm::dvec3& place);
+    std::optional<glm::dvec3> aimPress(const VolumeSnapshot& workpiece, const Sight& sight);
+    void showAim(const std::optional<glm::dvec3>& tip);
     void aim(const Sight& sight);
     double strokeHeight(const VolumeSnapshot& workpiece, const glm::dvec3& place);
     std::optional<glm::dvec3> strokePlace(const VolumeSnapshot& workpiece, const Sight& sight);
@@ -145,6 +149,7 @@ private:
     double pointedHeight_ = 0.0;          ///< mm, z of the plane on which the pointer draws a stroke: where it began
     double levelHeight_ = 0.0;            ///< mm, z of the stroke, the wheel not counted
     std::optional<glm::dvec3> strokeEnd_; ///< mm, of the last stroke, as long as the tool may be on its way there
+    bool aimShown_ = false;               ///< a place to press on was told last
     double wheelOffset_ = 0.0;            ///< mm along the axis
     Sight lastSight_;                     ///< as the fine pointer has it
     glm::dvec3 lookingAlong_{0.0, 0.0, -1.0};

@@ -4,13 +4,22 @@
 
 #include "core/base/units.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 namespace {
 
 constexpr double orbitPerPixel = 0.4 * pi / 180.0; // rad: a hand's width of the pointer is a half turn
 constexpr double zoomPerNotch = 0.85;
+
+/// How much of a movement is done. @return 1: all of it
+double shareOf(CameraMotion::Clock::time_point start, CameraMotion::Clock::duration duration,
+               CameraMotion::Clock::time_point now) {
+    if (duration <= CameraMotion::Clock::duration::zero()) return 1.0;
+    return std::min(1.0, std::chrono::duration<double>(now - start) / duration);
+}
 
 /// Gathers speed and brakes without a jolt.
 double eased(double share) {
@@ -21,50 +30,89 @@ double eased(double share) {
 
 void CameraMotion::setSize(const QSizeF& size) {
     size_ = size;
-    if (stayFitted_) flyTo(fitted(flight_ ? flight_->to : view_, size_, content_), {}, {});
+    if (stayFitted_) flyTo(fitted(destination(), size_, content_), {}, {});
 }
 
 void CameraMotion::setContent(const Box& content) {
     if (content.low == content_.low && content.high == content_.high) return;
     const bool first = content_.empty();
     content_ = content;
-    if (stayFitted_ || first) flyTo(fitted(flight_ ? flight_->to : view_, size_, content_), {}, {});
+    if (stayFitted_ || first) flyTo(fitted(destination(), size_, content_), {}, {});
 }
 
 void CameraMotion::beginDrag(Drag drag, const QPointF& position, const glm::dvec3& pivot) {
-    flight_.reset();
+    endFlight(pivot);
     drag_ = drag;
     dragPosition_ = position;
     pivot_ = pivot;
 }
 
-void CameraMotion::drag(const QPointF& position) {
+void CameraMotion::drag(const QPointF& position, Clock::time_point now, Clock::duration duration) {
     const QPointF way = position - dragPosition_;
     dragPosition_ = position;
     if (drag_ == Drag::none || way.isNull()) return;
     stayFitted_ = false;
+    if (drag_ == Drag::orbit && std::exchange(alongAxis_, false)) change(chosenConvergence(), now, duration);
     view_ = drag_ == Drag::orbit ? orbited(view_, -way.x() * orbitPerPixel, way.y() * orbitPerPixel, pivot_)
                                  : panned(view_, size_, way, pivot_);
 }
 
 void CameraMotion::zoom(double steps, const glm::dvec3& pivot) {
-    flight_.reset();
+    endFlight(pivot);
     stayFitted_ = false;
     view_ = zoomed(view_, std::pow(zoomPerNotch, steps), pivot);
 }
 
 void CameraMotion::turnTo(StandardView standard, Clock::time_point now, Clock::duration duration) {
     stayFitted_ = true;
-    flyTo(fitted(turnedTo(view_, standard), size_, content_), now, duration);
+    alongAxis_ = standard != StandardView::isometric;
+    CameraView turned = turnedTo(view_, standard);
+    turned.convergence = alongAxis_ ? 0.0 : chosenConvergence();
+    flyTo(fitted(turned, size_, content_), now, duration);
+}
+
+void CameraMotion::setParallel(bool parallel, Clock::time_point now, Clock::duration duration) {
+    parallel_ = parallel;
+    if (alongAxis_) return;
+    if (flight_) {
+        flight_->to.convergence = chosenConvergence();
+        return;
+    }
+    if (drag_ == Drag::none) pivot_ = view_.focus;
+    change(chosenConvergence(), now, duration);
+}
+
+void CameraMotion::change(double convergence, Clock::time_point now, Clock::duration duration) {
+    change_ = Change{view_.convergence, convergence, now, duration};
+    converge(now);
+}
+
+void CameraMotion::converge(Clock::time_point now) {
+    const double share = shareOf(change_->start, change_->duration, now);
+    view_ = converged(view_, change_->from + (change_->to - change_->from) * eased(share), pivot_);
+    if (share >= 1.0) change_.reset();
 }
 
 void CameraMotion::fit(Clock::time_point now, Clock::duration duration) {
     stayFitted_ = true;
-    flyTo(fitted(flight_ ? flight_->to : view_, size_, content_), now, duration);
+    flyTo(fitted(destination(), size_, content_), now, duration);
+}
+
+/// Stays where it is, but in no projection between the two.
+void CameraMotion::endFlight(const glm::dvec3& pivot) {
+    if (flight_) view_ = converged(view_, flight_->to.convergence, pivot);
+    flight_.reset();
+}
+
+CameraView CameraMotion::destination() const {
+    CameraView view = flight_ ? flight_->to : view_;
+    if (change_) view.convergence = change_->to;
+    return view;
 }
 
 void CameraMotion::flyTo(const CameraView& view, Clock::time_point now, Clock::duration duration) {
     flight_.reset();
+    change_.reset();
     if (duration > Clock::duration::zero())
         flight_ = Flight{view_, view, now, duration};
     else
@@ -72,11 +120,13 @@ void CameraMotion::flyTo(const CameraView& view, Clock::time_point now, Clock::d
 }
 
 bool CameraMotion::advance(Clock::time_point now) {
-    if (!flight_) return false;
-    const double share = std::chrono::duration<double>(now - flight_->start) / flight_->duration;
-    view_ = between(flight_->from, flight_->to, share >= 1.0 ? 1.0 : eased(share));
-    if (share >= 1.0) flight_.reset();
-    return flight_.has_value();
+    if (change_) converge(now);
+    if (flight_) {
+        const double share = shareOf(flight_->start, flight_->duration, now);
+        view_ = between(flight_->from, flight_->to, eased(share));
+        if (share >= 1.0) flight_.reset();
+    }
+    return flight_ || change_;
 }
 
 } // namespace burin

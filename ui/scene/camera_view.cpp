@@ -12,6 +12,8 @@ namespace {
 
 constexpr double smallestDistance = 0.05, largestDistance = 1.0e6; // mm
 constexpr double fitMargin = 1.12;
+constexpr double leastConvergence = 0.002; // less can't be told from none, and its eye would be too far away to reckon with
+constexpr double parallelReach = 1.0e5;    // mm from the focus to the eye of a parallel picture
 
 const double halfHeight = std::tan(0.5 * cameraViewAngle); // of the picture, at distance 1
 
@@ -21,8 +23,14 @@ glm::dvec2 fromPixels(const QSizeF& size, const QPointF& position) {
     return {(position.x() - 0.5 * size.width()) / half, (0.5 * size.height() - position.y()) / half};
 }
 
-double depthOf(const CameraAxes& axes, const glm::dvec3& place) {
-    return glm::dot(axes.eye - place, axes.back);
+/// From the focus to the eye, mm.
+double reachOf(const CameraView& view) {
+    return isParallel(view) ? parallelReach : view.distance / view.convergence;
+}
+
+/// What stands for the distance to a place in the law of the picture: it shows so much, in half heights.
+double widthAt(const CameraView& view, const glm::dvec3& back, const glm::dvec3& place) {
+    return isParallel(view) ? view.distance : view.distance - view.convergence * glm::dot(place - view.focus, back);
 }
 
 double shortWay(double from, double to) {
@@ -35,25 +43,39 @@ CameraAxes axesOf(const CameraView& view) noexcept {
     const double ca = std::cos(view.azimuth), sa = std::sin(view.azimuth);
     const double ce = std::cos(view.elevation), se = std::sin(view.elevation);
     const glm::dvec3 back(ce * ca, ce * sa, se), right(-sa, ca, 0.0);
-    return {view.focus + back * view.distance, right, glm::cross(back, right), back};
+    return {view.focus + back * reachOf(view), right, glm::cross(back, right), back};
+}
+
+bool isParallel(const CameraView& view) noexcept {
+    return view.convergence < leastConvergence;
+}
+
+double halfHeightOf(const CameraView& view) noexcept {
+    return halfHeight * view.distance;
+}
+
+double angleOf(const CameraView& view) noexcept {
+    return 2.0 * std::atan(halfHeight * view.convergence);
 }
 
 Sight sightThrough(const CameraView& view, const QSizeF& size, const QPointF& position) {
     const CameraAxes axes = axesOf(view);
     const glm::dvec2 at = fromPixels(size, position) * halfHeight;
-    return {axes.eye, glm::normalize(axes.right * at.x + axes.up * at.y - axes.back)};
+    const glm::dvec3 aside = axes.right * at.x + axes.up * at.y;
+    if (isParallel(view)) return {axes.eye + aside * view.distance, -axes.back, true};
+    return {axes.eye, glm::normalize(aside * view.convergence - axes.back)};
 }
 
 QPointF appearanceOf(const CameraView& view, const QSizeF& size, const glm::dvec3& place) {
     const CameraAxes axes = axesOf(view);
-    const glm::dvec3 from = place - axes.eye;
-    const double scale = 0.5 * size.height() / (halfHeight * depthOf(axes, place));
+    const glm::dvec3 from = place - view.focus;
+    const double scale = 0.5 * size.height() / (halfHeight * widthAt(view, axes.back, place));
     return {0.5 * size.width() + glm::dot(from, axes.right) * scale,
             0.5 * size.height() - glm::dot(from, axes.up) * scale};
 }
 
 double pixelAt(const CameraView& view, const QSizeF& size, const glm::dvec3& place) {
-    return 2.0 * halfHeight * depthOf(axesOf(view), place) / std::max(1.0, size.height());
+    return 2.0 * halfHeight * widthAt(view, axesOf(view).back, place) / std::max(1.0, size.height());
 }
 
 CameraView orbited(const CameraView& view, double azimuth, double elevation, const glm::dvec3& pivot) {
@@ -95,10 +117,26 @@ CameraView fitted(const CameraView& view, const QSizeF& size, const Box& box) {
         const glm::dvec3 from = box.corner(corner) - fit.focus;
         const double across =
             std::max(std::abs(glm::dot(from, axes.right)) / widest, std::abs(glm::dot(from, axes.up)) / tallest);
-        distance = std::max(distance, across + glm::dot(from, axes.back));
+        distance = std::max(distance, across + fit.convergence * glm::dot(from, axes.back));
     }
     fit.distance = std::min(distance, largestDistance);
     return fit;
+}
+
+CameraView converged(const CameraView& view, double convergence, const glm::dvec3& pivot) {
+    const glm::dvec3 back = axesOf(view).back;
+    const double nearer = glm::dot(pivot - view.focus, back);
+    CameraView other = view; // the same picture, told from a focus that is as far away as the pivot
+    other.focus += back * nearer;
+    other.distance = std::clamp(widthAt(view, back, pivot), smallestDistance, largestDistance);
+    other.convergence = convergence;
+    return other;
+}
+
+glm::dvec3 besideFocus(const CameraView& view, const Sight& sight) {
+    const glm::dvec3 back = axesOf(view).back;
+    return sight.origin +
+           sight.direction * (glm::dot(view.focus - sight.origin, back) / glm::dot(sight.direction, back));
 }
 
 CameraView turnedTo(const CameraView& view, StandardView standard) {
@@ -135,6 +173,7 @@ CameraView between(const CameraView& from, const CameraView& to, double share) {
     view.azimuth = from.azimuth + shortWay(from.azimuth, to.azimuth) * share;
     view.elevation = from.elevation + (to.elevation - from.elevation) * share;
     view.distance = from.distance * std::pow(to.distance / from.distance, share);
+    view.convergence = from.convergence + (to.convergence - from.convergence) * share;
     return view;
 }
 

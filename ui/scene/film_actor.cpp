@@ -32,20 +32,27 @@ vtkStandardNewMacro(FilmActor);
 
 } // namespace
 
-vtkSmartPointer<vtkActor> filmActor(vtkPolyData* surface) {
+vtkSmartPointer<vtkActor> glassActor(vtkPolyData* surface) {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(surface);
     mapper->ScalarVisibilityOff();
+    auto actor = vtkSmartPointer<FilmActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->BackfaceCullingOn();
+    actor->PickableOff();
+    actor->ForceOpaqueOn(); // VTK's pass for transparent things costs full-screen buffers (actors.h)
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> filmActor(vtkPolyData* surface) {
+    const vtkSmartPointer<vtkActor> actor = glassActor(surface);
+    actor->GetProperty()->BackfaceCullingOff();
+    actor->GetProperty()->LightingOff();
     // As for lines (actors.cpp): VTK adds its own figures to everyone's.
     vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
     double everyFactor = 0.0, everyUnits = 0.0;
     vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(everyFactor, everyUnits);
-    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-everyFactor, nearer - everyUnits);
-    auto actor = vtkSmartPointer<FilmActor>::New();
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    actor->PickableOff();
-    actor->ForceOpaqueOn(); // VTK's pass for transparent things costs full-screen buffers (actors.h)
+    actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-everyFactor, nearer - everyUnits);
     return actor;
 }
 

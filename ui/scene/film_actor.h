@@ -12,4 +12,7 @@ namespace burin {
 /// itself (it leaves depths alone). Not lit; where it lies on another surface it is the one that is seen.
 vtkSmartPointer<vtkActor> filmActor(vtkPolyData* surface);
 
+/// The same, lit and from its front alone, and no nearer than it lies: a solid body that is seen through.
+vtkSmartPointer<vtkActor> glassActor(vtkPolyData* surface);
+
 } // namespace burin

@@ -17,6 +17,7 @@ struct ViewportEvent {
     QPointF position;                      ///< device-independent pixels from the viewport's top left
     glm::dvec3 rayOrigin{0.0};             ///< mm: where the sight through the pointer begins
     glm::dvec3 rayDirection{0.0};          ///< unit
+    bool parallel = false;                 ///< as in `Sight`
     Qt::MouseButton button = Qt::NoButton; ///< that changed
     Qt::MouseButtons buttons;
     Qt::KeyboardModifiers modifiers;
@@ -25,7 +26,7 @@ struct ViewportEvent {
 
 /// The sight through the pointer.
 inline Sight sightOf(const ViewportEvent& event) noexcept {
-    return {event.rayOrigin, event.rayDirection};
+    return {event.rayOrigin, event.rayDirection, event.parallel};
 }
 
 /// One way of using the pointer in the viewport: the camera, the mouse as a stylus, … The viewport asks the active tool

@@ -4,12 +4,20 @@
 
 #include "core/base/units.h"
 #include "ui/scene/actors.h"
+#include "ui/scene/film_actor.h"
 #include "ui/scene/shaded_polydata.h"
 
 #include <vtkMapper.h>
 #include <vtkProperty.h>
 
 namespace burin {
+namespace {
+
+constexpr std::size_t ghostTriangles = 100'000; // more would cost a hovering pointer its frames
+constexpr double ghostOpacity = 0.16, ghostEdgeOpacity = 0.8;
+
+} // namespace
+
 std::vector<ShadedBody> shadedBodies(const Model& model) {
     std::vector<ShadedBody> bodies;
     bodies.reserve(model.bodies.size());
@@ -23,17 +31,22 @@ std::vector<ShadedBody> shadedBodies(const Model& model) {
 
 void PartActors::setBodies(std::vector<ShadedBody> bodies) {
     for (const Drawn& body : bodies_) {
-        renderer_.RemoveActor(body.surface);
-        renderer_.RemoveActor(body.edges);
+        solids_.RemoveActor(body.surface);
+        solids_.RemoveActor(body.edges);
+        marks_.RemoveActor(body.ghostSurface);
+        marks_.RemoveActor(body.ghostEdges);
     }
     bodies_.clear();
     triangles_ = 0;
     for (ShadedBody& body : bodies) {
         const ShadedPolyData data = polyDataOf(body.mesh);
         triangles_ += body.mesh.triangles.size() / 3;
-        bodies_.push_back({surfaceActor(data.surface), lineActor(data.creases), std::move(body)});
-        renderer_.AddActor(bodies_.back().surface);
-        renderer_.AddActor(bodies_.back().edges);
+        bodies_.push_back({surfaceActor(data.surface), lineActor(data.creases), glassActor(data.surface),
+                           lineActor(data.creases), std::move(body)});
+        solids_.AddActor(bodies_.back().surface);
+        solids_.AddActor(bodies_.back().edges);
+        marks_.AddActor(bodies_.back().ghostSurface);
+        marks_.AddActor(bodies_.back().ghostEdges);
     }
     refresh();
 }
@@ -46,6 +59,12 @@ void PartActors::setColours(const QColor& part, const QColor& edges) {
 
 void PartActors::setVisible(bool visible) {
     visible_ = visible;
+    refresh();
+}
+
+void PartActors::setGhost(bool visible) {
+    if (visible == ghost_) return;
+    ghost_ = visible;
     refresh();
 }
 
@@ -73,6 +92,13 @@ void PartActors::refresh() {
         burin::setLineWidth(*body.edges, lineWidth_);
         body.surface->SetVisibility(visible_);
         body.edges->SetVisibility(visible_);
+        setColour(*body.ghostSurface, part_);
+        setColour(*body.ghostEdges, part_);
+        body.ghostSurface->GetProperty()->SetOpacity(ghostOpacity);
+        setBlended(*body.ghostEdges, ghostEdgeOpacity);
+        burin::setLineWidth(*body.ghostEdges, lineWidth_);
+        body.ghostSurface->SetVisibility(ghost_ && triangles_ <= ghostTriangles);
+        body.ghostEdges->SetVisibility(ghost_);
     }
 }
 

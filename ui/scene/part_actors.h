@@ -27,14 +27,18 @@ struct ShadedBody {
 /// Takes some tenths of a second for a large model: for a worker thread.
 std::vector<ShadedBody> shadedBodies(const Model& model);
 
-/// The bare part: bodies in their colours, smooth, with feature edges.
+/// The bare part: bodies in their colours, smooth, with feature edges. And its ghost, seen through the stock.
 class PartActors {
 public:
-    explicit PartActors(vtkRenderer& renderer) : renderer_(renderer) {}
+    /// @param solids draws the bench, @param marks what nothing hides
+    PartActors(vtkRenderer& solids, vtkRenderer& marks) : solids_(solids), marks_(marks) {}
 
     void setBodies(std::vector<ShadedBody> bodies);
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
+    /// Of a part with very many triangles, the edges alone.
+    void setGhost(bool visible);
+    bool ghostVisible() const noexcept { return ghost_ && !bodies_.empty(); }
     void setLineWidth(double screenPixels);
     /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
@@ -42,17 +46,17 @@ public:
 
 private:
     struct Drawn {
-        vtkSmartPointer<vtkActor> surface, edges;
+        vtkSmartPointer<vtkActor> surface, edges, ghostSurface, ghostEdges;
         ShadedBody body;
     };
     void refresh();
 
-    vtkRenderer& renderer_;
+    vtkRenderer &solids_, &marks_;
     std::vector<Drawn> bodies_;
     QColor part_, edges_;
     double lineWidth_ = 1.0;
     std::size_t triangles_ = 0;
-    bool visible_ = true;
+    bool visible_ = true, ghost_ = false;
 };
 
 } // namespace burin

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/scene.h"
 
-#include "core/base/units.h"
 #include "core/volume/ray_cast.h"
 #include "ui/scene/actors.h"
+#include "ui/scene/aim_camera.h"
 #include "ui/scene/bench_lights.h"
-
-#include <vtkCamera.h>
 
 #include <array>
 
@@ -36,9 +34,9 @@ Box boundsOf(vtkRenderer& renderer) {
 
 Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
              ObstacleActors::Shader obstacles)
-    : part_(*bench_)
+    : part_(*bench_, *marks_)
     , workpiece_(*bench_, std::move(workpieceReady))
-    , tool_(*bench_)
+    , tool_(*bench_, *films_)
     , livePath_(*bench_)
     , otherPaths_(*bench_)
     , editedPath_(*bench_)
@@ -49,6 +47,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , obstacles_(*bench_, *films_, std::move(obstacles))
     , guides_(*films_, *marks_, std::move(surfaces))
     , ghost_(*marks_)
+    , touch_(*marks_)
     , moveMark_(*marks_)
     , outlines_(*marks_)
     , strokePlans_(*marks_)
@@ -85,6 +84,7 @@ void Scene::setPalette(const Palette& palette) {
     obstacles_.setPalette(palette);
     guides_.setPalette(palette);
     ghost_.setPalette(palette);
+    touch_.setPalette(palette);
     moveMark_.setColour(palette.text);
     outlines_.setColour(palette.quietText);
     strokePlans_.setColour(palette.text);
@@ -142,6 +142,11 @@ void Scene::setMarks(const ToolMarks& marks, bool flashLit) {
     force_.set(toolVisible_ ? marks.force : glm::dvec3(0.0), marks.proxy.tip);
 }
 
+void Scene::setPressMark(const std::optional<PressMark>& mark) {
+    touch_.set(mark);
+    part_.setGhost(mark.has_value());
+}
+
 void Scene::setObstacles(std::vector<ObstacleMark> marks) {
     obstacles_.set(std::move(marks));
     refresh();
@@ -178,6 +183,7 @@ void Scene::setLineWidths(double ratio) {
     otherPaths_.setLineWidth(thinLine * ratio);
     deviations_.setSize(deviationPoint * ratio);
     ghost_.setLineWidth(boldLine * ratio);
+    touch_.setLineWidth(pathLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
     outlines_.setLineWidth(pathLine * ratio);
     strokePlans_.setLineWidth(pathLine * ratio);
@@ -194,29 +200,30 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     setLineWidths(ratio);
     workpiece_.update(moving, toolMarks_.proxy.tip);
     stock_.drawLast();
+    tool_.place(view);
     scaleBar_.place(view, size, ratio);
     force_.place(view, size, ratio);
     guides_.place(view, size, ratio);
+    touch_.place(view, size, ratio);
     cube_.place(view, size, ratio);
-    films_->SetDraw(guides_.visible() || obstacles_.filmsVisible());
+    films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
-                    outlines_.visible() || strokePlans_.visible());
+                    outlines_.visible() || strokePlans_.visible() || touch_.visible());
 
-    const CameraAxes axes = axesOf(view);
-    vtkCamera* camera = bench_->GetActiveCamera();
-    camera->SetPosition(axes.eye.x, axes.eye.y, axes.eye.z);
-    camera->SetFocalPoint(view.focus.x, view.focus.y, view.focus.z);
-    camera->SetViewUp(axes.up.x, axes.up.y, axes.up.z);
-    camera->SetViewAngle(cameraViewAngle * 180.0 / pi);
+    aimCamera(view);
+    return workpieceSeen() ? workpiece_.takeCutShown() : std::nullopt;
+}
+
+void Scene::aimCamera(const CameraView& view) {
     Box bounds = boundsOf(*bench_);
     for (vtkRenderer* layer : {films_.Get(), marks_.Get()})
         if (layer->GetDraw() != 0) bounds.include(boundsOf(*layer));
-    if (!bounds.empty()) {
-        const std::array<double, 6> b{bounds.low.x,  bounds.high.x, bounds.low.y,
-                                      bounds.high.y, bounds.low.z,  bounds.high.z};
-        bench_->ResetCameraClippingRange(b.data());
-    }
-    return workpieceSeen() ? workpiece_.takeCutShown() : std::nullopt;
+    vtkCamera* camera = bench_->GetActiveCamera();
+    if (bounds.empty()) return aim(*camera, view, view.distance);
+    aim(*camera, view, glm::distance(view.focus, bounds.centre()) + glm::length(bounds.size()));
+    const std::array<double, 6> b{bounds.low.x,  bounds.high.x, bounds.low.y,
+                                  bounds.high.y, bounds.low.z,  bounds.high.z};
+    bench_->ResetCameraClippingRange(b.data());
 }
 
 std::size_t Scene::triangles() const {

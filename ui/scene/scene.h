@@ -17,6 +17,7 @@
 #include "ui/scene/stock_outline.h"
 #include "ui/scene/stylus_ghost.h"
 #include "ui/scene/tool_actors.h"
+#include "ui/scene/touch_mark.h"
 #include "ui/scene/view_cube.h"
 #include "ui/scene/workpiece_actors.h"
 
@@ -39,7 +40,10 @@ public:
           ObstacleActors::Shader obstacles);
 
     void setPalette(const Palette& palette);
-    void setLengthUnit(LengthUnit unit) { scaleBar_.setUnit(unit); }
+    void setLengthUnit(LengthUnit unit) {
+        scaleBar_.setUnit(unit);
+        touch_.setUnit(unit);
+    }
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
     /// Nothing: while there is no workpiece to be seen.
     void setPartVisible(std::optional<bool> visible);
@@ -50,6 +54,8 @@ public:
     void setToolVisible(bool visible);
     /// @param flashLit the bright half of an alarm's flash
     void setMarks(const ToolMarks& marks, bool flashLit);
+    /// With it the part is seen through the stock.
+    void setPressMark(const std::optional<PressMark>& mark);
     void setObstacles(std::vector<ObstacleMark> marks);
     void setGuides(const GuideMarks& marks) { guides_.set(marks); }
     LivePath& livePath() noexcept { return livePath_; }
@@ -78,6 +84,7 @@ private:
     bool workpieceSeen() const noexcept { return workpieceVisible_ && !shown_.empty(); }
     void refresh();
     void setLineWidths(double ratio);
+    void aimCamera(const CameraView& view);
 
     vtkNew<vtkRenderer> bench_, films_, marks_;
     PartActors part_;
@@ -93,6 +100,7 @@ private:
     ObstacleActors obstacles_;
     GuideActors guides_;
     StylusGhost ghost_;
+    TouchMark touch_;
     MarkedLines moveMark_, outlines_, strokePlans_;
     ForceArrow force_;
     ViewCube cube_;

@@ -3,7 +3,10 @@
 #include "ui/scene/tool_actors.h"
 
 #include "core/base/units.h"
+#include "ui/scene/across.h"
 #include "ui/scene/actors.h"
+#include "ui/scene/film_actor.h"
+#include "ui/scene/tool_cover.h"
 #include "ui/scene/tool_surface.h"
 
 #include <vtkPolyDataMapper.h>
@@ -17,6 +20,15 @@ namespace burin {
 namespace {
 
 constexpr double helixAngle = 30.0 * pi / 180.0; // usual for end mills; drawn, not reckoned with
+
+constexpr double fadedOpacity = 0.1;                  // each of three or four pieces one behind the other
+constexpr double fadesFrom = 0.1, fadedFrom = 0.5;    // share of the tip's surroundings that is hidden
+
+/// Of a shank or holder that hides a share of what lies round the tip.
+double opacityFor(double hidden) {
+    const double share = std::clamp((hidden - fadesFrom) / (fadedFrom - fadesFrom), 0.0, 1.0);
+    return 1.0 - share * (1.0 - fadedOpacity);
+}
 
 /// Radius of the flutes at a height over the tip, mm.
 double fluteRadius(std::span<const RevolvedPiece> flutes, double height) {
@@ -59,8 +71,7 @@ RevolvedPiece grown(RevolvedPiece piece, double margin) {
 
 void setPose(vtkMatrix4x4& matrix, const ToolPose& pose) {
     const glm::dvec3 axis = pose.axis;
-    const glm::dvec3 aside = std::abs(axis.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 x = glm::normalize(aside - axis * glm::dot(aside, axis)), y = glm::cross(axis, x);
+    const auto [x, y] = acrossOf(axis);
     for (int row = 0; row < 3; ++row) {
         matrix.SetElement(row, 0, x[row]);
         matrix.SetElement(row, 1, y[row]);
@@ -74,26 +85,40 @@ void ToolActors::setPalette(const Palette& palette) {
     refresh();
 }
 
-void ToolActors::add(Section section, vtkSmartPointer<vtkActor> actor) {
+void ToolActors::setPose(const ToolPose& pose) {
+    pose_ = pose;
+    burin::setPose(*matrix_, pose);
+}
+
+void ToolActors::add(Section section, vtkSmartPointer<vtkActor> actor, vtkSmartPointer<vtkActor> faded) {
     actor->SetUserMatrix(matrix_);
-    renderer_.AddActor(actor);
-    sections_.push_back({section, std::move(actor)});
+    solids_.AddActor(actor);
+    if (faded) {
+        faded->SetUserMatrix(matrix_);
+        films_.AddActor(faded);
+    }
+    sections_.push_back({section, std::move(actor), std::move(faded)});
 }
 
 void ToolActors::setTool(const std::optional<Tool>& tool) {
-    for (const Drawn& section : sections_) renderer_.RemoveActor(section.actor);
+    for (const Drawn& section : sections_) {
+        solids_.RemoveActor(section.actor);
+        if (section.faded) films_.RemoveActor(section.faded);
+    }
     sections_.clear();
+    cutter_ = tool ? std::optional(tool->cutter) : std::nullopt;
     if (!tool) return;
     const std::vector<RevolvedPiece> stack = pieces(tool->cutter);
     double widest = 0.0;
     for (const RevolvedPiece& piece : stack) widest = std::max(widest, piece.widestRadius());
     for (std::size_t i = 0; i < stack.size(); ++i) {
         const ToolSection part = sectionOf(tool->cutter, i);
-        const Section section = part == ToolSection::flutes  ? Section::flutes
-                                : part == ToolSection::shank ? Section::shank
-                                                             : Section::holder;
-        add(section, surfaceActor(pieceSurface(stack[i])));
-        if (section == Section::flutes) continue;
+        const vtkSmartPointer<vtkPolyData> surface = pieceSurface(stack[i]);
+        if (part == ToolSection::flutes) {
+            add(Section::flutes, surfaceActor(surface));
+            continue;
+        }
+        add(part == ToolSection::shank ? Section::shank : Section::holder, surfaceActor(surface), glassActor(surface));
         vtkSmartPointer<vtkActor> outline = surfaceActor(pieceSurface(grown(stack[i], 0.06 * widest)));
         outline->GetProperty()->LightingOff();
         outline->GetProperty()->FrontfaceCullingOn();
@@ -102,6 +127,18 @@ void ToolActors::setTool(const std::optional<Tool>& tool) {
     }
     add(Section::edges, lineActor(lineData(cuttingEdges(*tool))));
     refresh();
+}
+
+void ToolActors::place(const CameraView& view) {
+    const bool mayFade = cutter_ && visible_ && !alarm_;
+    const double opacity = mayFade ? opacityFor(coveredShare(*cutter_, pose_, view)) : 1.0;
+    if (opacity == opacity_) return;
+    opacity_ = opacity;
+    refresh();
+}
+
+bool ToolActors::filmsVisible() const noexcept {
+    return cutter_ && visible_ && opacity_ < 1.0;
 }
 
 void ToolActors::setVisible(bool visible) {
@@ -121,34 +158,39 @@ void ToolActors::setLineWidth(double screenPixels) {
     refresh();
 }
 
-void ToolActors::refresh() {
+QColor ToolActors::colourOf(Section section) const {
     const bool red = alarm_ && lit_;
-    for (const auto& [section, actor] : sections_) {
-        switch (section) {
-        case Section::flutes:
-            setColour(*actor, palette_.flutes);
-            break;
-        case Section::edges:
-            setColour(*actor, palette_.holder);
-            break;
-        case Section::shank:
-            setColour(*actor, red ? palette_.force : palette_.shank);
-            break;
-        case Section::holder:
-            setColour(*actor, red ? palette_.force : palette_.holder);
-            break;
-        case Section::outline:
-            setColour(*actor, palette_.force);
-            break;
-        }
+    switch (section) {
+    case Section::flutes:
+        return palette_.flutes;
+    case Section::edges:
+        return palette_.holder;
+    case Section::shank:
+        return red ? palette_.force : palette_.shank;
+    case Section::holder:
+        return red ? palette_.force : palette_.holder;
+    case Section::outline:
+        break;
+    }
+    return palette_.force;
+}
+
+void ToolActors::refresh() {
+    for (const auto& [section, actor, faded] : sections_) {
+        setColour(*actor, colourOf(section));
         burin::setLineWidth(*actor, lineWidth_);
-        actor->SetVisibility(visible_ && (section != Section::outline || alarm_));
+        const bool seen = visible_ && (section != Section::outline || alarm_), fades = faded && opacity_ < 1.0;
+        actor->SetVisibility(seen && !fades);
+        if (!faded) continue;
+        setColour(*faded, colourOf(section));
+        faded->GetProperty()->SetOpacity(opacity_);
+        faded->SetVisibility(seen && fades);
     }
 }
 
 std::size_t ToolActors::triangles() const {
     vtkIdType count = 0;
-    for (const auto& [section, actor] : sections_)
+    for (const auto& [section, actor, faded] : sections_)
         if (actor->GetVisibility() != 0)
             count += vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->GetInput()->GetNumberOfPolys();
     return static_cast<std::size_t>(count);

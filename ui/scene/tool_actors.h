@@ -4,6 +4,7 @@
 
 #include "core/geometry/pose.h"
 #include "core/tool/tool.h"
+#include "ui/scene/camera_view.h"
 #include "ui/theme/theme.h"
 
 #include <vtkActor.h>
@@ -21,18 +22,23 @@ namespace burin {
 void setPose(vtkMatrix4x4& matrix, const ToolPose& pose);
 
 /// The tool: flutes with their edges, shank and holder told apart. In an alarm shank and holder flash and carry an
-/// outline, so that colour alone doesn't tell it.
+/// outline, so that colour alone doesn't tell it. Where shank and holder hide from the eye what the tip is at, they
+/// fade and what is behind them is seen through them; in an alarm they never do.
 class ToolActors {
 public:
-    explicit ToolActors(vtkRenderer& renderer) : renderer_(renderer) {}
+    /// @param solids draws the bench, @param films what is seen through, with the bench's depths
+    ToolActors(vtkRenderer& solids, vtkRenderer& films) : solids_(solids), films_(films) {}
 
     void setPalette(const Palette& palette);
     void setTool(const std::optional<Tool>& tool);
-    void setPose(const ToolPose& pose) { burin::setPose(*matrix_, pose); }
+    void setPose(const ToolPose& pose);
     void setVisible(bool visible);
     /// @param lit the bright half of a flash; has no effect without the alarm
     void setAlarm(bool alarm, bool lit);
     void setLineWidth(double screenPixels);
+    /// Before each paint.
+    void place(const CameraView& view);
+    bool filmsVisible() const noexcept; ///< there is something in the films' renderer
     std::size_t triangles() const;
 
 private:
@@ -40,11 +46,16 @@ private:
     struct Drawn {
         Section section = Section::flutes;
         vtkSmartPointer<vtkActor> actor;
+        vtkSmartPointer<vtkActor> faded; ///< in its stead while it hides the tip; null: it never does
     };
-    void add(Section section, vtkSmartPointer<vtkActor> actor);
+    void add(Section section, vtkSmartPointer<vtkActor> actor, vtkSmartPointer<vtkActor> faded = nullptr);
+    QColor colourOf(Section section) const;
     void refresh();
 
-    vtkRenderer& renderer_;
+    vtkRenderer &solids_, &films_;
+    std::optional<Cutter> cutter_;
+    ToolPose pose_;
+    double opacity_ = 1.0; ///< of shank and holder
     vtkNew<vtkMatrix4x4> matrix_;
     std::vector<Drawn> sections_;
     Palette palette_;

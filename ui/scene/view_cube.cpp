@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/view_cube.h"
 
-#include "core/base/units.h"
 #include "ui/scene/actors.h"
+#include "ui/scene/aim_camera.h"
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
@@ -27,6 +27,7 @@ constexpr std::array<StandardView, 6> faces{StandardView::top,  StandardView::bo
 constexpr int atlasColumns = 3, atlasRows = 2;
 constexpr double cellPixels = 72.0; // device-independent
 constexpr double eyeDistance = 9.6; // the cube reaches from -1 to 1
+constexpr double cubeReach = 4.0;   // beyond all that is drawn of it
 constexpr double axisFrom = -1.0, axisTo = 1.35, letterAt = 1.65;
 
 CameraView cubeView(const CameraView& view) {
@@ -34,6 +35,7 @@ CameraView cubeView(const CameraView& view) {
     own.azimuth = view.azimuth;
     own.elevation = view.elevation;
     own.distance = eyeDistance;
+    own.convergence = view.convergence;
     return own;
 }
 
@@ -176,13 +178,9 @@ void ViewCube::place(const CameraView& view, const QSizeF& size, double ratio) {
     renderer_->SetViewport(share(corner.x(), size.width()), 1.0 - share(corner.y() + side, size.height()),
                            share(corner.x() + side, size.width()), 1.0 - share(corner.y(), size.height()));
     const CameraView own = cubeView(view);
-    const CameraAxes axes = axesOf(own);
     vtkCamera* camera = renderer_->GetActiveCamera();
-    camera->SetPosition(axes.eye.x, axes.eye.y, axes.eye.z);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetViewUp(axes.up.x, axes.up.y, axes.up.z);
-    camera->SetViewAngle(cameraViewAngle * 180.0 / pi);
-    camera->SetClippingRange(eyeDistance - 4.0, eyeDistance + 4.0);
+    aim(*camera, own, cubeReach);
+    camera->SetClippingRange(camera->GetDistance() - cubeReach, camera->GetDistance() + cubeReach);
     for (int axis = 0; axis < 3; ++axis) {
         const QPointF at = appearanceOf(own, QSizeF(side, side), axisPlace(axis, letterAt));
         Label& letter = *letters_[static_cast<std::size_t>(axis)];

@@ -119,6 +119,13 @@ void Viewport::setToolVisible(bool visible) {
     impl_->refresh();
 }
 
+void Viewport::setPressMark(const std::optional<PressMark>& mark) {
+    if (mark == impl_->press) return;
+    impl_->press = mark;
+    impl_->scene.setPressMark(mark);
+    impl_->refresh();
+}
+
 void Viewport::setObstacles(const std::vector<ObstacleMark>& obstacles) {
     if (obstacles == impl_->obstacles) return;
     impl_->obstacles = obstacles;
@@ -189,6 +196,11 @@ void Viewport::setStandardView(StandardView view) {
     impl_->moved();
 }
 
+void Viewport::setParallel(bool parallel) {
+    impl_->motion.setParallel(parallel, CameraMotion::Clock::now(), impl_->flight());
+    impl_->moved();
+}
+
 void Viewport::fit() {
     impl_->motion.fit(CameraMotion::Clock::now(), impl_->flight());
     impl_->moved();
@@ -210,6 +222,7 @@ ViewportEvent Viewport::sight(const QPointF& position) const {
     event.position = position;
     event.rayOrigin = sight.origin;
     event.rayDirection = sight.direction;
+    event.parallel = sight.parallel;
     return event;
 }
 
@@ -280,7 +293,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
     if (impl_->motion.dragging() != CameraMotion::Drag::none) {
-        impl_->motion.drag(event->position());
+        impl_->motion.drag(event->position(), CameraMotion::Clock::now(), impl_->flight());
         return impl_->moved();
     }
     const bool pressed = event->buttons() != Qt::NoButton;

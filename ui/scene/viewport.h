@@ -12,6 +12,7 @@
 #include "ui/scene/interactive_tool.h"
 #include "ui/scene/obstacle_mark.h"
 #include "ui/scene/place_chains.h"
+#include "ui/scene/press_mark.h"
 #include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
@@ -80,6 +81,8 @@ public:
     void setTool(const std::optional<Tool>& tool);
     void setToolMarks(const ToolMarks& marks);
     void setToolVisible(bool visible);
+    /// Where a press would lead the tool: drawn with the part, both seen through the stock. Nothing: neither.
+    void setPressMark(const std::optional<PressMark>& mark);
     /// Fixtures and keep-out volumes; may come with every tick, too.
     void setObstacles(const std::vector<ObstacleMark>& obstacles);
     /// The guides of the hand; may come with every tick, as only what changed is made anew. Curves outlive their show.
@@ -102,8 +105,11 @@ public:
     /// What the tool has still to cut: the pointer's trail, a line or rows to come.
     void setStrokePlans(const PlaceChains& lines);
 
+    /// A view straight along an axis is parallel, whatever else is chosen, until it is turned.
     void setStandardView(StandardView view);
     void fit();
+    /// The projection of all other views: parallel, or in perspective.
+    void setParallel(bool parallel);
     /// Not owned; nullptr: the camera alone.
     void setInteractiveTool(InteractiveTool* tool);
     InteractiveTool* interactiveTool() const; ///< null: the camera alone

@@ -48,9 +48,7 @@ public:
     /// the camera looks at.
     glm::dvec3 pivotAt(const QPointF& position) const {
         const Sight sight = sightThrough(motion.view(), motion.size(), position);
-        const CameraAxes axes = axesOf(motion.view());
-        return scene.pick(sight).value_or(
-            sight.origin - sight.direction * (motion.view().distance / glm::dot(sight.direction, axes.back)));
+        return scene.pick(sight).value_or(besideFocus(motion.view(), sight));
     }
     ViewportEvent eventAt(const QSinglePointEvent& event, Qt::KeyboardModifiers modifiers) const {
         ViewportEvent sighted = widget.sight(event.position());
@@ -99,6 +97,7 @@ public:
     std::optional<FrameClock::Clock::time_point> paintedCut; ///< of the paint under way
     InteractiveTool* tool = nullptr;
     ToolMarks marks;
+    std::optional<PressMark> press;
     GuideMarks guides;
     std::vector<ObstacleMark> obstacles;
     std::uint64_t partOrdered = 0; ///< counts setPart: a part that comes late must not replace a newer one

@@ -35,8 +35,11 @@ QString draggedFile(const QMimeData& data) {
 /// What lies to the right in the picture, setup frame.
 glm::dvec3 rightOf(const Viewport& viewport) {
     const double middle = 0.5 * viewport.height();
-    return viewport.sight(QPointF(viewport.width(), middle)).rayDirection -
-           viewport.sight(QPointF(0.0, middle)).rayDirection;
+    const auto along = [&](double x) { // parallel sights differ in where they begin, others in where they lead
+        const ViewportEvent sight = viewport.sight(QPointF(x, middle));
+        return sight.rayOrigin + sight.rayDirection;
+    };
+    return along(viewport.width()) - along(0.0);
 }
 
 } // namespace
@@ -50,6 +53,7 @@ MainWindow::MainWindow(QWidget* parent)
     layOut();
     presenters_ =
         std::make_unique<Presenters>(workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_}, nullptr);
+    viewOptions_ = new ViewOptions(*viewport_, actions_, settings_, this);
     connectActions();
     connectWorkbench();
     connectWelcome();

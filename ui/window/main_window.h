@@ -9,6 +9,7 @@
 #include "ui/window/menus.h"
 #include "ui/window/message_strip.h"
 #include "ui/window/presenters.h"
+#include "ui/window/view_options.h"
 
 #include <QMainWindow>
 #include <QTimer>
@@ -75,6 +76,7 @@ private:
     MessageStrip* message_ = nullptr;
     Menus* menus_ = nullptr;
     std::unique_ptr<Presenters> presenters_;
+    ViewOptions* viewOptions_ = nullptr;
     QTimer lookAgain_; ///< for left work
     bool ending_ = false, ended_ = false;
 };

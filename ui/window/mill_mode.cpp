@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/mill_mode.h"
 
+#include "ui/input/press_preview.h"
+
 #include <utility>
 
 namespace burin {
@@ -35,6 +37,7 @@ void MillMode::begin() {
     connect(tool_.get(), &MillTool::stateChanged, this, &MillMode::showPlans);
     connect(tool_.get(), &MillTool::stateChanged, this, &MillMode::toolChanged);
     connect(tool_.get(), &MillTool::refused, this, &MillMode::refused);
+    connect(tool_.get(), &MillTool::pressAimed, this, &MillMode::showAim);
     // Not at once: the tool would be deleted while it handles the key.
     connect(tool_.get(), &MillTool::leaveRequested, &workbench_.mill, [this] { workbench_.mill.leave(); });
     viewport_.setInteractiveTool(tool_.get());
@@ -42,7 +45,16 @@ void MillMode::begin() {
     emit toolChanged();
 }
 
+void MillMode::showAim(const std::optional<glm::dvec3>& tip) {
+    if (!tip || !workbench_.bench.bench()) return viewport_.setPressMark({});
+    const AxisMode& axis = workbench_.bench.bound().axis;
+    viewport_.setPressMark(pressPreview(workbench_.session.workpiece(), workbench_.bench.bench()->tool.cutter, *tip,
+                                        axis.free ? glm::dvec3(0.0, 0.0, 1.0) : axis.direction,
+                                        workbench_.mill.allowance()));
+}
+
 void MillMode::end() {
+    showAim({});
     viewport_.setInteractiveTool(nullptr);
     tool_.reset();
     plans_.clear();

@@ -36,6 +36,7 @@ private:
     void end();
     void record();
     void showPlans();
+    void showAim(const std::optional<glm::dvec3>& tip);
 
     Workbench& workbench_;
     Viewport& viewport_;

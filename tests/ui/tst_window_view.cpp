@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/window_steps.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+/// Where two pictures of one size differ, pixels.
+QRect difference(const QImage& a, const QImage& b) {
+    QRect differs;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            if (a.pixel(x, y) != b.pixel(x, y)) differs |= QRect(x, y, 1, 1);
+    return differs;
+}
+
+/// How different two colours are, 0 … 255.
+int apart(const QColor& a, const QColor& b) {
+    return std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
+}
+
+bool startMilling(WindowDriver& driver) {
+    if (!driver.step(JobStep::mill)) return false;
+    driver.key(Qt::Key_M);
+    return driver.waitFor([&] { return driver.window().workbench().mill.active(); }, 5000);
+}
+
+bool pressed(const QAction* action) {
+    return action != nullptr && action->isChecked();
+}
+
+} // namespace
+
+/// What the user chooses about the view, and what milling shows in it.
+class TestWindowView : public QObject {
+    Q_OBJECT
+private slots:
+    void aClickInTheParallelTopViewCutsThere();
+    void thePartAndThePlaceOfAPressAreSeenThroughTheStock();
+    void theProjectionIsRemembered();
+};
+
+/// In a plan, a pixel's place follows from the borders of the stock in the picture, by rule of three.
+void TestWindowView::aClickInTheParallelTopViewCutsThere() {
+    WindowDriver driver;
+    QVERIFY(makeReady(driver));
+    Workbench& bench = driver.window().workbench();
+    Viewport& viewport = driver.window().viewport();
+    QVERIFY(driver.step(JobStep::mill));
+    driver.key(Qt::Key_1);
+    QTest::qWait(800);
+    const QImage stock = viewport.grabFramebuffer();
+    driver.key(Qt::Key_2, Qt::ControlModifier);
+    QTest::qWait(300);
+    const QRect borders = difference(stock, viewport.grabFramebuffer());
+    driver.key(Qt::Key_2, Qt::ControlModifier);
+    const Box box = bench.setup.setup().stock;
+    const double scale = box.size().x / borders.width(); // mm a pixel
+    QVERIFY(std::abs(box.size().y / borders.height() - scale) < 0.01 * scale);
+
+    QVERIFY(startMilling(driver));
+    const QPoint at = borders.topLeft() + QPoint(borders.width() / 5, borders.height() / 4);
+    const glm::dvec2 expected(box.low.x + (at.x() + 0.5 - borders.left()) * scale,
+                              box.high.y - (at.y() + 0.5 - borders.top()) * scale);
+    QTest::mouseMove(&viewport, at);
+    QTest::qWait(300);
+    QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, at);
+    QTest::qWait(600);
+    QVERIFY(bench.session.state().cutting);
+    const glm::dvec3 tip = bench.session.state().sample.proxy.tip;
+    driver.shoot("30-top-view");
+    QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, at);
+    QVERIFY(glm::distance(glm::dvec2(tip), expected) < 1.5 * scale);
+    QVERIFY(tip.z < box.high.z);
+    driver.key(Qt::Key_Escape);
+    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
+}
+
+void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
+    WindowDriver driver;
+    QVERIFY(makeReady(driver));
+    Workbench& bench = driver.window().workbench();
+    Viewport& viewport = driver.window().viewport();
+    QVERIFY(startMilling(driver));
+    const Box part = bench.model.model()->box(), stock = bench.setup.setup().stock;
+    const glm::dvec3 place(part.centre().x - 5.0, part.low.y + 6.0, stock.high.z);
+    const auto bareView = [&] { // the tool keeps its place, the pointer is elsewhere
+        QEvent leave(QEvent::Leave);
+        QApplication::sendEvent(&viewport, &leave);
+        QTest::qWait(500);
+        return viewport.grabFramebuffer();
+    };
+    QTest::mouseMove(&viewport, viewport.project(place).toPoint());
+    QTest::qWait(900);
+    const QImage hovering = viewport.grabFramebuffer();
+    driver.shoot("31-ghost");
+    const QImage bare = bareView();
+    // An edge at the foot of the part and the outline of the cutter, both deep within the stock.
+    const double ratio = viewport.devicePixelRatioF();
+    const auto drawn = [&](const glm::dvec3& where) {
+        const QPoint at = (viewport.project(where) * ratio).toPoint();
+        int most = 0;
+        for (int dx = -1; dx <= 1; ++dx)
+            for (int dy = -1; dy <= 1; ++dy)
+                most = std::max(most, apart(hovering.pixelColor(at + QPoint(dx, dy)), bare.pixelColor(at + QPoint(dx, dy))));
+        return most;
+    };
+    QVERIFY(drawn({part.high.x, part.low.y, part.low.z + 8.0}) > 40); // an upright edge
+    QVERIFY(drawn({part.high.x - 9.0, part.low.y, part.low.z}) > 40);
+    // A millimetre deep, as the depth of cut says, or as deep as the part lets it.
+    const double radius = bench.bench.bench()->tool.cutter.radius();
+    const double depth = std::min(1.0, stock.high.z - part.high.z);
+    QVERIFY(drawn({place.x - radius, place.y, stock.high.z - depth}) > 25);
+    QVERIFY(drawn({place.x, place.y - radius, stock.high.z - depth}) > 25);
+    // While it cuts, nothing of that is in the way.
+    QTest::mouseMove(&viewport, viewport.project(place).toPoint());
+    QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, viewport.project(place).toPoint());
+    QTest::qWait(500);
+    const QImage cutting = viewport.grabFramebuffer();
+    QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, viewport.project(place).toPoint());
+    const QPoint foot = (viewport.project({part.high.x - 9.0, part.low.y, part.low.z}) * ratio).toPoint();
+    QVERIFY(apart(cutting.pixelColor(foot), bare.pixelColor(foot)) < 12);
+    driver.key(Qt::Key_Escape);
+    QVERIFY(driver.waitFor([&] { return !bench.session.running(); }, 5000));
+}
+
+void TestWindowView::theProjectionIsRemembered() {
+    WindowDriver driver;
+    const auto isParallel = [&] {
+        Viewport& viewport = driver.window().viewport();
+        return viewport.sight({10.0, 10.0}).rayDirection == viewport.sight({400.0, 300.0}).rayDirection;
+    };
+    QVERIFY(makeReady(driver, 1.0));
+    QVERIFY(!isParallel());
+    driver.key(Qt::Key_P);
+    QVERIFY(pressed(menuAction(driver, QStringLiteral("parallelViewAction"))));
+    QVERIFY(driver.waitFor(isParallel, 3000));
+    QTest::qWait(500);
+    driver.shoot("32-parallel");
+    QVERIFY(driver.restart(true));
+    QVERIFY(pressed(menuAction(driver, QStringLiteral("parallelViewAction"))));
+    QVERIFY(isParallel());
+    driver.key(Qt::Key_P);
+    QVERIFY(driver.waitFor([&] { return !isParallel(); }, 3000));
+}
+
+QTEST_MAIN(TestWindowView)
+#include "tst_window_view.moc"
