@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/nc/arc_steps.h"
 #include "core/nc/block_writer.h"
+#include "core/nc/rounded_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,7 @@ private:
 
     Result<void> writeSection(Progress& progress) {
         if (Result<void> done = blocks(dialect_.toolChange); !done) return done;
-        const std::vector<NcMove>& moves = section_->moves;
+        const std::vector<NcMove> moves = withoutRoundedBackSteps(section_->moves, numbers_);
         place_ = {};
         feed_ = 0; // each tool states its own
         if (Result<void> done = firstMove(moves.front()); !done) return done;

@@ -59,6 +59,19 @@ void makeMonotone(std::span<double> values) {
         for (std::size_t k = 0; k < pool.count; ++k) values[i++] = pool.mean();
 }
 
+std::vector<double> evenCourse(std::span<const double> course, double reach) {
+    std::vector<double> sums(course.size() + 1, 0.0), even(course.size(), 0.0);
+    for (std::size_t i = 0; i < course.size(); ++i) sums[i + 1] = sums[i] + course[i];
+    for (std::size_t i = 0; i < course.size(); ++i) {
+        const auto first = std::lower_bound(course.begin(), course.end(), course[i] - reach) - course.begin();
+        const auto end = std::upper_bound(course.begin(), course.end(), course[i] + reach) - course.begin();
+        const std::size_t around = std::min(i - static_cast<std::size_t>(first), static_cast<std::size_t>(end) - 1 - i);
+        even[i] = (sums[i + around + 1] - sums[i - around]) / static_cast<double>(2 * around + 1);
+    }
+    makeMonotone(even);
+    return even;
+}
+
 std::vector<double> shapeCourse(std::span<const StrokePoint> points, double chord, double slack,
                                 const Progress& progress) {
     std::vector<double> course(points.size(), 0.0);

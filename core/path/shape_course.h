@@ -18,6 +18,11 @@ namespace burin {
 std::vector<double> shapeCourse(std::span<const StrokePoint> points, double chord, double slack,
                                 const Progress& progress);
 
+/// A course without the tremor along it: each point's mean with as many points before as behind it, as far as `reach`
+/// goes on the nearer side, and never less than the one before. First and last stay.
+/// @param course mm, as from shapeCourse @param reach mm
+std::vector<double> evenCourse(std::span<const double> course, double reach);
+
 /// The nearest sequence that never falls, by least squares (pool adjacent violators; Barlow and others 1972).
 void makeMonotone(std::span<double> values);
 

@@ -22,8 +22,10 @@ constexpr double tubeAim = 0.97; // share of the tolerance
 /// Weights, mm of the course: what a point that leaves the tube counts at least, and at most.
 constexpr double leastWeight = 1e-3, mostWeight = 1e6;
 
-/// A curve by its own length, fitted to a stroke's points and to the moves between them, which count by their length: a
-/// hand that rests says no more about the shape than one that passes.
+/// A curve by its own length, fitted to a stroke's points and to the moves between them. They count by the progress of
+/// the course without tremor: a hand that rests says hardly more about the shape than one that passes, and within a
+/// wave of tremor all points count alike. By their own length those would count more where tremor hurries the hand on,
+/// and the mean of a wave would not be its middle.
 class ShapeFit {
 public:
     /// @param course mm, of each point @param wavelength cut-off, mm @param gap between knots, mm
@@ -31,10 +33,11 @@ public:
         : gap_(gap)
         , spline_(PenalisedSpline::sizeFor(static_cast<std::size_t>(course.back() / gap_)),
                   PenalisedSpline::penaltyFor(wavelength, gap_)) {
+        const std::vector<double> progress = evenCourse(course, 0.5 * wavelength);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const double length = i == 0 ? 0.0 : course[i] - course[i - 1];
             const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(2.0 * length / gap_)));
-            const double piece = length / static_cast<double>(pieces);
+            const double piece = i == 0 ? 0.0 : (progress[i] - progress[i - 1]) / static_cast<double>(pieces);
             if (i > 0) weights_.back() += 0.5 * piece;
             for (std::size_t k = 1; i > 0 && k < pieces; ++k) {
                 const double share = static_cast<double>(k) / static_cast<double>(pieces);

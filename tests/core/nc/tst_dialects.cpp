@@ -79,6 +79,49 @@ NcProgram randomJob(NcUnits units) {
     return program;
 }
 
+/// The places of a posted text's blocks, mm, read without our parser: X, Y and Z are modal, comments don't count.
+std::vector<glm::dvec3> placesIn(const std::string& text, bool inch) {
+    const QRegularExpression comment(R"(\([^)]*\)|;.*)"), word(R"(([XYZ])(-?[0-9]*\.?[0-9]*))");
+    std::vector<glm::dvec3> places;
+    glm::dvec3 at(0.0);
+    for (const QString& line : QString::fromStdString(text).split('\n')) {
+        glm::dvec3 to = at;
+        auto words = word.globalMatch(QString(line).remove(comment));
+        while (words.hasNext()) {
+            const auto one = words.next();
+            to[one.captured(1)[0].unicode() - 'X'] = one.captured(2).toDouble() * (inch ? 25.4 : 1.0);
+        }
+        if (to != at) places.push_back(to);
+        at = to;
+    }
+    return places;
+}
+
+double turnAt(const glm::dvec3& from, const glm::dvec3& at, const glm::dvec3& to) {
+    const glm::dvec3 in = glm::normalize(at - from), out = glm::normalize(to - at);
+    return std::acos(glm::clamp(glm::dot(in, out), -1.0, 1.0)) * 180.0 / std::acos(-1.0);
+}
+
+/// Turns of more than 155 degrees with a leg of less than 0.1 mm.
+std::size_t backStepsAmong(const std::vector<glm::dvec3>& places) {
+    std::size_t count = 0;
+    for (std::size_t i = 1; i + 1 < places.size(); ++i)
+        if (turnAt(places[i - 1], places[i], places[i + 1]) > 155.0 &&
+            std::min(glm::distance(places[i - 1], places[i]), glm::distance(places[i], places[i + 1])) < 0.1)
+            ++count;
+    return count;
+}
+
+double distanceToLine(const glm::dvec3& place, const std::vector<glm::dvec3>& line) {
+    double least = 1e9;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const glm::dvec3 along = line[i] - line[i - 1];
+        const double share = glm::clamp(glm::dot(place - line[i - 1], along) / glm::dot(along, along), 0.0, 1.0);
+        least = std::min(least, glm::distance(place, line[i - 1] + share * along));
+    }
+    return least;
+}
+
 /// How far `place` lies from the way of a move that begins at `from`.
 double distanceToArc(const glm::dvec3& place, const Arc& arc) {
     const ArcTurn turn = turnOf(arc);
@@ -122,6 +165,44 @@ private slots:
         const MachineProfile machine = roomyMachine();
         for (const LintMark& mark : lint(*text, {control, &machine, nullptr}))
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
+    }
+
+    void roundingTurnsNothingBack_data() { addDialects(); }
+    /// A line of short moves with turns of up to 154 degrees has none of more than 155 once it is written.
+    void roundingTurnsNothingBack() {
+        QFETCH(QString, dialect);
+        QFETCH(bool, inch);
+        const double digit = inch ? 25.4e-4 : 1e-3; // mm
+        NcProgram program = referenceJob(unitsOf(inch), 1);
+        std::vector<NcMove>& moves = program.sections.front().moves;
+        const glm::dvec2 far(inch ? 5.08 : 3.0, 0.0); // the issue's own example, in steps of the last digit
+        moves = {rapidTo(0, 0, 10),
+                 lineTo(0, 0, -1, 300),
+                 lineTo(far.x, 0, -1, 300),
+                 lineTo(far.x + 0.6 * digit, -0.6 * digit, -1, 300),
+                 lineTo(far.x + 0.4 * digit, 0.4 * digit, -1, 300),
+                 lineTo(far.x + 2.0, 1.0, -1, 300)};
+        const auto example = posted(dialect.toStdString(), program);
+        QVERIFY(example);
+        QCOMPARE(backStepsAmong(placesIn(*example, inch)), std::size_t{0});
+        QVERIFY(rc::check("no turn back, and no point left by more than two and a half steps", [&] {
+            moves = {rapidTo(0, 0, 10), lineTo(0, 0, -1, 300)};
+            double heading = 0.0;
+            glm::dvec3 at(0.0, 0.0, -1.0);
+            const int count = *rc::gen::inRange(3, 150);
+            for (int i = 0; i < count; ++i) {
+                const double length = 0.012 * std::pow(12.0, *rc::gen::inRange(0, 1000) / 1000.0);
+                heading += *rc::gen::inRange(-154000, 154000) / 1000.0 * std::acos(-1.0) / 180.0;
+                at += length * glm::dvec3(std::cos(heading), std::sin(heading), 0.0);
+                moves.push_back(lineTo(at.x, at.y, at.z, 300));
+            }
+            const auto text = posted(dialect.toStdString(), program);
+            RC_ASSERT(static_cast<bool>(text));
+            const std::vector<glm::dvec3> places = placesIn(*text, inch);
+            RC_ASSERT(backStepsAmong(places) == 0U);
+            for (const NcMove& move : moves)
+                if (move.kind == NcMoveKind::line) RC_ASSERT(distanceToLine(move.target, places) < 2.5 * digit);
+        }));
     }
 
     void whatIsReadBackIsWhatWasMeant_data() { addDialects(); }

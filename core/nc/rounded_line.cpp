@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/rounded_line.h"
+
+#include "core/nc/arc_steps.h"
+#include "core/path/back_steps.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+
+namespace burin {
+namespace {
+
+constexpr double farthestInSteps = 2.0;
+constexpr std::size_t longestLeftOut = 256; // points between two that stay
+constexpr std::size_t nearEnd = 8;          // points that are looked at together
+
+/// A run of straight feed moves at the positions that a program can state.
+class RoundedRun {
+public:
+    /// @param run the first one is where the run begins: it stays, as the last one does
+    RoundedRun(std::span<const NcMove> run, const NumberWords& numbers) : run_(run), numbers_(numbers) {
+        for (std::size_t i = 0; i < run.size(); ++i) take(i);
+    }
+
+    struct Point {
+        std::size_t number = 0; ///< in the run
+        StepPlace steps{};
+        bool moved = false; ///< to another position than rounding leads to
+    };
+    /// Those that stay.
+    const std::vector<Point>& points() const noexcept { return points_; }
+
+private:
+    bool isFixed(std::size_t number) const noexcept { return number == 0 || number + 1 == run_.size(); }
+    glm::dvec3 placeOf(const StepPlace& steps) const {
+        return {numbers_.millimetresOf(steps[0]), numbers_.millimetresOf(steps[1]), numbers_.millimetresOf(steps[2])};
+    }
+    bool stepsBack(const StepPlace& from, const StepPlace& at, const StepPlace& to) const {
+        return isBackStep(placeOf(from), placeOf(at), placeOf(to));
+    }
+
+    void take(std::size_t number) {
+        const glm::dvec3& target = run_[number].target;
+        const Point point{
+            number, {numbers_.stepsOf(target.x), numbers_.stepsOf(target.y), numbers_.stepsOf(target.z)}, false};
+        if (!points_.empty() && points_.back().steps == point.steps) {
+            if (!isFixed(number)) return;
+            if (!isFixed(points_.back().number)) points_.pop_back();
+        }
+        points_.push_back(point);
+        while (settle()) {
+        }
+    }
+
+    bool stepsBackAt(std::size_t index) const {
+        return index >= 1 && index + 1 < points_.size() &&
+               stepsBack(points_[index - 1].steps, points_[index].steps, points_[index + 1].steps);
+    }
+
+    /// Takes out the back-step at the last point but one. @return whether there may be another
+    bool settle() {
+        if (points_.size() < 3 || !stepsBackAt(points_.size() - 2)) return false;
+        return shorten() || move(points_.size() - 2) || move(points_.size() - 3) || move(points_.size() - 1);
+    }
+
+    /// Leaves out points near the end, the fewest that take the back-step with them.
+    bool shorten() {
+        const std::size_t size = points_.size(), first = size - std::min(size, nearEnd);
+        for (std::size_t count = 1; count + 2 <= size - first; ++count)
+            for (const std::size_t to : {size - 1, size - 2}) {
+                if (to < first + count + 1) continue;
+                const std::size_t from = to - count - 1;
+                if (!leavesLittle(points_[from], points_[to])) continue;
+                std::vector<Point> left(points_.begin() + static_cast<std::ptrdiff_t>(from > 0 ? from - 1 : 0),
+                                        points_.begin() + static_cast<std::ptrdiff_t>(from + 1));
+                left.insert(left.end(), points_.begin() + static_cast<std::ptrdiff_t>(to), points_.end());
+                bool clear = true;
+                for (std::size_t i = 1; i + 1 < left.size(); ++i)
+                    clear = clear && !stepsBack(left[i - 1].steps, left[i].steps, left[i + 1].steps);
+                if (!clear) continue;
+                points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(from + 1),
+                              points_.begin() + static_cast<std::ptrdiff_t>(to));
+                if (points_[from].steps == points_[from + 1].steps) merge(from);
+                return true;
+            }
+        return false;
+    }
+
+    /// A point and the next one are one for the control.
+    void merge(std::size_t index) {
+        const std::size_t less = isFixed(points_[index + 1].number) ? index : index + 1;
+        if (!isFixed(points_[less].number)) points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(less));
+    }
+
+    /// All that lies between two points is within the steps allowed of the line between them.
+    bool leavesLittle(const Point& from, const Point& to) const {
+        if (to.number - from.number > longestLeftOut) return false;
+        const double most = farthestInSteps * numbers_.step();
+        for (std::size_t i = from.number + 1; i < to.number; ++i)
+            if (distanceToSegment(run_[i].target, placeOf(from.steps), placeOf(to.steps)) > most) return false;
+        return true;
+    }
+
+    /// The nearest other position of a point at which nothing steps back; where there is none it stays.
+    bool move(std::size_t index) {
+        if (isFixed(points_[index].number)) return false;
+        const Point before = points_[index];
+        const glm::dvec3& exact = run_[before.number].target;
+        double least = farthestInSteps * numbers_.step();
+        std::optional<StepPlace> best;
+        for (int choice = 0; choice < 125; ++choice) {
+            const std::array<int, 3> by{choice % 5 - 2, choice / 5 % 5 - 2, choice / 25 - 2};
+            for (std::size_t axis = 0; axis < 3; ++axis) points_[index].steps[axis] = before.steps[axis] + by[axis];
+            const double distance = glm::distance(placeOf(points_[index].steps), exact);
+            if (distance > least || !staysLevel(index, by) || touchesNeighbour(index)) continue;
+            if (stepsBackAt(index - 1) || stepsBackAt(index) || stepsBackAt(index + 1)) continue;
+            least = distance;
+            best = points_[index].steps;
+        }
+        points_[index] = best ? Point{before.number, *best, true} : before;
+        return best.has_value();
+    }
+
+    bool touchesNeighbour(std::size_t index) const {
+        return points_[index - 1].steps == points_[index].steps ||
+               (index + 1 < points_.size() && points_[index + 1].steps == points_[index].steps);
+    }
+
+    /// Whether a point moves along no axis along which its neighbours do not.
+    bool staysLevel(std::size_t index, const std::array<int, 3>& by) const {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (by[axis] == 0) continue;
+            const long long level = points_[index].steps[axis] - by[axis];
+            const bool before = points_[index - 1].steps[axis] == level;
+            const bool behind = index + 1 == points_.size() || points_[index + 1].steps[axis] == level;
+            if (before && behind) return false;
+        }
+        return true;
+    }
+
+    std::span<const NcMove> run_;
+    const NumberWords& numbers_;
+    std::vector<Point> points_;
+};
+
+/// Appends a run, without the point where it begins.
+void append(std::vector<NcMove>& moves, std::span<const NcMove> run, const NumberWords& numbers) {
+    const RoundedRun rounded(run, numbers);
+    std::size_t next = 1;
+    for (const RoundedRun::Point& point : rounded.points()) {
+        if (point.number == 0) continue;
+        NcMove move = run[point.number];
+        for (; next < point.number && move.comment.empty(); ++next) move.comment = run[next].comment;
+        next = point.number + 1;
+        if (point.moved)
+            for (int axis = 0; axis < 3; ++axis)
+                move.target[axis] = numbers.millimetresOf(point.steps[static_cast<std::size_t>(axis)]);
+        moves.push_back(std::move(move));
+    }
+}
+
+} // namespace
+
+std::vector<NcMove> withoutRoundedBackSteps(const std::vector<NcMove>& moves, const NumberWords& numbers) {
+    std::vector<NcMove> kept;
+    kept.reserve(moves.size());
+    for (std::size_t i = 0; i < moves.size();) {
+        std::size_t end = i;
+        while (end < moves.size() && moves[end].kind == NcMoveKind::line) ++end;
+        const bool begins = i > 0 && moves[i - 1].kind != NcMoveKind::dwell;
+        if (end > i + 1 && begins)
+            append(kept, std::span(moves).subspan(i - 1, end - i + 1), numbers);
+        else
+            kept.insert(kept.end(), moves.begin() + static_cast<std::ptrdiff_t>(i),
+                        moves.begin() + static_cast<std::ptrdiff_t>(std::max(end, i + 1)));
+        i = std::max(end, i + 1);
+    }
+    return kept;
+}
+
+} // namespace burin
