@@ -8,6 +8,8 @@
 namespace burin {
 namespace {
 
+constexpr qint64 typingPause = 2000; // ms: a key that comes later is meant as it is
+
 /// What a field would have taken as text, or to correct it.
 bool isTyped(const QKeyEvent& key) {
     if ((key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0) return false;
@@ -34,6 +36,7 @@ FocusKeeper* keeperFor(QWidget* widget) {
 FocusKeeper::FocusKeeper(QWidget* place, QWidget* kept) : QObject(place), place_(place), kept_(kept) {
     place->setFocus(Qt::OtherFocusReason);
     place->installEventFilter(this);
+    if (kept->testAttribute(Qt::WA_InputMethodEnabled) || kept->inherits("QComboBox")) typing_.start();
 }
 
 void FocusKeeper::giveBack() {
@@ -51,7 +54,8 @@ bool FocusKeeper::eventFilter(QObject* watched, QEvent* event) {
         break;
     case QEvent::ShortcutOverride:
     case QEvent::KeyPress:
-        if (isTyped(*static_cast<QKeyEvent*>(event))) {
+        if (typing_.isValid() && typing_.elapsed() < typingPause && isTyped(*static_cast<QKeyEvent*>(event))) {
+            typing_.start();
             event->accept();
             return true;
         }

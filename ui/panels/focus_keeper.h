@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 
@@ -11,7 +12,7 @@ namespace burin {
 
 /// Enables or disables a widget that may have the keyboard, or hold what has it. Qt would hand the focus on to what comes
 /// next, where a key or the wheel changes a choice, or to nobody, where "4" turns the view. Instead it waits beside the
-/// widget, keys that would be typed mean nothing meanwhile, and it comes back when the widget is enabled again, unless
+/// widget, and keys that go on being typed into a field mean nothing; it comes back when the widget is enabled again, unless
 /// the user took it elsewhere.
 void setEnabledKeepingFocus(QWidget* widget, bool enabled);
 
@@ -30,6 +31,7 @@ protected:
 private:
     QWidget* place_;
     QPointer<QWidget> kept_;
+    QElapsedTimer typing_; ///< since the last key that was meant for a field; invalid: it is none
 };
 
 } // namespace burin
