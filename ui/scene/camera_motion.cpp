@@ -58,6 +58,12 @@ void CameraMotion::turnTo(StandardView standard, Clock::time_point now, Clock::d
     flyTo(fitted(turnedTo(view_, standard), size_, content_), now, duration);
 }
 
+void CameraMotion::setView(const CameraView& view) {
+    flight_.reset();
+    stayFitted_ = false;
+    view_ = view;
+}
+
 void CameraMotion::fit(Clock::time_point now, Clock::duration duration) {
     stayFitted_ = true;
     flyTo(fitted(flight_ ? flight_->to : view_, size_, content_), now, duration);

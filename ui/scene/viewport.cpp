@@ -184,6 +184,15 @@ void Viewport::setStandardView(StandardView view) {
     impl_->moved();
 }
 
+const CameraView& Viewport::cameraView() const noexcept {
+    return impl_->motion.view();
+}
+
+void Viewport::setCameraView(const CameraView& view) {
+    impl_->motion.setView(view);
+    impl_->moved();
+}
+
 void Viewport::fit() {
     impl_->motion.fit(CameraMotion::Clock::now(), impl_->flight());
     impl_->moved();

@@ -39,6 +39,8 @@ struct ToolMarks {
     bool cutting = false;
 };
 
+struct CameraView;
+
 /// How drawing has kept up; for the status line and benchmarks. Times in ms, since the last `resetStatistics`.
 struct FrameStatistics {
     std::size_t frames = 0;
@@ -101,6 +103,8 @@ public:
     void setOutlines(const PlaceChains& lines);
 
     void setStandardView(StandardView view);
+    const CameraView& cameraView() const noexcept;
+    void setCameraView(const CameraView& view); ///< at once
     void fit();
     /// Not owned; nullptr: the camera alone.
     void setInteractiveTool(InteractiveTool* tool);
