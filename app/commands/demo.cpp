@@ -6,6 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/cad/import.h"
 #include "core/project/job_paths.h"
+#include "core/project/kept_program.h"
 #include "core/project/milling.h"
 #include "ui/scene/picture.h"
 
@@ -220,6 +221,10 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
         const StoredProgram kept{"demo.ngc", ProgramRequest{}.dialect, arguments.machine, result->program.text,
                                  burin::jsonOf(result->program.report).dump()};
         if (const Result<void> added = project->addProgram(kept); !added) return context.fail(added.error());
+        if (const Result<void> stored =
+                keepVerdict(*project, result->program, arguments.machine, ProgramRequest{}.units);
+            !stored)
+            return context.fail(stored.error());
     }
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
     if (const Result<void> drawn = drawResult(*result, folder / "demo.png"); !drawn) return context.fail(drawn.error());

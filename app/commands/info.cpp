@@ -4,7 +4,7 @@
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "core/base/numbers.h"
-#include "core/project/project.h"
+#include "core/project/kept_program.h"
 
 #include <CLI/CLI.hpp>
 
@@ -29,6 +29,31 @@ json jsonOf(const TakeInfo& take) {
             {"complete", take.complete}};
 }
 
+/// "passed" is said only where all that the check judged is as it was then.
+const char* stateOf(const ReopenedProgram& kept) {
+    if (!kept.upToDate) return "out_of_date";
+    if (kept.program->passed()) return "passed";
+    return kept.program->overridden ? "overridden" : "refused";
+}
+
+json verdictOf(const ReopenedProgram& kept) {
+    return {{"state", stateOf(kept)},
+            {"passed", kept.upToDate && kept.program->passed()},
+            {"errors", kept.program->errorCount()},
+            {"gouge_max_mm", kept.program->report.gougeMax},
+            {"gouge_tolerance_mm", kept.kept.gougeTolerance},
+            {"dialect", kept.kept.dialect},
+            {"machine", kept.kept.machine}};
+}
+
+std::string verdictText(const ReopenedProgram& kept) {
+    if (!kept.upToDate) return "out of date: what the program was checked with has changed; post it again";
+    const std::size_t errors = kept.program->errorCount();
+    return std::string(stateOf(kept)) + ": gouge " + formatFixed(kept.program->report.gougeMax, 4) + " mm (tolerance " +
+           formatFixed(kept.kept.gougeTolerance, 3) + " mm), " + std::to_string(errors) +
+           (errors == 1 ? " error" : " errors");
+}
+
 /// What a project lacks is null, so that a half-done project can be looked at too.
 int runInfo(const std::string& file, CommandContext& context) {
     context.stage("Opening");
@@ -49,6 +74,8 @@ int runInfo(const std::string& file, CommandContext& context) {
     if (!around) return context.fail(around.error());
     const Result<KeptGuides> guides = project->guides();
     if (!guides) return context.fail(guides.error());
+    const Result<std::optional<ReopenedProgram>> kept = reopenProgram(*project);
+    if (!kept) return context.fail(kept.error());
 
     json answer{{"project", std::filesystem::absolute(file).lexically_normal().string()},
                 {"recovered", project->recovered()},
@@ -92,6 +119,8 @@ int runInfo(const std::string& file, CommandContext& context) {
             {{"name", program.name}, {"dialect", program.dialect}, {"machine", program.machine}});
         text << "\n  program  " << program.name << " (" << program.dialect << ", " << program.machine << ")";
     }
+    answer["verdict"] = *kept ? verdictOf(**kept) : json(nullptr);
+    if (*kept) text << "\n  verdict  " << verdictText(**kept);
     context.answer(answer, text.str());
     return 0;
 }

@@ -5,6 +5,7 @@
 #include "app/surroundings.h"
 #include "core/base/file.h"
 #include "core/project/job_paths.h"
+#include "core/project/kept_program.h"
 
 #include <CLI/CLI.hpp>
 
@@ -97,6 +98,8 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     const StoredProgram kept{request.name, request.dialect, bench->machine.id, program->text,
                              jsonOf(program->report).dump()};
     if (const Result<void> added = project->addProgram(kept); !added) return context.fail(added.error());
+    if (const Result<void> judged = keepVerdict(*project, *program, bench->machine.id, request.units); !judged)
+        return context.fail(judged.error());
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
     answer["program"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
     context.answer(answer, arguments.output + ": " + std::to_string(program->parsed.blocks) + " blocks\n" + verdict);

@@ -5,6 +5,7 @@
 #include "core/geometry/arc.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -43,6 +44,12 @@ bool isOfTheHand(const PathPoint& point) noexcept {
 
 Moment momentOf(const PathPoint& point) noexcept {
     return isOfTheHand(point) ? Moment{point.take, point.sample} : Moment{};
+}
+
+Moment momentAt(const PathPoint& from, const PathPoint& to, double share) noexcept {
+    const bool led = isOfTheHand(from) && isOfTheHand(to) && from.take == to.take && to.kind != MoveKind::rapid;
+    if (!led) return momentOf(share < 0.5 ? from : to);
+    return {from.take, std::llround(glm::mix(static_cast<double>(from.sample), static_cast<double>(to.sample), share))};
 }
 
 bool leadsThrough(const Moment& from, const Moment& to, const TakeStretch& stretch) noexcept {

@@ -15,6 +15,10 @@ bool isOfTheHand(const PathPoint& point) noexcept;
 /// The moment behind a point; take 0: none.
 Moment momentOf(const PathPoint& point) noexcept;
 
+/// The moment on the move from one point to the next, at a share of its time, to the next tick; where no hand led the
+/// whole move, that behind the nearer one of the points. @param share 0 … 1
+Moment momentAt(const PathPoint& from, const PathPoint& to, double share) noexcept;
+
 /// Whether the move from one point to the next leads through any moment of a stretch. Its start does not count: that
 /// belongs to the move before. @param from, to moments behind the points; take 0: none
 bool leadsThrough(const Moment& from, const Moment& to, const TakeStretch& stretch) noexcept;

@@ -66,9 +66,8 @@ void addValue(const Statement& row, int column, Digest& digest) {
         digest.add(row.blob(column));
 }
 
-Result<void> addTable(Database& database, const std::string& name, Digest& digest) {
-    digest.add(name);
-    Result<Statement> statement = Statement::prepare(database, "SELECT * FROM " + identifier(name) + " ORDER BY rowid");
+Result<void> addRows(Database& database, const std::string& query, Digest& digest) {
+    Result<Statement> statement = Statement::prepare(database, query);
     if (!statement) return std::move(statement).error();
     for (;;) {
         Result<bool> row = statement->step();
@@ -76,6 +75,11 @@ Result<void> addTable(Database& database, const std::string& name, Digest& diges
         if (!*row) return {};
         for (int column = 0; column < statement->columns(); ++column) addValue(*statement, column, digest);
     }
+}
+
+Result<void> addTable(Database& database, const std::string& name, Digest& digest) {
+    digest.add(name);
+    return addRows(database, "SELECT * FROM " + identifier(name) + " ORDER BY rowid", digest);
 }
 
 } // namespace
@@ -125,6 +129,19 @@ Result<std::int64_t> contentDigest(Database& database) {
     Digest digest;
     for (const std::string& name : *names)
         if (Result<void> added = addTable(database, name, digest); !added) return std::move(added).error();
+    return digest.value();
+}
+
+Result<std::int64_t> jobDigest(Database& database) {
+    Digest digest;
+    for (const char* table :
+         {"model", "body", "setup", "material", "obstacle", "undone_stretch", "path", "path_take", "path_edit"})
+        if (Result<void> added = addTable(database, table, digest); !added) return std::move(added).error();
+    // Recordings grow and are never changed: how long they are says what is in them.
+    for (const char* query : {"SELECT id, tool_id, allowance, tick_period FROM take ORDER BY id",
+                              "SELECT take, first, count FROM sample_chunk ORDER BY take, first",
+                              "SELECT json FROM milling_setting WHERE name = 'travel'"})
+        if (Result<void> added = addRows(database, query, digest); !added) return std::move(added).error();
     return digest.value();
 }
 

@@ -37,4 +37,8 @@ std::string newSaveId();
 /// a file at rest, so that a flipped bit could pass for a number.
 Result<std::int64_t> contentDigest(Database& database);
 
+/// The same of part, setup, materials, what stands around the stock, the machine's travel, recordings and paths alone,
+/// which a program is made of and judged by. Tools are not in it: a project holds some that no recording uses.
+Result<std::int64_t> jobDigest(Database& database);
+
 } // namespace burin

@@ -109,6 +109,16 @@ public:
     /// The text of a program that the user edits and that was not checked since. Empty: none.
     Result<void> setProgramDraft(const std::string& text);
     Result<std::string> programDraft() const;
+    /// Where the user left the project (step, camera, …), a JSON text that the window reads. It is kept with the next
+    /// `save` and is no change that needs one.
+    Result<void> setLeftAt(const std::string& json);
+    Result<std::string> leftAt() const; ///< empty: nothing was stored
+    /// The program that was checked last, as `keptProgramToJson` writes it. Empty: none.
+    Result<void> setKeptProgram(const std::string& json);
+    Result<std::string> keptProgram() const;
+    /// A figure that changes with any bit of part, setup, materials, what stands around the stock, recordings and
+    /// paths.
+    Result<std::int64_t> jobDigest() const;
     /// The guides of the hand; they replace the ones before. Errors: also those of checkGuide.
     Result<void> setGuides(const KeptGuides& guides);
     Result<KeptGuides> guides() const;

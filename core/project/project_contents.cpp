@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/project/document_state.h"
 #include "core/project/project_impl.h"
 #include "core/project/stores.h"
 
@@ -59,6 +60,24 @@ Result<void> Project::setProgramDraft(const std::string& text) {
 }
 Result<std::string> Project::programDraft() const {
     return impl_->read(loadProgramDraft);
+}
+
+Result<void> Project::setLeftAt(const std::string& json) {
+    return impl_->note([&](Database& database) { return storeLeftAt(database, json); });
+}
+Result<std::string> Project::leftAt() const {
+    return impl_->read(loadLeftAt);
+}
+
+Result<void> Project::setKeptProgram(const std::string& json) {
+    return impl_->change([&](Database& database) { return storeKeptProgram(database, json); });
+}
+Result<std::string> Project::keptProgram() const {
+    return impl_->read(loadKeptProgram);
+}
+
+Result<std::int64_t> Project::jobDigest() const {
+    return impl_->read(burin::jobDigest);
 }
 
 Result<void> Project::setGuides(const KeptGuides& guides) {

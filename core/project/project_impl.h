@@ -27,6 +27,16 @@ public:
         if (Result<void> committed = whole->commit(); !committed) return std::move(committed).error();
         return result;
     }
+    /// Runs `work` as one transaction that is no change: nobody is asked to save it.
+    template <class Work>
+    auto note(Work work) -> decltype(work(std::declval<Database&>())) {
+        Result<Transaction> whole = Transaction::begin(database, Transaction::Kind::write);
+        if (!whole) return std::move(whole).error();
+        auto result = work(database);
+        if (!result) return result;
+        if (Result<void> committed = whole->commit(); !committed) return std::move(committed).error();
+        return result;
+    }
     /// Runs `work` on one state of the project, whatever a recorder writes meanwhile.
     template <class Work>
     auto read(Work work) -> decltype(work(std::declval<Database&>())) {

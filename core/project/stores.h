@@ -33,6 +33,10 @@ Result<void> storeTravelPlacement(Database& database, const TravelPlacement& pla
 Result<TravelPlacement> loadTravelPlacement(Database& database);
 Result<void> storeProgramTarget(Database& database, const ProgramTarget& target);
 Result<ProgramTarget> loadProgramTarget(Database& database);
+Result<void> storeLeftAt(Database& database, const std::string& json);
+Result<std::string> loadLeftAt(Database& database);
+Result<void> storeKeptProgram(Database& database, const std::string& json);
+Result<std::string> loadKeptProgram(Database& database);
 Result<void> storeProgramDraft(Database& database, const std::string& text);
 Result<std::string> loadProgramDraft(Database& database);
 Result<void> storeGuides(Database& database, const KeptGuides& kept); ///< those of checkGuide, argumentInvalid

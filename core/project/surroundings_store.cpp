@@ -13,7 +13,8 @@ namespace {
 
 /// Rows of `milling_setting`.
 constexpr std::string_view axisMode = "axis_mode", travelPlacement = "travel", programTarget = "target",
-                           programDraft = "program_draft", guideButton = "guide_step_button";
+                           programDraft = "program_draft", guideButton = "guide_step_button", left = "left_at",
+                           keptProgram = "kept_program";
 
 std::optional<BlobView> unlessEmpty(const std::string& blob) {
     return blob.empty() ? std::nullopt : std::optional(BlobView{blob});
@@ -34,6 +35,13 @@ Result<std::optional<std::string>> loadSetting(Database& database, std::string_v
     if (!found) return found.error();
     if (!*found) return std::optional<std::string>();
     return std::optional(std::string(row->text(0)));
+}
+
+/// Empty where it was never stored.
+Result<std::string> loadText(Database& database, std::string_view name) {
+    Result<std::optional<std::string>> text = loadSetting(database, name);
+    if (!text) return std::move(text).error();
+    return std::move(*text).value_or(std::string());
 }
 
 /// @param read what the JSON says; nothing: damaged
@@ -118,6 +126,18 @@ Result<void> storeProgramTarget(Database& database, const ProgramTarget& target)
 
 Result<void> storeProgramDraft(Database& database, const std::string& text) {
     return storeSetting(database, programDraft, programDraftToJson(text));
+}
+Result<void> storeLeftAt(Database& database, const std::string& json) {
+    return storeSetting(database, left, json);
+}
+Result<std::string> loadLeftAt(Database& database) {
+    return loadText(database, left);
+}
+Result<void> storeKeptProgram(Database& database, const std::string& json) {
+    return storeSetting(database, keptProgram, json);
+}
+Result<std::string> loadKeptProgram(Database& database) {
+    return loadText(database, keptProgram);
 }
 Result<std::string> loadProgramDraft(Database& database) {
     return loadSettingAs<std::string>(database, programDraft, programDraftFromJson);

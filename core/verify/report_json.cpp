@@ -62,6 +62,31 @@ json peakOf(const VerifyReport& report) {
             {"at_s", peak->start}};
 }
 
+glm::dvec3 placeFrom(const json& place) {
+    return {place.at(0).get<double>(), place.at(1).get<double>(), place.at(2).get<double>()};
+}
+
+/// Throws nlohmann's exceptions where the id is none.
+FindingKind findingKindFrom(const json& id) {
+    for (int kind = 0; kind <= static_cast<int>(FindingKind::obstacleCollision); ++kind)
+        if (id.get<std::string>() == idOf(static_cast<FindingKind>(kind))) return static_cast<FindingKind>(kind);
+    throw json::other_error::create(501, "finding", &id);
+}
+
+NearPass nearPassFrom(const json& entry) {
+    NearPass pass;
+    pass.line = entry.at("line").get<std::uint32_t>();
+    pass.place = placeFrom(entry.at("place_mm"));
+    pass.distance = entry.at("distance_mm").get<double>();
+    for (const ToolSection section : {ToolSection::shank, ToolSection::holder})
+        for (const NearTo to : {NearTo::stock, NearTo::part, NearTo::obstacle}) {
+            pass.section = section;
+            pass.to = to;
+            if (entry.at("kind").get<std::string>() == idOf(pass)) return pass;
+        }
+    throw json::other_error::create(501, "near pass", &entry);
+}
+
 } // namespace
 
 std::string toJson(const VerifyReport& report) {
@@ -97,6 +122,31 @@ std::string toJson(const VerifyReport& report) {
                 {"findings", findings},
                 {"warnings", warnings}}
         .dump();
+}
+
+std::optional<VerifyReport> reportFromJson(std::string_view text) try {
+    const json record = json::parse(text);
+    VerifyReport report;
+    record.at("gouge_max_mm").get_to(report.gougeMax);
+    record.at("gouge_max_mesh_mm").get_to(report.gougeMaxMesh);
+    record.at("excess_max_mm").get_to(report.excessMax);
+    record.at("excess_mean_mm").get_to(report.excessMean);
+    record.at("reachable_share").get_to(report.reachableShare);
+    record.at("removed_mm3").get_to(report.removed);
+    record.at("on_part_share").get_to(report.onPartShare);
+    record.at("on_part_samples").get_to(report.onPartSamples);
+    record.at("samples_checked").get_to(report.samples);
+    record.at("samples_exact").get_to(report.exactSamples);
+    record.at("machining_s").get_to(report.machiningSeconds);
+    record.at("machining_without_acceleration_s").get_to(report.secondsWithoutAcceleration);
+    for (const json& entry : record.at("findings"))
+        report.findings.push_back({findingKindFrom(entry.at("kind")), entry.at("line").get<std::uint32_t>(),
+                                   placeFrom(entry.at("place_mm")), entry.at("amount").get<double>()});
+    for (const json& entry : record.at("warnings")) report.nearPasses.push_back(nearPassFrom(entry));
+    if (record.at("passed").get<bool>() != report.passed()) return std::nullopt;
+    return report;
+} catch (const json::exception&) {
+    return std::nullopt;
 }
 
 } // namespace burin

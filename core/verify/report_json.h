@@ -4,12 +4,18 @@
 
 #include "core/verify/verify.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace burin {
 
 /// A report as one JSON object without its deviations; keys carry their unit. What commands print and projects keep
 /// beside a program.
 std::string toJson(const VerifyReport& report);
+
+/// What `toJson` wrote of the verdict: figures, findings and near passes. Times, loads and deviations are not in it.
+/// Nothing: it wrote no such text.
+std::optional<VerifyReport> reportFromJson(std::string_view text);
 
 } // namespace burin

@@ -116,6 +116,16 @@ void StagesTest::posts() {
     QCOMPARE(answer["findings"].toArray().size(), 0);
     const auto moves = canonicalMoves(program_, folder_.path(), answer["tool"].toObject()["number"].toInt(), 6.0);
     QVERIFY2(moves && moves->size() > 100, "rs274 refused the program");
+    // Who asks later is told that it passed, as long as nothing that was checked is another one.
+    const auto verdict = [](const QString& project) {
+        return runBurin({"info", project, "--json"}).json()["verdict"].toObject();
+    };
+    QCOMPARE(verdict(project_)["state"].toString(), QString("passed"));
+    QCOMPARE(verdict(project_)["gouge_max_mm"].toDouble(), answer["gouge_max_mm"].toDouble());
+    const QString changed = inFolder("changed.burin");
+    QVERIFY(QFile::copy(project_, changed) && runBurin({"path", changed, "new"}).status == 0);
+    QCOMPARE(verdict(changed)["state"].toString(), QString("out_of_date"));
+    QCOMPARE(verdict(changed)["passed"].toBool(), false);
 }
 
 void StagesTest::verifiesWhatItPosted() {

@@ -431,6 +431,37 @@ private slots:
         QVERIFY(topOf(130) < topOf(50) - 10);
     }
 
+    /// Two tools that cut for 10 s each, with a change of 60 s before either: half of the chart is each tool's.
+    void toolChangesAreNoPartOfTheChart() {
+        LoadChart chart;
+        chart.resize(200, chart.sizeHint().height());
+        VerifyReport report;
+        for (std::uint32_t i = 0; i < 20; ++i) {
+            const double start = i + (i < 10 ? 60.0 : 120.0);
+            MotionLoad load;
+            load.motion = i;
+            load.line = 20 + i;
+            load.start = start;
+            load.duration = 1.0;
+            load.force = 10.0;
+            report.loads.push_back(load);
+            report.times.push_back({start, 1.0, 20.0});
+        }
+        report.machiningSeconds = 140.0;
+        chart.setReport(std::make_shared<const VerifyReport>(report));
+        chart.show();
+        QSignalSpy line(&chart, &LoadChart::lineChosen);
+        for (const auto& [x, wanted] : {std::pair{5, 20}, {45, 24}, {95, 29}, {105, 30}, {145, 34}, {195, 39}}) {
+            QTest::mouseClick(&chart, Qt::LeftButton, {}, QPoint(x, 40));
+            QCOMPARE(line.takeLast()[0].toInt(), wanted);
+        }
+        // No column is empty.
+        const QImage picture = chart.grab().toImage();
+        for (int x = 1; x < 199; ++x)
+            QVERIFY(picture.pixelColor(QPoint(x, chart.height() - 2) * picture.devicePixelRatio()) !=
+                    activePalette().field);
+    }
+
     void theDeviationTellsItsFigure() {
         DeviationCard card;
         card.show();

@@ -60,7 +60,35 @@ private slots:
     void textThatWasNotCheckedSurvivesAnEndFromOutside();
     void textThatTheCheckRefusedSurvives();
     void whatIsTypedWhileItIsCheckedStays();
+    void aNewTextToolAndValuesStandOnOneLine();
 };
+
+/// A line is chosen, the path changes, and the program is posted anew: what stands beside the text is of its line.
+void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {
+    WindowDriver driver;
+    const ProgramController& program = driver.window().workbench().program;
+    QVERIFY(mill(driver) && post(driver));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    const auto* text = driver.visible<QPlainTextEdit>("programText");
+    auto* viewport = driver.visible<Viewport>("viewport");
+    const glm::dvec3 zero = driver.window().workbench().bench.bench()->setup.workOffset;
+    const NcMotion* cut = longestCut(program.program()->parsed);
+    QVERIFY(cut != nullptr);
+    QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(zero + 0.5 * (cut->from + cut->to)).toPoint());
+    QCOMPARE(text->textCursor().blockNumber() + 1, static_cast<int>(cut->line));
+    QVERIFY(driver.visible<QLabel>("programState") != nullptr);
+
+    QVERIFY(recordLine(driver, {-15, 8}, {15, 8}) && driver.settle() && post(driver) && driver.settle());
+    QTest::qWait(300);
+    const NcMotion* now =
+        lastMotion(program.program()->parsed.motions, static_cast<std::uint32_t>(text->textCursor().blockNumber() + 1));
+    const auto* state = driver.visible<QLabel>("programState");
+    if (now == nullptr)
+        QVERIFY2(state == nullptr, qPrintable(state != nullptr ? state->text() : QString()));
+    else
+        QVERIFY(state != nullptr && state->text().contains(QLocale().toString(now->to.x, 'f', 3)));
+    driver.shoot("45-posted-anew");
+}
 
 /// By keys; the window has not been told of the newest ones when the check is through.
 void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
@@ -133,7 +161,7 @@ void TestWindowProgram::textThatTheCheckRefusedSurvives() {
     Workbench& bench = driver.window().workbench();
     QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }));
     QVERIFY(driver.settle());
-    QVERIFY(bench.program.edited() && !bench.program.exportable());
+    QVERIFY(bench.program.refused() && !bench.program.exportable()); // and what the check said is known again
     QVERIFY(bench.program.storedText().contains("\nG1 Z-50 F100\n"));
 }
 

@@ -18,6 +18,21 @@ double distanceToLine(const QPointF& place, const QPointF& from, const QPointF& 
 
 } // namespace
 
+/// What lies nearer to the eye appears longer, so that halves of the picture are no halves of the piece.
+double shareNearest(const QPointF& pointer, const glm::dvec3& from, const glm::dvec3& to,
+                    const Appearance& appearance) {
+    constexpr int halvings = 24; // a ten-millionth of the piece
+    const QPointF along = appearance(to) - appearance(from);
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        const bool before = QPointF::dotProduct(pointer - appearance(glm::mix(from, to, middle)), along) > 0.0;
+        (before ? low : high) = middle;
+    }
+    constexpr double end = 1e-6;
+    return low < end ? 0.0 : high > 1.0 - end ? 1.0 : 0.5 * (low + high);
+}
+
 std::optional<std::size_t> nearestSegment(const QPointF& pointer, std::size_t count,
                                           const std::function<std::pair<glm::dvec3, glm::dvec3>(std::size_t)>& ends,
                                           const Appearance& appearance) {

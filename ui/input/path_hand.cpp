@@ -63,8 +63,8 @@ void PathHand::setDrawing(std::optional<double> height) {
     height_ = height;
 }
 
-/// Of the piece that appears nearest, the end that does, as long as it comes from the hand.
-std::optional<std::size_t> PathHand::placeAt(const QPointF& pointer) const {
+/// On the piece that appears nearest. Where only one of its ends comes from the hand, that one.
+std::optional<PathPlace> PathHand::placeAt(const QPointF& pointer) const {
     if (places_.size() < 2) return std::nullopt;
     const auto piece = nearestSegment(
         pointer, places_.size() - 1,
@@ -75,10 +75,13 @@ std::optional<std::size_t> PathHand::placeAt(const QPointF& pointer) const {
         },
         appearance_);
     if (!piece) return std::nullopt;
-    if (!usable_[*piece]) return *piece + 1;
-    if (!usable_[*piece + 1]) return *piece;
-    const QPointF before = appearance_(places_[*piece]) - pointer, after = appearance_(places_[*piece + 1]) - pointer;
-    return QPointF::dotProduct(before, before) <= QPointF::dotProduct(after, after) ? *piece : *piece + 1;
+    if (!usable_[*piece]) return PathPlace{*piece, 1.0};
+    if (!usable_[*piece + 1]) return PathPlace{*piece, 0.0};
+    return PathPlace{*piece, shareNearest(pointer, places_[*piece], places_[*piece + 1], appearance_)};
+}
+
+glm::dvec3 PathHand::at(const PathPlace& place) const {
+    return glm::mix(places_[place.piece], places_[place.piece + 1], place.share);
 }
 
 bool PathHand::press(const ViewportEvent& event) {
@@ -108,7 +111,7 @@ bool PathHand::move(const ViewportEvent& event) {
     const QPointF way = event.position - pressedAt_;
     if (doing_ == Doing::pressed && std::hypot(way.x(), way.y()) < clickReach) return true;
     doing_ = Doing::dragging;
-    if (const auto by = dragged(places_[place_], pressedSight_, sightOf(event), along_)) by_ = *by;
+    if (const auto by = dragged(at(place_), pressedSight_, sightOf(event), along_)) by_ = *by;
     emit dragging(place_, by_);
     return true;
 }

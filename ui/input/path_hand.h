@@ -15,18 +15,28 @@ namespace burin {
 
 /// What a drag does to a place of a path.
 enum class DragAlong : std::uint8_t {
-    level,   ///< it stays on its height
-    x, y, z, ///< along an axis of the setup; Z is the tool's
-    surface  ///< across the view; the part's surface leads it
+    level, ///< it stays on its height
+    x,
+    y,
+    z,      ///< along an axis of the setup; Z is the tool's
+    surface ///< across the view; the part's surface leads it
 };
 
 /// How far a sight drags a place, mm. Nothing where it does not say: it runs along the plane or the axis.
 /// @param from the sight when the drag began, @param to the one now
 std::optional<glm::dvec3> dragged(const glm::dvec3& place, const Sight& from, const Sight& to, DragAlong along);
 
-/// The pointer on a path. A click on it chooses a place, with Shift all from the place chosen before to that one; a drag
-/// from it moves the place; while it draws, a drag draws a stroke on the height of `setDrawing`. Esc ends what is under
-/// way. Everything else is the camera's. Thread: user interface.
+/// A place on a path: on the straight piece between two of its points.
+struct PathPlace {
+    std::size_t piece = 0; ///< from point `piece` to the next
+    double share = 0.0;    ///< 0 at its beginning, 1 at its end
+
+    std::size_t nearestPoint() const noexcept { return share < 0.5 ? piece : piece + 1; }
+};
+
+/// The pointer on a path. A click on it chooses a place, with Shift all from the place chosen before to that one; a
+/// drag from it moves the place; while it draws, a drag draws a stroke on the height of `setDrawing`. Esc ends what is
+/// under way. Everything else is the camera's. Thread: user interface.
 class PathHand final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
@@ -46,18 +56,19 @@ public:
     void leave() override;
 
 signals:
-    void chosen(std::size_t place, bool extend);
-    void dragging(std::size_t place, const glm::dvec3& by); ///< mm; while it is dragged
-    void dropped(std::size_t place, const glm::dvec3& by);  ///< mm; where it was let go
-    void drawing(const std::vector<glm::dvec3>& places);    ///< mm; so far
-    void drawn(const std::vector<glm::dvec3>& places);      ///< mm; at least two
-    void givenUp();                                         ///< what was under way is not wanted
-    void cleared();                                         ///< Esc with nothing under way
+    void chosen(const burin::PathPlace& place, bool extend);
+    void dragging(const burin::PathPlace& place, const glm::dvec3& by); ///< mm; while it is dragged
+    void dropped(const burin::PathPlace& place, const glm::dvec3& by);  ///< mm; where it was let go
+    void drawing(const std::vector<glm::dvec3>& places);                ///< mm; so far
+    void drawn(const std::vector<glm::dvec3>& places);                  ///< mm; at least two
+    void givenUp();                                                     ///< what was under way is not wanted
+    void cleared();                                                     ///< Esc with nothing under way
 
 private:
     enum class Doing : std::uint8_t { nothing, pressed, dragging, drawing };
 
-    std::optional<std::size_t> placeAt(const QPointF& pointer) const;
+    std::optional<PathPlace> placeAt(const QPointF& pointer) const;
+    glm::dvec3 at(const PathPlace& place) const; ///< mm
     void draw(const ViewportEvent& event);
     void giveUp();
 
@@ -67,7 +78,7 @@ private:
     DragAlong along_ = DragAlong::level;
     std::optional<double> height_;
     Doing doing_ = Doing::nothing;
-    std::size_t place_ = 0;
+    PathPlace place_;
     QPointF pressedAt_;
     Sight pressedSight_;
     glm::dvec3 by_{0.0};

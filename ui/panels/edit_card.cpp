@@ -29,7 +29,7 @@ EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent) : QFram
     report_->setProperty("look", "small");
     report_->setFont(numberFont(report_->font()));
     column->addWidget(report_);
-    showEdit(edit, zero_);
+    showEdit(edit, zero_, {});
     showReport(nullptr, LengthUnit::millimetre);
 }
 
@@ -37,7 +37,7 @@ void EditCard::addHead(const QString& name) {
     switch_ = new NamedSwitch(name, tr("Switch this edit on or off"), this);
     connect(switch_, &NamedSwitch::switched, this, [this](bool on) {
         edit_.enabled = on;
-        showEdit(edit_, zero_);
+        showEdit(edit_, zero_, std::vector(takes_));
         emit edited(edit_);
     });
     const auto button = [&](const char* icon, const QString& toolTip, const char* part) {
@@ -80,11 +80,12 @@ void EditCard::addFields(const QString& name) {
     }
 }
 
-void EditCard::showEdit(const Edit& edit, const glm::dvec3& zero) {
+void EditCard::showEdit(const Edit& edit, const glm::dvec3& zero, const std::vector<TakeInfo>& takes) {
     edit_ = edit;
     zero_ = zero;
+    takes_ = takes;
     switch_->show(Messages::text(titleOf(edit.parameters)), edit.enabled, {});
-    const std::vector<EditParameter> parameters = parametersOf(edit.parameters, zero);
+    const std::vector<EditParameter> parameters = parametersOf(edit.parameters, zero, takes_);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         fields_[i]->showParameter(parameters[i]);
         setEnabledKeepingFocus(fields_[i], edit.enabled);

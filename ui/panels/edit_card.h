@@ -25,8 +25,8 @@ public:
     EditCard(std::size_t place, const Edit& edit, QWidget* parent = nullptr);
 
     /// Shows values without a signal. The kind of edit must be the one it was made for. @param zero  mm, of the
-    /// program, in the setup frame
-    void showEdit(const Edit& edit, const glm::dvec3& zero);
+    /// program, in the setup frame @param takes  whose names and times are told
+    void showEdit(const Edit& edit, const glm::dvec3& zero, const std::vector<TakeInfo>& takes);
     void showReport(const EditReport* report, LengthUnit unit); ///< null: none (switched off, or not evaluated)
     void setUnit(LengthUnit unit);
     /// Whether the edit may go one place up, one down.
@@ -46,6 +46,7 @@ private:
 
     Edit edit_;
     glm::dvec3 zero_{0.0};
+    std::vector<TakeInfo> takes_;
     NamedSwitch* switch_ = nullptr;
     QToolButton *earlier_ = nullptr, *later_ = nullptr;
     std::vector<EditFieldEditor*> fields_;

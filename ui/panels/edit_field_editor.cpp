@@ -129,6 +129,7 @@ void EditFieldEditor::showParameter(const EditParameter& parameter) {
         if (QuantityField* field = place_[static_cast<std::size_t>(axis)])
             field->limit(low - zero_[axis], high - zero_[axis]);
     showValue(parameter.field.value);
+    if (text_ != nullptr) text_->setText(parameter.text);
 }
 
 void EditFieldEditor::showValue(const EditValue& value) {
@@ -142,7 +143,6 @@ void EditFieldEditor::showValue(const EditValue& value) {
     for (int axis = 0; axis < 3; ++axis)
         if (QuantityField* field = place_[static_cast<std::size_t>(axis)])
             field->showValue(std::get<glm::dvec3>(value)[axis] - zero_[axis]);
-    if (text_ != nullptr) text_->setText(valueText(value));
 }
 
 void EditFieldEditor::setUnit(LengthUnit unit) {

@@ -4,6 +4,7 @@
 
 #include "core/path/drawn_edit.h"
 #include "ui/panels/edit_words.h"
+#include "ui/panels/hand_times.h"
 
 #include <QCoreApplication>
 
@@ -59,33 +60,36 @@ glm::dvec3 zeroOf(const EditParameters& edit, std::string_view key, const glm::d
     return glm::dvec3(0.0);
 }
 
-EditParameter parameterOf(const EditParameters& edit, const EditField& field, const glm::dvec3& zero) {
-    const EditWords* known = editWordsOf(idOf(edit), field.key);
-    return {field,
-            known != nullptr ? EditParameterTexts::tr(known->label) : labelOf(field.key),
-            known != nullptr ? EditParameterTexts::tr(known->toolTip) : QString(),
-            quantityOf(edit, field.key),
-            isDrawn(edit, field.key),
-            zeroOf(edit, field.key, zero)};
-}
-
 /// What a value that is told and not typed says.
 struct ValueTexts {
-    QString operator()(const Moment& moment) const {
-        return EditParameterTexts::tr("take %1, tick %2").arg(moment.take).arg(moment.tick);
-    }
-    QString operator()(const TakeStretch& stretch) const { return stretchText(stretch); }
+    const std::vector<TakeInfo>& takes;
+
+    QString operator()(const Moment& moment) const { return momentText(takes, moment); }
+    QString operator()(const TakeStretch& stretch) const { return stretchText(takes, stretch); }
     QString operator()(const std::vector<glm::dvec3>& places) const {
         return EditParameterTexts::tr("%n places", nullptr, static_cast<int>(places.size()));
     }
     QString operator()(const auto&) const { return {}; }
 };
 
+EditParameter parameterOf(const EditParameters& edit, const EditField& field, const glm::dvec3& zero,
+                          const std::vector<TakeInfo>& takes) {
+    const EditWords* known = editWordsOf(idOf(edit), field.key);
+    return {field,
+            known != nullptr ? EditParameterTexts::tr(known->label) : labelOf(field.key),
+            known != nullptr ? EditParameterTexts::tr(known->toolTip) : QString(),
+            quantityOf(edit, field.key),
+            isDrawn(edit, field.key),
+            zeroOf(edit, field.key, zero),
+            std::visit(ValueTexts{takes}, field.value)};
+}
+
 } // namespace
 
-std::vector<EditParameter> parametersOf(const EditParameters& edit, const glm::dvec3& zero) {
+std::vector<EditParameter> parametersOf(const EditParameters& edit, const glm::dvec3& zero,
+                                        const std::vector<TakeInfo>& takes) {
     std::vector<EditParameter> parameters;
-    for (const EditField& field : fieldsOf(edit)) parameters.push_back(parameterOf(edit, field, zero));
+    for (const EditField& field : fieldsOf(edit)) parameters.push_back(parameterOf(edit, field, zero, takes));
     return parameters;
 }
 
@@ -94,18 +98,6 @@ QString choiceText(std::string_view choice) {
     QString text = QString::fromLatin1(choice.data(), static_cast<qsizetype>(choice.size()));
     text.replace(QLatin1Char('-'), QLatin1Char(' '));
     return text;
-}
-
-QString stretchText(const TakeStretch& stretch) {
-    if (stretch.take == 0) return EditParameterTexts::tr("everything");
-    if (stretch.last == TakeStretch{}.last)
-        return EditParameterTexts::tr("take %1 from tick %2").arg(stretch.take).arg(stretch.first);
-    if (stretch.last == stretch.first) return valueText(Moment{stretch.take, stretch.first});
-    return EditParameterTexts::tr("take %1, ticks %2 to %3").arg(stretch.take).arg(stretch.first).arg(stretch.last);
-}
-
-QString valueText(const EditValue& value) {
-    return std::visit(ValueTexts{}, value);
 }
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/path/edit.h"
+#include "core/recording/sample.h"
 #include "ui/panels/quantity.h"
 
 #include <vector>
@@ -16,14 +17,15 @@ struct EditParameter {
     Quantity quantity = Quantity::length; ///< of a number
     bool drawn = false;                   ///< it may be drawn in the view
     glm::dvec3 zero{0.0};                 ///< mm, setup frame: what a place is shown from; of a single coordinate, in x
+    QString text{};                       ///< a moment, a stretch or places in words; empty for what has a field
 };
 
 /// Every parameter of an edit, in order; none for one that has none.
 /// @param zero  mm, of the program, in the setup frame
-std::vector<EditParameter> parametersOf(const EditParameters& edit, const glm::dvec3& zero);
+/// @param takes  whose names and times are told
+std::vector<EditParameter> parametersOf(const EditParameters& edit, const glm::dvec3& zero,
+                                        const std::vector<TakeInfo>& takes = {});
 
 QString choiceText(std::string_view choice); ///< one of a field's names in words
-QString stretchText(const TakeStretch& stretch);
-QString valueText(const EditValue& value); ///< a moment, a stretch or places in words; empty for what has a field
 
 } // namespace burin

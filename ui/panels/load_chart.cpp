@@ -19,18 +19,28 @@ namespace {
 constexpr int chartHeight = 64, textHeight = 16; // pixels
 constexpr double fillShare = 0.35;               // of the force's colour below its line
 
+constexpr double shortestPause = 1e-3; // s between two motions
+
 } // namespace
 
 LoadChart::LoadChart(QWidget* parent) : QWidget(parent) {
     setFixedHeight(chartHeight);
     setCursor(Qt::PointingHandCursor);
-    setToolTip(tr("Cutting force over the machining time; click for the line that is cut then"));
+    setToolTip(tr("Cutting force over the machining time without tool changes, which are dotted lines; click for the "
+                  "line that is cut then"));
     setAccessibleName(tr("Cutting force over the machining time"));
 }
 
 void LoadChart::setReport(std::shared_ptr<const VerifyReport> report) {
     if (report == report_) return;
     report_ = std::move(report);
+    pauses_.clear();
+    double end = 0.0;
+    if (report_)
+        for (const MotionTime& motion : report_->times) {
+            if (motion.start - end > shortestPause) pauses_.push_back({end, motion.start - end});
+            end = motion.start + motion.duration;
+        }
     peak_ = 0.0;
     for (const MotionLoad& load : loads()) peak_ = std::max(peak_, load.force);
     setAccessibleDescription(tr("Peak %1 N").arg(QLocale().toString(peak_, 'f', 1)));
@@ -52,6 +62,23 @@ std::span<const MotionLoad> LoadChart::loads() const {
     return report_->loads;
 }
 
+double LoadChart::seconds() const {
+    return report_ ? shownAt(report_->machiningSeconds) : 0.0;
+}
+
+double LoadChart::shownAt(double time) const {
+    double shown = time;
+    for (const Pause& pause : pauses_) shown -= std::clamp(time - pause.start, 0.0, pause.length);
+    return shown;
+}
+
+double LoadChart::timeAt(double shown) const {
+    double time = shown;
+    for (const Pause& pause : pauses_)
+        if (time >= pause.start) time += pause.length;
+    return time;
+}
+
 std::vector<double> LoadChart::columns(int count) const {
     std::vector<double> greatest(static_cast<std::size_t>(std::max(0, count)), 0.0);
     if (seconds() <= 0.0 || count <= 0) return greatest;
@@ -59,7 +86,7 @@ std::vector<double> LoadChart::columns(int count) const {
         return static_cast<std::size_t>(std::clamp(static_cast<int>(time / seconds() * count), 0, count - 1));
     };
     for (const MotionLoad& load : loads())
-        for (std::size_t i = columnOf(load.start); i <= columnOf(load.start + load.duration); ++i)
+        for (std::size_t i = columnOf(shownAt(load.start)); i <= columnOf(shownAt(load.start + load.duration)); ++i)
             greatest[i] = std::max(greatest[i], load.force);
     return greatest;
 }
@@ -79,10 +106,16 @@ void LoadChart::paintEvent(QPaintEvent*) {
         painter.fillRect(x, top, 1, bottom - top, fill);
         painter.fillRect(x, top, 1, 1, palette.force);
     }
-    if (time_ && seconds() > 0.0) {
-        painter.setPen(palette.text);
-        const int x = static_cast<int>(std::lround(*time_ / seconds() * (width() - 1)));
+    const auto lineAt = [&](double time) {
+        const int x = static_cast<int>(std::lround(shownAt(time) / seconds() * (width() - 1)));
         painter.drawLine(x, 0, x, bottom);
+    };
+    if (seconds() > 0.0) {
+        painter.setPen(QPen(palette.quietText, 1, Qt::DotLine));
+        for (const Pause& pause : pauses_)
+            if (pause.start > 0.0) lineAt(pause.start); // the first tool's is where the chart begins
+        painter.setPen(palette.text);
+        if (time_) lineAt(*time_);
     }
     painter.setPen(palette.quietText);
     painter.drawText(QRect(6, 1, width() - 12, textHeight), Qt::AlignLeft | Qt::AlignVCenter,
@@ -96,7 +129,7 @@ const MotionLoad* LoadChart::at(double seconds) const {
 }
 
 void LoadChart::choose(double x) {
-    const MotionLoad* load = at(std::clamp(x / std::max(1, width()), 0.0, 1.0) * seconds());
+    const MotionLoad* load = at(timeAt(std::clamp(x / std::max(1, width()), 0.0, 1.0) * seconds()));
     if (load != nullptr) emit lineChosen(static_cast<int>(load->line));
 }
 

@@ -13,8 +13,8 @@
 
 namespace burin {
 
-/// The cutting force over the time that a program takes: the greatest in each column of pixels, its peak told in N. A
-/// click leads to the line of the motion that is cut then.
+/// The cutting force over the time that a program takes, without its tool changes, which are marked: the greatest in
+/// each column of pixels, its peak told in N. A click leads to the line of the motion that is cut then.
 class LoadChart : public QWidget {
     Q_OBJECT
 public:
@@ -35,13 +35,20 @@ protected:
 
 private:
     std::span<const MotionLoad> loads() const;
-    double seconds() const { return report_ ? report_->machiningSeconds : 0.0; }
+    /// A tool change, while which nothing is cut.
+    struct Pause {
+        double start = 0.0, length = 0.0; ///< s, of the program
+    };
+    double seconds() const;                       ///< that the chart shows
+    double shownAt(double time) const;            ///< s of the chart at a time of the program
+    double timeAt(double shown) const;            ///< the inverse; behind a pause at its place
     std::vector<double> columns(int count) const; ///< N, greatest force in each
     const MotionLoad* at(double seconds) const;   ///< what is cut then, or last before
     void choose(double x);
 
     std::shared_ptr<const VerifyReport> report_;
-    double peak_ = 0.0; ///< N
+    std::vector<Pause> pauses_; ///< rising
+    double peak_ = 0.0;         ///< N
     std::optional<double> time_;
 };
 

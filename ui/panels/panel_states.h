@@ -153,6 +153,7 @@ struct PathState {
     bool hasOtherTakes = false; ///< of any tool
     bool exists = false;
     StoredPath path;
+    std::vector<TakeInfo> takes;       ///< all, for their names and times
     glm::dvec3 zero{0.0};              ///< mm, of the program, in the setup frame
     std::vector<EditReport> reports;   ///< of the newest evaluation, one for each enabled edit, in order
     std::optional<double> errorBudget; ///< mm

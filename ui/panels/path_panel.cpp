@@ -265,7 +265,7 @@ void PathPanel::Fields::refreshEdits() {
     for (std::size_t i = 0; i < cards_.size(); ++i) {
         const Edit& edit = state.path.edits[i];
         cards_[i]->setUnit(unit);
-        cards_[i]->showEdit(edit, state.zero);
+        cards_[i]->showEdit(edit, state.zero, state.takes);
         const bool reported =
             edit.enabled && next < state.reports.size() && state.reports[next].edit == cards_[i]->kind();
         cards_[i]->showReport(reported ? &state.reports[next] : nullptr, unit);

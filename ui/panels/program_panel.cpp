@@ -239,7 +239,8 @@ QString ProgramPanel::Fields::reasonAgainstExport() const {
     if (state.busy) return ProgramPanel::tr("Work is under way.");
     if (state.edited) return ProgramPanel::tr("The text was edited: check it first.");
     if (!state.report) return ProgramPanel::tr("The program is not checked yet: post and check it.");
-    if (state.outdated) return ProgramPanel::tr("The path changed since: post and check it again.");
+    if (state.outdated)
+        return ProgramPanel::tr("The path or what it was checked with changed since: post and check it again.");
     if (!state.released) return ProgramPanel::tr("The program did not pass its check.");
     return {};
 }
@@ -302,11 +303,16 @@ void ProgramPanel::Fields::refreshVerdict() {
     else if (!state.text.isEmpty() && !state.report)
         notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The program is not checked yet: post and check it."));
     else if (!state.text.isEmpty() && state.outdated)
-        notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The path changed since: post and check it again."));
+        notice_->tell(Notice::Kind::warning,
+                      ProgramPanel::tr("The path or what it was checked with changed since: post and check it again."));
     else
         notice_->clear();
     if (!state.report)
         verdict_->clear();
+    else if (state.outdated) // nothing is told as passed that might not pass now
+        verdict_->tell(Notice::Kind::warning,
+                       errors() == 0 ? ProgramPanel::tr("Out of date: passed before something was changed.")
+                                     : ProgramPanel::tr("Out of date: not passed before something was changed."));
     else if (errors() == 0)
         verdict_->tell(Notice::Kind::passed,
                        ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")
@@ -380,6 +386,10 @@ void ProgramPanel::setUnit(LengthUnit unit) {
 void ProgramPanel::setState(const ProgramState& state) {
     fields_->state = state;
     fields_->refresh();
+}
+
+int ProgramPanel::line() const {
+    return fields_->program->line();
 }
 
 void ProgramPanel::showLine(int line) {

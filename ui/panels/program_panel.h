@@ -20,6 +20,7 @@ public:
     explicit ProgramPanel(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
     void setState(const ProgramState& state); ///< never emits
+    int line() const;                         ///< from 1: where the cursor stands in the text
     void showLine(int line);                  ///< from 1, without a signal
     /// When the chosen line is done: the machine's state, and the time; nothing: no line is looked at.
     void showMachineState(const QString& state, std::optional<double> seconds);

@@ -115,6 +115,10 @@ void ProgramText::tell() {
     emit textEdited(view_->program());
 }
 
+int ProgramText::line() const {
+    return view_->line();
+}
+
 void ProgramText::showLine(int line) {
     view_->showLine(line);
 }

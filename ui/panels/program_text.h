@@ -20,6 +20,7 @@ public:
     explicit ProgramText(QWidget* parent = nullptr);
 
     void showProgram(const QString& text); ///< nothing is done when it shows it
+    int line() const;                      ///< from 1: where the cursor stands
     void showLine(int line);               ///< from 1; brings it into view, without a signal
     void setMarks(std::vector<LineMark> marks);
     /// @param state of the machine when the chosen line is done; empty: there is nothing to tell

@@ -23,8 +23,9 @@ class ProgramView : public QPlainTextEdit {
     Q_OBJECT
 public:
     explicit ProgramView(QWidget* parent = nullptr);
-    void showProgram(const QString& text); ///< nothing is done when it shows it
-    void showLine(int line);               ///< from 1; brings it into view, without a signal
+    void showProgram(const QString& text);        ///< nothing is done when it shows it
+    int line() const noexcept { return chosen_; } ///< from 1: where the cursor stands
+    void showLine(int line);                      ///< from 1; brings it into view, without a signal
     /// All of the text has come in when it becomes editable. Editing has an undo of its own.
     void setEditable(bool editable);
     const QString& program() const noexcept { return text_; } ///< as it is now

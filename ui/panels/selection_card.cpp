@@ -4,10 +4,10 @@
 
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
-#include "ui/panels/edit_parameters.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/focus_keeper.h"
+#include "ui/panels/hand_times.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
@@ -45,8 +45,8 @@ SelectionCard::SelectionCard(QWidget* parent)
 }
 
 void SelectionCard::setState(const PathState& state) {
-    QString chosen =
-        state.selection ? tr("Chosen: %1").arg(stretchText(*state.selection)) : tr("Nothing of the path is chosen");
+    QString chosen = state.selection ? tr("Chosen: %1").arg(stretchText(state.takes, *state.selection))
+                                     : tr("Nothing of the path is chosen");
     if (state.selectedSide == MillingSide::climb) chosen += QStringLiteral(" · ") + tr("climb");
     if (state.selectedSide == MillingSide::conventional) chosen += QStringLiteral(" · ") + tr("conventional");
     if (state.drawing) chosen = tr("Draw it in the view; Esc gives it up");

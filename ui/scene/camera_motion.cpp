@@ -93,6 +93,12 @@ void CameraMotion::converge(Clock::time_point now) {
     if (share >= 1.0) change_.reset();
 }
 
+void CameraMotion::setView(const CameraView& view) {
+    flight_.reset();
+    stayFitted_ = false;
+    view_ = view;
+}
+
 void CameraMotion::fit(Clock::time_point now, Clock::duration duration) {
     stayFitted_ = true;
     flyTo(fitted(destination(), size_, content_), now, duration);

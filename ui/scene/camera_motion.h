@@ -36,6 +36,8 @@ public:
     void setParallel(bool parallel, Clock::time_point now, Clock::duration duration);
     /// A standard view, all in the picture. @param duration zero: at once
     void turnTo(StandardView standard, Clock::time_point now, Clock::duration duration);
+    /// A view of somebody else's, at once; it stays as one that the user moved to.
+    void setView(const CameraView& view);
     void fit(Clock::time_point now, Clock::duration duration);
     /// Lets a movement that is under way go on. False: there is none any more.
     bool advance(Clock::time_point now);

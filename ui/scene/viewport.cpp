@@ -198,6 +198,14 @@ void Viewport::setStandardView(StandardView view) {
 
 void Viewport::setParallel(bool parallel) {
     impl_->motion.setParallel(parallel, CameraMotion::Clock::now(), impl_->flight());
+}
+
+const CameraView& Viewport::cameraView() const noexcept {
+    return impl_->motion.view();
+}
+
+void Viewport::setCameraView(const CameraView& view) {
+    impl_->motion.setView(view);
     impl_->moved();
 }
 

@@ -40,6 +40,8 @@ struct ToolMarks {
     bool cutting = false;
 };
 
+struct CameraView;
+
 /// How drawing has kept up; for the status line and benchmarks. Times in ms, since the last `resetStatistics`.
 struct FrameStatistics {
     std::size_t frames = 0;
@@ -107,6 +109,8 @@ public:
 
     /// A view straight along an axis is parallel, whatever else is chosen, until it is turned.
     void setStandardView(StandardView view);
+    const CameraView& cameraView() const noexcept;
+    void setCameraView(const CameraView& view); ///< at once
     void fit();
     /// The projection of all other views: parallel, or in perspective.
     void setParallel(bool parallel);

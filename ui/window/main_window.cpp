@@ -26,6 +26,10 @@ constexpr QSize smallestWindow(1024, 680);
 constexpr QSize firstWindow(1280, 800);
 constexpr double scaleStep = 1.25; // of the hand, by the keyboard
 
+/// What the view shows.
+constexpr ActionId shownByAction[] = {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool,
+                                      ActionId::showPath, ActionId::showGuides,    ActionId::showOtherPaths};
+
 /// The one file that is dragged; empty for anything else.
 QString draggedFile(const QMimeData& data) {
     const QList<QUrl> urls = data.urls();
@@ -215,7 +219,12 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
     workbench_.styluses.start();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
-    connect(&workbench_.document, &DocumentController::opened, this, &MainWindow::tellAboutOpened);
+    connect(&workbench_.document, &DocumentController::opened, this, [this](const ProjectContents& contents) {
+        tellAboutOpened();
+        const auto left = leftAtFromJson(contents.leftAt);
+        if (left) goTo(*left);
+    });
+    workbench_.document.keepLeftAt([this] { return toJson(leftAt()); });
     connect(&workbench_.model, &ModelController::imported, this, [this] {
         message_->dismiss();
         showStep(JobStep::stock);
@@ -314,6 +323,27 @@ void MainWindow::showStep(JobStep step) {
     presenters_->programScene.setShown(step);
     if (step != JobStep::program) presenters_->pathScene.setShown(step);
     panels_->showStep(step);
+}
+
+LeftAt MainWindow::leftAt() const {
+    LeftAt left;
+    left.step = presenters_->job.shown();
+    left.tool = workbench_.tool.current().id;
+    left.mill = presenters_->millMode.settings();
+    left.camera = viewport_->cameraView();
+    for (const ActionId id : shownByAction) left.shown[actions_[id]->objectName()] = actions_[id]->isChecked();
+    return left;
+}
+
+void MainWindow::goTo(const LeftAt& left) {
+    if (workbench_.model.model()) showStep(left.step);
+    workbench_.tool.show(left.tool);
+    presenters_->millMode.setSettings(left.mill);
+    for (const ActionId id : shownByAction)
+        actions_[id]->setChecked(left.shown.value(actions_[id]->objectName(), actions_[id]->isChecked()));
+    // The presenters have to show the part first, which fits it into the picture.
+    QMetaObject::invokeMethod(
+        this, [this, camera = left.camera] { viewport_->setCameraView(camera); }, Qt::QueuedConnection);
 }
 
 void MainWindow::tellAboutOpened() {

@@ -6,6 +6,7 @@
 #include "ui/dialogs/preferences.h"
 #include "ui/help/welcome_page.h"
 #include "ui/window/document_flow.h"
+#include "ui/window/left_at.h"
 #include "ui/window/menus.h"
 #include "ui/window/message_strip.h"
 #include "ui/window/presenters.h"
@@ -58,6 +59,8 @@ private:
     void removeTake(qint64 take);
     void overrideCheck();
     void tellAboutOpened();
+    LeftAt leftAt() const;
+    void goTo(const LeftAt& left);
     void end(bool abandon);
 
     UserSettings settings_;

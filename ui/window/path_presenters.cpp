@@ -79,6 +79,7 @@ void PathPresenter::present() {
     state.hasOtherTakes = !workbench_.mill.takes().empty();
     state.exists = path.stored() != nullptr;
     if (path.stored()) state.path = *path.stored();
+    state.takes = workbench_.mill.takes();
     if (workbench_.bench.bench()) state.zero = workbench_.bench.bench()->setup.workOffset;
     if (path.evaluated()) {
         state.reports = path.evaluated()->reports;

@@ -25,11 +25,14 @@ std::string keyOf(const StoredPath& path, std::size_t edit) {
 /// How a stroke follows the place that is dragged, as MovePoints does it: along the stroke, ever less.
 class Falloff {
 public:
-    Falloff(const std::vector<PathPoint>& points, std::size_t place, const glm::dvec3& by)
-        : points_(points), place_(place), by_(by) {}
+    Falloff(const std::vector<PathPoint>& points, const PathPlace& place, const glm::dvec3& by)
+        : points_(points)
+        , place_(place)
+        , start_(glm::mix(points[place.piece].tip, points[place.piece + 1].tip, place.share))
+        , by_(by) {}
 
     std::vector<glm::dvec3> places() const {
-        std::vector<glm::dvec3> moved{points_[place_].tip + by_};
+        std::vector<glm::dvec3> moved{start_ + by_};
         follow(moved, -1);
         std::ranges::reverse(moved);
         follow(moved, 1);
@@ -39,19 +42,23 @@ public:
 private:
     void follow(std::vector<glm::dvec3>& moved, int step) const {
         const MovePoints edit;
+        const std::int64_t take = points_[place_.nearestPoint()].take;
+        glm::dvec3 from = start_;
         double way = 0.0;
-        for (std::size_t i = place_; way < edit.falloff;) {
-            if ((step < 0 && i == 0) || (step > 0 && i + 1 == points_.size())) return;
-            const std::size_t next = step < 0 ? i - 1 : i + 1;
-            if (!isOfTheHand(points_[next]) || points_[next].take != points_[i].take) return;
-            way += glm::distance(points_[next].tip, points_[i].tip);
-            moved.push_back(points_[next].tip + edit.shareAt(way) * by_);
-            i = next;
+        const auto last = static_cast<std::ptrdiff_t>(points_.size());
+        for (auto i = static_cast<std::ptrdiff_t>(place_.piece) + (step < 0 ? 0 : 1);
+             i >= 0 && i < last && way < edit.falloff; i += step) {
+            const PathPoint& point = points_[static_cast<std::size_t>(i)];
+            if (!isOfTheHand(point) || point.take != take) return;
+            way += glm::distance(point.tip, from);
+            from = point.tip;
+            moved.push_back(point.tip + edit.shareAt(way) * by_);
         }
     }
 
     const std::vector<PathPoint>& points_;
-    std::size_t place_;
+    PathPlace place_;
+    glm::dvec3 start_; ///< mm, where the place is
     glm::dvec3 by_;
 };
 
@@ -61,7 +68,7 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
     : Presenter(workbench, {&workbench.path, &workbench.mill}, parent)
     , viewport_(viewport)
     , hand_([&viewport](const glm::dvec3& place) { return viewport.project(place); }) {
-    connect(&hand_, &PathHand::chosen, this, [this](std::size_t place, bool extend) {
+    connect(&hand_, &PathHand::chosen, this, [this](const PathPlace& place, bool extend) {
         extend ? workbench_.path.selectTo(momentOf(place)) : workbench_.path.select(momentOf(place));
     });
     connect(&hand_, &PathHand::dragging, this, &PathScenePresenter::showDrag);
@@ -190,11 +197,11 @@ void PathScenePresenter::markSelection() {
     viewport_.setMoveMark(chosen);
 }
 
-void PathScenePresenter::showDrag(std::size_t place, const glm::dvec3& by) {
+void PathScenePresenter::showDrag(const PathPlace& place, const glm::dvec3& by) {
     if (path_) viewport_.setMoveMark({Falloff(path_->path.points, place, by).places()});
 }
 
-void PathScenePresenter::drop(std::size_t place, const glm::dvec3& by) {
+void PathScenePresenter::drop(const PathPlace& place, const glm::dvec3& by) {
     if (!path_) return;
     workbench_.path.movePlace(momentOf(place), by,
                               drag_ == DragChoice::surface ? MovePoints::Along::surface : MovePoints::Along::free);
@@ -284,8 +291,8 @@ std::vector<std::vector<PathPoint>> PathScenePresenter::chosenPoints() const {
     return pointsOf(path_->path, *selection);
 }
 
-Moment PathScenePresenter::momentOf(std::size_t place) const {
-    return burin::momentOf(path_->path.points[place]);
+Moment PathScenePresenter::momentOf(const PathPlace& place) const {
+    return momentAt(path_->path.points[place.piece], path_->path.points[place.piece + 1], place.share);
 }
 
 /// Where a stretch of the path begins, or the middle height of all that cuts.

@@ -45,10 +45,10 @@ private:
     std::vector<glm::dvec3> outlineOf(const Mirror& mirror) const;
     bool stillMeant() const;
     Edit withinStock(Edit edit) const;
-    void showDrag(std::size_t place, const glm::dvec3& by);
-    void drop(std::size_t place, const glm::dvec3& by);
+    void showDrag(const PathPlace& place, const glm::dvec3& by);
+    void drop(const PathPlace& place, const glm::dvec3& by);
     void finishDrawing(const std::vector<glm::dvec3>& places);
-    Moment momentOf(std::size_t place) const;
+    Moment momentOf(const PathPlace& place) const;
     std::vector<std::vector<PathPoint>> chosenPoints() const;
     std::optional<double> heightOf(const std::optional<TakeStretch>& stretch) const;
 

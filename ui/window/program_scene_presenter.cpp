@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/program_scene_presenter.h"
 
+#include "core/base/checksum.h"
 #include "core/base/units.h"
 #include "core/nc/program_lines.h"
 #include "core/path/hand_stretch.h"
+#include "ui/panels/hand_times.h"
 #include "ui/panels/texts.h"
 
 #include <algorithm>
@@ -68,7 +70,11 @@ void ProgramScenePresenter::present() {
 
 void ProgramScenePresenter::take(std::shared_ptr<const CheckedProgram> program) {
     if (program == program_) return;
-    if (program && program_ && program->text != program_->text) line_ = 0;
+    if (program && checksum(program->text) != lineOf_) {
+        lineOf_ = checksum(program->text);
+        // The panel may get the text a moment later, and goes to its beginning then.
+        QMetaObject::invokeMethod(this, &ProgramScenePresenter::followText, Qt::QueuedConnection);
+    }
     program_ = std::move(program);
     moves_ = program_ ? straightMoves(program_->parsed, drawnChord) : std::vector<NcMotion>();
     std::vector<PathPicker::Move> moves;
@@ -76,6 +82,12 @@ void ProgramScenePresenter::take(std::shared_ptr<const CheckedProgram> program) 
     for (const NcMotion& move : moves_) // where the first ones come from is not known
         moves.emplace_back((move.startKnown() ? move.from : move.to) + zero_, move.to + zero_);
     picker_.setMoves(std::move(moves));
+}
+
+/// Text, tool and values stand on one line, whatever text is new.
+void ProgramScenePresenter::followText() {
+    line_ = panel_.line();
+    if (active_) showLine();
 }
 
 void ProgramScenePresenter::choose(int line) {
@@ -152,16 +164,7 @@ QString ProgramScenePresenter::loadText(std::size_t motion) const {
 QString ProgramScenePresenter::handText(std::size_t motion) const {
     if (motion >= program_->moments.size() || program_->moments[motion].take == 0) return {};
     const Moment& moment = program_->moments[motion];
-    const auto& takes = workbench_.mill.takes();
-    const auto take = std::ranges::find(takes, moment.take, &TakeInfo::id);
-    if (take == takes.end()) return {};
-    // A take that missed ticks is longer than its ticks: when one was is known to its recording alone.
-    const double ticks = static_cast<double>(take->sampleCount) * take->tickPeriod;
-    const bool even = take->seconds && *take->seconds <= ticks;
-    const QString when =
-        even ? tr("%1 s").arg(QLocale().toString(static_cast<double>(moment.tick) * take->tickPeriod, 'f', 2))
-             : tr("sample %1").arg(QLocale().toString(static_cast<qlonglong>(moment.tick)));
-    return QLatin1Char('\n') + tr("the hand: %1, %2").arg(takeName(take->name), when);
+    return QLatin1Char('\n') + tr("the hand: %1").arg(momentText(workbench_.mill.takes(), moment));
 }
 
 } // namespace burin

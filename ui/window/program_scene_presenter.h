@@ -29,6 +29,7 @@ private:
     void pick(std::size_t move);
     void showLine();
     void take(std::shared_ptr<const CheckedProgram> program);
+    void followText();
     void chooseSelection();
     QString stateText(const NcMotion& motion) const;
     std::optional<double> endOf(const NcMotion& motion) const; ///< s from the program's beginning
@@ -43,7 +44,8 @@ private:
     std::vector<NcMotion> moves_; ///< its moves as they are drawn and picked: straight ones
     glm::dvec3 zero_{0.0};        ///< mm, program zero in the setup frame
     bool shown_ = false, active_ = false;
-    int line_ = 0; ///< from 1; 0: none is looked at
+    int line_ = 0;             ///< from 1; 0: none is looked at
+    std::uint64_t lineOf_ = 0; ///< checksum of the text that it is a line of
 };
 
 } // namespace burin

@@ -76,7 +76,19 @@ Result<ProjectContents> contentsOf(const Project& project) {
     Result<std::string> draft = project.programDraft();
     if (!draft) return std::move(draft).error();
     contents.programDraft = std::move(*draft);
+    Result<std::optional<ReopenedProgram>> kept = reopenProgram(project);
+    if (!kept) return std::move(kept).error();
+    contents.keptProgram = std::move(*kept);
+    Result<std::string> left = project.leftAt();
+    if (!left) return std::move(left).error();
+    contents.leftAt = std::move(*left);
     return contents;
+}
+
+Result<void> saveWith(Project& project, const std::string& left) {
+    if (!left.empty())
+        if (Result<void> noted = project.setLeftAt(left); !noted) return noted;
+    return project.save();
 }
 
 } // namespace
@@ -204,13 +216,15 @@ void DocumentController::take(Result<Opened> outcome, const Then& then) {
 }
 
 void DocumentController::save(Then then) {
-    desk_.project.post([](Project& project) { return project.save(); },
+    desk_.project.post([left = leftAt_()](Project& project) { return saveWith(project, left); },
                        [this, then = std::move(then)](const Result<void>& outcome) { saved(outcome, then); });
 }
 
 void DocumentController::saveAs(const fs::path& file, Then then) {
     desk_.project.post(
-        [file](Project& project) -> Result<fs::path> {
+        [file, left = leftAt_()](Project& project) -> Result<fs::path> {
+            if (!left.empty() && !project.readOnly())
+                if (Result<void> noted = project.setLeftAt(left); !noted) return std::move(noted).error();
             if (Result<void> done = project.saveAs(file); !done) return std::move(done).error();
             return project.file();
         },
@@ -237,8 +251,10 @@ void DocumentController::saved(const Result<void>& outcome, const Then& then) {
 
 void DocumentController::close(bool abandon, Then then) {
     desk_.project.postToPlace(
-        [abandon](std::optional<Project>& place) -> Result<void> {
+        [abandon, left = leftAt_()](std::optional<Project>& place) -> Result<void> {
             if (place && abandon) place->abandonChanges();
+            // Whoever takes unsaved work up again finds it where it was left. A file is not written for that alone.
+            if (place && !abandon && !place->readOnly() && !left.empty()) static_cast<void>(place->setLeftAt(left));
             place.reset();
             return {};
         },

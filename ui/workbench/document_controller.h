@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/project/kept_program.h"
 #include "core/project/left_work.h"
 #include "ui/workbench/controller.h"
 
@@ -27,7 +28,9 @@ struct ProjectContents {
     std::vector<TakeInfo> takes;
     std::vector<StoredPath> paths;
     std::vector<StoredProgram> programs;
-    std::string programDraft; ///< text that was edited and not checked since; empty: none
+    std::optional<ReopenedProgram> keptProgram; ///< the one that was checked last
+    std::string programDraft;                   ///< text that was edited and not checked since; empty: none
+    std::string leftAt;                         ///< JSON, of whoever gave it to `keepLeftAt`; empty: none
 };
 
 /// The project as a document: new, open, save, close. A new one works on a file in a folder of the user's own until it
@@ -66,6 +69,9 @@ public:
     void saveAs(const std::filesystem::path& file, Then then = {});
     void close(bool abandon, Then then = {});
 
+    /// Asked for what is kept with each save: where the user is. An empty text is not kept.
+    void keepLeftAt(std::function<std::string()> now) { leftAt_ = std::move(now); }
+
     /// Unsaved work of programs that are gone, the newest first.
     FoundWork leftWork() const;
     static void forget(const LeftWork& work);
@@ -88,6 +94,7 @@ private:
     bool unsaved_ = false, readOnly_ = false, recovered_ = false;
     QDateTime savedAt_;
     QTimer askSoon_;
+    std::function<std::string()> leftAt_ = [] { return std::string(); };
 };
 
 } // namespace burin

@@ -12,12 +12,28 @@
 
 namespace burin {
 
+namespace {
+
+/// What a program is made of, out of the project.
+struct ReadJob {
+    std::vector<PathMatter> matters;
+    std::uint64_t judged = 0; ///< `judgedBasis`
+};
+
+} // namespace
+
 ProgramController::ProgramController(const Desk& desk, BenchController& bench, PathController& path,
                                      const TargetController& target, QObject* parent)
     : Controller(desk, parent), bench_(bench), path_(path), target_(target) {
     draftDue_.setSingleShot(true);
     draftDue_.setInterval(std::chrono::seconds(1));
     connect(&draftDue_, &QTimer::timeout, this, &ProgramController::storeDraft);
+    judgeSoon_.setSingleShot(true);
+    judgeSoon_.setInterval(std::chrono::milliseconds(150));
+    connect(&judgeSoon_, &QTimer::timeout, this, &ProgramController::judgeReopened);
+    connect(&desk_.project, &ProjectThread::worked, this, [this] {
+        if (reopened_ && !judgeSoon_.isActive()) judgeSoon_.start();
+    });
     connect(&bench_, &BenchController::readersStop, this, &ProgramController::stop);
     connect(&path_, &PathController::versionChanged, this, &Controller::changed);
     connect(&target_, &Controller::changed, this, &Controller::changed);
@@ -32,6 +48,19 @@ void ProgramController::storeDraft() {
     });
 }
 
+/// The newest check's, as it goes with what the user wrote since.
+void ProgramController::storeProgram() {
+    KeptProgram kept;
+    if (reopened_) {
+        kept = reopened_->kept;
+    } else if (program_) {
+        kept = keptOf(*program_, target_.machine().id, basis_.units, judged_);
+        kept.byHand = byHand_;
+        kept.leftOut.assign(basis_.leftOut.begin(), basis_.leftOut.end());
+    }
+    store([json = program_ ? toJson(kept) : std::string()](Project& project) { return project.setKeptProgram(json); });
+}
+
 bool ProgramController::keepDraft() {
     if (!draftDue_.isActive()) return false;
     draftDue_.stop();
@@ -39,22 +68,58 @@ bool ProgramController::keepDraft() {
     return true;
 }
 
-void ProgramController::load(const std::vector<StoredProgram>& programs, const std::string& draft) {
+void ProgramController::load(const std::vector<StoredProgram>& programs, const std::string& draft,
+                             const std::optional<ReopenedProgram>& kept) {
     draftDue_.stop();
     desk_.tasks.abandon(TaskKind::program);
     program_.reset();
+    reopened_.reset();
+    judgeSoon_.stop();
     problem_.reset();
     edited_ = byHand_ = reading_ = false;
     ++generation_;
     leftOut_.clear();
     lint_.clear();
     storedText_ = programs.empty() ? QString() : QString::fromStdString(programs.back().text);
-    if (!draft.empty()) {
+    if (kept) takeKept(*kept);
+    if (!draft.empty() && !(kept && kept->kept.text == draft)) {
         storedText_ = QString::fromStdString(draft);
         edited_ = byHand_ = true;
         lintText();
     }
     emit changed();
+}
+
+void ProgramController::takeKept(const ReopenedProgram& kept) {
+    program_ = kept.program;
+    storedText_ = QString::fromStdString(kept.program->text);
+    lint_ = program_->lint;
+    byHand_ = kept.kept.byHand;
+    gougeTolerance_ = kept.kept.gougeTolerance;
+    leftOut_ = std::set<std::int64_t>(kept.kept.leftOut.begin(), kept.kept.leftOut.end());
+    judged_ = kept.basis;
+    basis_ = basis();
+    reopened_ = std::make_shared<Reopened>(Reopened{kept.kept, kept.upToDate});
+}
+
+/// A program of an earlier session is told by the checksum of all that it was judged by, as nobody counted since then.
+bool ProgramController::outdated() const {
+    if (!program_) return true;
+    if (!reopened_) return basis_ != basis();
+    const KeptProgram& kept = reopened_->kept;
+    return !reopened_->upToDate || kept.machine != target_.machine().id || kept.dialect != target_.dialect() ||
+           kept.units != target_.target().units || kept.gougeTolerance != gougeTolerance_ || basis_.leftOut != leftOut_;
+}
+
+void ProgramController::judgeReopened() {
+    if (!reopened_) return;
+    desk_.project.ask([kept = reopened_->kept](Project& project) { return isJudgedSo(project, kept); },
+                      [this, asked = reopened_](const Result<bool>& same) {
+                          const bool upToDate = same && *same;
+                          if (asked->upToDate == upToDate) return;
+                          asked->upToDate = upToDate;
+                          emit changed();
+                      });
 }
 
 void ProgramController::setGougeTolerance(double millimetres) {
@@ -114,33 +179,38 @@ void ProgramController::post(const QString& name) {
     if (!postable() || busy()) return;
     emit textWanted();
     const ProgramRequest wanted = request(name);
-    read(postedPaths(), [this, wanted, asked = Asked{stored(wanted), basis(), textVersion_, false}](Matters matters) {
+    read(postedPaths(), [this, wanted, asked = Asked{stored(wanted), basis(), 0, textVersion_, false}](
+                            Matters matters, std::uint64_t judged) mutable {
+        asked.judged = judged;
         postPaths(std::move(matters), wanted, asked);
     });
 }
 
-void ProgramController::read(const std::vector<StoredPath>& paths, std::function<void(Matters)> then) {
+void ProgramController::read(const std::vector<StoredPath>& paths, std::function<void(Matters, std::uint64_t)> then) {
     reading_ = true;
     desk_.project.ask(
-        [paths](Project& project) -> Result<Matters> {
+        [paths, machine = target_.machine().id](Project& project) -> Result<ReadJob> {
             const Result<std::vector<TakeInfo>> takes = project.takes();
             if (!takes) return takes.error();
-            Matters matters;
+            ReadJob job;
             for (StoredPath path : paths) {
                 addNewerTakes(path, *takes);
                 Result<PathMatter> matter = matterOf(project, path);
                 if (!matter) return std::move(matter).error();
-                matters.push_back(std::move(*matter));
+                job.matters.push_back(std::move(*matter));
             }
-            return matters;
+            const Result<std::uint64_t> judged = judgedBasis(project, machine);
+            if (!judged) return judged.error();
+            job.judged = *judged;
+            return job;
         },
-        [this, then = std::move(then), generation = generation_](Result<Matters> matters) {
+        [this, then = std::move(then), generation = generation_](Result<ReadJob> job) {
             if (generation != generation_) return; // another project
             reading_ = false;
-            if (matters && bench_.bench()) {
-                then(std::move(*matters));
-            } else if (!matters) {
-                problem_ = matters.error();
+            if (job && bench_.bench()) {
+                then(std::move(job->matters), job->judged);
+            } else if (!job) {
+                problem_ = job.error();
             }
             emit changed();
         });
@@ -184,20 +254,20 @@ void ProgramController::checkText(const QString& name) {
     emit textWanted();
     if (!bench_.bench() || bench_.changing() || !edited_ || busy()) return;
     const ProgramRequest wanted = request(name);
-    read(path_.jobPaths(), [this, wanted, basis = basis()](const Matters& matters) { check(matters, wanted, basis); });
+    read(path_.jobPaths(), [this, wanted, basis = basis()](const Matters& matters, std::uint64_t judged) {
+        check(matters, wanted, Asked{stored(wanted), basis, judged, textVersion_, true});
+    });
 }
 
 /// The text may call every tool of the job.
-void ProgramController::check(const Matters& matters, ProgramRequest wanted, const Basis& basis) {
+void ProgramController::check(const Matters& matters, ProgramRequest wanted, const Asked& asked) {
     for (const PathMatter& matter : matters) wanted.tools.push_back(matter.tool);
     desk_.tasks.start(
         TaskKind::program, tr("Checking"),
         [bench = bench_.bench(), text = storedText_.toStdString(), wanted](Progress& progress) {
             return checkProgram(*bench, text, wanted.name, wanted, progress);
         },
-        [this, asked = Asked{stored(wanted), basis, textVersion_, true}](Result<CheckedProgram> outcome) {
-            take(asked, std::move(outcome));
-        });
+        [this, asked](Result<CheckedProgram> outcome) { take(asked, std::move(outcome)); });
 }
 
 void ProgramController::take(const Asked& asked, Result<CheckedProgram> outcome) {
@@ -213,7 +283,7 @@ void ProgramController::take(const Asked& asked, Result<CheckedProgram> outcome)
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*outcome));
     keep(asked.posted, *program);
-    const Shown next{program, QString::fromStdString(program->text), false, asked.basis, asked.byHand};
+    const Shown next{program, QString::fromStdString(program->text), false, asked.basis, asked.byHand, asked.judged};
     edited_ ? change(next) : show(next); // what the user wrote is worth an undo
 }
 
@@ -226,9 +296,12 @@ void ProgramController::keep(const StoredProgram& posted, const CheckedProgram& 
 }
 
 void ProgramController::change(const Shown& next) {
-    desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1,
-                                            {program_, storedText_, edited_, basis_, byHand_}, next,
+    desk_.undo.push(new ValueCommand<Shown>(tr("text of the program"), -1, shown(), next,
                                             [this](const Shown& value) { show(value); }));
+}
+
+ProgramController::Shown ProgramController::shown() const {
+    return {program_, storedText_, edited_, basis_, byHand_, judged_, reopened_};
 }
 
 void ProgramController::overrideCheck(const QString& name, const QString& reason) {
@@ -241,7 +314,16 @@ void ProgramController::overrideCheck(const QString& name, const QString& reason
     }
     const auto program = std::make_shared<const CheckedProgram>(std::move(*wanted));
     keep({name.toStdString(), program->dialect, machine.id, {}, {}}, *program);
-    change({program, QString::fromStdString(program->text), false, basis_, byHand_});
+    Shown next = shown();
+    next.program = program;
+    next.text = QString::fromStdString(program->text);
+    if (reopened_) {
+        KeptProgram kept = keptOf(*program, machine.id, reopened_->kept.units, judged_);
+        kept.byHand = byHand_;
+        kept.leftOut = reopened_->kept.leftOut;
+        next.reopened = std::make_shared<Reopened>(Reopened{std::move(kept), true});
+    }
+    change(next);
 }
 
 void ProgramController::show(const Shown& shown) {
@@ -257,19 +339,35 @@ void ProgramController::show(const Shown& shown) {
     else
         lint_ = program_->lint;
     basis_ = shown.basis;
+    judged_ = shown.judged;
+    reopened_ = shown.reopened;
+    if (reopened_) judgeSoon_.start();
+    storeProgram();
     emit changed();
 }
 
 void ProgramController::exportTo(const std::filesystem::path& file) {
     if (!exportable()) return;
     // A program is some hundred kilobytes; still the disk is the project thread's.
-    desk_.project.ask([file, program = program_](Project&) { return writeFileAtomically(file, program->text); },
-                      [this, file](const Result<void>& written) {
-                          if (written)
-                              emit exported(QString::fromStdString(file.string()));
-                          else
-                              emit failed(written.error());
-                      });
+    desk_.project.ask(
+        [file, program = program_,
+         kept = reopened_ ? std::optional(reopened_->kept) : std::nullopt](Project& project) -> Result<bool> {
+            if (kept) { // nothing that was changed a moment ago leaves the house
+                const Result<bool> same = isJudgedSo(project, *kept);
+                if (!same || !*same) return same;
+            }
+            if (Result<void> written = writeFileAtomically(file, program->text); !written)
+                return std::move(written).error();
+            return true;
+        },
+        [this, file](const Result<bool>& written) {
+            if (written && !*written)
+                judgeReopened();
+            else if (written)
+                emit exported(QString::fromStdString(file.string()));
+            else
+                emit failed(written.error());
+        });
 }
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/project/job_paths.h"
+#include "core/project/kept_program.h"
 #include "ui/workbench/bench_controller.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/target_controller.h"
@@ -35,7 +36,7 @@ public:
     double gougeTolerance() const noexcept { return gougeTolerance_; } ///< mm
     const std::optional<Error>& problem() const noexcept { return problem_; }
     /// There is none, or something that it was made of is not as it was.
-    bool outdated() const { return !program_ || basis_ != basis(); }
+    bool outdated() const;
     bool busy() const { return reading_ || desk_.tasks.running(TaskKind::program); }
     /// A path of the job belongs into the program; all do until the user leaves one out.
     bool includes(std::int64_t path) const { return !leftOut_.contains(path); }
@@ -60,7 +61,9 @@ public:
     bool keepDraft(); ///< of what the user wrote and nobody checked: now, not in a moment
 
     /// @param draft text that was edited and not checked; empty: none
-    void load(const std::vector<StoredProgram>& programs, const std::string& draft);
+    /// @param kept the one that was checked last: it is believed as long as all that it was judged by is as it was
+    void load(const std::vector<StoredProgram>& programs, const std::string& draft,
+              const std::optional<ReopenedProgram>& kept = {});
 
 signals:
     void exported(const QString& file);
@@ -77,12 +80,18 @@ private:
         bool operator==(const Basis&) const = default;
     };
     Basis basis() const;
+    /// Of a program that the project kept from an earlier session.
+    struct Reopened {
+        KeptProgram kept;
+        bool upToDate = false; ///< all that it was judged by is as it was
+    };
     /// What a program that is made in the background was asked for.
     struct Asked {
         StoredProgram posted;
         Basis basis;
-        quint64 text = 0;    ///< version of the text then
-        bool byHand = false; ///< as below
+        std::uint64_t judged = 0; ///< `judgedBasis` of the project then
+        quint64 text = 0;         ///< version of the text then
+        bool byHand = false;      ///< as below
     };
     void take(const Asked& asked, Result<CheckedProgram> outcome);
     /// What the panel shows: a checked program, and the text, which may have been edited since.
@@ -91,20 +100,27 @@ private:
         QString text;
         bool edited = false;
         Basis basis;
-        bool byHand = false; ///< the user wrote in the text: it can't be posted anew
+        bool byHand = false;                  ///< the user wrote in the text: it can't be posted anew
+        std::uint64_t judged = 0;             ///< as above
+        std::shared_ptr<Reopened> reopened{}; ///< null: it is of this session
     };
     std::vector<StoredPath> postedPaths() const;
     using Matters = std::vector<PathMatter>;
     ProgramRequest request(const QString& name) const;
     StoredProgram stored(const ProgramRequest& request) const;
-    void read(const std::vector<StoredPath>& paths, std::function<void(Matters)> then);
+    /// @param then gets the matters, and `judgedBasis`
+    void read(const std::vector<StoredPath>& paths, std::function<void(Matters, std::uint64_t)> then);
     void postPaths(Matters matters, const ProgramRequest& wanted, const Asked& asked);
-    void check(const Matters& matters, ProgramRequest wanted, const Basis& basis);
+    void check(const Matters& matters, ProgramRequest wanted, const Asked& asked);
     void show(const Shown& shown);
     void change(const Shown& next);
     void keep(const StoredProgram& posted, const CheckedProgram& program);
     void lintText();
     void storeDraft();
+    void storeProgram();
+    Shown shown() const;
+    void takeKept(const ReopenedProgram& kept);
+    void judgeReopened();
     void stop();
 
     BenchController& bench_;
@@ -114,7 +130,10 @@ private:
     QString storedText_;
     std::vector<LintMark> lint_;
     bool edited_ = false, byHand_ = false, reading_ = false;
-    Basis basis_;            ///< of the program in force
+    Basis basis_;                        ///< of the program in force
+    std::uint64_t judged_ = 0;           ///< `judgedBasis` of that one
+    std::shared_ptr<Reopened> reopened_; ///< null: it is of this session
+    QTimer judgeSoon_;
     quint64 generation_ = 0; ///< of what is read for a program
     quint64 textVersion_ = 0;
     std::set<std::int64_t> leftOut_;

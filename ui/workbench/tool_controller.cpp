@@ -53,6 +53,14 @@ void ToolController::choose(const std::string& id) {
                                                   [this](const std::string& value) { apply(value); }));
 }
 
+void ToolController::show(const std::string& id) {
+    const auto found = std::ranges::find(tools_, id, &Tool::id);
+    if (found == tools_.end() || id == current().id) return;
+    current_ = static_cast<std::size_t>(found - tools_.begin());
+    emit changed();
+    emit chosen();
+}
+
 void ToolController::apply(const std::string& id) {
     const auto found = std::ranges::find(tools_, id, &Tool::id);
     if (found == tools_.end()) return;

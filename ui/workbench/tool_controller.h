@@ -25,6 +25,7 @@ public:
     /// What the tables say for this tool in a material on a machine; nothing where the material lacks what it takes.
     std::optional<CuttingConditions> conditionsIn(const Property& material, const MachineProfile& machine) const;
 
+    void show(const std::string& id);   ///< as a project was left; no entry of the undo stack, nothing is stored
     void choose(const std::string& id); ///< an entry of the undo stack
     /// What a project holds. @param last the tool of its newest recording; empty: none
     void load(const std::vector<Tool>& own, const std::string& last);

@@ -87,7 +87,7 @@ void Workbench::load(const ProjectContents& contents) {
     mill.load(contents.takes);
     mill.setStrokes({});
     path.load(contents.paths, contents.takes);
-    program.load(contents.programs, contents.programDraft);
+    program.load(contents.programs, contents.programDraft, contents.keptProgram);
     updateWanted();
     if (!contents.takes.empty()) bench.embed();
 }

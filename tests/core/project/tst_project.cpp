@@ -226,6 +226,28 @@ private slots:
         QVERIFY(project->programDraft()->empty());
     }
 
+    /// Where the user is goes with a save, and asks for none.
+    void whereItWasLeftComesBack() {
+        const QTemporaryDir folder;
+        const auto file = std::filesystem::path(folder.filePath("left.burin").toStdString());
+        {
+            Result<Project> project = Project::create(file);
+            QVERIFY(project && project->save());
+            QCOMPARE(project->leftAt().value(), std::string());
+            QVERIFY(project->setLeftAt("{\"step\":\"mill\"}"));
+            QVERIFY(!*project->unsaved());
+        }
+        {
+            Result<Project> project = Project::open(file); // nothing was to be saved, so nothing was
+            QVERIFY(project && !project->recovered());
+            QCOMPARE(project->leftAt().value(), std::string());
+            QVERIFY(project->setLeftAt("{\"step\":\"path\"}") && project->save());
+        }
+        const Result<Project> project = Project::open(file);
+        QVERIFY(project && !*project->unsaved());
+        QCOMPARE(project->leftAt().value(), std::string("{\"step\":\"path\"}"));
+    }
+
     void pathsKnowTheirTakes() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));

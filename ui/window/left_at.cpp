@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/left_at.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace burin {
+
+namespace {
+
+constexpr std::array stepIds{"part", "stock", "material", "tool", "allowance", "mill", "path", "program"};
+
+/// The number of that name where it lies within the bounds; `otherwise` else.
+double numberIn(const QJsonObject& object, const char* name, double low, double high, double otherwise) {
+    const double value = object[QLatin1String(name)].toDouble(otherwise);
+    return value >= low && value <= high ? value : otherwise;
+}
+
+QJsonObject toObject(const CameraView& view) {
+    return {{"focus", QJsonArray{view.focus.x, view.focus.y, view.focus.z}},
+            {"azimuth_rad", view.azimuth},
+            {"elevation_rad", view.elevation},
+            {"distance_mm", view.distance}};
+}
+
+CameraView cameraFrom(const QJsonObject& object) {
+    constexpr double farthest = 1e6, quarter = std::numbers::pi / 2.0; // mm, rad
+    CameraView view;
+    const QJsonArray focus = object[QLatin1String("focus")].toArray();
+    for (int axis = 0; axis < 3 && focus.size() == 3; ++axis) {
+        const double value = focus[axis].toDouble();
+        if (std::abs(value) <= farthest) view.focus[axis] = value;
+    }
+    view.azimuth = numberIn(object, "azimuth_rad", -1e3, 1e3, view.azimuth);
+    view.elevation = numberIn(object, "elevation_rad", -quarter, quarter, view.elevation);
+    view.distance = numberIn(object, "distance_mm", 1e-3, farthest, view.distance);
+    return view;
+}
+
+MillToolSettings millFrom(const QJsonObject& object) {
+    MillToolSettings mill;
+    mill.rule = object[QLatin1String("rule")].toString() == QLatin1String("part") ? DepthRule::part : DepthRule::level;
+    mill.depthOfCut = numberIn(object, "depth_of_cut_mm", 0.0, 1e3, mill.depthOfCut);
+    mill.press = numberIn(object, "press_mm", 0.0, 1e3, mill.press);
+    mill.speed = numberIn(object, "speed_mm_per_s", 1e-3, 1e5, mill.speed);
+    return mill;
+}
+
+} // namespace
+
+std::string toJson(const LeftAt& left) {
+    QJsonObject shown;
+    for (auto each = left.shown.begin(); each != left.shown.end(); ++each) shown[each.key()] = each.value();
+    const QJsonObject mill{{"rule", left.mill.rule == DepthRule::part ? "part" : "level"},
+                           {"depth_of_cut_mm", left.mill.depthOfCut},
+                           {"press_mm", left.mill.press},
+                           {"speed_mm_per_s", left.mill.speed}};
+    const QJsonObject all{{"step", stepIds[static_cast<std::size_t>(left.step)]},
+                          {"tool", QString::fromStdString(left.tool)},
+                          {"mill", mill},
+                          {"camera", toObject(left.camera)},
+                          {"shown", shown}};
+    return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
+}
+
+std::optional<LeftAt> leftAtFromJson(const std::string& text) {
+    const QJsonObject all = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+    if (!all.contains(QLatin1String("camera"))) return {};
+    LeftAt left;
+    for (std::size_t i = 0; i < stepIds.size(); ++i)
+        if (all[QLatin1String("step")].toString() == QLatin1String(stepIds[i])) left.step = static_cast<JobStep>(i);
+    left.tool = all[QLatin1String("tool")].toString().toStdString();
+    left.mill = millFrom(all[QLatin1String("mill")].toObject());
+    left.camera = cameraFrom(all[QLatin1String("camera")].toObject());
+    const QJsonObject shown = all[QLatin1String("shown")].toObject();
+    for (auto each = shown.begin(); each != shown.end(); ++each) left.shown[each.key()] = each.value().toBool(true);
+    return left;
+}
+
+} // namespace burin

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/input/mill_tool.h"
+#include "ui/panels/panel_states.h"
+#include "ui/scene/camera_view.h"
+
+#include <QMap>
+#include <QString>
+
+#include <optional>
+#include <string>
+
+namespace burin {
+
+/// Where the user left a project: what the window shows and is set to, so that it is there again when it is opened.
+struct LeftAt {
+    JobStep step = JobStep::part;
+    std::string tool; ///< id of the one that was chosen
+    MillToolSettings mill;
+    CameraView camera;
+    QMap<QString, bool> shown; ///< by the name of the action that switches it: what the view shows
+};
+
+/// JSON text that a project keeps (Project::setLeftAt).
+std::string toJson(const LeftAt& left);
+/// Values that are missing or out of range stay as a new window has them. Nothing: the text says nothing.
+std::optional<LeftAt> leftAtFromJson(const std::string& text);
+
+} // namespace burin
