@@ -95,8 +95,11 @@ void CameraMotion::converge(Clock::time_point now) {
 
 void CameraMotion::setView(const CameraView& view) {
     flight_.reset();
+    change_.reset();
     stayFitted_ = false;
     view_ = view;
+    if (parallel_) view_.convergence = 0.0;
+    alongAxis_ = !parallel_ && isParallel(view);
 }
 
 void CameraMotion::fit(Clock::time_point now, Clock::duration duration) {

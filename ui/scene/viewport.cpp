@@ -198,6 +198,7 @@ void Viewport::setStandardView(StandardView view) {
 
 void Viewport::setParallel(bool parallel) {
     impl_->motion.setParallel(parallel, CameraMotion::Clock::now(), impl_->flight());
+    impl_->moved();
 }
 
 const CameraView& Viewport::cameraView() const noexcept {

@@ -26,7 +26,8 @@ QJsonObject toObject(const CameraView& view) {
     return {{"focus", QJsonArray{view.focus.x, view.focus.y, view.focus.z}},
             {"azimuth_rad", view.azimuth},
             {"elevation_rad", view.elevation},
-            {"distance_mm", view.distance}};
+            {"distance_mm", view.distance},
+            {"parallel", isParallel(view)}};
 }
 
 CameraView cameraFrom(const QJsonObject& object) {
@@ -40,6 +41,7 @@ CameraView cameraFrom(const QJsonObject& object) {
     view.azimuth = numberIn(object, "azimuth_rad", -1e3, 1e3, view.azimuth);
     view.elevation = numberIn(object, "elevation_rad", -quarter, quarter, view.elevation);
     view.distance = numberIn(object, "distance_mm", 1e-3, farthest, view.distance);
+    if (object[QLatin1String("parallel")].toBool()) view.convergence = 0.0;
     return view;
 }
 
@@ -49,6 +51,8 @@ MillToolSettings millFrom(const QJsonObject& object) {
     mill.depthOfCut = numberIn(object, "depth_of_cut_mm", 0.0, 1e3, mill.depthOfCut);
     mill.press = numberIn(object, "press_mm", 0.0, 1e3, mill.press);
     mill.speed = numberIn(object, "speed_mm_per_s", 1e-3, 1e5, mill.speed);
+    mill.drag = object[QLatin1String("raster")].toBool() ? DragRule::raster : DragRule::stroke;
+    mill.stepOver = numberIn(object, "step_over_mm", 1e-3, 1e3, mill.stepOver);
     return mill;
 }
 
@@ -60,7 +64,9 @@ std::string toJson(const LeftAt& left) {
     const QJsonObject mill{{"rule", left.mill.rule == DepthRule::part ? "part" : "level"},
                            {"depth_of_cut_mm", left.mill.depthOfCut},
                            {"press_mm", left.mill.press},
-                           {"speed_mm_per_s", left.mill.speed}};
+                           {"speed_mm_per_s", left.mill.speed},
+                           {"raster", left.mill.drag == DragRule::raster},
+                           {"step_over_mm", left.mill.stepOver}};
     const QJsonObject all{{"step", stepIds[static_cast<std::size_t>(left.step)]},
                           {"tool", QString::fromStdString(left.tool)},
                           {"mill", mill},
