@@ -10,6 +10,12 @@
 #include <vtkProperty.h>
 
 namespace burin {
+namespace {
+
+constexpr double edgeOpacity = 0.8;
+
+} // namespace
+
 std::vector<ShadedBody> shadedBodies(const Model& model) {
     std::vector<ShadedBody> bodies;
     bodies.reserve(model.bodies.size());
@@ -31,7 +37,8 @@ void PartActors::setBodies(std::vector<ShadedBody> bodies) {
     for (ShadedBody& body : bodies) {
         const ShadedPolyData data = polyDataOf(body.mesh);
         triangles_ += body.mesh.triangles.size() / 3;
-        bodies_.push_back({surfaceActor(data.surface), lineActor(data.creases), std::move(body)});
+        bodies_.push_back({surfaceActor(data.surface), raisedLineActor(data.creases, seamHeight - 1.0), std::move(body)});
+        shadeSimply(*bodies_.back().surface);
         renderer_.AddActor(bodies_.back().surface);
         renderer_.AddActor(bodies_.back().edges);
     }
@@ -47,6 +54,10 @@ void PartActors::setColours(const QColor& part, const QColor& edges) {
 void PartActors::setVisible(bool visible) {
     visible_ = visible;
     refresh();
+}
+
+void PartActors::setDepthCue(const DepthCue& cue) {
+    for (const Drawn& body : bodies_) burin::setDepthCue(*body.surface, cue);
 }
 
 void PartActors::setLineWidth(double screenPixels) {
@@ -69,7 +80,7 @@ void PartActors::refresh() {
     for (const Drawn& body : bodies_) {
         setColour(*body.surface, body.body.colour.value_or(part_));
         setColour(*body.edges, edges_);
-        setBlended(*body.edges, 0.45);
+        setBlended(*body.edges, edgeOpacity);
         burin::setLineWidth(*body.edges, lineWidth_);
         body.surface->SetVisibility(visible_);
         body.edges->SetVisibility(visible_);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "ui/scene/bench_lights.h"
 #include "ui/scene/shaded_mesh.h"
 #include "ui/scene/sight.h"
 
@@ -36,6 +37,7 @@ public:
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
     void setLineWidth(double screenPixels);
+    void setDepthCue(const DepthCue& cue);
     /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
     std::size_t triangles() const noexcept { return visible_ ? triangles_ : 0; }

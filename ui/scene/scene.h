@@ -7,6 +7,7 @@
 #include "ui/scene/edited_path.h"
 #include "ui/scene/force_arrow.h"
 #include "ui/scene/ground_grid.h"
+#include "ui/scene/ground_shadow.h"
 #include "ui/scene/guide_actors.h"
 #include "ui/scene/live_path.h"
 #include "ui/scene/marked_lines.h"
@@ -77,6 +78,7 @@ private:
     bool workpieceSeen() const noexcept { return workpieceVisible_ && !shown_.empty(); }
     void refresh();
     void setLineWidths(double ratio);
+    void cueDepth();
 
     vtkNew<vtkRenderer> bench_, films_, marks_;
     PartActors part_;
@@ -87,6 +89,7 @@ private:
     EditedPath editedPath_;
     DeviationPoints deviations_;
     GroundGrid grid_;
+    GroundShadow shadow_;
     StockOutline stock_;
     ScaleBar scaleBar_;
     ObstacleActors obstacles_;
