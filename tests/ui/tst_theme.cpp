@@ -12,13 +12,19 @@
 #include <QDir>
 #include <QFile>
 #include <QFontMetricsF>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QPainter>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 using namespace burin;
 
@@ -44,6 +50,40 @@ double oracleContrast(const QColor& one, const QColor& other) {
 std::string shippedTheme(const char* id) {
     QFile file(QStringLiteral(BURIN_SOURCE_DIRECTORY "/resources/themes/%1.json").arg(QLatin1String(id)));
     return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+}
+
+/// CIE 1976 L*a*b*, white point D65.
+std::array<double, 3> labOf(const QColor& colour) {
+    const auto linear = [](int value) {
+        const double c = value / 255.0;
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    const double r = linear(colour.red()), g = linear(colour.green()), b = linear(colour.blue());
+    const auto root = [](double t) { return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0; };
+    const double x = root((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505);
+    const double y = root(0.2126 * r + 0.7152 * g + 0.0722 * b);
+    const double z = root((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089);
+    return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
+}
+
+/// CIE 1976: about 2 can just be seen.
+double colourDifference(const QColor& one, const QColor& other) {
+    const std::array<double, 3> a = labOf(one), b = labOf(other);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// Of the materials that come with the program.
+std::vector<QColor> stockColours() {
+    std::vector<QColor> colours;
+    const QDir folder(QStringLiteral(BURIN_SOURCE_DIRECTORY "/resources/materials"));
+    for (const QString& name : folder.entryList({QStringLiteral("*.json")})) {
+        QFile file(folder.filePath(name));
+        if (!file.open(QIODevice::ReadOnly)) continue;
+        const QJsonArray rgb =
+            QJsonDocument::fromJson(file.readAll()).object().value(QStringLiteral("colour")).toArray();
+        if (rgb.size() == 3) colours.emplace_back(rgb[0].toInt(), rgb[1].toInt(), rgb[2].toInt());
+    }
+    return colours;
 }
 
 /// The strongest colour that an icon draws.
@@ -101,10 +141,47 @@ private slots:
             QVERIFY(oracleContrast(loaded->field, *loaded.*fill) >= 4.5); // icons on filled buttons
         }
         // Lines that tell something: 3 : 1, as for graphics.
-        for (const ColourRole line : {&Palette::path, &Palette::livePath, &Palette::coupling, &Palette::guide})
+        for (const ColourRole line : {&Palette::coupling, &Palette::guide})
             for (const ColourRole ground : {&Palette::sceneTop, &Palette::sceneBottom})
                 QVERIFY2(oracleContrast(*loaded.*line, *loaded.*ground) >= 3.0,
                          qPrintable((*loaded.*line).name() + QStringLiteral(" on ") + (*loaded.*ground).name()));
+    }
+
+    void linesOfAPathStandOutFromWhateverTheyLieOn_data() { everyTextIsReadable_data(); }
+    /// In light and in shade: of a line and its halo, one has 3 : 1 to what lies below, as graphics have to (WCAG 2.1,
+    /// 1.4.11). And their hues differ from the part's and from each other's.
+    void linesOfAPathStandOutFromWhateverTheyLieOn() {
+        QFETCH(int, theme);
+        const Palette palette = *loadPalette(static_cast<Theme>(theme));
+        const std::vector<QColor> lines{palette.path, palette.conventionalPath, palette.rapidPath, palette.plungePath,
+                                        palette.livePath, palette.chosenPath};
+        std::vector<QColor> grounds = stockColours();
+        QVERIFY(grounds.size() >= 3);
+        grounds.insert(grounds.end(), {palette.part, palette.sceneTop, palette.sceneBottom});
+        for (const QColor& line : lines) {
+            for (const QColor& ground : grounds)
+                for (int light = 20; light <= 110; light += 5) {
+                    const QColor lit = ground.lighter(light);
+                    const double best = std::max(oracleContrast(line, lit), oracleContrast(palette.pathHalo, lit));
+                    QVERIFY2(best >= 3.0, qPrintable(line.name() + QStringLiteral(" on ") + lit.name()));
+                }
+            QVERIFY2(colourDifference(line, palette.part) >= 35.0, qPrintable(line.name()));
+            for (const QColor& other : lines)
+                QVERIFY2(&line == &other || colourDifference(line, other) >= 15.0,
+                         qPrintable(line.name() + QStringLiteral(" and ") + other.name()));
+        }
+    }
+
+    void aThemeFromBeforeTheHaloStillOpens() {
+        QString text = QString::fromStdString(shippedTheme("light"));
+        const Palette shipped = *paletteFromJson(text.toStdString(), "light.json");
+        text.remove(QRegularExpression(QStringLiteral(",\\s*\"(conventional_path|rapid_path|plunge_path|chosen_path|"
+                                                      "path_halo)\": \"#[0-9a-f]{6}\"")));
+        QVERIFY(!text.contains(QStringLiteral("path_halo")));
+        const Result<Palette> palette = paletteFromJson(text.toStdString(), "light.json");
+        QVERIFY(palette);
+        QCOMPARE(palette->livePath, shipped.livePath);
+        QVERIFY(oracleContrast(palette->pathHalo, palette->conventionalPath) >= 3.0);
     }
 
     void bothThemesCarryEveryRole() {

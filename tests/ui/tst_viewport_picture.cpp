@@ -214,7 +214,7 @@ private slots:
         const Palette palette = fixture::palette();
         const QImage climbing = viewport_->grabFramebuffer();
         const int cuts = countLike(climbing, climbing.rect(), palette.path, 3);
-        const int blue = countLike(climbing, climbing.rect(), palette.part, 3);
+        const int pink = countLike(climbing, climbing.rect(), palette.conventionalPath, 3);
         QVERIFY(cuts > 200);
         // Half of it goes the other way.
         const std::size_t last = path.path.points.size() - 1;
@@ -222,8 +222,8 @@ private slots:
         viewport_->setPath(path);
         const QImage image = viewport_->grabFramebuffer();
         QVERIFY(countLike(image, image.rect(), palette.path, 3) < 3 * cuts / 4);
-        QVERIFY(countLike(image, image.rect(), palette.part, 3) > blue + cuts / 4);
-        QVERIFY(countLike(image, image.rect(), palette.text, 6) > 20);
+        QVERIFY(countLike(image, image.rect(), palette.conventionalPath, 3) > pink + cuts / 4);
+        QVERIFY(countLike(image, image.rect(), palette.plungePath, 6) > 20);
         QVERIFY(bench_->save("viewport-path"));
         viewport_->setPathVisible(false);
         QCOMPARE(countLike(viewport_->grabFramebuffer(), image.rect(), palette.path, 3), 0);

@@ -45,9 +45,9 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines) {
     return actor;
 }
 
-vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines) {
+vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines, double height) {
     vtkSmartPointer<vtkActor> actor = lineActor(lines);
-    offsetLines(*actor->GetMapper(), -4.0);
+    offsetLines(*actor->GetMapper(), -height);
     return actor;
 }
 

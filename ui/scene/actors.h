@@ -19,8 +19,9 @@ namespace burin {
 vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface);
 /// Lines in their plain colour.
 vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines);
-/// The same, drawn a little nearer than the surface that they lie on.
-vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines);
+/// The same, drawn a little nearer than the surface that they lie on; the higher, the nearer.
+inline constexpr double seamHeight = 3.0, raisedHeight = 4.0, overSeamHeight = 6.0;
+vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines, double height = raisedHeight);
 void setColour(vtkActor& actor, const QColor& colour);
 void setLineWidth(vtkActor& actor, double screenPixels);
 /// Blends an actor over what is already drawn (actors are drawn in the order in which they were added). VTK's own
@@ -32,6 +33,6 @@ using LineEnds = std::pair<glm::dvec3, glm::dvec3>;
 vtkSmartPointer<vtkPolyData> lineData(std::span<const LineEnds> lines);
 
 /// Widths that are given in device-independent pixels follow the screen.
-inline constexpr double thinLine = 1.0, pathLine = 1.5, boldLine = 2.5;
+inline constexpr double thinLine = 1.0, edgeLine = 1.5, pathLine = 2.0, boldLine = 2.5;
 
 } // namespace burin

@@ -5,9 +5,11 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
 #include <locale>
 #include <sstream>
@@ -22,45 +24,52 @@ struct BenchLight {
     double intensity;
 };
 
-constexpr std::array<BenchLight, 3> benchLights{
-    {{{-0.7, 0.7, 1.0}, 0.45}, {{1.2, 0.2, 0.8}, 0.28}, {{0.0, 0.0, 1.0}, 0.58}}};
+constexpr BenchLight keyLight{{-0.62, 0.55, 0.58}, 0.72}, fillLight{{0.8, -0.1, 0.6}, 0.26};
+/// Light from everywhere, and how much more of it comes from above than from the side.
+constexpr double skyLight = 0.30, skySlope = 0.12;
+/// How much light the farthest of a depth cue loses.
+constexpr double depthLoss = 0.30;
+/// How strongly the bend of a surface, 1 / pixel, counts, and how much light it takes or gives at most.
+constexpr double bendGain = 0.9, hollowLoss = 0.30, ridgeGain = 0.14;
 
-std::string vector(const glm::dvec3& v) {
+std::string number(double value) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << std::fixed << "vec3(" << v.x << ", " << v.y << ", " << v.z << ")";
+    text << std::fixed << value;
     return text.str();
 }
 
-/// In the words of VTK's shader for surfaces. A highlight between light and eye to the power of 128 is as wide as one
-/// of a mirrored ray to the power of 32.
+std::string lightOf(const BenchLight& light) {
+    const glm::dvec3 towards = glm::normalize(light.from);
+    return number(light.intensity) + " * max(0.0, dot(normalVCVSOutput, vec3(" + number(towards.x) + ", " +
+           number(towards.y) + ", " + number(towards.z) + ")))";
+}
+
+/// In the words of VTK's shader for surfaces.
 std::string simpleShading() {
-    std::string text = "  vec3 diffuse = vec3(0.0), specular = vec3(0.0);\n  float lit, shine;\n";
-    for (const BenchLight& light : benchLights) {
-        const glm::dvec3 towards = glm::normalize(light.from), between = glm::normalize(towards + glm::dvec3(0, 0, 1));
-        const std::string intensity = vector(glm::dvec3(light.intensity));
-        text += "  lit = max(0.0, dot(normalVCVSOutput, " + vector(towards) + "));\n";
-        text += "  diffuse += lit * " + intensity + ";\n";
-        text += "  shine = max(0.0, dot(normalVCVSOutput, " + vector(between) + "));\n";
-        for (int square = 0; square < 7; ++square) text += "  shine *= shine;\n";
-        text += "  specular += shine * " + intensity + ";\n";
-    }
-    return text +
-           "  gl_FragData[0] = vec4(ambientColor + diffuse * diffuseColor + specular * specularColor, opacity);\n";
+    return "  float lit = " + number(skyLight) + " + " + number(skySlope) + " * normalVCVSOutput.y + " +
+           lightOf(keyLight) + " + " + lightOf(fillLight) + ";\n  float bend = " + number(bendGain) +
+           " * (dFdx(normalVCVSOutput.x) + dFdy(normalVCVSOutput.y));\n  lit *= 1.0 + clamp(bend, " +
+           number(-hollowLoss) + ", " + number(ridgeGain) +
+           ");\n  lit *= 1.0 - clamp((-vertexVC.z - cueNearest) * cueLoss, 0.0, " + number(depthLoss) +
+           ");\n  gl_FragData[0] = vec4(ambientColor + lit * diffuseColor, opacity);\n";
+}
+
+void addLight(vtkRenderer& renderer, const BenchLight& of) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(of.from.x, of.from.y, of.from.z);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetIntensity(of.intensity);
+    renderer.AddLight(light);
 }
 
 } // namespace
 
 void addBenchLights(vtkRenderer& renderer) {
     renderer.AutomaticLightCreationOff();
-    for (const auto& [from, intensity] : benchLights) {
-        vtkNew<vtkLight> light;
-        light->SetLightTypeToCameraLight();
-        light->SetPosition(from.x, from.y, from.z);
-        light->SetFocalPoint(0.0, 0.0, 0.0);
-        light->SetIntensity(intensity);
-        renderer.AddLight(light);
-    }
+    for (const BenchLight& light : {keyLight, fillLight}) addLight(renderer, light);
+    addLight(renderer, {{0.0, 0.3, 1.0}, skyLight}); // VTK has no sky
 }
 
 void shadeSimply(vtkActor& actor) {
@@ -68,6 +77,25 @@ void shadeSimply(vtkActor& actor) {
     actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, shading, false);
     // Nothing is transparent: depth may be decided before a pixel is shaded.
     actor.GetShaderProperty()->AddFragmentShaderReplacement("if (gl_FragData[0].a <= 0.0)", true, "if (false)", false);
+    setDepthCue(actor, {});
+}
+
+DepthCue depthCueOf(const Box& box, const glm::dvec3& eye, const glm::dvec3& along) {
+    if (box.empty()) return {};
+    DepthCue cue{glm::dot(box.corner(0) - eye, along), glm::dot(box.corner(0) - eye, along)};
+    for (unsigned i = 1; i < 8; ++i) {
+        const double distance = glm::dot(box.corner(i) - eye, along);
+        cue.nearest = std::min(cue.nearest, distance);
+        cue.farthest = std::max(cue.farthest, distance);
+    }
+    return cue;
+}
+
+void setDepthCue(vtkActor& actor, const DepthCue& cue) {
+    const double depth = cue.farthest - cue.nearest;
+    vtkUniforms& uniforms = *actor.GetShaderProperty()->GetFragmentCustomUniforms();
+    uniforms.SetUniformf("cueNearest", static_cast<float>(cue.nearest));
+    uniforms.SetUniformf("cueLoss", static_cast<float>(depth > 0.0 ? depthLoss / depth : 0.0));
 }
 
 } // namespace burin

@@ -4,10 +4,6 @@
 
 #include "ui/scene/path_lines.h"
 
-#include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -30,27 +26,21 @@ std::size_t indexOf(MoveKind kind) {
 
 } // namespace
 
-EditedPath::EditedPath(vtkRenderer& renderer) {
-    for (auto& actor : actors_) {
-        actor = raisedLineActor(vtkNew<vtkPolyData>());
-        actor->VisibilityOff();
-        renderer.AddActor(actor);
-    }
-}
+EditedPath::EditedPath(vtkRenderer& renderer)
+    : lines_{HaloedLines(renderer), HaloedLines(renderer), HaloedLines(renderer), HaloedLines(renderer),
+             HaloedLines(renderer)} {}
 
 void EditedPath::setPalette(const Palette& palette) {
-    setColour(*actors_[indexOf(MoveKind::cut)], palette.path);
-    setColour(*actors_[conventional], palette.part);
-    setColour(*actors_[indexOf(MoveKind::rapid)], palette.quietText);
-    setColour(*actors_[indexOf(MoveKind::plunge)], palette.text);
-    setColour(*actors_[indexOf(MoveKind::retract)], palette.quietText);
+    const auto colour = [&](std::size_t kind, const QColor& line) { lines_[kind].setColours(line, palette.pathHalo); };
+    colour(indexOf(MoveKind::cut), palette.path);
+    colour(conventional, palette.conventionalPath);
+    colour(indexOf(MoveKind::rapid), palette.rapidPath);
+    colour(indexOf(MoveKind::plunge), palette.plungePath);
+    colour(indexOf(MoveKind::retract), palette.rapidPath);
 }
 
 void EditedPath::setLineWidth(double screenPixels) {
-    for (std::size_t kind = 0; kind < kinds; ++kind)
-        actors_[kind]->GetProperty()->SetLineWidth(static_cast<float>(
-            kind == indexOf(MoveKind::cut) || kind == conventional ? screenPixels
-                                                                   : screenPixels * thinLine / pathLine));
+    for (HaloedLines& lines : lines_) lines.setWidth(screenPixels);
 }
 
 void EditedPath::setPath(const EvaluatedPath& evaluated) {
@@ -75,14 +65,14 @@ void EditedPath::setPath(const EvaluatedPath& evaluated) {
             addMove(kind, from, point);
     }
     for (std::size_t kind = 0; kind < kinds; ++kind)
-        vtkPolyDataMapper::SafeDownCast(actors_[kind]->GetMapper())->SetInputData(lineData(lines[kind]));
+        lines_[kind].setLines(lineData(lines[kind]));
     empty_ = path.points.empty();
     setVisible(visible_);
 }
 
 void EditedPath::setVisible(bool visible) {
     visible_ = visible;
-    for (const auto& actor : actors_) actor->SetVisibility(visible_ && !empty_);
+    for (HaloedLines& lines : lines_) lines.setVisible(visible_ && !empty_);
 }
 
 } // namespace burin

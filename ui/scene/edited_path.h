@@ -4,18 +4,17 @@
 
 #include "core/geometry/box.h"
 #include "core/path/evaluate.h"
+#include "ui/scene/haloed_lines.h"
 #include "ui/theme/theme.h"
 
-#include <vtkActor.h>
 #include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 
 #include <array>
 
 namespace burin {
 
-/// What the machine shall do, told apart by colour and by stroke: cuts in the accent, conventional ones in blue, rapids
-/// thin, grey and dashed, plunges in short light dashes, retracts in a thin unbroken grey.
+/// What the machine shall do, told apart by colour and by stroke: cuts in orange, conventional ones in pink, rapids grey
+/// and dashed, plunges in short white dashes, retracts in an unbroken grey.
 class EditedPath {
 public:
     explicit EditedPath(vtkRenderer& renderer);
@@ -27,7 +26,7 @@ public:
 
 private:
     static constexpr std::size_t kinds = 5, conventional = 4;
-    std::array<vtkSmartPointer<vtkActor>, kinds> actors_; ///< by MoveKind; then cuts the conventional way
+    std::array<HaloedLines, kinds> lines_; ///< by MoveKind; then conventional cuts
     Box box_;
     bool visible_ = true, empty_ = true;
 };

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/live_path.h"
 
-#include "ui/scene/actors.h"
+#include "ui/scene/haloed_lines.h"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
-#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
-#include <vtkProperty.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTypeInt32Array.h>
 
 namespace burin {
@@ -18,7 +18,9 @@ namespace burin {
 struct LivePath::Block {
     vtkSmartPointer<vtkFloatArray> points = vtkSmartPointer<vtkFloatArray>::New();
     vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
-    vtkSmartPointer<vtkActor> actor;
+    HaloedLines drawn;
+
+    explicit Block(vtkRenderer& renderer) : drawn(renderer) { drawn.setLines(data); }
     std::size_t lines() const { return static_cast<std::size_t>(points->GetNumberOfTuples()) / 2; }
 
     /// Tells VTK what there is now.
@@ -41,29 +43,26 @@ LivePath::LivePath(vtkRenderer& renderer) : renderer_(renderer) {}
 LivePath::~LivePath() = default;
 
 std::unique_ptr<LivePath::Block> LivePath::makeBlock(std::size_t capacity) {
-    auto block = std::make_unique<Block>();
+    auto block = std::make_unique<Block>(renderer_);
     block->points->SetNumberOfComponents(3);
     block->points->Allocate(static_cast<vtkIdType>(6 * capacity));
-    block->actor = raisedLineActor(block->data);
-    burin::setColour(*block->actor, colour_);
-    block->actor->GetProperty()->SetLineWidth(static_cast<float>(width_));
-    renderer_.AddActor(block->actor);
+    block->drawn.setColours(colour_, halo_);
+    block->drawn.setWidth(width_);
+    block->drawn.setVisible(true);
     return block;
 }
 
-void LivePath::setColour(const QColor& colour) {
-    colour_ = colour;
-    for (const auto& block : closed_) burin::setColour(*block->actor, colour);
-    if (open_) burin::setColour(*open_->actor, colour);
+void LivePath::setColours(const QColor& line, const QColor& halo) {
+    colour_ = line;
+    halo_ = halo;
+    for (const auto& block : closed_) block->drawn.setColours(line, halo);
+    if (open_) open_->drawn.setColours(line, halo);
 }
 
 void LivePath::setLineWidth(double screenPixels) {
     width_ = screenPixels;
-    const auto widen = [this](const Block& block) {
-        block.actor->GetProperty()->SetLineWidth(static_cast<float>(width_));
-    };
-    for (const auto& block : closed_) widen(*block);
-    if (open_) widen(*open_);
+    for (const auto& block : closed_) block->drawn.setWidth(width_);
+    if (open_) open_->drawn.setWidth(width_);
 }
 
 void LivePath::addLine(const glm::vec3& from, const glm::vec3& to) {
@@ -84,8 +83,6 @@ void LivePath::closeBlock() {
         merged->points->InsertTuples(before.points->GetNumberOfTuples(), last.points->GetNumberOfTuples(), 0,
                                      last.points);
         merged->publish();
-        renderer_.RemoveActor(before.actor);
-        renderer_.RemoveActor(last.actor);
         closed_.pop_back();
         closed_.back() = std::move(merged);
     }
@@ -110,8 +107,6 @@ void LivePath::append(std::span<const glm::vec3> tips, bool newStroke) {
 }
 
 void LivePath::clear() {
-    for (const auto& block : closed_) renderer_.RemoveActor(block->actor);
-    if (open_) renderer_.RemoveActor(open_->actor);
     closed_.clear();
     open_.reset();
     hasEnd_ = false;

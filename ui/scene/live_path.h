@@ -4,9 +4,7 @@
 
 #include "ui/scene/path_thinner.h"
 
-#include <vtkActor.h>
 #include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 
 #include <QColor>
 
@@ -28,7 +26,7 @@ public:
 
     explicit LivePath(vtkRenderer& renderer);
     ~LivePath();
-    void setColour(const QColor& colour);
+    void setColours(const QColor& line, const QColor& halo);
     void setLineWidth(double screenPixels);
     void append(std::span<const glm::vec3> tips, bool newStroke);
     void clear();
@@ -40,7 +38,7 @@ private:
     std::unique_ptr<Block> makeBlock(std::size_t capacity);
 
     vtkRenderer& renderer_;
-    QColor colour_;
+    QColor colour_, halo_;
     double width_ = 1.0;
     std::vector<std::unique_ptr<Block>> closed_;
     std::unique_ptr<Block> open_;

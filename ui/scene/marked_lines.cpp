@@ -5,14 +5,10 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 
 namespace burin {
 
 namespace {
-
-constexpr double dotWidth = 3.0; // widths of a line
 
 void addDots(vtkPolyData& data, const std::vector<glm::dvec3>& dots) {
     vtkNew<vtkCellArray> cells;
@@ -25,16 +21,7 @@ void addDots(vtkPolyData& data, const std::vector<glm::dvec3>& dots) {
 
 } // namespace
 
-MarkedLines::MarkedLines(vtkRenderer& renderer) : actor_(lineActor(vtkNew<vtkPolyData>())) {
-    actor_->VisibilityOff();
-    actor_->PickableOff();
-    renderer.AddActor(actor_);
-}
-
-void MarkedLines::setLineWidth(double screenPixels) {
-    burin::setLineWidth(*actor_, screenPixels);
-    actor_->GetProperty()->SetPointSize(static_cast<float>(dotWidth * screenPixels));
-}
+MarkedLines::MarkedLines(vtkRenderer& renderer) : lines_(renderer) {}
 
 void MarkedLines::set(const PlaceChains& chains) {
     std::vector<LineEnds> lines;
@@ -45,8 +32,8 @@ void MarkedLines::set(const PlaceChains& chains) {
     }
     const vtkSmartPointer<vtkPolyData> data = lineData(lines);
     addDots(*data, dots);
-    vtkPolyDataMapper::SafeDownCast(actor_->GetMapper())->SetInputData(data);
-    actor_->SetVisibility(!lines.empty() || !dots.empty());
+    lines_.setLines(data);
+    lines_.setVisible(!lines.empty() || !dots.empty());
 }
 
 } // namespace burin

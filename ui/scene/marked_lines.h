@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/scene/actors.h"
+#include "ui/scene/haloed_lines.h"
 #include "ui/scene/place_chains.h"
 
-#include <vtkActor.h>
 #include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 
 namespace burin {
 
@@ -15,13 +13,13 @@ namespace burin {
 class MarkedLines {
 public:
     explicit MarkedLines(vtkRenderer& renderer);
-    void setColour(const QColor& colour) { burin::setColour(*actor_, colour); }
-    void setLineWidth(double screenPixels);
+    void setColours(const QColor& lines, const QColor& halo) { lines_.setColours(lines, halo); }
+    void setLineWidth(double screenPixels) { lines_.setWidth(screenPixels); }
     void set(const PlaceChains& chains);
-    bool visible() const { return actor_->GetVisibility() != 0; }
+    bool visible() const { return lines_.visible(); }
 
 private:
-    vtkSmartPointer<vtkActor> actor_;
+    HaloedLines lines_;
 };
 
 } // namespace burin

@@ -4,15 +4,9 @@
 
 #include "ui/scene/path_lines.h"
 
-#include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
-
 namespace burin {
 
-OtherPaths::OtherPaths(vtkRenderer& renderer) : actor_(raisedLineActor(vtkNew<vtkPolyData>())) {
-    actor_->VisibilityOff();
-    renderer.AddActor(actor_);
-}
+OtherPaths::OtherPaths(vtkRenderer& renderer) : lines_(renderer) {}
 
 void OtherPaths::setPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths) {
     std::vector<LineEnds> lines;
@@ -22,14 +16,14 @@ void OtherPaths::setPaths(const std::vector<std::shared_ptr<const EvaluatedPath>
             if (points[i].kind == MoveKind::cut || points[i].kind == MoveKind::plunge)
                 addMove(lines, points[i - 1].tip, points[i]);
     }
-    vtkPolyDataMapper::SafeDownCast(actor_->GetMapper())->SetInputData(lineData(lines));
+    lines_.setLines(lineData(lines));
     empty_ = lines.empty();
     setVisible(visible_);
 }
 
 void OtherPaths::setVisible(bool visible) {
     visible_ = visible;
-    actor_->SetVisibility(visible_ && !empty_);
+    lines_.setVisible(visible_ && !empty_);
 }
 
 } // namespace burin

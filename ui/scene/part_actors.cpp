@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t ghostTriangles = 100'000; // more would cost a hovering pointer its frames
 constexpr double ghostOpacity = 0.16, ghostEdgeOpacity = 0.8;
+constexpr double edgeOpacity = 0.8;
 
 } // namespace
 
@@ -41,8 +42,9 @@ void PartActors::setBodies(std::vector<ShadedBody> bodies) {
     for (ShadedBody& body : bodies) {
         const ShadedPolyData data = polyDataOf(body.mesh);
         triangles_ += body.mesh.triangles.size() / 3;
-        bodies_.push_back({surfaceActor(data.surface), lineActor(data.creases), glassActor(data.surface),
+        bodies_.push_back({surfaceActor(data.surface), raisedLineActor(data.creases, seamHeight - 1.0), glassActor(data.surface),
                            lineActor(data.creases), std::move(body)});
+        shadeSimply(*bodies_.back().surface);
         solids_.AddActor(bodies_.back().surface);
         solids_.AddActor(bodies_.back().edges);
         marks_.AddActor(bodies_.back().ghostSurface);
@@ -68,6 +70,10 @@ void PartActors::setGhost(bool visible) {
     refresh();
 }
 
+void PartActors::setDepthCue(const DepthCue& cue) {
+    for (const Drawn& body : bodies_) burin::setDepthCue(*body.surface, cue);
+}
+
 void PartActors::setLineWidth(double screenPixels) {
     lineWidth_ = screenPixels;
     refresh();
@@ -88,7 +94,7 @@ void PartActors::refresh() {
     for (const Drawn& body : bodies_) {
         setColour(*body.surface, body.body.colour.value_or(part_));
         setColour(*body.edges, edges_);
-        setBlended(*body.edges, 0.45);
+        setBlended(*body.edges, edgeOpacity);
         burin::setLineWidth(*body.edges, lineWidth_);
         body.surface->SetVisibility(visible_);
         body.edges->SetVisibility(visible_);

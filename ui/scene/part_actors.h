@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "ui/scene/bench_lights.h"
 #include "ui/scene/shaded_mesh.h"
 #include "ui/scene/sight.h"
 
@@ -40,6 +41,7 @@ public:
     void setGhost(bool visible);
     bool ghostVisible() const noexcept { return ghost_ && !bodies_.empty(); }
     void setLineWidth(double screenPixels);
+    void setDepthCue(const DepthCue& cue);
     /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
     std::size_t triangles() const noexcept { return visible_ ? triangles_ : 0; }

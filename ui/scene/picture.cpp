@@ -50,7 +50,7 @@ vtkSmartPointer<vtkActor> workpieceActor(const VolumeSnapshot& workpiece) {
     vtkSmartPointer<vtkActor> actor = actorFor(workpieceSurface(workpiece), {1.0, 1.0, 1.0});
     actor->GetMapper()->ScalarVisibilityOn();
     actor->GetMapper()->SetColorModeToDirectScalars();
-    actor->GetProperty()->SetSpecular(0.12);
+    shadeSimply(*actor);
     return actor;
 }
 

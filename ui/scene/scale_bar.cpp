@@ -18,12 +18,14 @@ namespace burin {
 namespace {
 
 constexpr double margin = 16.0, wanted = 1000.0; // device-independent pixels; a tenth of `wanted`, about
-constexpr double tick = 5.0;
+constexpr double tick = 5.0, barWidth = 2.0, padding = 6.0, plateRadius = 4.0;
+constexpr float plateOpacity = 0.85F; // what lies below shines through a little
 
 } // namespace
 
 void ScaleBar::setPalette(const Palette& palette) {
-    colour_ = palette.quietText;
+    colour_ = palette.text;
+    plate_ = palette.panel;
     ratio_ = 0.0;
 }
 
@@ -53,19 +55,26 @@ void ScaleBar::draw() {
                              ? QCoreApplication::translate("burin::Viewport", "%1 in").arg(number)
                              : QCoreApplication::translate("burin::Viewport", "%1 mm").arg(number);
     const QFontMetricsF metrics(QGuiApplication::font());
-    const QSizeF size(std::max(pixels_ + 2.0, metrics.horizontalAdvance(text) + 2.0), metrics.height() + tick + 3.0);
+    const QSizeF inner(std::max(pixels_ + 1.0, metrics.horizontalAdvance(text)), metrics.height() + tick + 2.0);
+    const QSizeF size = inner + QSizeF(2.0 * padding, 2.0 * padding);
     QImage image((size * ratio_).toSize(), QImage::Format_RGBA8888);
     image.setDevicePixelRatio(ratio_);
-    QColor empty = colour_;
-    empty.setAlpha(0);
-    image.fill(empty);
+    QColor plate = plate_;
+    plate.setAlpha(0);
+    image.fill(plate);
+    plate.setAlphaF(plateOpacity);
     QPainter painter(&image);
-    painter.setPen(QPen(colour_, 1.0));
-    const double base = size.height() - 1.5, left = 0.5, right = left + pixels_;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(plate);
+    painter.drawRoundedRect(QRectF(QPointF(0.0, 0.0), size), plateRadius, plateRadius);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(colour_, barWidth));
+    const double base = size.height() - padding - 0.5 * barWidth, left = padding, right = left + pixels_;
     painter.drawLine(QPointF(left, base), QPointF(right, base));
     painter.drawLine(QPointF(left, base), QPointF(left, base - tick));
     painter.drawLine(QPointF(right, base), QPointF(right, base - tick));
-    painter.drawText(QPointF(1.0, metrics.ascent()), text);
+    painter.drawText(QPointF(padding, padding + metrics.ascent()), text);
     painter.end();
     image_.setImage(image);
 }

@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// A round length to compare with, in the lower left corner; true at the distance that the camera looks at.
+/// A round length to compare with, on a plate in the lower left corner; true at the distance that the camera looks at.
 class ScaleBar {
 public:
     explicit ScaleBar(vtkRenderer& renderer) : image_(renderer) {}
@@ -21,7 +21,7 @@ private:
     void draw();
 
     ScreenImage image_;
-    QColor colour_;
+    QColor colour_, plate_;
     LengthUnit unit_{}; ///< millimetre
     double length_ = 0.0; ///< in its unit
     int pixels_ = 0;      ///< device-independent

@@ -42,6 +42,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , editedPath_(*bench_)
     , deviations_(*bench_)
     , grid_(*bench_)
+    , shadow_(*bench_)
     , stock_(*bench_)
     , scaleBar_(*bench_)
     , obstacles_(*bench_, *films_, std::move(obstacles))
@@ -71,23 +72,24 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
 void Scene::setPalette(const Palette& palette) {
     bench_->SetBackground(components(palette.sceneBottom).data());
     bench_->SetBackground2(components(palette.sceneTop).data());
-    part_.setColours(palette.part, palette.sceneBottom);
+    part_.setColours(palette.part, palette.pathHalo);
     workpiece_.setPartColour(bytes(palette.part));
     tool_.setPalette(palette);
-    livePath_.setColour(palette.livePath);
+    livePath_.setColours(palette.livePath, palette.pathHalo);
     editedPath_.setPalette(palette);
-    otherPaths_.setColour(palette.quietText);
+    otherPaths_.setPalette(palette);
     deviations_.setPalette(palette);
     grid_.setColour(palette.grid);
+    shadow_.setPalette(palette);
     stock_.setColour(palette.quietText);
     scaleBar_.setPalette(palette);
     obstacles_.setPalette(palette);
     guides_.setPalette(palette);
     ghost_.setPalette(palette);
     touch_.setPalette(palette);
-    moveMark_.setColour(palette.text);
-    outlines_.setColour(palette.quietText);
-    strokePlans_.setColour(palette.text);
+    moveMark_.setColours(palette.chosenPath, palette.pathHalo);
+    outlines_.setColours(palette.rapidPath, palette.pathHalo);
+    strokePlans_.setColours(palette.chosenPath, palette.pathHalo);
     force_.setPalette(palette);
     cube_.setPalette(palette);
 }
@@ -164,6 +166,7 @@ void Scene::refresh() {
     part_.setVisible(partWish_.value_or(!workpieceSeen()));
     stock_.setFaces(shown_.empty());
     grid_.setContent(contentBox());
+    shadow_.setContent(contentBox());
 }
 
 std::optional<glm::dvec3> Scene::pick(const Sight& sight) const {
@@ -180,7 +183,7 @@ void Scene::setLineWidths(double ratio) {
     lineRatio_ = ratio;
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
-    otherPaths_.setLineWidth(thinLine * ratio);
+    otherPaths_.setLineWidth(pathLine * ratio);
     deviations_.setSize(deviationPoint * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     touch_.setLineWidth(pathLine * ratio);
@@ -189,7 +192,7 @@ void Scene::setLineWidths(double ratio) {
     strokePlans_.setLineWidth(pathLine * ratio);
     obstacles_.setLineWidth(ratio);
     guides_.setLineWidth(thinLine * ratio);
-    tool_.setLineWidth(pathLine * ratio);
+    tool_.setLineWidth(edgeLine * ratio);
     part_.setLineWidth(thinLine * ratio);
     stock_.setLineWidth(thinLine * ratio);
     grid_.setLineWidth(thinLine * ratio);
@@ -211,6 +214,7 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
                     outlines_.visible() || strokePlans_.visible() || touch_.visible());
 
     aimCamera(view);
+    cueDepth();
     return workpieceSeen() ? workpiece_.takeCutShown() : std::nullopt;
 }
 
@@ -224,6 +228,16 @@ void Scene::aimCamera(const CameraView& view) {
     const std::array<double, 6> b{bounds.low.x,  bounds.high.x, bounds.low.y,
                                   bounds.high.y, bounds.low.z,  bounds.high.z};
     bench_->ResetCameraClippingRange(b.data());
+}
+
+void Scene::cueDepth() {
+    vtkCamera& camera = *bench_->GetActiveCamera();
+    glm::dvec3 eye, along;
+    camera.GetPosition(&eye.x);
+    camera.GetDirectionOfProjection(&along.x);
+    const DepthCue cue = depthCueOf(contentBox(), eye, along);
+    part_.setDepthCue(cue);
+    workpiece_.setDepthCue(cue);
 }
 
 std::size_t Scene::triangles() const {

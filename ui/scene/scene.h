@@ -7,6 +7,7 @@
 #include "ui/scene/edited_path.h"
 #include "ui/scene/force_arrow.h"
 #include "ui/scene/ground_grid.h"
+#include "ui/scene/ground_shadow.h"
 #include "ui/scene/guide_actors.h"
 #include "ui/scene/live_path.h"
 #include "ui/scene/marked_lines.h"
@@ -85,6 +86,7 @@ private:
     void refresh();
     void setLineWidths(double ratio);
     void aimCamera(const CameraView& view);
+    void cueDepth();
 
     vtkNew<vtkRenderer> bench_, films_, marks_;
     PartActors part_;
@@ -95,6 +97,7 @@ private:
     EditedPath editedPath_;
     DeviationPoints deviations_;
     GroundGrid grid_;
+    GroundShadow shadow_;
     StockOutline stock_;
     ScaleBar scaleBar_;
     ObstacleActors obstacles_;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/workpiece_actors.h"
 
-#include "ui/scene/bench_lights.h"
 #include "ui/scene/workpiece_mesher.h"
 
 #include <vtkActor.h>
@@ -33,7 +32,6 @@ vtkSmartPointer<vtkActor> surfaceActor() {
     mapper->SetStatic(1); // the data come finished: no pipeline to ask
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
-    actor->GetProperty()->SetSpecular(0.12);
     shadeSimply(*actor);
     actor->GetProperty()->BackfaceCullingOn(); // the surface is closed: what faces away costs, and is never seen
     actor->VisibilityOff();
@@ -95,6 +93,11 @@ public:
             ready_();
         else if (cut_)
             cutShown_ = std::exchange(cut_, std::nullopt);
+    }
+
+    void setDepthCue(const DepthCue& cue) {
+        for (const Group& group : groups_)
+            if (group.drawn != nullptr) burin::setDepthCue(*group.drawn->actor, cue);
     }
 
     std::size_t triangles() const {
@@ -203,6 +206,9 @@ void WorkpieceActors::setPartColour(const std::array<std::uint8_t, 3>& colour) {
 }
 void WorkpieceActors::update(bool moving, const glm::dvec3& focus) {
     impl_->update(moving, focus);
+}
+void WorkpieceActors::setDepthCue(const DepthCue& cue) {
+    impl_->setDepthCue(cue);
 }
 std::size_t WorkpieceActors::triangles() const {
     return impl_->triangles();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/volume/surface.h"
+#include "ui/scene/bench_lights.h"
 
 #include <vtkRenderer.h>
 
@@ -36,6 +37,9 @@ public:
     /// @param moving whether view or tool move: no more than `movingTriangles` are drawn, coarser far from the focus
     /// @param focus where detail matters most, mm (the tool's tip)
     void update(bool moving, const glm::dvec3& focus);
+
+    /// Of the surfaces that are drawn now, before each paint.
+    void setDepthCue(const DepthCue& cue);
 
     std::size_t triangles() const; ///< that the next paint draws
     bool fullDetail() const;       ///< everything is drawn at full detail

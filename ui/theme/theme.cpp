@@ -23,6 +23,13 @@ namespace {
 constexpr ResourceKind themeResource{"theme", "themes"};
 constexpr double smallestPointSize = 10.0;
 
+/// Roles that a user's theme may lack since it was written before they came, and what stands for them.
+constexpr std::array<std::pair<ColourRole, const char*>, 5> laterRoles{{{&Palette::conventionalPath, "#ff9cf2"},
+                                                                        {&Palette::rapidPath, "#b9c4d0"},
+                                                                        {&Palette::plungePath, "#f4f6f8"},
+                                                                        {&Palette::chosenPath, "#fff04a"},
+                                                                        {&Palette::pathHalo, "#07090c"}}};
+
 std::optional<Palette>& applied() {
     static std::optional<Palette> palette;
     return palette;
@@ -101,7 +108,9 @@ Result<Palette> paletteFromJson(std::string_view text, const std::string& origin
     file->text("id");
     Palette palette;
     file->object("colours", [&palette](JsonObject& colours) {
+        for (const auto& [role, colour] : laterRoles) palette.*role = QColor(QLatin1String(colour));
         for (const auto& [key, role] : colourRoles) {
+            if ((palette.*role).isValid() && !colours.has(key)) continue;
             const std::string colour = colours.text(key);
             if (isColour(colour))
                 palette.*role = QColor(QString::fromStdString(colour));

@@ -21,13 +21,16 @@ struct Palette {
     QColor accent, force, inOrder, part;                  ///< one accent, three signals: red, green, blue
     QColor sceneTop, sceneBottom, grid;                   ///< the viewport's background
     QColor flutes, shank, holder, ghost, coupling, guide, path, livePath; ///< in the viewport
+    /// Moves of a path that are not climb milling, and what is chosen of it. Every line of a path has a seam in
+    /// `pathHalo`, of the opposite lightness: one of the two stands out from whatever it lies on.
+    QColor conventionalPath, rapidPath, plungePath, chosenPath, pathHalo;
 };
 
 /// One role of a palette: `&Palette::accent`. What keeps a role instead of a colour follows a change of theme.
 using ColourRole = QColor Palette::*;
 
 /// Every role with its key in the files.
-inline constexpr std::array<std::pair<std::string_view, ColourRole>, 21> colourRoles{{
+inline constexpr std::array<std::pair<std::string_view, ColourRole>, 26> colourRoles{{
     {"window", &Palette::window}, {"panel", &Palette::panel},        {"field", &Palette::field},
     {"border", &Palette::border}, {"text", &Palette::text},          {"quiet_text", &Palette::quietText},
     {"accent", &Palette::accent}, {"force", &Palette::force},        {"in_order", &Palette::inOrder},
@@ -35,6 +38,11 @@ inline constexpr std::array<std::pair<std::string_view, ColourRole>, 21> colourR
     {"grid", &Palette::grid},     {"flutes", &Palette::flutes},      {"shank", &Palette::shank},
     {"holder", &Palette::holder}, {"ghost", &Palette::ghost},        {"coupling", &Palette::coupling},
     {"guide", &Palette::guide},   {"path", &Palette::path},          {"live_path", &Palette::livePath},
+    {"conventional_path", &Palette::conventionalPath},
+    {"rapid_path", &Palette::rapidPath},
+    {"plunge_path", &Palette::plungePath},
+    {"chosen_path", &Palette::chosenPath},
+    {"path_halo", &Palette::pathHalo},
 }};
 static_assert(colourRoles.size() * sizeof(QColor) == sizeof(Palette), "every colour of a palette has a role");
 

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/viewport_fixture.h"
+#include "ui/theme/colour.h"
+
+#include <algorithm>
+#include <map>
+
+using namespace burin;
+using fixture::stock;
+
+namespace {
+
+/// A plate with a boss whose top is chamfered: rectangles over one another (half sizes and height, mm), closed.
+std::shared_ptr<const Model> bossOnPlate() {
+    const std::vector<glm::dvec3> rings{{25.0, 18.0, 0.0}, {25.0, 18.0, 4.0},  {12.0, 10.0, 4.0},
+                                        {12.0, 10.0, 9.0}, {8.0, 6.0, 13.0}};
+    TriangleMesh mesh;
+    for (const glm::dvec3& r : rings)
+        for (const glm::dvec2 corner : {glm::dvec2(1, 1), glm::dvec2(-1, 1), glm::dvec2(-1, -1), glm::dvec2(1, -1)})
+            mesh.vertices.emplace_back(corner.x * r.x, corner.y * r.y, r.z);
+    const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a, c, d});
+    };
+    for (std::uint32_t ring = 0; ring + 1 < rings.size(); ++ring)
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const std::uint32_t low = 4 * ring, next = (i + 1) % 4;
+            quad(low + i, low + next, low + 4 + next, low + 4 + i);
+        }
+    const auto top = static_cast<std::uint32_t>(4 * (rings.size() - 1));
+    quad(top, top + 1, top + 2, top + 3);
+    quad(3, 2, 1, 0);
+    auto model = std::make_shared<Model>();
+    Body body;
+    body.name = "boss";
+    body.mesh = std::move(mesh);
+    body.box = boundingBox(body.mesh);
+    model->bodies.push_back(std::move(body));
+    return model;
+}
+
+double lightnessOf(const QColor& colour) {
+    return contrast(colour, Qt::black); // 1 … 21
+}
+
+EvaluatedPath straight(MoveKind kind, MillingSide side) {
+    EvaluatedPath path;
+    path.path.points = {{{-7.0, 0.0, 13.0}, kind, 0.0, 0, -1}, {{7.0, 0.0, 13.0}, kind, 0.0, 0, -1}};
+    path.sides = {{0, 1, side}};
+    return path;
+}
+
+} // namespace
+
+/// How the bench looks: light, edges, shadow, and lines that stand out.
+class TestViewportLook : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        bench_ = std::make_unique<fixture::ViewportWindow>();
+        viewport_ = bench_->viewport;
+        viewport_->setToolVisible(false);
+        viewport_->setPart(bossOnPlate());
+        QTRY_VERIFY(bench_->ready());
+    }
+    void init() {
+        viewport_->setPalette3D(fixture::palette());
+        viewport_->setStandardView(StandardView::top);
+        viewport_->setStockOutline(std::nullopt);
+    }
+
+    /// Faces that face the eye all the same way, or lean by the same angle, and a floor below a top.
+    void facesOfAPrismDifferFromAbove() {
+        const QImage image = viewport_->grabFramebuffer();
+        const std::map<QString, glm::dvec3> faces{{"top", {2.0, 1.0, 13.0}},    {"floor", {18.0, 13.0, 4.0}},
+                                                  {"left", {-10.0, 1.0, 11.0}}, {"right", {10.0, 1.0, 11.0}},
+                                                  {"back", {2.0, 8.0, 11.0}},   {"front", {2.0, -8.0, 11.0}}};
+        for (const auto& [one, at] : faces)
+            for (const auto& [other, beside] : faces) {
+                if (one == other) continue;
+                const double ratio = lightnessOf(pixelAt(image, at)) / lightnessOf(pixelAt(image, beside));
+                QVERIFY2(std::max(ratio, 1.0 / ratio) > 1.06, qPrintable(one + " and " + other));
+            }
+        QVERIFY(bench_->save("viewport-prism-above", image));
+        viewport_->setStandardView(StandardView::isometric);
+        QVERIFY(bench_->save("viewport-prism"));
+    }
+
+    /// A wall that stands upright is no more than a line from above: it has to be a dark one.
+    void edgesOfAPrismAreDarkLines() {
+        const QImage image = viewport_->grabFramebuffer();
+        const double ratio = viewport_->devicePixelRatio();
+        for (const glm::dvec3& edge : {glm::dvec3(8.0, 0.5, 13.0), glm::dvec3(1.0, -6.0, 13.0)}) {
+            const QPoint at = (viewport_->project(edge) * ratio).toPoint();
+            const int reach = static_cast<int>(3 * ratio);
+            double darkest = 21.0;
+            for (int dy = -reach; dy <= reach; ++dy)
+                for (int dx = -reach; dx <= reach; ++dx)
+                    darkest = std::min(darkest, lightnessOf(image.pixelColor(at + QPoint(dx, dy))));
+            const double beside = std::min(lightnessOf(pixelAt(image, edge * glm::dvec3(0.9, 0.9, 1.0))),
+                                           lightnessOf(pixelAt(image, edge * glm::dvec3(1.1, 1.1, 0.95))));
+            QVERIFY2(darkest < 0.6 * beside, qPrintable(QStringLiteral("%1 %2").arg(darkest).arg(beside)));
+        }
+    }
+
+    void aPathStandsOutFromThePart_data() {
+        QTest::addColumn<int>("theme");
+        QTest::newRow("dark") << static_cast<int>(Theme::dark);
+        QTest::newRow("light") << static_cast<int>(Theme::light);
+    }
+    void aPathStandsOutFromThePart() {
+        QFETCH(int, theme);
+        const Palette palette = *loadPalette(static_cast<Theme>(theme));
+        viewport_->setPalette3D(palette);
+        const QImage bare = viewport_->grabFramebuffer();
+        const auto check = [&](const QColor& line) {
+            const QImage image = viewport_->grabFramebuffer();
+            const QString name = line.name();
+            QVERIFY2(linePixels(image, line) >= 2.0 * viewport_->devicePixelRatio(), qPrintable(name));
+            QVERIFY2(linePixels(image, palette.pathHalo) >= 2.0 * viewport_->devicePixelRatio(), qPrintable(name));
+            const QColor ground = pixelAt(bare, {3.0, 0.0, 13.0});
+            QVERIFY2(std::max(contrast(line, ground), contrast(palette.pathHalo, ground)) >= 3.0, qPrintable(name));
+        };
+        viewport_->setPath(straight(MoveKind::cut, MillingSide::climb));
+        check(palette.path);
+        QVERIFY(bench_->save(theme == 0 ? "viewport-path-dark" : "viewport-path-light"));
+        viewport_->setPath(straight(MoveKind::cut, MillingSide::conventional));
+        check(palette.conventionalPath);
+        viewport_->setPath(straight(MoveKind::retract, MillingSide::climb));
+        check(palette.rapidPath);
+        viewport_->setPathVisible(false);
+        viewport_->appendLivePath(std::vector<glm::vec3>{{-7.0F, 0.0F, 13.0F}, {7.0F, 0.0F, 13.0F}}, true);
+        check(palette.livePath);
+        viewport_->clearLivePath();
+        viewport_->setMoveMark({{{-7.0, 0.0, 13.0}, {7.0, 0.0, 13.0}}});
+        check(palette.chosenPath);
+        viewport_->setMoveMark({});
+        viewport_->setPathVisible(true);
+        viewport_->setPath({});
+    }
+
+    /// Lighter farther away; and from below nothing hides what stands on it.
+    void theBenchCastsASoftShadow() {
+        viewport_->setStockOutline(stock);
+        const QImage image = viewport_->grabFramebuffer();
+        const glm::dvec3 near{32.5, 2.5, -4.0}, far{47.5, 2.5, -4.0};
+        QVERIFY(lightnessOf(pixelAt(image, near)) < 0.93 * lightnessOf(pixelAt(image, far)));
+        viewport_->setStandardView(StandardView::bottom);
+        const QImage below = viewport_->grabFramebuffer();
+        QVERIFY(lightnessOf(pixelAt(below, near)) > 0.98 * lightnessOf(pixelAt(below, far)));
+    }
+
+    /// However light or dark what lies below it.
+    void theScaleStandsOnAPlate() {
+        bench_->wheel(QPointF(viewport_->rect().center()), 20); // the part's top fills the view
+        bench_->settle();
+        const QImage image = viewport_->grabFramebuffer();
+        const double ratio = viewport_->devicePixelRatio();
+        const QPoint corner(static_cast<int>(18 * ratio), image.height() - static_cast<int>(19 * ratio));
+        const QColor plate = image.pixelColor(corner), ground = image.pixelColor(QPoint(corner.x() / 3, corner.y()));
+        QVERIFY(contrast(plate, ground) > 2.0);
+        QVERIFY(contrast(fixture::palette().text, plate) >= 7.0);
+        int ink = 0;
+        for (int y = image.height() - static_cast<int>(50 * ratio); y < image.height(); ++y)
+            for (int x = 0; x < static_cast<int>(150 * ratio); ++x)
+                if (image.pixelColor(x, y) == fixture::palette().text) ++ink;
+        QVERIFY(ink > 60 * ratio);
+        QVERIFY(bench_->save("viewport-scale", image));
+    }
+
+    void cleanupTestCase() { bench_.reset(); }
+
+private:
+    QColor pixelAt(const QImage& image, const glm::dvec3& place) const {
+        return image.pixelColor((viewport_->project(place) * viewport_->devicePixelRatio()).toPoint());
+    }
+    /// How many pixels across the straight path are of a colour.
+    int linePixels(const QImage& image, const QColor& colour) const {
+        const QPoint at = (viewport_->project({3.0, 0.0, 13.0}) * viewport_->devicePixelRatio()).toPoint();
+        int count = 0;
+        for (int dy = -12; dy <= 12; ++dy) {
+            const QColor pixel = image.pixelColor(at + QPoint(0, dy));
+            if (std::abs(pixel.red() - colour.red()) <= 2 && std::abs(pixel.green() - colour.green()) <= 2 &&
+                std::abs(pixel.blue() - colour.blue()) <= 2)
+                ++count;
+        }
+        return count;
+    }
+
+    std::unique_ptr<fixture::ViewportWindow> bench_;
+    Viewport* viewport_ = nullptr;
+};
+
+QTEST_MAIN(TestViewportLook)
+#include "tst_viewport_look.moc"
