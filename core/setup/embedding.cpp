@@ -3,6 +3,7 @@
 #include "core/base/numbers.h"
 #include "core/setup/material_change.h"
 #include "core/setup/setup.h"
+#include "core/setup/stock_shape.h"
 #include "core/volume/assembly.h"
 #include "core/volume/voxelisation.h"
 
@@ -80,17 +81,6 @@ Result<void> requireInside(const Model& model, const Box& stock) {
     return {};
 }
 
-/// Lines whose centre lies in the stock; along them the stock's own faces.
-bool fillStock(RunVolume& volume, const Box& stock, PropertyIndex property) {
-    const Grid& grid = volume.grid();
-    const auto lines = [&](int axis) {
-        return std::max(1, static_cast<std::int32_t>(std::ceil(stock.size()[axis] / grid.edge() - 0.5 - 1e-6)));
-    };
-    const int runs = grid.axisOfRuns();
-    return volume.fillBlock({0, 0}, {lines(grid.axisOfU()), lines(grid.axisOfV())}, grid.toRunPosition(stock.low[runs]),
-                            grid.toRunPosition(stock.high[runs]), property);
-}
-
 /// What was odd about a body by itself.
 std::vector<EmbeddingFinding> findingsOf(const Body& body, const VoxelisationReport& report) {
     using Kind = EmbeddingFinding::Kind;
@@ -157,7 +147,7 @@ Result<EmbeddedSetup> embed(const Model& model, const Setup& setup, const std::v
     if (!volume) return volume.error();
 
     EmbeddedSetup embedded{*std::move(volume), std::move(materials->bodies), materials->stock, 0.0, 0.0, {}};
-    if (!fillStock(embedded.workpiece, setup.stock, embedded.stockProperty))
+    if (!BoxStock(setup.stock).fill(embedded.workpiece, embedded.stockProperty))
         return Error{ErrorCode::volumeOutOfMemory, std::to_string(embedded.workpiece.reservedBytes()), {}, {}};
     if (Result<void> filled = fillBodies(model, embedded, progress); !filled) return filled.error();
     const RunAmounts& amounts = embedded.workpiece.amounts();

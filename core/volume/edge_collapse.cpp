@@ -20,11 +20,11 @@ constexpr float leastTurn = 0.3F, leastLean = 0.2F;
 } // namespace
 
 void EdgeCollapse::run(std::span<const glm::vec3> points, std::span<const glm::vec3> normals,
-                       std::vector<std::uint32_t>& triangles, std::vector<PropertyIndex>& materials, float tolerance) {
+                       std::vector<std::uint32_t>& triangles, std::vector<SurfaceRegion>& regions, float tolerance) {
     points_ = points;
     normals_ = normals;
     triangles_ = &triangles;
-    materials_ = &materials;
+    regions_ = &regions;
     link();
     for (const float part : {0.05F, 0.3F, 1.0F}) {
         for (std::uint8_t& state : state_)
@@ -33,13 +33,13 @@ void EdgeCollapse::run(std::span<const glm::vec3> points, std::span<const glm::v
         }
     }
     std::size_t kept = 0;
-    for (std::size_t triangle = 0; triangle < materials.size(); ++triangle) {
+    for (std::size_t triangle = 0; triangle < regions.size(); ++triangle) {
         if (triangles[3 * triangle] == none) continue;
         for (std::size_t i = 0; i < 3; ++i) triangles[3 * kept + i] = triangles[3 * triangle + i];
-        materials[kept++] = materials[triangle];
+        regions[kept++] = regions[triangle];
     }
     triangles.resize(3 * kept);
-    materials.resize(kept);
+    regions.resize(kept);
 }
 
 void EdgeCollapse::link() {
@@ -104,7 +104,7 @@ bool EdgeCollapse::orderStar() {
 
 /// Neighbours stay stamped with `mark_` from orderStar on.
 bool EdgeCollapse::tryCollapse(std::uint32_t point, float tolerance) {
-    if (star_.size() > mostNeighbours || !findBorderOfMaterials()) return false;
+    if (star_.size() > mostNeighbours || !findBorderOfRegions()) return false;
     sortTargets(point);
     const float allowed = tolerance - moved_[point];
     for (const std::uint32_t target : targets_) {
@@ -117,12 +117,12 @@ bool EdgeCollapse::tryCollapse(std::uint32_t point, float tolerance) {
     return false;
 }
 
-/// False: more than two materials' borders meet here.
-bool EdgeCollapse::findBorderOfMaterials() {
+/// False: a border ends here, or more than two regions meet.
+bool EdgeCollapse::findBorderOfRegions() {
     border_.clear();
     for (std::size_t i = 0; i < star_.size(); ++i) {
         const Side& before = star_[i == 0 ? star_.size() - 1 : i - 1];
-        if ((*materials_)[before.triangle] != (*materials_)[star_[i].triangle]) border_.push_back(star_[i].first);
+        if ((*regions_)[before.triangle].bordersOn((*regions_)[star_[i].triangle])) border_.push_back(star_[i].first);
     }
     return border_.empty() || border_.size() == 2;
 }
@@ -177,7 +177,7 @@ bool EdgeCollapse::staysClose(std::uint32_t point, std::uint32_t target, float a
     return true;
 }
 
-/// The border between two materials becomes straight here.
+/// The border between two regions becomes straight here.
 bool EdgeCollapse::borderStaysClose(std::uint32_t point, std::uint32_t target, float allowed, float& moved) const {
     const glm::vec3& other = points_[border_[0] == target ? border_[1] : border_[0]];
     const float distance = distanceToSegment(points_[point], points_[target], other);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/known_faces.h"
 #include "core/volume/run_volume.h"
 
 #include <glm/glm.hpp>
@@ -19,18 +20,30 @@ inline float distanceToSegment(const glm::vec3& point, const glm::vec3& from, co
     return glm::length(way - place * line);
 }
 
+/// What a triangle belongs to: a material, and a known face of the workpiece (KnownFaces) or none.
+struct SurfaceRegion {
+    PropertyIndex material = airProperty;
+    KnownFaces::Number face = KnownFaces::none;
+    friend bool operator==(SurfaceRegion, SurfaceRegion) = default;
+    /// Whether the border between two regions must be kept: colours change there, or faces meet in a sharp edge.
+    bool bordersOn(SurfaceRegion other) const noexcept {
+        return material != other.material ||
+               (face != other.face && face != KnownFaces::none && other.face != KnownFaces::none);
+    }
+};
+
 /// Thins a triangle mesh out by drawing points into a neighbour. A point goes only if it lies within the tolerance of
 /// the planes of all triangles that come in its place, what earlier steps moved there included; if no triangle turns
-/// over, neither at once nor step by step; and if the surface stays a surface. A point between two materials goes
+/// over, neither at once nor step by step; and if the surface stays a surface. A point between two regions goes
 /// along their border only, under the same tolerance. Points on the rim stay.
 /// Sweeps of points that are no neighbours of each other take the place of a priority queue, the tolerance growing from
 /// round to round: as fast, and no fans of slivers on flat faces.
 class EdgeCollapse {
 public:
     /// @param triangles thinned out in place
-    /// @param materials one a triangle, likewise
+    /// @param regions one a triangle, likewise
     void run(std::span<const glm::vec3> points, std::span<const glm::vec3> normals,
-             std::vector<std::uint32_t>& triangles, std::vector<PropertyIndex>& materials, float tolerance);
+             std::vector<std::uint32_t>& triangles, std::vector<SurfaceRegion>& regions, float tolerance);
 
 private:
     /// A triangle at the point in question: the two others corners, in its turn.
@@ -44,7 +57,7 @@ private:
     bool orderStar();
     bool tryCollapse(std::uint32_t point, float tolerance);
     void sortTargets(std::uint32_t point);
-    bool findBorderOfMaterials();
+    bool findBorderOfRegions();
     bool linkIsSound(std::uint32_t target);
     bool staysClose(std::uint32_t point, std::uint32_t target, float allowed, float& moved) const;
     bool borderStaysClose(std::uint32_t point, std::uint32_t target, float allowed, float& moved) const;
@@ -52,7 +65,7 @@ private:
 
     std::span<const glm::vec3> points_, normals_;
     std::vector<std::uint32_t>* triangles_ = nullptr;
-    std::vector<PropertyIndex>* materials_ = nullptr;
+    std::vector<SurfaceRegion>* regions_ = nullptr;
     std::vector<std::uint32_t> firstCorner_, nextCorner_; ///< the corners at each point, a chain
     std::vector<float> moved_;                            ///< mm, what the surface has moved at most around a point
     std::vector<std::uint8_t> state_;
@@ -60,7 +73,7 @@ private:
     std::uint32_t sweep_ = 0, mark_ = 0;
     std::vector<Side> star_;             ///< round the point in question, in order
     std::vector<std::uint32_t> targets_; ///< neighbours, near ones first
-    std::vector<std::uint32_t> border_;  ///< neighbours that the border of two materials leads to
+    std::vector<std::uint32_t> border_;  ///< neighbours that the border of two regions leads to
 };
 
 } // namespace burin

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface_simplification.h"
 
+#include "core/volume/place_hash.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,13 +14,11 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 constexpr std::size_t mostBetween = 64; ///< points that one straight piece of a rim replaces
+constexpr float sameFace = 0.7F;        ///< cosine: normals of one point that are farther apart are of a sharp edge
 
-std::size_t hashOf(const glm::vec3& place) {
-    std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        hash = (hash ^ std::bit_cast<std::uint32_t>(place[axis] + 0.0F)) * 0x9e3779b97f4a7c15U; // + 0: -0 is 0
-    return static_cast<std::size_t>(hash >> 20);
-}
+// What meets in a place, but for the number of a known face.
+constexpr std::uint16_t several = 0x100; ///< known faces
+constexpr std::uint16_t unknown = 0x200; ///< a triangle of no known face
 
 void addPoint(SurfaceMesh& mesh, const SurfaceMesh& from, std::size_t point) {
     mesh.points.push_back(from.points[point]);
@@ -28,25 +28,40 @@ void addPoint(SurfaceMesh& mesh, const SurfaceMesh& from, std::size_t point) {
 
 } // namespace
 
-void SurfaceSimplifier::simplify(SurfaceMesh& mesh, double tolerance, double cell) {
+void SurfaceSimplifier::simplify(SurfaceMesh& mesh, double tolerance, double cell, const KnownFaces* faces) {
     if (mesh.triangles.empty()) return mesh.clear();
-    chooseMaterials(mesh);
+    chooseRegions(mesh, faces);
     weldByPlace(mesh);
-    collapse_.run(mesh.points, mesh.normals, corners_, materialOf_, static_cast<float>(tolerance));
-    standByMaterial(mesh);
+    weldNormals(mesh);
+    collapse_.run(mesh.points, leaning_, corners_, regions_, static_cast<float>(tolerance));
+    findFacesAtPlaces(mesh.points.size());
+    standByRegion(mesh);
     std::swap(mesh, work_);
     leanOnFaces(mesh, cell);
+    if (faces == nullptr) return;
+    shadeBesideEdges(mesh);
+    takeKnownNormals(mesh, *faces);
 }
 
 /// A triangle has one material: that of most of its corners.
-void SurfaceSimplifier::chooseMaterials(const SurfaceMesh& mesh) {
-    materialOf_.clear();
+void SurfaceSimplifier::chooseRegions(const SurfaceMesh& mesh, const KnownFaces* faces) {
+    regions_.clear();
     for (std::size_t corner = 0; corner < mesh.triangles.size(); corner += 3) {
-        const PropertyIndex a = mesh.properties[mesh.triangles[corner]],
-                            b = mesh.properties[mesh.triangles[corner + 1]],
-                            c = mesh.properties[mesh.triangles[corner + 2]];
-        materialOf_.push_back(b == c ? b : a);
+        const std::uint32_t* at = &mesh.triangles[corner];
+        const PropertyIndex a = mesh.properties[at[0]], b = mesh.properties[at[1]], c = mesh.properties[at[2]];
+        SurfaceRegion region{b == c ? b : a, KnownFaces::none};
+        if (faces != nullptr) region.face = faces->faceOf({mesh.points[at[0]], mesh.points[at[1]], mesh.points[at[2]]});
+        regions_.push_back(region);
     }
+}
+
+/// `leaning_`: the mean normal of the points at a place, which stand there once for each face of a sharp edge.
+void SurfaceSimplifier::weldNormals(const SurfaceMesh& mesh) {
+    leaning_ = mesh.normals;
+    for (std::size_t point = 0; point < mesh.points.size(); ++point)
+        if (placeOf_[point] != point) leaning_[placeOf_[point]] += mesh.normals[point];
+    for (std::size_t point = 0; point < mesh.points.size(); ++point)
+        if (placeOf_[point] != point) leaning_[placeOf_[point]] = glm::normalize(leaning_[placeOf_[point]]);
 }
 
 void SurfaceSimplifier::openTable(std::size_t points) {
@@ -57,7 +72,7 @@ void SurfaceSimplifier::openTable(std::size_t points) {
 template <class Equal>
 std::uint32_t SurfaceSimplifier::entry(const SurfaceMesh& mesh, std::uint32_t point, Equal equal) {
     const std::size_t mask = table_.size() - 1;
-    for (std::size_t slot = hashOf(mesh.points[point]) & mask;; slot = (slot + 1) & mask) {
+    for (std::size_t slot = PlaceHash{}(mesh.points[point]) & mask;; slot = (slot + 1) & mask) {
         if (table_[slot] == none) table_[slot] = point;
         if (table_[slot] == point || equal(table_[slot])) return table_[slot];
     }
@@ -74,25 +89,74 @@ void SurfaceSimplifier::weldByPlace(const SurfaceMesh& mesh) {
     for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i] = placeOf_[mesh.triangles[i]];
 }
 
-/// Makes `work_` of the triangles that are left: a point for every material that meets in it.
-void SurfaceSimplifier::standByMaterial(const SurfaceMesh& mesh) {
+/// Which known faces meet where.
+void SurfaceSimplifier::findFacesAtPlaces(std::size_t points) {
+    facesAt_.assign(points, 0);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        std::uint16_t& at = facesAt_[corners_[i]];
+        const std::uint16_t face = regions_[i / 3].face, before = at & 0xff;
+        if (face == KnownFaces::none)
+            at |= unknown;
+        else if (before == KnownFaces::none)
+            at |= face;
+        else if (before != face)
+            at |= several;
+    }
+}
+
+/// A point stands once for every material that meets in it, and on a sharp edge once for every known face.
+SurfaceRegion SurfaceSimplifier::regionOfCorner(std::size_t corner) const {
+    SurfaceRegion region = regions_[corner / 3];
+    if ((facesAt_[corners_[corner]] & several) == 0) region.face = KnownFaces::none;
+    return region;
+}
+
+/// Makes `work_` of the triangles that are left.
+void SurfaceSimplifier::standByRegion(const SurfaceMesh& mesh) {
     work_.clear();
-    std::array<bool, 256> there{};
-    for (const PropertyIndex material : materialOf_) there[material] = true;
-    for (std::size_t material = 0; material < there.size(); ++material) {
-        if (!there[material]) continue;
+    knownFaces_.clear();
+    besideEdges_.clear();
+    std::vector<SurfaceRegion> there;
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+        if (std::find(there.begin(), there.end(), regionOfCorner(i)) == there.end()) there.push_back(regionOfCorner(i));
+    work_.triangles.resize(corners_.size());
+    for (const SurfaceRegion region : there) {
         newPoint_.assign(mesh.points.size(), none);
         for (std::size_t i = 0; i < corners_.size(); ++i) {
-            if (materialOf_[i / 3] != material) continue;
+            if (regionOfCorner(i) != region) continue;
             std::uint32_t& point = newPoint_[corners_[i]];
             if (point == none) {
                 point = static_cast<std::uint32_t>(work_.points.size());
                 addPoint(work_, mesh, corners_[i]);
-                work_.properties.back() = static_cast<PropertyIndex>(material);
+                work_.properties.back() = region.material;
+                const std::uint16_t faces = facesAt_[corners_[i]];
+                besideEdges_.push_back((faces & several) != 0 && region.face == KnownFaces::none ? 1 : 0);
+                const bool mixed = (faces & (several | unknown)) != 0;
+                knownFaces_.push_back(mixed ? region.face : static_cast<KnownFaces::Number>(faces));
             }
-            work_.triangles.push_back(point);
+            work_.triangles[i] = point;
         }
     }
+}
+
+/// What is no known face, where it meets a sharp edge: the edge's other sides must not lean on it.
+void SurfaceSimplifier::shadeBesideEdges(SurfaceMesh& mesh) {
+    leaning_.assign(mesh.points.size(), glm::vec3(0.0F));
+    for (std::size_t corner = 0; corner < mesh.triangles.size(); corner += 3) {
+        const std::uint32_t* at = &mesh.triangles[corner];
+        const glm::vec3 twice =
+            glm::cross(mesh.points[at[1]] - mesh.points[at[0]], mesh.points[at[2]] - mesh.points[at[0]]);
+        for (std::size_t i = 0; i < 3; ++i) leaning_[at[i]] += twice;
+    }
+    for (std::size_t point = 0; point < mesh.points.size(); ++point)
+        if (besideEdges_[point] != 0 && glm::length(leaning_[point]) > 0.0F)
+            mesh.normals[point] = glm::normalize(leaning_[point]);
+}
+
+void SurfaceSimplifier::takeKnownNormals(SurfaceMesh& mesh, const KnownFaces& faces) {
+    for (std::size_t point = 0; point < mesh.points.size(); ++point)
+        if (knownFaces_[point] != KnownFaces::none)
+            mesh.normals[point] = faces.normal(knownFaces_[point], mesh.points[point]);
 }
 
 /// Visits every edge that has a triangle on one side only, by its two points.
@@ -178,7 +242,8 @@ void SurfaceSimplifier::join(std::span<const SurfaceMesh* const> pieces, Surface
     newPoint_.assign(work_.points.size(), none);
     for (const std::uint32_t corner : work_.triangles) {
         const std::uint32_t same = entry(work_, corner, [&](std::uint32_t other) {
-            return work_.points[other] == work_.points[corner] && work_.properties[other] == work_.properties[corner];
+            return work_.points[other] == work_.points[corner] && work_.properties[other] == work_.properties[corner] &&
+                   glm::dot(work_.normals[other], work_.normals[corner]) > sameFace;
         });
         if (newPoint_[same] == none) {
             newPoint_[same] = static_cast<std::uint32_t>(whole.points.size());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/workpiece_mesher.h"
 
+#include "ui/scene/skirt_depth.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -182,6 +184,7 @@ void WorkpieceMesher::startVolume() {
         delivery_.groups = groups_.centres();
         delivery_.updates.clear();
     }
+    sharpening_ = shown_.empty() ? StockSharpening() : StockSharpening(stockOf(shown_), shown_.grid());
     ready_();
 }
 
@@ -248,11 +251,15 @@ bool WorkpieceMesher::refreshTiles(SurfaceLayer which, std::size_t group) {
 
 void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
     const Moment start = Clock::now();
-    SurfaceDetail wanted = detail(which);
-    wanted.tolerance *= 0.5 * shown_.grid().edge(); // the other half is for the whole group
+    const SurfaceDetail wanted = detail(which);
+    const double edge = shown_.grid().edge();
     const std::size_t place = groups_.place(tile);
-    extractor_.extract(shown_, tile, wanted, layer(which).tiles[place]);
-    giveBackUnused(layer(which).tiles[place]);
+    SurfaceMesh& mesh = layer(which).tiles[place];
+    extractor_.extract(shown_, tile, {wanted.level, 0.0}, mesh);
+    sharpening_.sharpen(tile, wanted.level, mesh);
+    simplifier_.simplify(mesh, 0.5 * wanted.tolerance * edge, // the other half is for the whole group
+                         edge * (1 << wanted.level), sharpening_.faces());
+    giveBackUnused(mesh);
     layer(which).staleTiles[place] = 0;
     if (which == SurfaceLayer::rest) {
         const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -272,9 +279,10 @@ SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, 
     simplifier_.join(pieces, joined_);
     const SurfaceDetail wanted = detail(which);
     const double edge = shown_.grid().edge(), cell = edge * (1 << wanted.level);
-    if (!mixed) simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell);
-    const double skirt = skirtCells * edge * (1 << detail(SurfaceLayer::moving).level);
+    if (!mixed) simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell, sharpening_.faces());
+    const double deepest = skirtCells * edge * (1 << detail(SurfaceLayer::moving).level);
     const std::vector<std::uint32_t> rim = simplifier_.rim(joined_, rimTolerance * edge);
+    const std::vector<float> skirt = skirtDepths(shown_, joined_, rim, static_cast<float>(deepest));
     SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size()};
     update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirt);
     layer(which).triangles[group] = update.triangles;

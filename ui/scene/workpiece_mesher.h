@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/volume/surface_simplification.h"
+#include "ui/scene/stock_sharpening.h"
 #include "ui/scene/workpiece_groups.h"
 #include "ui/scene/workpiece_polydata.h"
 
@@ -130,6 +131,7 @@ private:
     bool fullFits_ = false;        ///< there is room for full detail where a tool cuts, in what is drawn while it does
     double fullTileSeconds_ = 0.0; ///< that a tile at full detail takes, running mean
     SurfaceExtractor extractor_;
+    StockSharpening sharpening_;
     SurfaceSimplifier simplifier_;
     SurfaceMesh joined_;
 

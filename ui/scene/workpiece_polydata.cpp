@@ -76,17 +76,19 @@ vtkSmartPointer<vtkCellArray> triangleCells(std::span<const std::uint32_t> trian
 }
 
 /// Where the skirt ends below each point of the rim.
-std::vector<glm::vec3> skirtEnds(const SurfaceMesh& mesh, std::span<const std::uint32_t> rim, float depth) {
+std::vector<glm::vec3> skirtEnds(const SurfaceMesh& mesh, std::span<const std::uint32_t> rim,
+                                 std::span<const float> depths) {
     std::vector<glm::vec3> beyond(rim.empty() ? 0 : mesh.points.size(), glm::vec3(0.0F));
     for (std::size_t i = 0; i < rim.size(); i += 2) {
         const glm::vec3 along = mesh.points[rim[i + 1]] - mesh.points[rim[i]];
         for (const std::uint32_t point : {rim[i], rim[i + 1]}) beyond[point] += glm::cross(along, mesh.normals[point]);
     }
     std::vector<glm::vec3> ends;
-    for (const std::uint32_t point : rim) {
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+        const std::uint32_t point = rim[i];
         const float length = glm::length(beyond[point]);
         const glm::vec3 out = length > 0.0F ? beyond[point] / (3.0F * length) : glm::vec3(0.0F);
-        ends.push_back(mesh.points[point] + depth * (out - mesh.normals[point]));
+        ends.push_back(mesh.points[point] + depths[i] * (out - mesh.normals[point]));
     }
     return ends;
 }
@@ -95,11 +97,11 @@ std::vector<glm::vec3> skirtEnds(const SurfaceMesh& mesh, std::span<const std::u
 
 vtkSmartPointer<vtkPolyData> surfacePolyData(const SurfaceMesh& mesh, const PropertyList& properties,
                                              const RgbColour& partColour, std::span<const std::uint32_t> rim,
-                                             double skirt) {
+                                             std::span<const float> skirt) {
     PointWriter writer(mesh.points.size() + rim.size(), properties, partColour);
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
         writer.add(mesh.points[i], mesh.normals[i], mesh.properties[i]);
-    const std::vector<glm::vec3> ends = skirtEnds(mesh, rim, static_cast<float>(skirt));
+    const std::vector<glm::vec3> ends = skirtEnds(mesh, rim, skirt);
     for (std::size_t i = 0; i < rim.size(); ++i) writer.add(ends[i], mesh.normals[rim[i]], mesh.properties[rim[i]]);
     auto data = vtkSmartPointer<vtkPolyData>::New();
     writer.giveTo(*data);

@@ -19,10 +19,11 @@ using RgbColour = std::array<std::uint8_t, 3>; ///< sRGB
 inline constexpr RgbColour barePartColour{74, 144, 217};
 
 /// A surface for VTK: points and normals in single precision, an sRGB colour a point. Any thread.
-/// @param rim   edges (two points each) that get a skirt of `skirt` mm down into the material and a third as far beyond
+/// @param rim   edges (two points each) that get a skirt, at each point as deep as `skirt` says, mm, down into the
+/// material and a third as far beyond
 ///              the rim, under the next piece: no light shows between this one and a coarser or finer one beside it
 vtkSmartPointer<vtkPolyData> surfacePolyData(const SurfaceMesh& mesh, const PropertyList& properties,
                                              const RgbColour& partColour, std::span<const std::uint32_t> rim = {},
-                                             double skirt = 0.0);
+                                             std::span<const float> skirt = {});
 
 } // namespace burin

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/setup/stock_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr int faces = 6;
+constexpr float onFace = 0.001F; ///< mm
+/// Three bevels take more off a corner than two off an edge: as far along an edge it is the corner's.
+constexpr float cornerReach = 2.0F;
+
+constexpr int axisOf(int face) {
+    return (face - 1) / 2;
+}
+constexpr bool isHigh(int face) {
+    return face % 2 == 0;
+}
+
+} // namespace
+
+bool BoxStock::fill(RunVolume& volume, PropertyIndex property) const {
+    const Grid& grid = volume.grid();
+    const auto line = [&](const glm::dvec3& corner, int axis) {
+        const double centre = (corner[axis] - grid.low()[axis]) / grid.edge() - 0.5;
+        return std::max(0, static_cast<std::int32_t>(std::ceil(centre - 1e-6)));
+    };
+    const int u = grid.axisOfU(), v = grid.axisOfV(), runs = grid.axisOfRuns();
+    const LineIndex low{line(box_.low, u), line(box_.low, v)};
+    const LineIndex high{std::max(low.u + 1, line(box_.high, u)), std::max(low.v + 1, line(box_.high, v))};
+    return volume.fillBlock(low, high, grid.toRunPosition(box_.low[runs]), grid.toRunPosition(box_.high[runs]),
+                            property);
+}
+
+float BoxStock::side(int face) const noexcept {
+    return static_cast<float>(isHigh(face) ? box_.high[axisOf(face)] : box_.low[axisOf(face)]);
+}
+
+KnownFaces::Number BoxStock::faceOf(const std::array<glm::vec3, 3>& triangle) const noexcept {
+    for (int face = 1; face <= faces; ++face) {
+        const int axis = axisOf(face);
+        const float at = side(face);
+        if (std::abs(triangle[0][axis] - at) <= onFace && std::abs(triangle[1][axis] - at) <= onFace &&
+            std::abs(triangle[2][axis] - at) <= onFace)
+            return static_cast<Number>(face);
+    }
+    return none;
+}
+
+glm::vec3 BoxStock::normal(Number face, const glm::vec3&) const noexcept {
+    glm::vec3 normal(0.0F);
+    normal[axisOf(face)] = isHigh(face) ? 1.0F : -1.0F;
+    return normal;
+}
+
+glm::vec3 BoxStock::sharpened(const glm::vec3& place, float reach) const noexcept {
+    glm::vec3 sharp = place;
+    std::array<bool, 3> near{};
+    const auto draw = [&](float within) {
+        for (int face = 1; face <= faces; ++face) {
+            const int axis = axisOf(face);
+            const float at = side(face);
+            if (near[static_cast<std::size_t>(axis)] || std::abs(place[axis] - at) > within) continue;
+            sharp[axis] = at;
+            near[static_cast<std::size_t>(axis)] = true;
+        }
+    };
+    draw(reach);
+    if (std::count(near.begin(), near.end(), true) == 2) draw(cornerReach * reach);
+    return sharp;
+}
+
+} // namespace burin

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/geometry/mesh_distance.h"
+#include "core/setup/stock_shape.h"
+#include "tests/core/volume/volumes.h"
+#include "ui/scene/offscreen_context.h"
+#include "ui/scene/workpiece_mesher.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QImage>
+#include <QtTest>
+
+#include <array>
+#include <cstring>
+#include <map>
+
+using namespace burin;
+using namespace burin::test;
+
+namespace {
+
+using Surfaces = std::vector<vtkSmartPointer<vtkPolyData>>; // by group
+
+constexpr int side = 900; // pixels
+/// Triangles that are allowed while things move, so that all details are drawn, down to the coarsest.
+constexpr std::array<std::size_t, 5> movingLimits{1'000'000, 4'000, 1'500, 500, 1};
+
+Surfaces surfaces(const VolumeSnapshot& workpiece, std::size_t movingLimit, SurfaceLayer layer) {
+    WorkpieceMesher mesher({movingLimit, 10'000'000}, [] {});
+    mesher.show(workpiece, std::nullopt);
+    std::map<std::size_t, vtkSmartPointer<vtkPolyData>> byGroup;
+    for (bool busy = true; busy;) {
+        QTest::qWait(10);
+        busy = mesher.busy();
+        for (SurfaceUpdate& update : mesher.take().updates)
+            if (update.layer == layer) byGroup[update.group] = update.data;
+    }
+    Surfaces all;
+    for (auto& [group, data] : byGroup) all.push_back(data);
+    return all;
+}
+
+/// At rest, and at all details of things that move.
+std::vector<Surfaces> atAllDetails(const VolumeSnapshot& workpiece) {
+    std::vector<Surfaces> all{surfaces(workpiece, 1'000'000, SurfaceLayer::rest)};
+    for (const std::size_t limit : movingLimits) all.push_back(surfaces(workpiece, limit, SurfaceLayer::moving));
+    return all;
+}
+
+TriangleMesh meshOf(const Surfaces& pieces) {
+    TriangleMesh mesh;
+    for (const auto& piece : pieces) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i) {
+            const double* place = piece->GetPoint(i);
+            mesh.vertices.push_back({place[0], place[1], place[2]});
+        }
+        for (vtkIdType i = 0; i < piece->GetNumberOfPolys(); ++i) {
+            vtkNew<vtkIdList> corners;
+            piece->GetCellPoints(i, corners);
+            const auto corner = [&](vtkIdType n) { return first + static_cast<std::uint32_t>(corners->GetId(n)); };
+            mesh.triangles.push_back({corner(0), corner(1), corner(2)});
+        }
+    }
+    return mesh;
+}
+
+RunVolume milled(const Box& stock, double voxel) {
+    const glm::ivec3 count(glm::ceil(stock.size() / voxel - 1e-6));
+    RunVolume volume = RunVolume::make(*Grid::make(stock.low, voxel, count), someProperties()).value();
+    (void)BoxStock(stock).fill(volume, wax);
+    return volume;
+}
+
+void clear(RunVolume& volume, const Box& box) {
+    const Grid& grid = volume.grid();
+    const glm::ivec3 low(glm::round((box.low - grid.low()) / grid.edge())),
+        high(glm::min(glm::round((box.high - grid.low()) / grid.edge()), glm::dvec3(grid.count())));
+    (void)volume.fillBlock({low.x, low.y}, {high.x, high.y}, grid.toRunPosition(box.low.z),
+                           grid.toRunPosition(box.high.z), airProperty);
+}
+
+class Stage {
+public:
+    Stage() {
+        renderer->SetBackground(1.0, 0.0, 1.0);
+        window->SetMapped(true);
+        window->SetIsCurrent(true);
+        window->SetReadyForRendering(true);
+        window->SetOwnContext(0);
+        window->SetSize(side, side);
+        window->OpenGLInitContext();
+        window->SetMultiSamples(0);
+        window->AddRenderer(renderer);
+    }
+    ~Stage() { window->Finalize(); }
+    void look(const Box& box, const glm::dvec3& from, double scale) {
+        const glm::dvec3 centre = box.centre(), eye = centre + 500.0 * glm::normalize(from);
+        vtkCamera* camera = renderer->GetActiveCamera();
+        camera->ParallelProjectionOn();
+        camera->SetFocalPoint(centre.x, centre.y, centre.z);
+        camera->SetPosition(eye.x, eye.y, eye.z);
+        camera->SetViewUp(0.0, 0.0, 1.0);
+        camera->SetParallelScale(scale);
+        camera->SetClippingRange(1.0, 1000.0);
+    }
+    QImage render(const Surfaces& pieces) {
+        renderer->RemoveAllViewProps();
+        for (const auto& piece : pieces) {
+            vtkNew<vtkPolyDataMapper> mapper;
+            mapper->SetColorModeToDirectScalars();
+            mapper->SetInputData(piece);
+            vtkNew<vtkActor> actor;
+            actor->SetMapper(mapper);
+            actor->GetProperty()->BackfaceCullingOn();
+            renderer->AddActor(actor);
+        }
+        window->Render();
+        vtkNew<vtkUnsignedCharArray> bytes;
+        window->GetPixelData(0, 0, side - 1, side - 1, 0, bytes.Get(), 0);
+        QImage image(side, side, QImage::Format_RGB888);
+        for (int y = 0; y < side; ++y)
+            std::memcpy(image.scanLine(side - 1 - y), bytes->GetPointer(3 * y * side), std::size_t{3} * side);
+        return image;
+    }
+    Result<OffscreenContext> context = OffscreenContext::make(side, side);
+    vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkGenericOpenGLRenderWindow> window;
+};
+
+} // namespace
+
+class WorkpieceMeshesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { vtkObject::GlobalWarningDisplayOff(); } // two lines about GLEW without X
+    void edgesOfTheStockAreSharp_data();
+    void edgesOfTheStockAreSharp();
+    void facesOfTheStockShadeFlat();
+    void shallowCutsStay();
+    void wallsShowNoNotch();
+};
+
+void WorkpieceMeshesTest::edgesOfTheStockAreSharp_data() {
+    QTest::addColumn<glm::dvec3>("size");
+    QTest::newRow("whole cells of all levels") << glm::dvec3(48.0, 40.0, 16.0);
+    QTest::newRow("whole voxels") << glm::dvec3(47.75, 40.25, 15.5);
+    QTest::newRow("height of no whole voxels") << glm::dvec3(47.75, 40.25, 15.6);
+}
+/// A slot leads through two edges and two faces; everywhere else the edges and corners of the box are there.
+void WorkpieceMeshesTest::edgesOfTheStockAreSharp() {
+    QFETCH(glm::dvec3, size);
+    const Box stock{{-3.0, 5.0, 1.0}, glm::dvec3(-3.0, 5.0, 1.0) + size};
+    RunVolume volume = milled(stock, 0.25);
+    clear(volume, {{9.0, 5.0, 8.0}, {15.0, 60.0, 20.0}});
+    for (const Surfaces& pieces : atAllDetails(volume.snapshot())) {
+        const MeshDistance surface(meshOf(pieces));
+        for (int axis = 0; axis < 3; ++axis)
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                if ((corner & 1U << axis) != 0) continue;
+                const glm::dvec3 from = stock.corner(corner), to = stock.corner(corner | 1U << axis);
+                for (int i = 0; i <= 400; ++i) {
+                    const glm::dvec3 place = glm::mix(from, to, i / 400.0);
+                    const bool nearTheSlot = place.z > 7.0 && place.x > 1.0 && place.x < 23.0;
+                    const double off = nearTheSlot ? 0.0 : surface.closest(place).distance;
+                    QVERIFY2(off < 0.002,
+                             qPrintable(QString("%1 %2 %3: %4 mm").arg(place.x).arg(place.y).arg(place.z).arg(off)));
+                }
+            }
+    }
+}
+
+/// Every triangle that lies in a face of the stock has its normal, up to the edge.
+void WorkpieceMeshesTest::facesOfTheStockShadeFlat() {
+    const Box stock{{0.0, 0.0, 0.0}, {48.0, 40.0, 16.0}};
+    RunVolume volume = milled(stock, 0.25);
+    for (const Surfaces& pieces : atAllDetails(volume.snapshot())) {
+        std::size_t corners = 0;
+        for (const auto& piece : pieces)
+            for (vtkIdType i = 0; i < piece->GetNumberOfPolys(); ++i) {
+                vtkNew<vtkIdList> ids;
+                piece->GetCellPoints(i, ids);
+                std::array<glm::dvec3, 3> at;
+                for (int n = 0; n < 3; ++n) piece->GetPoint(ids->GetId(n), &at[static_cast<std::size_t>(n)].x);
+                const glm::dvec3 twice = glm::cross(at[1] - at[0], at[2] - at[0]);
+                for (int axis = 0; axis < 3; ++axis)
+                    for (const double face : {stock.low[axis], stock.high[axis]}) {
+                        const auto onFace = [&](const glm::dvec3& p) { return std::abs(p[axis] - face) < 1e-4; };
+                        if (!std::all_of(at.begin(), at.end(), onFace) || glm::length(twice) < 0.01) continue;
+                        for (vtkIdType n = 0; n < 3; ++n, ++corners) {
+                            glm::dvec3 normal;
+                            piece->GetPointData()->GetNormals()->GetTuple(ids->GetId(n), &normal.x);
+                            QVERIFY(glm::dot(normal, glm::normalize(twice)) > 0.9999);
+                        }
+                    }
+            }
+        QVERIFY(corners >= 36);
+    }
+}
+
+/// A tenth of a voxel off the top is no untouched stock: it is drawn where it is.
+void WorkpieceMeshesTest::shallowCutsStay() {
+    const Box stock{{0.0, 0.0, 0.0}, {48.0, 40.0, 16.0}};
+    RunVolume volume = milled(stock, 0.25);
+    clear(volume, {{0.0, 0.0, 15.975}, {48.0, 40.0, 16.0}});
+    const TriangleMesh mesh = meshOf(surfaces(volume.snapshot(), 1'000'000, SurfaceLayer::rest));
+    double highest = 0.0;
+    for (const glm::dvec3& vertex : mesh.vertices) highest = std::max(highest, vertex.z);
+    QVERIFY(std::abs(highest - 15.975) < 0.002);
+}
+
+/// A wall of 2.5 mm across several groups, seen square: one even colour.
+void WorkpieceMeshesTest::wallsShowNoNotch() {
+    Stage stage;
+    const Box stock{{0.0, 0.0, 0.0}, {120.0, 40.0, 20.0}};
+    RunVolume volume = milled(stock, 0.25);
+    clear(volume, {{0.0, 0.0, 4.0}, {120.0, 18.0, 20.0}});
+    clear(volume, {{0.0, 20.5, 4.0}, {120.0, 40.0, 20.0}});
+    stage.look({{5.0, 18.0, 7.0}, {115.0, 18.0, 17.0}}, {0.0, -1.0, 0.0}, 55.0);
+    for (const Surfaces& pieces : atAllDetails(volume.snapshot())) {
+        const QImage image = stage.render(pieces);
+        const QRgb wall = image.pixel(side / 2 + 40, side / 2);
+        QVERIFY(qBlue(wall) < 250); // not the background's
+        int others = 0;
+        for (int y = side / 2 - 40; y < side / 2 + 40; ++y)
+            for (int x = 20; x < side - 20; ++x)
+                others += std::abs(qGreen(image.pixel(x, y)) - qGreen(wall)) > 24 ? 1 : 0;
+        QCOMPARE(others, 0);
+    }
+}
+
+QTEST_GUILESS_MAIN(WorkpieceMeshesTest)
+#include "tst_workpiece_meshes.moc"

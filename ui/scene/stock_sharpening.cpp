@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/stock_sharpening.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// Of a cell: the points of an edge's own cubes lie up to a half from both faces, those beside it a whole one.
+constexpr double reachOfEdges = 0.65;
+/// Points that are nearer to the shape stay where they are, mm.
+constexpr float nearEnough = 1e-4F;
+
+/// Where two rows of points have met in an edge.
+void dropTrianglesWithoutArea(SurfaceMesh& mesh) {
+    std::size_t kept = 0;
+    for (std::size_t corner = 0; corner < mesh.triangles.size(); corner += 3) {
+        const std::uint32_t a = mesh.triangles[corner], b = mesh.triangles[corner + 1], c = mesh.triangles[corner + 2];
+        if (mesh.points[a] == mesh.points[b] || mesh.points[b] == mesh.points[c] || mesh.points[c] == mesh.points[a])
+            continue;
+        for (const std::uint32_t point : {a, b, c}) mesh.triangles[kept++] = point;
+    }
+    mesh.triangles.resize(kept);
+}
+
+} // namespace
+
+std::shared_ptr<const StockShape> stockOf(const VolumeSnapshot& workpiece) {
+    const Grid& grid = workpiece.grid();
+    glm::ivec2 low(grid.lineCountU(), grid.lineCountV()), high(-1);
+    RunPosition from = grid.lineEnd(), to = 0;
+    for (std::int32_t v = 0; v < grid.lineCountV(); ++v)
+        for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {
+            RunPosition begin = 0;
+            for (const Segment segment : workpiece.line({u, v})) {
+                if (segment.property() != airProperty) {
+                    low = glm::min(low, glm::ivec2(u, v));
+                    high = glm::max(high, glm::ivec2(u, v));
+                    from = std::min(from, begin);
+                    to = std::max(to, segment.end());
+                }
+                begin = segment.end();
+            }
+        }
+    if (from >= to) return nullptr;
+    Box box;
+    for (const auto& [lines, add] : {std::pair(low, 0), std::pair(high, 1)}) {
+        glm::dvec3 corner(0.0);
+        corner[grid.axisOfU()] = grid.low()[grid.axisOfU()] + (lines.x + add) * grid.edge();
+        corner[grid.axisOfV()] = grid.low()[grid.axisOfV()] + (lines.y + add) * grid.edge();
+        corner[grid.axisOfRuns()] = grid.toMillimetres(add == 0 ? from : to);
+        box.include(corner);
+    }
+    return std::make_shared<BoxStock>(box);
+}
+
+StockSharpening::StockSharpening(std::shared_ptr<const StockShape> stock, const Grid& grid) {
+    PropertyList properties;
+    const Result<PropertyIndex> material =
+        properties.add(Property{.id = "stock", .name = {}, .base = {}, .values = {}});
+    Result<RunVolume> volume = RunVolume::make(grid, properties);
+    if (!stock || !material || !volume || !stock->fill(*volume, *material)) return; // edges as they come will do
+    stock_ = std::move(stock);
+    volume_ = *std::move(volume);
+    untouched_ = volume_->snapshot();
+}
+
+void StockSharpening::sharpen(SurfaceTile tile, int level, SurfaceMesh& mesh) {
+    if (!stock_) return;
+    const Moves& moves = movesOf(tile, level);
+    if (moves.empty()) return;
+    for (glm::vec3& point : mesh.points)
+        if (const auto move = moves.find(point); move != moves.end()) point = move->second;
+    dropTrianglesWithoutArea(mesh);
+}
+
+const StockSharpening::Moves& StockSharpening::movesOf(SurfaceTile tile, int level) {
+    const auto [entry, isNew] = moves_.try_emplace({level, tile.u, tile.v});
+    if (!isNew) return entry->second;
+    extractor_.extract(untouched_, tile, {level, 0.0}, mesh_);
+    const auto reach = static_cast<float>(reachOfEdges * untouched_.grid().edge() * (1 << level));
+    for (const glm::vec3& point : mesh_.points) {
+        const glm::vec3 sharp = stock_->sharpened(point, reach);
+        if (glm::length(sharp - point) > nearEnough) entry->second.emplace(point, sharp);
+    }
+    return entry->second;
+}
+
+} // namespace burin
