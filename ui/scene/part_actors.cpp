@@ -49,6 +49,11 @@ void PartActors::setVisible(bool visible) {
     refresh();
 }
 
+void PartActors::setCovered(bool covered) {
+    covered_ = covered;
+    refresh();
+}
+
 void PartActors::setLineWidth(double screenPixels) {
     lineWidth_ = screenPixels;
     refresh();
@@ -71,7 +76,7 @@ void PartActors::refresh() {
         setColour(*body.edges, edges_);
         setBlended(*body.edges, 0.45);
         burin::setLineWidth(*body.edges, lineWidth_);
-        body.surface->SetVisibility(visible_);
+        body.surface->SetVisibility(visible_ && !covered_);
         body.edges->SetVisibility(visible_);
     }
 }

@@ -35,10 +35,12 @@ public:
     void setBodies(std::vector<ShadedBody> bodies);
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
+    /// Something else is drawn where the surfaces are: edges and picking stay.
+    void setCovered(bool covered);
     void setLineWidth(double screenPixels);
     /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
-    std::size_t triangles() const noexcept { return visible_ ? triangles_ : 0; }
+    std::size_t triangles() const noexcept { return visible_ && !covered_ ? triangles_ : 0; }
 
 private:
     struct Drawn {
@@ -52,7 +54,7 @@ private:
     QColor part_, edges_;
     double lineWidth_ = 1.0;
     std::size_t triangles_ = 0;
-    bool visible_ = true;
+    bool visible_ = true, covered_ = false;
 };
 
 } // namespace burin

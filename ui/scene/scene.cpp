@@ -14,8 +14,6 @@
 namespace burin {
 namespace {
 
-constexpr double deviationPoint = 3.0; // device-independent pixels
-
 std::array<double, 3> components(const QColor& colour) {
     return {colour.redF(), colour.greenF(), colour.blueF()};
 }
@@ -78,7 +76,6 @@ void Scene::setPalette(const Palette& palette) {
     livePath_.setColour(palette.livePath);
     editedPath_.setPalette(palette);
     otherPaths_.setColour(palette.quietText);
-    deviations_.setPalette(palette);
     grid_.setColour(palette.grid);
     stock_.setColour(palette.quietText);
     scaleBar_.setPalette(palette);
@@ -101,6 +98,11 @@ void Scene::setPart(std::vector<ShadedBody> bodies, const Box& box) {
 void Scene::setPartVisible(std::optional<bool> visible) {
     partWish_ = visible;
     refresh();
+}
+
+void Scene::setDeviations(const DeviationSurface& surface) {
+    deviations_.set(surface);
+    part_.setCovered(!deviations_.empty());
 }
 
 void Scene::setStock(const std::optional<Box>& stock) {
@@ -176,7 +178,6 @@ void Scene::setLineWidths(double ratio) {
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
     otherPaths_.setLineWidth(thinLine * ratio);
-    deviations_.setSize(deviationPoint * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
     outlines_.setLineWidth(pathLine * ratio);
@@ -220,7 +221,8 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
 }
 
 std::size_t Scene::triangles() const {
-    return part_.triangles() + tool_.triangles() + (workpieceSeen() ? workpiece_.triangles() : 0);
+    return part_.triangles() + deviations_.triangles() + tool_.triangles() +
+           (workpieceSeen() ? workpiece_.triangles() : 0);
 }
 
 } // namespace burin
