@@ -6,6 +6,7 @@
 #include "core/base/file.h"
 #include "core/nc/dialect_library.h"
 #include "core/project/program_job.h"
+#include "core/verify/deviation_scale.h"
 #include "ui/scene/deviation_map.h"
 
 #include <CLI/CLI.hpp>
@@ -16,7 +17,7 @@ namespace {
 
 struct VerifyArguments {
     std::string program, project, tool, map, machine, dialect;
-    double tolerance = 0.02;
+    double tolerance = 0.02, allowance = 0.0;
     std::size_t exactSamples = 500;
 };
 
@@ -27,6 +28,15 @@ Result<Tool> chosenTool(const Project& project, const std::string& id) {
     if (!takes) return takes.error();
     if (takes->empty()) return Error{ErrorCode::projectIncomplete, "a tool", "--tool NAME", {}};
     return toolFor(project, takes->front().toolId);
+}
+
+/// The scale of the map's colours, from the deepest gouge to the most stock.
+nlohmann::json jsonOf(const DeviationScale& scale) {
+    nlohmann::json marks = nlohmann::json::array();
+    for (const DeviationScale::Mark& mark : scale.marks())
+        marks.push_back(
+            {{"deviation_mm", mark.deviation}, {"colour", mark.colour}, {"tolerance_limit", mark.ofTolerance}});
+    return marks;
 }
 
 int runVerify(const VerifyArguments& arguments, CommandContext& context) {
@@ -64,8 +74,12 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     answer["tool"] = jsonOf(checked->tools.front());
     answer["work_offset_mm"] = burin::jsonOf(bench->setup.workOffset);
     if (!arguments.map.empty()) {
-        if (const Result<void> written = writeDeviationMap(checked->report.deviations, arguments.map); !written)
-            return context.fail(written.error());
+        DeviationTolerance tolerance;
+        tolerance.gouge = arguments.tolerance;
+        tolerance.allowance = arguments.allowance;
+        const auto written = writeDeviationMap(checked->report.deviations, tolerance, arguments.map);
+        if (!written) return context.fail(written.error());
+        answer["map_scale"] = jsonOf(DeviationScale(tolerance));
         answer["map"] = std::filesystem::absolute(arguments.map).lexically_normal().string();
     }
     context.answer(answer, textOf(*checked, arguments.tolerance));
@@ -91,7 +105,13 @@ void registerVerify(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--exact", arguments->exactSamples, "Worst places that are judged on exact geometry")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
-    command->add_option("--map", arguments->map, "Write the deviation map as a VTK file (.vtp)");
+    command->add_option("--map", arguments->map,
+                        "Write the deviation map as a VTK file (.vtp), in the colours of the window");
+    command
+        ->add_option("--allowance", arguments->allowance,
+                     "Stock to leave on the part, mm: within tolerance in the map's colours")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runVerify(*arguments, context); });
 }

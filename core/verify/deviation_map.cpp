@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/deviation_map.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin {
 
 namespace {
+
+constexpr double gapInCells = 2.5;
+constexpr double planeInCells = 0.25; // a face's samples lie that near to the plane that is tangent a cell away
 
 std::int64_t cellNumber(double place, double cell) noexcept {
     return static_cast<std::int64_t>(std::floor(place / cell));
@@ -54,9 +59,8 @@ DeviationMap::Cell DeviationMap::cellOf(std::int64_t i, std::int64_t j, std::int
            (static_cast<std::uint64_t>(k) & mask);
 }
 
-std::optional<std::size_t> DeviationMap::nearest(const glm::dvec3& place, double reach) const {
-    std::optional<std::size_t> found;
-    double least = reach;
+template <class Visit>
+void DeviationMap::forEachNear(const glm::dvec3& place, double reach, const Visit& visit) const {
     const auto low = [&](double at) { return cellNumber(at - reach, cell_); };
     const auto high = [&](double at) { return cellNumber(at + reach, cell_); };
     for (std::int64_t k = low(place.z); k <= high(place.z); ++k)
@@ -64,14 +68,60 @@ std::optional<std::size_t> DeviationMap::nearest(const glm::dvec3& place, double
             for (std::int64_t i = low(place.x); i <= high(place.x); ++i) {
                 const auto cell = cells_.find(cellOf(i, j, k));
                 if (cell == cells_.end()) continue;
-                for (const std::uint32_t sample : cell->second) {
-                    const double distance = glm::length(samples_[sample].place - place);
-                    if (distance > least || (found && distance == least)) continue;
-                    least = distance;
-                    found = sample;
-                }
+                for (const std::uint32_t sample : cell->second) visit(sample);
             }
+}
+
+std::optional<std::size_t> DeviationMap::nearest(const glm::dvec3& place, double reach) const {
+    std::optional<std::size_t> found;
+    double least = reach;
+    forEachNear(place, reach, [&](std::uint32_t sample) {
+        const double distance = glm::length(samples_[sample].place - place);
+        if (distance > least || (found && distance == least)) return;
+        least = distance;
+        found = sample;
+    });
     return found;
+}
+
+std::optional<DeviationSample> DeviationMap::at(const glm::dvec3& place, const glm::dvec3& normal) const {
+    if (auto mean = meanAt(place, normal)) return mean;
+    // Between the samples of small triangles there may be gaps.
+    const double reach = gapInCells * cell_;
+    std::optional<DeviationSample> found;
+    double least = reach * reach;
+    forEachNear(place, reach, [&](std::uint32_t number) {
+        const glm::dvec3 to = samples_[number].place - place;
+        const double square = glm::dot(to, to), off = glm::dot(to, normal);
+        if (square > least || off * off > 0.25 * square) return;
+        least = square;
+        found = samples_[number];
+    });
+    return found;
+}
+
+std::optional<DeviationSample> DeviationMap::meanAt(const glm::dvec3& place, const glm::dvec3& normal) const {
+    struct Sum {
+        double weight = 0.0, excess = 0.0;
+    };
+    std::array<Sum, 2> sums; // out of reach, within
+    double gouge = 0.0;
+    const double thickness = planeInCells * cell_;
+    forEachNear(place, cell_, [&](std::uint32_t number) {
+        const DeviationSample& sample = samples_[number];
+        const glm::dvec3 to = sample.place - place;
+        const double off = glm::dot(to, normal) / thickness;
+        const double beside = (glm::dot(to, to) - off * off * thickness * thickness) / (cell_ * cell_);
+        if (beside >= 1.0 || std::abs(off) > 2.0) return;
+        gouge = std::max(gouge, sample.gouge);
+        const double weight = (1.0 - beside) * (1.0 - beside) * std::exp(-off * off);
+        sums[sample.reachable ? 1 : 0].weight += weight;
+        sums[sample.reachable ? 1 : 0].excess += weight * sample.excess;
+    });
+    const bool reachable = sums[1].weight >= sums[0].weight;
+    const Sum& most = sums[reachable ? 1 : 0];
+    if (!(most.weight > 0.0)) return std::nullopt;
+    return DeviationSample{place, most.excess / most.weight, gouge, reachable};
 }
 
 DeviationMap::Shares DeviationMap::shares(const DeviationTolerance& tolerance) const {

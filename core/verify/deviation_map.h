@@ -42,6 +42,11 @@ public:
     /// Place among the samples of the one nearest to a place, mm, setup frame; nothing where none is within `reach` mm.
     /// Cost: the samples in the cells that far around.
     std::optional<std::size_t> nearest(const glm::dvec3& place, double reach) const;
+    /// What the samples around a point of the part say of it: the deepest gouge that is marked nearer than a cell, else
+    /// their mean, the nearer the more. Those of other faces, farther from the tangent plane, count little.
+    /// @param place mm, setup frame, on the part; @param normal of the part there, unit
+    /// Nothing where no sample is within 2.5 cells. `reachable`: of most of them.
+    std::optional<DeviationSample> at(const glm::dvec3& place, const glm::dvec3& normal) const;
     /// Area shares, by samples, of each band.
     struct Shares {
         double gouge = 0.0, inTolerance = 0.0, excess = 0.0, unreachable = 0.0; ///< 0 … 1, together 1 or all 0
@@ -51,6 +56,10 @@ public:
 private:
     using Cell = std::uint64_t;
     Cell cellOf(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
+    /// Calls `visit(number of the sample)` for those in all cells within `reach` mm along each axis.
+    template <class Visit>
+    void forEachNear(const glm::dvec3& place, double reach, const Visit& visit) const;
+    std::optional<DeviationSample> meanAt(const glm::dvec3& place, const glm::dvec3& normal) const;
 
     const std::vector<DeviationSample>& samples_;
     double cell_;

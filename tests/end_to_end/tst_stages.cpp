@@ -137,6 +137,11 @@ void StagesTest::verifiesWhatItPosted() {
     QVERIFY(map.open(QIODevice::ReadOnly));
     const QByteArray text = map.readAll();
     QVERIFY(text.contains("PolyData") && text.contains("excess_mm"));
+    QVERIFY(text.contains("deviation_mm") && text.contains("colour"));
+    const QJsonArray scale = run.json()["map_scale"].toArray();
+    QVERIFY(scale.size() >= 3 && scale.first().toObject()["deviation_mm"].toDouble() < -0.02);
+    QCOMPARE(scale.last().toObject()["deviation_mm"].toDouble(), 2.0);
+    QCOMPARE(scale.last().toObject()["colour"].toArray().size(), 3);
 }
 
 void StagesTest::refusesAProgramThatGouges() {

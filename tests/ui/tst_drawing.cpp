@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/bench_fixture.h"
+#include "ui/scene/deviation_surface.h"
 #include "ui/scene/frame_clock.h"
 #include "ui/scene/path_thinner.h"
 #include "ui/scene/round_spacing.h"
@@ -9,6 +10,10 @@
 #include <QTest>
 
 #include <rapidcheck.h>
+
+#include <array>
+#include <map>
+#include <tuple>
 
 using namespace burin;
 
@@ -48,6 +53,32 @@ private slots:
             for (std::size_t k = 0; k < 3; ++k)
                 QVERIFY(glm::distance(mesh.normals[mesh.triangles[i + k]], flat) < 1e-6F);
         }
+    }
+
+    /// Divided for the deviation map, a surface has no long edge, no gap, and is where it was.
+    void aDividedSurfaceIsClosedAndFine() {
+        const ShadedMesh mesh = divided(shaded(fixture::dome({24.0, 16.0, 14.0}, 9, 4), crease), 1.5);
+        std::map<std::array<float, 6>, int> sides; // of an edge's ends: one way counts against the other
+        double volume = 0.0;
+        for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const glm::vec3 &a = mesh.points[mesh.triangles[i + k]],
+                                &b = mesh.points[mesh.triangles[i + (k + 1) % 3]];
+                QVERIFY(glm::distance(a, b) <= 1.5001F);
+                const bool forward = std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+                const glm::vec3 &low = forward ? a : b, &high = forward ? b : a;
+                sides[{low.x, low.y, low.z, high.x, high.y, high.z}] += forward ? 1 : -1;
+            }
+            const glm::dvec3 a = mesh.points[mesh.triangles[i]], b = mesh.points[mesh.triangles[i + 1]],
+                             c = mesh.points[mesh.triangles[i + 2]];
+            volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+        }
+        for (const auto& [edge, balance] : sides) QCOMPARE(balance, 0);
+        const TriangleMesh whole = fixture::dome({24.0, 16.0, 14.0}, 9, 4);
+        double expected = 0.0;
+        for (const auto& [a, b, c] : whole.triangles)
+            expected += glm::dot(whole.vertices[a], glm::cross(whole.vertices[b], whole.vertices[c])) / 6.0;
+        QVERIFY(std::abs(volume - expected) < 1e-4 * expected);
     }
 
     void aDomeIsSmoothButForItsFoot() {

@@ -3,6 +3,7 @@
 #include "tests/ui/panel_bench.h"
 #include "tests/ui/panel_examples.h"
 #include "ui/panels/deviation_card.h"
+#include "ui/panels/deviation_legend.h"
 #include "ui/panels/edit_parameters.h"
 #include "ui/panels/load_chart.h"
 #include "ui/panels/notice.h"
@@ -472,10 +473,34 @@ private slots:
         QCOMPARE(switched.size(), 1);
         const auto& rows = child<RowList>(card, "deviationBands").rows();
         QCOMPARE(rows.size(), std::size_t{4});
+        // The legend: evenly spaced values, and at each the colour that rows and surface have.
+        auto& legend = child<DeviationLegend>(card, "deviationLegend");
+        QVERIFY(legend.isVisible());
+        for (const char* value : {"+0.1 mm", "+0.5 mm", "+2 mm", "−0.02 mm", "−0.4 mm"})
+            QVERIFY2(legend.accessibleDescription().contains(
+                         QString::fromUtf8(value).replace(QLatin1Char(' '), QChar(QChar::Nbsp))),
+                     value);
+        QVERIFY(std::abs(legend.heightOf(-0.4) - legend.heightOf(-0.2) - legend.heightOf(0.1) + legend.heightOf(0.2)) <
+                1e-9);
+        const QImage picture = legend.grab().toImage();
+        const auto at = [&](double deviation) {
+            return picture.pixelColor(
+                (QPointF(20.0, legend.heightOf(deviation)) * picture.devicePixelRatio()).toPoint());
+        };
+        QVERIFY(at(1.5).blue() > at(1.5).red() + 60 && at(-0.3).red() > at(-0.3).blue() + 60);
+        QVERIFY(at(0.0).lightness() > 235 && at(0.7).lightness() < at(0.15).lightness());
         QVERIFY(rows[1].value.startsWith(QStringLiteral("70.0")));
         DeviationSample sample;
         sample.gouge = 0.034;
         card.showUnderPointer(sample);
+        // The pointer stands at the value.
+        const QImage pointed = legend.grab().toImage();
+        QRect changed;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                if (pointed.pixel(x, y) != picture.pixel(x, y)) changed |= QRect(x, y, 1, 1);
+        QVERIFY(!changed.isEmpty());
+        QVERIFY(std::abs(changed.center().y() / pointed.devicePixelRatio() - legend.heightOf(-0.034)) < 2.0);
         QVERIFY(child<QLabel>(card, "deviationUnderPointer").text().contains(QStringLiteral("0.034")));
         QVERIFY(child<QLabel>(card, "deviationUnderPointer").text().contains(QStringLiteral("too deep")));
         card.setUnit(LengthUnit::inch);

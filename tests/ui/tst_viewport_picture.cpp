@@ -57,6 +57,28 @@ int countLike(const QImage& image, const QRect& where, const QColor& colour, int
     return count;
 }
 
+bool alike(const QColor& one, const QColor& other, int tolerance) {
+    return std::abs(one.red() - other.red()) <= tolerance && std::abs(one.green() - other.green()) <= tolerance &&
+           std::abs(one.blue() - other.blue()) <= tolerance;
+}
+
+TriangleMesh boxMesh(const Box& box) {
+    TriangleMesh mesh;
+    for (int i = 0; i < 8; ++i)
+        mesh.vertices.emplace_back((i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
+                                   (i & 4) != 0 ? box.high.z : box.low.z);
+    for (const auto& [a, b, c, d] : {std::array<std::uint32_t, 4>{0, 2, 3, 1},
+                                     {4, 5, 7, 6},
+                                     {0, 1, 5, 4},
+                                     {2, 6, 7, 3},
+                                     {0, 4, 6, 2},
+                                     {1, 3, 7, 5}}) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a, c, d});
+    }
+    return mesh;
+}
+
 } // namespace
 
 /// What is drawn.
@@ -227,6 +249,110 @@ private slots:
         QVERIFY(bench_->save("viewport-path"));
         viewport_->setPathVisible(false);
         QCOMPARE(countLike(viewport_->grabFramebuffer(), image.rect(), palette.path, 3), 0);
+    }
+
+    /// A plate with 0.3 mm of stock on its left half, a gouge in it, and nothing measured on the right: each is told by
+    /// its colour, and the part's own is nowhere to be seen.
+    void theDeviationIsASurfaceInTheColoursOfItsScale() {
+        const glm::dvec3 half(24.0, 16.0, 5.0);
+        auto plate = std::make_shared<Model>();
+        Body body;
+        body.mesh = boxMesh({-half, half});
+        body.box = boundingBox(body.mesh);
+        plate->bodies.push_back(body);
+        auto samples = std::make_shared<std::vector<DeviationSample>>();
+        for (double x = -23.75; x < 0.0; x += 0.5)
+            for (double y = -15.75; y < 16.0; y += 0.5) samples->push_back({{x, y, half.z}, 0.3, 0.0, true});
+        DeviationSample& gouge = (*samples)[samples->size() / 2];
+        gouge.gouge = 0.4;
+        gouge.excess = 0.0;
+        viewport_->setPart(plate);
+        viewport_->setPartVisible(true);
+        viewport_->setWorkpieceVisible(false);
+        viewport_->setToolVisible(false);
+        viewport_->setStockOutline(std::nullopt);
+        viewport_->setStandardView(StandardView::top);
+        viewport_->setDeviations({samples, {0.02, 0.1, 0.0}, 0.5});
+        const double ratio = viewport_->devicePixelRatio();
+        QImage image;
+        const auto pixel = [&](double x, double y) {
+            return image.pixelColor((viewport_->project({x, y, half.z}) * ratio).toPoint());
+        };
+        const QColor expected(120, 180, 213); // a third of the way from the colour of 0.2 mm to that of 0.5 mm
+        QTRY_VERIFY((image = viewport_->grabFramebuffer(), alike(pixel(-6.0, 7.0), expected, 12)));
+        for (double x = -23.0; x < -1.0; x += 0.37)
+            for (double y = -15.0; y < 15.0; y += 0.41)
+                if (glm::distance(glm::dvec2(x, y), glm::dvec2(gouge.place)) > 1.5)
+                    QVERIFY(alike(pixel(x, y), expected, 12));
+        const QColor deep = pixel(gouge.place.x, gouge.place.y); // 0.4 mm: the deepest of the scale
+        QVERIFY(deep.red() > 100 && deep.red() > 3 * deep.green() && deep.red() > 2 * deep.blue());
+        int dark = 0, light = 0;
+        for (double x = 2.0; x < 23.0; x += 0.1) {
+            const QColor grey = pixel(x, 3.0);
+            QVERIFY(std::abs(grey.red() - grey.blue()) < 16 && std::abs(grey.red() - grey.green()) < 12);
+            ++(grey.green() < 95 ? dark : light);
+        }
+        QVERIFY(dark > 40 && light > 80); // hatched
+        QVERIFY(bench_->save("viewport-deviation"));
+        viewport_->setStandardView(StandardView::isometric);
+        bench_->settle();
+        QVERIFY(bench_->save("viewport-deviation-isometric"));
+        // Taken away, the part is there as before.
+        viewport_->setDeviations({});
+        viewport_->setStandardView(StandardView::top);
+        image = viewport_->grabFramebuffer();
+        QVERIFY(pixel(-6.0, 7.0).blue() > pixel(-6.0, 7.0).red() + 60);
+        viewport_->setPart(fixture::model(radii));
+        viewport_->setWorkpieceVisible(true);
+        viewport_->setToolVisible(true);
+        viewport_->setStockOutline(stock);
+    }
+
+    /// From nothing to 2 mm are left along a dome: each place has its value's colour, but for its shade.
+    void theDeviationOfACurvedPartIsContinuous() {
+        const auto excessAt = [](double x) { return std::pow((x + radii.x) / (2.0 * radii.x), 3.0) * 2.0; };
+        auto samples = std::make_shared<std::vector<DeviationSample>>();
+        for (double x = -radii.x; x < radii.x; x += 0.5)
+            for (double y = -radii.y; y < radii.y; y += 0.5) {
+                const double inside = 1.0 - x * x / (radii.x * radii.x) - y * y / (radii.y * radii.y);
+                if (inside > 0.0) samples->push_back({{x, y, radii.z * std::sqrt(inside)}, excessAt(x), 0.0, true});
+            }
+        viewport_->setPart(fixture::model(radii));
+        viewport_->setPartVisible(true);
+        viewport_->setWorkpieceVisible(false);
+        viewport_->setToolVisible(false);
+        viewport_->setStandardView(StandardView::top);
+        viewport_->setDeviations({samples, {0.02, 0.1, 0.0}, 0.5});
+        const double ratio = viewport_->devicePixelRatio();
+        QImage image;
+        const auto pixel = [&](double x, double y) {
+            const double z = radii.z * std::sqrt(1.0 - x * x / (radii.x * radii.x) - y * y / (radii.y * radii.y));
+            return image.pixelColor((viewport_->project({x, y, z}) * ratio).toPoint());
+        };
+        QTRY_VERIFY((image = viewport_->grabFramebuffer(), pixel(-12.0, 1.0).red() > 190)); // 0.03 mm: nearly white
+        // Values and colours of the legend: what is between is mixed.
+        const std::vector<std::pair<double, glm::dvec3>> legend{{0.0, {247, 247, 247}}, {0.1, {209, 229, 240}},
+                                                                {0.2, {146, 197, 222}}, {0.5, {67, 147, 195}},
+                                                                {1.0, {42, 114, 181}},  {2.0, {23, 74, 140}}};
+        for (double x = -15.0; x <= 17.0; x += 1.0) {
+            const double value = excessAt(x);
+            std::size_t above = 1;
+            while (legend[above].first < value) ++above;
+            const auto& [low, lowColour] = legend[above - 1];
+            const auto& [high, highColour] = legend[above];
+            const glm::dvec3 expected = glm::mix(lowColour, highColour, (value - low) / (high - low));
+            const QColor drawn = pixel(x, 1.0);
+            const glm::dvec3 found(drawn.red(), drawn.green(), drawn.blue());
+            const double shade = glm::dot(found, expected) / glm::dot(expected, expected);
+            QVERIFY2(shade > 0.6 && shade < 1.06 && glm::distance(found, shade * expected) < 16.0,
+                     qPrintable(QString("%1 mm at %2: %3").arg(value).arg(x).arg(drawn.name())));
+        }
+        viewport_->setStandardView(StandardView::isometric);
+        bench_->settle();
+        QVERIFY(bench_->save("viewport-deviation-dome"));
+        viewport_->setDeviations({});
+        viewport_->setWorkpieceVisible(true);
+        viewport_->setToolVisible(true);
     }
 
     void anHourOfPathStaysCheap() {

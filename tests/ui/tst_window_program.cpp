@@ -246,6 +246,10 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY(driver.waitFor(
         [&] { return driver.visible<QLabel>("deviationUnderPointer")->text().contains(QStringLiteral("left")); },
         3000));
+    // The legend is in sight, below the last of the pages' former content.
+    auto* legend = driver.visible<QWidget>("deviationLegend");
+    QVERIFY(legend != nullptr);
+    QVERIFY(QTest::qWaitFor([&] { return legend->visibleRegion().boundingRect().height() == legend->height(); }, 3000));
     driver.shoot("20-deviation");
     QTest::mouseClick(deviation, Qt::LeftButton, {}, {10, 10});
 

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/deviation_card.h"
 
+#include "ui/panels/deviation_legend.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"
 #include "ui/panels/texts.h"
-#include "ui/theme/deviation_colours.h"
 #include "ui/theme/number_font.h"
 
 #include <QCheckBox>
 #include <QEvent>
+#include <QScrollArea>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -19,14 +21,17 @@ namespace burin {
 DeviationCard::DeviationCard(QWidget* parent)
     : QFrame(parent)
     , switch_(new QCheckBox(tr("Show the deviation"), this))
-    , bands_(new RowList(this))
-    , under_(makeWrappedLabel(this)) {
+    , legend_(new DeviationLegend(this))
+    , under_(makeWrappedLabel(this))
+    , bands_(new RowList(this)) {
     setProperty("look", "card");
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 6, 8, 8);
     column->setSpacing(4);
     switch_->setObjectName(QStringLiteral("deviationSwitch"));
-    switch_->setToolTip(tr("Draw the bare part with what the program leaves on it, or takes from it"));
+    switch_->setToolTip(
+        tr("Colours the part by the stock that the program leaves on it, or by how deep it cuts into it"));
+    legend_->setObjectName(QStringLiteral("deviationLegend"));
     bands_->setObjectName(QStringLiteral("deviationBands"));
     bands_->setAccessibleName(tr("Bands of deviation and their shares of the part"));
     bands_->setSelectionMode(QAbstractItemView::NoSelection);
@@ -34,10 +39,12 @@ DeviationCard::DeviationCard(QWidget* parent)
     under_->setProperty("look", "small");
     under_->setFont(numberFont(under_->font()));
     column->addWidget(switch_);
-    column->addWidget(bands_);
+    column->addWidget(legend_);
     column->addWidget(under_);
+    column->addWidget(bands_);
     connect(switch_, &QCheckBox::clicked, this, [this](bool on) {
         showOn(on);
+        if (on) QTimer::singleShot(0, this, &DeviationCard::scrollIntoView); // after the new layout
         emit switched(on);
     });
     showOn(false);
@@ -56,9 +63,16 @@ void DeviationCard::setShares(const DeviationMap::Shares& shares, const Deviatio
 
 void DeviationCard::showOn(bool on) {
     switch_->setChecked(on);
+    legend_->setVisible(on);
     bands_->setVisible(on);
     under_->setVisible(on);
     refresh();
+}
+
+/// The legend opens below what was seen so far.
+void DeviationCard::scrollIntoView() {
+    for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(above)) return area->ensureWidgetVisible(this);
 }
 
 void DeviationCard::showUnderPointer(const std::optional<DeviationSample>& sample) {
@@ -72,20 +86,26 @@ void DeviationCard::changeEvent(QEvent* event) {
 }
 
 void DeviationCard::refresh() {
-    const auto row = [](DeviationBand band, const QString& title, double share) {
+    const DeviationScale scale(tolerance_);
+    const auto row = [](const DeviationColour& colour, const QString& title, double share) {
         ListRow shown;
         shown.title = shown.toolTip = title;
         shown.value = QLocale().toString(100.0 * share, 'f', 1) + QChar(QChar::Nbsp) + QLatin1Char('%');
-        shown.swatch = activePalette().*roleOf(band);
+        shown.swatch = QColor(colour[0], colour[1], colour[2]);
         return shown;
     };
+    // The colour of each band's middle.
+    const double left = tolerance_.allowance + 5.0 * tolerance_.excess, deep = -5.0 * tolerance_.gouge;
+    legend_->setTolerance(tolerance_);
+    legend_->setUnit(unit_);
+    legend_->setPointer(sample_ ? std::optional(deviationOf(*sample_)) : std::nullopt);
     bands_->setRows(
-        {row(DeviationBand::gouge, tr("Gouge deeper than %1").arg(shortLength(tolerance_.gouge, unit_)), shares_.gouge),
-         row(DeviationBand::inTolerance,
+        {row(scale.colourOf(left), tr("More is left"), shares_.excess),
+         row(scale.colourOf(tolerance_.allowance),
              tr("Within %1").arg(shortLength(tolerance_.allowance + tolerance_.excess, unit_)), shares_.inTolerance),
-         row(DeviationBand::excess, tr("More is left"), shares_.excess),
-         row(DeviationBand::unreachable, tr("Out of the tool's reach"), shares_.unreachable)});
-    QString text = tr("Point at the part for its figure.");
+         row(scale.colourOf(deep), tr("Gouge deeper than %1").arg(shortLength(tolerance_.gouge, unit_)), shares_.gouge),
+         row(unmeasuredColour, tr("Out of the tool's reach"), shares_.unreachable)});
+    QString text = tr("Point at the part to read the value there.");
     if (sample_) {
         const double deviation = deviationOf(*sample_);
         text = deviation < 0.0 ? tr("Here: %1 too deep").arg(lengthText(-deviation, unit_))

@@ -14,9 +14,10 @@ class QLabel;
 
 namespace burin {
 
+class DeviationLegend;
 class RowList;
 
-/// The legend of the deviation map with each band's share of the part, its switch, and the figure under the pointer.
+/// The legend of the deviation map with each band's share of the part, its switch, and the value under the pointer.
 class DeviationCard : public QFrame {
     Q_OBJECT
 public:
@@ -35,10 +36,12 @@ protected:
 
 private:
     void refresh();
+    void scrollIntoView();
 
     QCheckBox* switch_;
-    RowList* bands_;
+    DeviationLegend* legend_;
     QLabel* under_;
+    RowList* bands_;
     DeviationMap::Shares shares_;
     DeviationTolerance tolerance_;
     std::optional<DeviationSample> sample_;

@@ -3,6 +3,7 @@
 #include "ui/panels/program_panel.h"
 
 #include "core/verify/excess.h"
+#include "core/verify/gouge.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/deviation_card.h"
@@ -81,6 +82,7 @@ private:
     std::vector<LineMark> marks_; ///< what the check found and what the control may not take, a row each
     QWidget* figures_;
     ValueRow *gouge_, *excess_, *onPart_, *removed_, *time_, *blocks_;
+    QLabel* onPartText_;
 };
 
 ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
@@ -231,6 +233,10 @@ void ProgramPanel::Fields::addFigures() {
         (*row)->setObjectName(QLatin1String(name));
         rows->addWidget(*row);
     }
+    onPartText_ = makeWrappedLabel(figures_);
+    onPartText_->setObjectName(QStringLiteral("onPartText"));
+    onPartText_->setProperty("look", "small");
+    rows->addWidget(onPartText_);
     column_->addWidget(figures_);
 }
 
@@ -338,6 +344,10 @@ void ProgramPanel::Fields::refreshFigures() {
     const QString atLeast = report.excessMax < longestExcess ? QString() : QStringLiteral("≥ ");
     excess_->setValue(lengthNumber(report.excessMean, unit_) + QStringLiteral(" / ") + atLeast +
                       lengthText(report.excessMax, unit_));
+    setWrappedText(onPartText_,
+                   ProgramPanel::tr("On the part: the share of the cutting moves over the part in which the cutter is "
+                                    "within %1 of its surface. Close to 100 % for finishing, low for roughing.")
+                       .arg(shortLength(onPartDistance, unit_)));
     onPart_->setValue(QLocale().toString(100.0 * report.onPartShare, 'f', 1) + QChar(QChar::Nbsp) + QLatin1Char('%'));
     removed_->setValue(volumeText(report.removed, unit_));
     time_->setValue(durationText(report.machiningSeconds));

@@ -74,6 +74,11 @@ void PartActors::setDepthCue(const DepthCue& cue) {
     for (const Drawn& body : bodies_) burin::setDepthCue(*body.surface, cue);
 }
 
+void PartActors::setCovered(bool covered) {
+    covered_ = covered;
+    refresh();
+}
+
 void PartActors::setLineWidth(double screenPixels) {
     lineWidth_ = screenPixels;
     refresh();
@@ -96,7 +101,7 @@ void PartActors::refresh() {
         setColour(*body.edges, edges_);
         setBlended(*body.edges, edgeOpacity);
         burin::setLineWidth(*body.edges, lineWidth_);
-        body.surface->SetVisibility(visible_);
+        body.surface->SetVisibility(visible_ && !covered_);
         body.edges->SetVisibility(visible_);
         setColour(*body.ghostSurface, part_);
         setColour(*body.ghostEdges, part_);

@@ -40,11 +40,13 @@ public:
     /// Of a part with very many triangles, the edges alone.
     void setGhost(bool visible);
     bool ghostVisible() const noexcept { return ghost_ && !bodies_.empty(); }
+    /// Something else is drawn where the surfaces are: edges and picking stay.
+    void setCovered(bool covered);
     void setLineWidth(double screenPixels);
     void setDepthCue(const DepthCue& cue);
     /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
-    std::size_t triangles() const noexcept { return visible_ ? triangles_ : 0; }
+    std::size_t triangles() const noexcept { return visible_ && !covered_ ? triangles_ : 0; }
 
 private:
     struct Drawn {
@@ -58,7 +60,7 @@ private:
     QColor part_, edges_;
     double lineWidth_ = 1.0;
     std::size_t triangles_ = 0;
-    bool visible_ = true, ghost_ = false;
+    bool visible_ = true, ghost_ = false, covered_ = false;
 };
 
 } // namespace burin

@@ -12,8 +12,6 @@
 namespace burin {
 namespace {
 
-constexpr double deviationPoint = 3.0; // device-independent pixels
-
 std::array<double, 3> components(const QColor& colour) {
     return {colour.redF(), colour.greenF(), colour.blueF()};
 }
@@ -78,7 +76,6 @@ void Scene::setPalette(const Palette& palette) {
     livePath_.setColours(palette.livePath, palette.pathHalo);
     editedPath_.setPalette(palette);
     otherPaths_.setPalette(palette);
-    deviations_.setPalette(palette);
     grid_.setColour(palette.grid);
     shadow_.setPalette(palette);
     stock_.setColour(palette.quietText);
@@ -103,6 +100,11 @@ void Scene::setPart(std::vector<ShadedBody> bodies, const Box& box) {
 void Scene::setPartVisible(std::optional<bool> visible) {
     partWish_ = visible;
     refresh();
+}
+
+void Scene::setDeviations(const DeviationSurface& surface) {
+    deviations_.set(surface);
+    part_.setCovered(!deviations_.empty());
 }
 
 void Scene::setStock(const std::optional<Box>& stock) {
@@ -184,7 +186,6 @@ void Scene::setLineWidths(double ratio) {
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
     otherPaths_.setLineWidth(pathLine * ratio);
-    deviations_.setSize(deviationPoint * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     touch_.setLineWidth(pathLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
@@ -241,7 +242,8 @@ void Scene::cueDepth() {
 }
 
 std::size_t Scene::triangles() const {
-    return part_.triangles() + tool_.triangles() + (workpieceSeen() ? workpiece_.triangles() : 0);
+    return part_.triangles() + deviations_.triangles() + tool_.triangles() +
+           (workpieceSeen() ? workpiece_.triangles() : 0);
 }
 
 } // namespace burin

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/scene/camera_view.h"
-#include "ui/scene/deviation_points.h"
+#include "ui/scene/deviation_actors.h"
 #include "ui/scene/edited_path.h"
 #include "ui/scene/force_arrow.h"
 #include "ui/scene/ground_grid.h"
@@ -62,7 +62,8 @@ public:
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
     OtherPaths& otherPaths() noexcept { return otherPaths_; }
-    DeviationPoints& deviations() noexcept { return deviations_; }
+    /// Stands for the part's own surface. Without triangles: none.
+    void setDeviations(const DeviationSurface& surface);
     MarkedLines& moveMark() noexcept { return moveMark_; }
     MarkedLines& outlines() noexcept { return outlines_; }
     MarkedLines& strokePlans() noexcept { return strokePlans_; }
@@ -95,7 +96,7 @@ private:
     LivePath livePath_;
     OtherPaths otherPaths_;
     EditedPath editedPath_;
-    DeviationPoints deviations_;
+    DeviationActors deviations_;
     GroundGrid grid_;
     GroundShadow shadow_;
     StockOutline stock_;

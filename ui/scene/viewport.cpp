@@ -54,6 +54,7 @@ void Viewport::setLengthUnit(LengthUnit unit) {
 
 void Viewport::setPart(std::shared_ptr<const Model> model) {
     const std::uint64_t order = ++impl_->partOrdered;
+    impl_->part = model;
     if (!model) {
         impl_->scene.setPart({}, {});
         impl_->contentChanged();
@@ -171,9 +172,17 @@ void Viewport::setOtherPathsVisible(bool visible) {
     impl_->refresh();
 }
 
-void Viewport::setDeviations(std::span<const DeviationSample> samples, const DeviationTolerance& tolerance) {
-    impl_->scene.deviations().set(samples, tolerance);
-    impl_->refresh();
+void Viewport::setDeviations(const DeviationPicture& picture) {
+    const std::uint64_t order = ++impl_->deviationsOrdered;
+    if (!picture.samples || picture.samples->empty() || !impl_->part) {
+        impl_->scene.setDeviations({});
+        impl_->refresh();
+        return;
+    }
+    impl_->onPool([part = impl_->part, picture] { return deviationSurface(*part, picture); },
+                  [impl = impl_.get(), order](const std::shared_ptr<const DeviationSurface>& surface) {
+                      if (impl->deviationsOrdered == order) impl->scene.setDeviations(*surface);
+                  });
 }
 
 void Viewport::setOutlines(const PlaceChains& lines) {

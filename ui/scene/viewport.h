@@ -6,8 +6,8 @@
 #include "core/path/evaluate.h"
 #include "core/recording/sample.h"
 #include "core/tool/tool.h"
-#include "core/verify/deviation_map.h"
 #include "core/volume/run_volume.h"
+#include "ui/scene/deviation_surface.h"
 #include "ui/scene/guide_marks.h"
 #include "ui/scene/interactive_tool.h"
 #include "ui/scene/obstacle_mark.h"
@@ -98,8 +98,9 @@ public:
     /// What the job mills with other tools.
     void setOtherPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths);
     void setOtherPathsVisible(bool visible);
-    /// What a program leaves on the part, or takes from it; no samples: nothing.
-    void setDeviations(std::span<const DeviationSample> samples, const DeviationTolerance& tolerance);
+    /// What a program leaves on the part, or takes from it, in colours on the part. They come from a worker's thread,
+    /// and stand until they are taken away by a picture without samples.
+    void setDeviations(const DeviationPicture& picture);
     /// What is chosen or looked at of a path.
     void setMoveMark(const PlaceChains& moves);
     /// What the user drew for the path: areas, guides.

@@ -47,9 +47,9 @@ void DeviationPresenter::present() {
     const bool other = take(fits ? program.program() : nullptr);
     const bool drawn = shown_ && on_ && map_ && !workbench_.mill.active();
     if (drawn && (other || !drawn_))
-        viewport_.setDeviations(program_->report.deviations, tolerance_);
+        viewport_.setDeviations({{program_, &program_->report.deviations}, tolerance_, voxel()});
     else if (!drawn && drawn_)
-        viewport_.setDeviations({}, {});
+        viewport_.setDeviations({});
     drawn_ = drawn;
     scene_.showBarePart(drawn);
 }
@@ -61,18 +61,21 @@ bool DeviationPresenter::take(std::shared_ptr<const CheckedProgram> program) {
     if (program != program_) {
         map_.reset();
         program_ = std::move(program);
-        if (program_)
-            map_ = std::make_unique<DeviationMap>(program_->report.deviations, workbench_.bench.bench()->setup.voxel);
+        if (program_) map_ = std::make_unique<DeviationMap>(program_->report.deviations, voxel());
         card_.showUnderPointer({});
     }
     if (map_) card_.setShares(map_->shares(tolerance_), tolerance_);
     return true;
 }
 
+double DeviationPresenter::voxel() const {
+    return workbench_.bench.bench()->setup.voxel;
+}
+
 void DeviationPresenter::pointAt(const QPointF& position) {
     if (!drawn_) return;
     const auto place = viewport_.pick(position);
-    const double reach = reachInVoxels * workbench_.bench.bench()->setup.voxel;
+    const double reach = reachInVoxels * voxel();
     const auto sample = place ? map_->nearest(*place, reach) : std::nullopt;
     card_.showUnderPointer(sample ? std::optional(program_->report.deviations[*sample]) : std::nullopt);
 }

@@ -26,6 +26,8 @@ private:
     /// @return whether there is something else to draw
     bool take(std::shared_ptr<const CheckedProgram> program);
 
+    double voxel() const; ///< mm; there is a program that fits
+
     Viewport& viewport_;
     DeviationCard& card_;
     ScenePresenter& scene_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
-#include "core/verify/deviation_map.h"
+#include "core/verify/deviation_scale.h"
 #include "core/verify/load_chart.h"
 #include "core/verify/tool_moves.h"
 #include "core/verify/verify.h"
@@ -118,6 +118,8 @@ private slots:
     void eachToolMakesItsOwnMoves();
     void theLoadIsThatOfWhatIsRemoved();
     void aPlaceOfThePartHasItsNumber();
+    void theScaleTellsTheSidesApart();
+    void aPointOfThePartHasTheValuesOfItsFace();
 };
 
 void VerifyTest::aProgramInAirPasses() {
@@ -468,6 +470,76 @@ void VerifyTest::aPlaceOfThePartHasItsNumber() {
         QVERIFY(std::abs(shares.gouge + shares.inTolerance + shares.excess + shares.unreachable - 1.0) < 1e-9);
         QCOMPARE(shares.gouge > 0.0, row.deviation < 0.0);
     }
+}
+
+namespace {
+
+/// CIE 1976 lightness of an sRGB colour, 0 … 100 (IEC 61966-2-1).
+double lightness(const DeviationColour& colour) {
+    std::array<double, 3> linear{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double c = colour[i] / 255.0;
+        linear[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    }
+    const double y = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+    return 116.0 * std::cbrt(y) - 16.0;
+}
+
+} // namespace
+
+/// The farther from nominal the darker, without a step, and blue against red, which no common colour blindness mixes
+/// up.
+void VerifyTest::theScaleTellsTheSidesApart() {
+    for (const DeviationTolerance& tolerance :
+         {DeviationTolerance{0.02, 0.1, 0.0}, DeviationTolerance{0.05, 0.1, 0.3}}) {
+        const DeviationScale scale(tolerance);
+        double before = lightness(scale.colourOf(tolerance.allowance));
+        QVERIFY(before > 95.0);
+        for (double left = tolerance.allowance; left < tolerance.allowance + 2.5; left += 0.005) {
+            const double now = lightness(scale.colourOf(left));
+            QVERIFY(now <= before + 0.2 && now > before - 4.0);
+            before = now;
+            if (left < tolerance.allowance + 0.1) continue;
+            QVERIFY(scale.colourOf(left)[2] > scale.colourOf(left)[0] + 20);
+        }
+        before = lightness(scale.colourOf(0.0));
+        for (double deep = 0.0; deep < 1.5; deep += 0.001) {
+            const double now = lightness(scale.colourOf(-deep));
+            QVERIFY(now <= before + 0.2 && now > before - 4.0);
+            before = now;
+            if (deep < tolerance.gouge) continue;
+            QVERIFY(scale.colourOf(-deep)[0] > scale.colourOf(-deep)[2] + 20);
+        }
+        // The limits of the tolerance are marked.
+        std::vector<double> limits;
+        for (const DeviationScale::Mark& mark : scale.marks())
+            if (mark.ofTolerance) limits.push_back(mark.deviation);
+        QCOMPARE(limits.size(), std::size_t{2});
+        QCOMPARE(limits.front(), -tolerance.gouge);
+        QCOMPARE(limits.back(), tolerance.allowance + tolerance.excess);
+    }
+    DeviationSample overhang{{}, 3.0, 0.0, false};
+    QVERIFY(colourOf(overhang, DeviationScale({}), {}) == unmeasuredColour);
+}
+
+/// A floor whose stock rises evenly, at a wall with 5 mm of stock: up to the edge the floor keeps its own value.
+void VerifyTest::aPointOfThePartHasTheValuesOfItsFace() {
+    constexpr double apart = 0.4;
+    std::vector<DeviationSample> samples;
+    for (double y = -8.0; y <= 8.0; y += apart) {
+        for (double x = 0.1; x <= 10.0; x += apart) samples.push_back({{x, y, 0.0}, 0.1 + 0.05 * x, 0.0, true});
+        for (double z = 0.1; z <= 10.0; z += apart) samples.push_back({{0.0, y, z}, 5.0, 0.0, true});
+    }
+    const DeviationMap map(samples, apart);
+    const glm::dvec3 up(0.0, 0.0, 1.0), out(1.0, 0.0, 0.0);
+    for (double x = 0.5; x < 9.5; x += 0.13) {
+        const auto found = map.at({x, 0.17, 0.0}, up);
+        QVERIFY(found && found->reachable && std::abs(found->excess - (0.1 + 0.05 * x)) < 0.01);
+    }
+    const auto onTheEdge = map.at({0.0, 0.0, 0.0}, up), onTheWall = map.at({0.0, 0.0, 3.0}, out);
+    QVERIFY(onTheEdge && onTheEdge->excess < 2.5);
+    QVERIFY(onTheWall && std::abs(onTheWall->excess - 5.0) < 1e-9);
+    QVERIFY(!map.at({20.0, 0.0, 0.0}, up)); // nothing was measured there
 }
 
 QTEST_APPLESS_MAIN(VerifyTest)
