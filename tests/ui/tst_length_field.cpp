@@ -3,6 +3,7 @@
 #include "ui/panels/length_field.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QShortcut>
 #include <QSignalSpy>
@@ -132,22 +133,63 @@ private slots:
         QCOMPARE(bench.edited.size(), 0);
     }
 
-    void outOfRangeGoesToTheNearestEnd_data() {
+    /// It changes nothing, and says what was refused, the range and what stays, also where a click left the field.
+    void outOfRangeIsRefusedAndSaysTheRange_data() {
         QTest::addColumn<QString>("typed");
-        QTest::addColumn<double>("mm");
-        QTest::newRow("too large") << "500" << 100.0;
-        QTest::newRow("too large in inches") << "30 in" << 100.0;
-        QTest::newRow("below nought") << "-3" << 0.0;
+        QTest::addColumn<QString>("refused");
+        QTest::addColumn<bool>("byEnter");
+        for (const bool byEnter : {true, false}) {
+            const char* how = byEnter ? "Enter" : "click";
+            QTest::addRow("too large, %s", how) << "500"
+                                                << "500.000 mm" << byEnter;
+            QTest::addRow("too large in inches, %s", how) << "30 in"
+                                                          << "762.000 mm" << byEnter;
+            QTest::addRow("below nought, %s", how) << "-3"
+                                                   << "-3.000 mm" << byEnter;
+        }
     }
-    void outOfRangeGoesToTheNearestEnd() {
+    void outOfRangeIsRefusedAndSaysTheRange() {
         QFETCH(QString, typed);
-        QFETCH(double, mm);
+        QFETCH(QString, refused);
+        QFETCH(bool, byEnter);
         Bench bench;
         bench.type(typed);
+        if (byEnter)
+            bench.commit();
+        else
+            QTest::mouseClick(&bench.other, Qt::LeftButton);
+        QCOMPARE(bench.field.value(), 5.0);
+        QCOMPARE(bench.text(), QStringLiteral("5.000 mm"));
+        QCOMPARE(bench.edited.size(), 0);
+        auto* message = bench.window.findChild<QLabel*>(QStringLiteral("fieldMessage"));
+        QVERIFY(message != nullptr && message->isVisible());
+        QString sentence = message->text().replace(QChar(QChar::Nbsp), QLatin1Char(' '));
+        sentence.replace(QChar(0x2212), QLatin1Char('-'));
+        for (const QString& figure : {refused, QStringLiteral("0.000 mm to 100.000 mm"), QStringLiteral("5.000 mm")})
+            QVERIFY2(sentence.contains(figure), qPrintable(sentence));
+    }
+
+    /// 5 mm is 0.19685 in, which is shown as 0.1969 in: 5.001 mm, and still the end of the range.
+    void anEndOfTheRangeMayBeTypedAsItIsShown() {
+        Bench bench("C", LengthUnit::inch);
+        bench.field.limit(0.0, 5.0);
+        bench.field.showValue(1.0);
+        bench.type(QStringLiteral("0.1969"));
         bench.commit();
-        QCOMPARE(bench.field.value(), mm);
+        QCOMPARE(bench.field.value(), 5.0);
         QCOMPARE(bench.edited.size(), 1);
-        QCOMPARE(bench.edited[0][0].toDouble(), mm);
+        QVERIFY(bench.window.findChild<QLabel*>(QStringLiteral("fieldMessage")) == nullptr);
+    }
+
+    void anEntryWithinTheRangeSaysNothing() {
+        Bench bench;
+        bench.type(QStringLiteral("100"));
+        bench.commit();
+        QCOMPARE(bench.field.value(), 100.0);
+        bench.type(QStringLiteral("500"));
+        QTest::keyClick(&bench.field, Qt::Key_Escape); // taken back before it counted
+        bench.commit();
+        QVERIFY(bench.window.findChild<QLabel*>(QStringLiteral("fieldMessage")) == nullptr);
     }
 
     void nonsenseChangesNothing_data() {

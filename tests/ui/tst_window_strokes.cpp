@@ -209,6 +209,17 @@ private slots:
         QVERIFY(driver_->waitFor([&] { return escapeLabel().isEmpty(); }, 2000));
     }
 
+    void aValueOutOfRangeSaysSo() {
+        auto* field = driver_->visible<QAbstractSpinBox>("speedField");
+        QVERIFY(field != nullptr);
+        const QString before = field->text();
+        QVERIFY(driver_->enter("speedField", "100000"));
+        QCOMPARE(field->text(), before);
+        auto* message = driver_->visible<QLabel>("fieldMessage");
+        QVERIFY(message != nullptr && driver_->window().rect().contains(message->geometry()));
+        driver_->shoot("strokes-out-of-range");
+    }
+
     void theFirstPressIsRecordedAndOneSeesIt() {
         QVERIFY(driver_->visible<QLabel>("recordingStatus") == nullptr);
         millLine(*driver_, {-10, 0}, {10, 0});

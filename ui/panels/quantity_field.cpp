@@ -5,8 +5,10 @@
 #include "ui/theme/number_font.h"
 
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -36,6 +38,28 @@ private:
     QLineEdit* text_;
 };
 
+/// Under a field for a while, over what is there. A tooltip would go with the next click, which may be what left the
+/// field.
+void showUnder(QWidget* field, const QString& sentence) {
+    constexpr int width = 260, stays = 6000; // px, ms
+    QWidget* window = field->window();
+    delete window->findChild<QLabel*>(QStringLiteral("fieldMessage"));
+    auto* message = new QLabel(sentence, window);
+    message->setObjectName(QStringLiteral("fieldMessage"));
+    message->setWordWrap(true);
+    message->setProperty("look", "message");
+    message->setAutoFillBackground(true);
+    message->setAttribute(Qt::WA_TransparentForMouseEvents);
+    message->setFixedWidth(std::min(width, window->width()));
+    message->adjustSize();
+    const QPoint under = field->mapTo(window, field->rect().bottomLeft());
+    message->move(std::clamp(under.x(), 0, std::max(0, window->width() - message->width())),
+                  std::clamp(under.y() + 2, 0, std::max(0, window->height() - message->height())));
+    message->show();
+    message->raise();
+    QTimer::singleShot(stays, message, &QObject::deleteLater);
+}
+
 /// A tenth of the size of `shown`, a power of ten, not below the last digit that is shown.
 double stepOf(double shown, int decimals) {
     const double smallest = std::pow(10.0, -decimals);
@@ -57,6 +81,7 @@ QuantityField::QuantityField(Quantity quantity, QWidget* parent) : QDoubleSpinBo
     setLengthUnit(unit_);
     installEventFilter(new UndoKeysOfWindow(this, lineEdit()));
     connect(this, &QAbstractSpinBox::editingFinished, this, &QuantityField::commit);
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { refused_.reset(); });
 }
 
 void QuantityField::setLengthUnit(LengthUnit unit) {
@@ -97,10 +122,18 @@ std::optional<double> QuantityField::read(const QString& text) const {
     return readQuantity(bare, quantity_, unit_);
 }
 
+/// Nothing: it is out of range. An end of the range that is typed as it is shown, rounded, is that end.
+std::optional<double> QuantityField::withinRange(double typed) const {
+    const DisplayUnit unit = displayUnit(quantity_, unit_);
+    const double rounding = 0.5 * unit.size * std::pow(10.0, -unit.decimals);
+    if (typed < minimum() - rounding || typed > maximum() + rounding) return std::nullopt;
+    return std::clamp(typed, minimum(), maximum());
+}
+
 double QuantityField::valueFromText(const QString& text) const {
     // What is shown is rounded: reading it back must not change the value.
     if (text == textFromValue(value()) + suffix() || text == textFromValue(value())) return value();
-    return std::clamp(read(text).value_or(value()), minimum(), maximum());
+    return withinRange(read(text).value_or(value())).value_or(value());
 }
 
 QValidator::State QuantityField::validate(QString& text, int&) const {
@@ -111,12 +144,14 @@ QValidator::State QuantityField::validate(QString& text, int&) const {
         });
         return possible ? QValidator::Intermediate : QValidator::Invalid;
     }
-    return *typed >= minimum() && *typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    return withinRange(*typed) ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 void QuantityField::fixup(QString& text) const {
-    const double typed = read(text).value_or(value());
-    text = textFromValue(std::clamp(typed, minimum(), maximum())) + suffix();
+    const std::optional<double> typed = read(text);
+    const std::optional<double> possible = typed ? withinRange(*typed) : value();
+    if (!possible) refused_ = typed;
+    text = textFromValue(possible.value_or(value())) + suffix();
 }
 
 void QuantityField::stepBy(int steps) {
@@ -175,13 +210,22 @@ bool QuantityField::isTyping() const {
 
 void QuantityField::commit() {
     lineEdit()->setModified(false);
+    if (refused_) sayRange();
     if (value() == shown_) return;
     shown_ = value();
     emit valueEdited(shown_);
 }
 
+void QuantityField::sayRange() {
+    const auto text = [this](double number) { return quantityText(number, quantity_, unit_, locale()); };
+    showUnder(this, tr("%1 is out of range: %2 to %3 is possible. The value is still %4.")
+                        .arg(text(*refused_), text(minimum()), text(maximum()), text(value())));
+    refused_.reset();
+}
+
 void QuantityField::restore() {
     const QSignalBlocker quiet(this);
+    refused_.reset();
     lineEdit()->setModified(false);
     setValue(shown_);
 }

@@ -9,8 +9,9 @@
 namespace burin {
 
 /// A field for one measured number. `value()` is in the inner unit (mm, mm/s, s, Hz); it is shown in the display unit
-/// with that unit behind it, and read as `readQuantity` does. What is out of range is taken to the nearest end. Steps
-/// are a tenth of the number's own size. The wheel turns it only when it has the focus. Escape takes typing back.
+/// with that unit behind it, and read as `readQuantity` does. What is out of range is refused: the value stays, and a
+/// message under the field says the range. Steps are a tenth of the number's own size. The wheel turns it only when it
+/// has the focus. Escape takes typing back.
 class QuantityField : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -45,11 +46,14 @@ private:
     bool isTyping() const;
     void commit();
     void restore();
+    void sayRange();
     std::optional<double> read(const QString& text) const;
+    std::optional<double> withinRange(double typed) const;
 
     Quantity quantity_;
     LengthUnit unit_ = LengthUnit::millimetre;
-    double shown_ = 0.0; ///< what was last shown or told
+    double shown_ = 0.0;                    ///< what was last shown or told
+    mutable std::optional<double> refused_; ///< out of range, typed and not reported yet; `fixup` is const
 };
 
 } // namespace burin

@@ -19,7 +19,7 @@ constexpr const char* rules = R"(
 QWidget { selection-background-color: @accent; selection-color: @onAccent; }
 QMainWindow, QDialog { background: @panel; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
-QToolTip { background: @field; color: @text; border: 1px solid @border; border-radius: 4px; padding: 4px 6px; }
+QToolTip, QLabel[look="message"] { background: @field; color: @text; border: 1px solid @border; border-radius: 4px; padding: 4px 6px; }
 
 QLabel[look="title"] { font-size: 11pt; font-weight: 600; }
 QLabel[look="section"] { color: @quietText; font-size: 8pt; font-weight: 600; }
