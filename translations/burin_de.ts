@@ -459,6 +459,14 @@
         <source>Cut the last stroke again, a step-over to its right as it went.</source>
         <translation>Den letzten Zug noch einmal fräsen, einen Zeilenabstand rechts von seiner Richtung.</translation>
     </message>
+    <message>
+        <source>Parallel pro&amp;jection</source>
+        <translation>Parallelpro&amp;jektion</translation>
+    </message>
+    <message>
+        <source>Parallel edges stay parallel in every view. Views along an axis always are so.</source>
+        <translation>Parallele Kanten bleiben in jeder Ansicht parallel. Ansichten entlang einer Achse sind es immer.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -743,28 +751,12 @@
         <source>How far above what is left the plunge begins</source>
         <translation>Höhe über dem Restmaterial, in der das Eintauchen beginnt</translation>
     </message>
-    <message>
-        <source>take %1, tick %2</source>
-        <translation>Aufnahme %1, Takt %2</translation>
-    </message>
     <message numerus="yes">
         <source>%n places</source>
         <translation>
             <numerusform>%n Ort</numerusform>
             <numerusform>%n Orte</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>everything</source>
-        <translation>alles</translation>
-    </message>
-    <message>
-        <source>take %1 from tick %2</source>
-        <translation>Aufnahme %1 ab Takt %2</translation>
-    </message>
-    <message>
-        <source>take %1, ticks %2 to %3</source>
-        <translation>Aufnahme %1, Takte %2 bis %3</translation>
     </message>
     <message>
         <source>What</source>
@@ -1395,6 +1387,41 @@
     <message>
         <source>Lead and tilt</source>
         <translation>Vorlauf und Neigung</translation>
+    </message>
+</context>
+<context>
+    <name>HandTimeTexts</name>
+    <message>
+        <source>take %1</source>
+        <translation>Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation>Messpunkt %1</translation>
+    </message>
+    <message>
+        <source>≈ %1 s</source>
+        <translation>≈ %1 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>%1, from %2</source>
+        <translation>%1 ab %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, %2 bis %3</translation>
     </message>
 </context>
 <context>
@@ -2508,10 +2535,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Abweichung zeigen</translation>
     </message>
     <message>
-        <source>Draw the bare part with what the program leaves on it, or takes from it</source>
-        <translation>Das blanke Teil mit dem zeichnen, was das Programm darauf stehen lässt oder davon nimmt</translation>
-    </message>
-    <message>
         <source>Bands of deviation and their shares of the part</source>
         <translation>Stufen der Abweichung und ihre Anteile am Teil</translation>
     </message>
@@ -2532,10 +2555,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Vom Werkzeug unerreichbar</translation>
     </message>
     <message>
-        <source>Point at the part for its figure.</source>
-        <translation>Auf das Teil zeigen für die Zahl dort.</translation>
-    </message>
-    <message>
         <source>Here: %1 too deep</source>
         <translation>Hier: %1 zu tief</translation>
     </message>
@@ -2546,6 +2565,37 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>out of the tool&apos;s reach</source>
         <translation>vom Werkzeug unerreichbar</translation>
+    </message>
+    <message>
+        <source>Colours the part by the stock that the program leaves on it, or by how deep it cuts into it</source>
+        <translation>Färbt das Teil danach, wie viel Material das Programm stehen lässt oder wie tief es hineinschneidet</translation>
+    </message>
+    <message>
+        <source>Point at the part to read the value there.</source>
+        <translation>Auf das Teil zeigen, um den Wert dort abzulesen.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::DeviationLegend</name>
+    <message>
+        <source>Scale of the deviation</source>
+        <translation>Farbskala der Abweichung</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>zu tief</translation>
+    </message>
+    <message>
+        <source>within tolerance</source>
+        <translation>in der Toleranz</translation>
+    </message>
+    <message>
+        <source>too much left</source>
+        <translation>zu viel steht noch</translation>
+    </message>
+    <message>
+        <source>not measured, or out of the tool&apos;s reach</source>
+        <translation>nicht gemessen oder außer Reichweite des Werkzeugs</translation>
     </message>
 </context>
 <context>
@@ -3288,10 +3338,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::LoadChart</name>
     <message>
-        <source>Cutting force over the machining time; click for the line that is cut then</source>
-        <translation>Schnittkraft über der Bearbeitungszeit; ein Klick führt zur Zeile, die dann gefräst wird</translation>
-    </message>
-    <message>
         <source>Cutting force over the machining time</source>
         <translation>Schnittkraft über der Bearbeitungszeit</translation>
     </message>
@@ -3302,6 +3348,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Force, peak %1 N</source>
         <translation>Kraft, höchstens %1 N</translation>
+    </message>
+    <message>
+        <source>Cutting force over the machining time without tool changes, which are dotted lines; click for the line that is cut then</source>
+        <translation>Schnittkraft über der Bearbeitungszeit ohne Werkzeugwechsel, die gepunktete Linien sind; ein Klick führt zur Zeile, die dann gefräst wird</translation>
     </message>
 </context>
 <context>
@@ -4262,10 +4312,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Gleichlauf / Gegenlauf</translation>
     </message>
     <message>
-        <source>With a spindle that turns clockwise; conventional stretches are blue in the view. The rest cuts on both sides, or from above. Reverse turns strokes round</source>
-        <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht blau. Der Rest schneidet beidseitig oder von oben. „Umkehren“ dreht Züge um</translation>
-    </message>
-    <message>
         <source>The path of %1, which is milled before, can&apos;t be made. Here its stock counts as standing; take up that tool to see why.</source>
         <translation>Die Bahn von %1, die vorher gefräst wird, lässt sich nicht erstellen. Hier gilt ihr Rohmaterial als noch vorhanden; nehmen Sie dieses Werkzeug auf, um den Grund zu sehen.</translation>
     </message>
@@ -4296,6 +4342,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Feeds and speed</source>
         <translation>Vorschübe und Drehzahl</translation>
+    </message>
+    <message>
+        <source>With a spindle that turns clockwise; conventional cuts are pink in the view. The rest cuts on both sides, or from above. Reverse turns strokes round</source>
+        <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht rosa. Der Rest schneidet beidseitig oder von oben. „Umkehren“ dreht Züge um</translation>
     </message>
 </context>
 <context>
@@ -4431,10 +4481,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Es wird noch gerechnet.</translation>
     </message>
     <message>
-        <source>The path changed since: post and check it again.</source>
-        <translation>Die Bahn hat sich geändert: Geben Sie sie neu aus und prüfen Sie sie.</translation>
-    </message>
-    <message>
         <source>The program did not pass its check.</source>
         <translation>Das Programm hat die Prüfung nicht bestanden.</translation>
     </message>
@@ -4561,6 +4607,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The program is not checked yet: post and check it.</source>
         <translation>Das Programm ist noch nicht geprüft: Geben Sie es aus und prüfen Sie es.</translation>
     </message>
+    <message>
+        <source>The path or what it was checked with changed since: post and check it again.</source>
+        <translation>Die Bahn oder das, womit sie geprüft wurde, hat sich seither geändert: Geben Sie sie neu aus und prüfen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Out of date: passed before something was changed.</source>
+        <translation>Nicht mehr gültig: bestanden, bevor etwas geändert wurde.</translation>
+    </message>
+    <message>
+        <source>Out of date: not passed before something was changed.</source>
+        <translation>Nicht mehr gültig: nicht bestanden, bevor etwas geändert wurde.</translation>
+    </message>
+    <message>
+        <source>On the part: the share of the cutting moves over the part in which the cutter is within %1 of its surface. Close to 100 % for finishing, low for roughing.</source>
+        <translation>Am Teil: der Anteil der Schnittbewegungen über dem Teil, bei denen der Fräser höchstens %1 von der Oberfläche entfernt ist. Beim Schlichten nahe 100 %, beim Schruppen niedrig.</translation>
+    </message>
 </context>
 <context>
     <name>burin::ProgramScenePresenter</name>
@@ -4597,16 +4659,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>%1 W</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>sample %1</source>
-        <translation>Messpunkt %1</translation>
-    </message>
-    <message>
-        <source>the hand: %1, %2</source>
-        <translation>die Hand: %1, %2</translation>
+        <source>the hand: %1</source>
+        <translation>die Hand: %1</translation>
     </message>
 </context>
 <context>
@@ -4642,6 +4696,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Places where the text stands</source>
         <translation>Stellen, an denen der Text steht</translation>
+    </message>
+</context>
+<context>
+    <name>burin::QuantityField</name>
+    <message>
+        <source>%1 is out of range: %2 to %3 is possible. The value is still %4.</source>
+        <translation>%1 liegt außerhalb des Bereichs: %2 bis %3 ist möglich. Der Wert ist weiterhin %4.</translation>
     </message>
 </context>
 <context>
@@ -5312,6 +5373,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The 3D view needs OpenGL 3.2 or later; this computer offers %1.%2. A newer driver of the graphics card may help.</source>
         <translation>Die 3D-Ansicht braucht OpenGL 3.2 oder neuer; dieser Rechner bietet %1.%2. Vielleicht hilft ein neuerer Treiber der Grafikkarte.</translation>
+    </message>
+    <message>
+        <source>Part at %1</source>
+        <translation>Teil bei %1</translation>
+    </message>
+    <message>
+        <source>%1 deep</source>
+        <translation>%1 tief</translation>
     </message>
 </context>
 <context>

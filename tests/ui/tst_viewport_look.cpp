@@ -144,8 +144,9 @@ private slots:
     /// Lighter farther away; and from below nothing hides what stands on it.
     void theBenchCastsASoftShadow() {
         viewport_->setStockOutline(stock);
+        viewport_->setStandardView(StandardView::top);
         const QImage image = viewport_->grabFramebuffer();
-        const glm::dvec3 near{32.5, 2.5, -4.0}, far{47.5, 2.5, -4.0};
+        const glm::dvec3 near{31.0, 2.5, -4.0}, far{38.0, 2.5, -4.0};
         QVERIFY(lightnessOf(pixelAt(image, near)) < 0.93 * lightnessOf(pixelAt(image, far)));
         viewport_->setStandardView(StandardView::bottom);
         const QImage below = viewport_->grabFramebuffer();

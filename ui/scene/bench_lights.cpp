@@ -24,9 +24,9 @@ struct BenchLight {
     double intensity;
 };
 
-constexpr BenchLight keyLight{{-0.62, 0.55, 0.58}, 0.72}, fillLight{{0.8, -0.1, 0.6}, 0.26};
+constexpr BenchLight keyLight{{-0.4, 0.55, 0.58}, 0.72}, fillLight{{0.8, -0.3, 0.6}, 0.26};
 /// Light from everywhere, and how much more of it comes from above than from the side.
-constexpr double skyLight = 0.30, skySlope = 0.12;
+constexpr double skyLight = 0.36, skySlope = 0.12;
 /// How much light the farthest of a depth cue loses.
 constexpr double depthLoss = 0.30;
 /// How strongly the bend of a surface, 1 / pixel, counts, and how much light it takes or gives at most.

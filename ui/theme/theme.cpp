@@ -25,7 +25,7 @@ constexpr double smallestPointSize = 10.0;
 
 /// Roles that a user's theme may lack since it was written before they came, and what stands for them.
 constexpr std::array<std::pair<ColourRole, const char*>, 5> laterRoles{{{&Palette::conventionalPath, "#ff9cf2"},
-                                                                        {&Palette::rapidPath, "#b9c4d0"},
+                                                                        {&Palette::rapidPath, "#c9c4bb"},
                                                                         {&Palette::plungePath, "#f4f6f8"},
                                                                         {&Palette::chosenPath, "#fff04a"},
                                                                         {&Palette::pathHalo, "#07090c"}}};
