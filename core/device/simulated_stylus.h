@@ -36,7 +36,8 @@ struct StylusTarget {
 /// Then the button goes up and the tip rises before anything else. A stroke that is given up before its start was
 /// reached never presses the button. What is asked for meanwhile waits until a trail is finished.
 ///
-/// Thread: `wish`, `tip`, `strokeUnderWay` and `targetsAhead` the user interface's, the rest the haptic loop's. No lock, no allocation.
+/// Thread: `wish`, `tip`, `strokeUnderWay` and `targetsAhead` the user interface's, the rest the haptic loop's. No
+/// lock, no allocation.
 class SimulatedStylus final : public Stylus {
 public:
     static constexpr double maximumSpeed = 400.0;  ///< mm/s, never exceeded

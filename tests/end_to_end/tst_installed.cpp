@@ -168,10 +168,10 @@ private slots:
 
     /// Each library that a program of it asks for comes with a package that it depends on: readelf and dpkg say so.
     void thePackageDependsOnAllThatItLoads() {
-        const Outcome packed = run(QStringLiteral("cpack"),
-                                   {QStringLiteral("-G"), QStringLiteral("DEB"), QStringLiteral("--config"),
-                                    QStringLiteral(BURIN_BUILD_DIRECTORY "/CPackConfig.cmake"), QStringLiteral("-B"),
-                                    path(QStringLiteral("packed"))});
+        const Outcome packed =
+            run(QStringLiteral("cpack"), {QStringLiteral("-G"), QStringLiteral("DEB"), QStringLiteral("--config"),
+                                          QStringLiteral(BURIN_BUILD_DIRECTORY "/CPackConfig.cmake"),
+                                          QStringLiteral("-B"), path(QStringLiteral("packed"))});
         QVERIFY2(packed.status == 0, (packed.out + packed.messages).constData());
         const QStringList packages = QDir(path(QStringLiteral("packed"))).entryList({QStringLiteral("burin_*.deb")});
         QCOMPARE(packages.size(), 1);
@@ -179,8 +179,8 @@ private slots:
         const QString unpacked = path(QStringLiteral("unpacked"));
         QCOMPARE(run(QStringLiteral("dpkg-deb"), {QStringLiteral("-x"), package, unpacked}).status, 0);
 
-        const QSet<QString> libraries = librariesOf(unpacked + QStringLiteral("/usr/bin")) +
-                                        librariesOf(unpacked + QStringLiteral("/usr/lib"));
+        const QSet<QString> libraries =
+            librariesOf(unpacked + QStringLiteral("/usr/bin")) + librariesOf(unpacked + QStringLiteral("/usr/lib"));
         QVERIFY(libraries.size() > 20);
         const QStringList depended = dependenciesOf(package);
         for (const QString& library : libraries) {

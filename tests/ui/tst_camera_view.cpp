@@ -75,7 +75,8 @@ private slots:
             QVERIFY(pixels(appearanceOf(top, size, place), expected) < 1e-6);
             const Sight sight = sightThrough(top, size, expected);
             QVERIFY(glm::distance(glm::dvec2(sight.origin), glm::dvec2(place)) < 1e-6);
-            QVERIFY(sight.direction == glm::dvec3(0.0, 0.0, -1.0) || glm::distance(sight.direction, {0.0, 0.0, -1.0}) < 1e-9);
+            QVERIFY(sight.direction == glm::dvec3(0.0, 0.0, -1.0) ||
+                    glm::distance(sight.direction, {0.0, 0.0, -1.0}) < 1e-9);
             QVERIFY(sight.origin.z > 1000.0); // before all that stands there
         }
     }
@@ -85,7 +86,8 @@ private slots:
             CameraView view = someView(seed);
             view.convergence = 0.0;
             const QPointF at(100.0 + seed, 650.0 - seed);
-            const glm::dvec3 pivot = besideFocus(view, sightThrough(view, size, at)) + axesOf(view).back * (seed - 70.0);
+            const glm::dvec3 pivot =
+                besideFocus(view, sightThrough(view, size, at)) + axesOf(view).back * (seed - 70.0);
             QVERIFY(pixels(appearanceOf(zoomed(view, 0.6, pivot), size, pivot), at) < 1e-6);
             QVERIFY(std::abs(pixelAt(zoomed(view, 0.6, pivot), size, pivot) / pixelAt(view, size, pivot) - 0.6) < 1e-9);
             QVERIFY(pixels(appearanceOf(orbited(view, 0.01 * seed, 0.3, pivot), size, pivot), at) < 1e-6);

@@ -30,8 +30,9 @@ private slots:
         state.recording = state.active = false;
         panel.setState(state);
         show(panel);
-        QSignalSpy mill(&panel, &MillPanel::millModeToggled), undo(&panel, &MillPanel::undoStrokeRequested), redo(&panel, &MillPanel::redoStrokeRequested),
-            showMe(&panel, &MillPanel::showMeRequested), remove(&panel, &MillPanel::takeRemovalRequested);
+        QSignalSpy mill(&panel, &MillPanel::millModeToggled), undo(&panel, &MillPanel::undoStrokeRequested),
+            redo(&panel, &MillPanel::redoStrokeRequested), showMe(&panel, &MillPanel::showMeRequested),
+            remove(&panel, &MillPanel::takeRemovalRequested);
         click(panel, "millButton");
         QCOMPARE(mill.size(), 1);
         QCOMPARE(mill[0][0].toBool(), true);

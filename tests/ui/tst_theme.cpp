@@ -153,8 +153,8 @@ private slots:
     void linesOfAPathStandOutFromWhateverTheyLieOn() {
         QFETCH(int, theme);
         const Palette palette = *loadPalette(static_cast<Theme>(theme));
-        const std::vector<QColor> lines{palette.path, palette.conventionalPath, palette.rapidPath, palette.plungePath,
-                                        palette.livePath, palette.chosenPath};
+        const std::vector<QColor> lines{palette.path,       palette.conventionalPath, palette.rapidPath,
+                                        palette.plungePath, palette.livePath,         palette.chosenPath};
         std::vector<QColor> grounds = stockColours();
         QVERIFY(grounds.size() >= 3);
         grounds.insert(grounds.end(), {palette.part, palette.sceneTop, palette.sceneBottom});

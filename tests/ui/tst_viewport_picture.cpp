@@ -191,8 +191,8 @@ private slots:
         viewport_->setStandardView(StandardView::front);
         viewport_->setToolMarks(marksAt({0.0, -30.0, -15.0}));
         bench_->settle();
-        const QColor shank = viewport_->grabFramebuffer().pixelColor(
-            (viewport_->project({-2.0, -34.0, 10.0}) * ratio).toPoint());
+        const QColor shank =
+            viewport_->grabFramebuffer().pixelColor((viewport_->project({-2.0, -34.0, 10.0}) * ratio).toPoint());
         const QColor expected = fixture::palette().shank;
         QVERIFY(std::abs(shank.hslHueF() - expected.hslHueF()) < 0.06 && shank.lightness() > 60);
         viewport_->setStandardView(StandardView::isometric);

@@ -120,8 +120,8 @@ private slots:
         for (const glm::dvec3& place : lower) QVERIFY(distanceToLine(place, first.front(), first.back()) < 0.3);
         QVERIFY(driver_->clickOn("repeatLeftButton"));
         QVERIFY(strokesAre(3));
-        const glm::dvec3 across = glm::normalize(
-            glm::dvec3(first.front().y - first.back().y, first.back().x - first.front().x, 0.0));
+        const glm::dvec3 across =
+            glm::normalize(glm::dvec3(first.front().y - first.back().y, first.back().x - first.front().x, 0.0));
         QVERIFY(across.y > 0.0);
         QVERIFY(glm::distance(trace_->last().back(), lower.back() + 3.0 * across) < 0.02);
         driver_->shoot("strokes-repeated");
@@ -255,8 +255,8 @@ private slots:
         QVERIFY(bench().mill.active()); // that Esc was the page's
     }
 
-    /// A field is disabled under the hand, and a message comes, while digits are typed: none of them turns the view, and
-    /// nothing moves.
+    /// A field is disabled under the hand, and a message comes, while digits are typed: none of them turns the view,
+    /// and nothing moves.
     void nothingThatComesUnderTheHandMakesAShortcutOfATypedKey() {
         auto* field = driver_->visible<QAbstractSpinBox>("depthOfCutField");
         QTest::mouseDClick(field, Qt::LeftButton, Qt::NoModifier, field->rect().center());

@@ -108,7 +108,8 @@ void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
         int most = 0;
         for (int dx = -1; dx <= 1; ++dx)
             for (int dy = -1; dy <= 1; ++dy)
-                most = std::max(most, apart(hovering.pixelColor(at + QPoint(dx, dy)), bare.pixelColor(at + QPoint(dx, dy))));
+                most = std::max(most,
+                                apart(hovering.pixelColor(at + QPoint(dx, dy)), bare.pixelColor(at + QPoint(dx, dy))));
         return most;
     };
     QVERIFY(drawn({part.high.x, part.low.y, part.low.z + 8.0}) > 40); // an upright edge

@@ -17,7 +17,7 @@ constexpr double largestOffset = 500.0;                 // mm
 constexpr int settlingInterval = 120;                   // ms
 constexpr double arrived = 0.1;                         // mm
 constexpr double settledWay = 1.0;                      // mm: over which a stroke's direction is read
-constexpr double dragReach = 4.0;                      // pixels: what goes farther is a drag
+constexpr double dragReach = 4.0;                       // pixels: what goes farther is a drag
 
 } // namespace
 
@@ -175,8 +175,8 @@ bool MillTool::move(const ViewportEvent& event) {
     const Sight sight = sightOf(event);
     lookingAlong_ = sight.direction;
     if (stroke_ == Stroke::keyboard) return true;
-    if (drawing_ == Drawing::line &&
-        std::hypot(event.position.x() - pressed_.position.x(), event.position.y() - pressed_.position.y()) > dragReach) {
+    if (drawing_ == Drawing::line && std::hypot(event.position.x() - pressed_.position.x(),
+                                                event.position.y() - pressed_.position.y()) > dragReach) {
         drawing_ = Drawing::none; // a fine stroke after all
         beginFreeStroke(pressed_);
     }

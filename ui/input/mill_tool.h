@@ -48,13 +48,13 @@ struct MillToolSettings {
 /// where it hovers, then all of the pointer's trail, which it finishes after the button is released. Wheel moves the
 /// tool along its axis during strokes (0.5 mm a notch, with Shift 0.05 mm; with Ctrl it is the camera's); Shift makes
 /// the pointer fine: a tenth of its motion from where Shift went down, until the stroke is over. The right button is
-/// the camera's. Shift-click cuts a straight line from the end of the last stroke, at its height or along the part. With
-/// DragRule::raster a drag spans a rectangle, which is milled in rows as one stroke. X, Y and D lock strokes, and lines,
-/// to an axis or to the direction in which they go, until the same key is pressed again. What is cut by itself (line,
-/// raster, repetition) is a stroke like others. Esc gives up what is drawn, ends a stroke where it is, else leaves. The keyboard alone can mill: arrow keys move by a voxel,
-/// as seen by the user (Ctrl: ten voxels, Shift: a tenth), Page up and down along the axis, Space switches the spindle
-/// on and off. While it turns by the keyboard, the pointer does nothing; otherwise the next motion of the pointer takes
-/// the tool again. Thread: user interface.
+/// the camera's. Shift-click cuts a straight line from the end of the last stroke, at its height or along the part.
+/// With DragRule::raster a drag spans a rectangle, which is milled in rows as one stroke. X, Y and D lock strokes, and
+/// lines, to an axis or to the direction in which they go, until the same key is pressed again. What is cut by itself
+/// (line, raster, repetition) is a stroke like others. Esc gives up what is drawn, ends a stroke where it is, else
+/// leaves. The keyboard alone can mill: arrow keys move by a voxel, as seen by the user (Ctrl: ten voxels, Shift: a
+/// tenth), Page up and down along the axis, Space switches the spindle on and off. While it turns by the keyboard, the
+/// pointer does nothing; otherwise the next motion of the pointer takes the tool again. Thread: user interface.
 class MillTool final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
@@ -138,14 +138,14 @@ private:
     QTimer settling_;
     Stroke stroke_ = Stroke::none;
     Drawing drawing_ = Drawing::none;
-    ViewportEvent pressed_;              ///< that began what is drawn
+    ViewportEvent pressed_;                ///< that began what is drawn
     glm::dvec3 corner_{0.0}, across_{0.0}; ///< mm, of what is drawn: where it begins and where the pointer is
-    std::vector<glm::dvec3> lastStroke_; ///< mm, places or corners of the stroke that is drawn, else of the last one
+    std::vector<glm::dvec3> lastStroke_;   ///< mm, places or corners of the stroke that is drawn, else of the last one
     StrokeLock lock_ = StrokeLock::none;
     glm::dvec3 lockAnchor_{0.0}, lockDirection_{1.0, 0.0, 0.0}; ///< mm; unit
-    glm::dvec3 target_;                   ///< mm, that was wished last
-    double wantedHeight_ = 0.0;           ///< mm, z that a hover asked for; clearance may lift it
-    std::optional<double> surfaceHeight_; ///< mm, z of what was under the pointer last
+    glm::dvec3 target_;                                         ///< mm, that was wished last
+    double wantedHeight_ = 0.0;                                 ///< mm, z that a hover asked for; clearance may lift it
+    std::optional<double> surfaceHeight_;                       ///< mm, z of what was under the pointer last
     double pointedHeight_ = 0.0;          ///< mm, z of the plane on which the pointer draws a stroke: where it began
     double levelHeight_ = 0.0;            ///< mm, z of the stroke, the wheel not counted
     std::optional<glm::dvec3> strokeEnd_; ///< mm, of the last stroke, as long as the tool may be on its way there

@@ -91,7 +91,8 @@ QString MillTool::repeat(Repetition how) {
     if (!canRepeat() || feed_.waits()) return {};
     glm::dvec3 shift(0.0);
     if (how == Repetition::lower) {
-        if (settings_.rule == DepthRule::part) return tr("Along the part there is nothing lower: the part holds the tool.");
+        if (settings_.rule == DepthRule::part)
+            return tr("Along the part there is nothing lower: the part holds the tool.");
         if (settings_.depthOfCut <= 0.0) return tr("The depth of cut is zero, so that lower would be the same again.");
         shift.z = -settings_.depthOfCut;
     } else {

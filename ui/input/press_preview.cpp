@@ -13,8 +13,8 @@
 namespace burin {
 namespace {
 
-constexpr int rings = 8;            // of places on the cutter, from its axis to its edge
-constexpr int placesPerRing = 6;    // on the innermost; the k-th has k times as many
+constexpr int rings = 8;             // of places on the cutter, from its axis to its edge
+constexpr int placesPerRing = 6;     // on the innermost; the k-th has k times as many
 constexpr double insideEdge = 0.999; // of the radius
 
 /// Height of the flutes' surface over the tip, seen from below, mm.

@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-constexpr int interval = 10;                  // ms: the stylus holds thousands of places
+constexpr int interval = 10;              // ms: the stylus holds thousands of places
 constexpr std::size_t placesADeal = 500;  // so that many heights never hold the window up
 constexpr std::size_t longestTail = 4000; // places that are worth drawing
 

@@ -41,8 +41,7 @@ FocusKeeper::FocusKeeper(QWidget* place, QWidget* kept) : QObject(place), place_
 
 void FocusKeeper::giveBack() {
     place_->removeEventFilter(this);
-    if (kept_ && kept_->isVisible() && place_->window()->focusWidget() == place_)
-        kept_->setFocus(Qt::OtherFocusReason);
+    if (kept_ && kept_->isVisible() && place_->window()->focusWidget() == place_) kept_->setFocus(Qt::OtherFocusReason);
     deleteLater();
     setParent(nullptr);
 }

@@ -10,10 +10,10 @@ class QWidget;
 
 namespace burin {
 
-/// Enables or disables a widget that may have the keyboard, or hold what has it. Qt would hand the focus on to what comes
-/// next, where a key or the wheel changes a choice, or to nobody, where "4" turns the view. Instead it waits beside the
-/// widget, and keys that go on being typed into a field mean nothing; it comes back when the widget is enabled again, unless
-/// the user took it elsewhere.
+/// Enables or disables a widget that may have the keyboard, or hold what has it. Qt would hand the focus on to what
+/// comes next, where a key or the wheel changes a choice, or to nobody, where "4" turns the view. Instead it waits
+/// beside the widget, and keys that go on being typed into a field mean nothing; it comes back when the widget is
+/// enabled again, unless the user took it elsewhere.
 void setEnabledKeepingFocus(QWidget* widget, bool enabled);
 
 /// Holds the keyboard for a widget that is disabled. Ends itself when the focus goes on.

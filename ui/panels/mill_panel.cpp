@@ -79,9 +79,8 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
     column_->addWidget(makeSectionTitle(MillPanel::tr("Takes"), panel));
     noTakes_ = makeWrappedLabel(panel);
     noTakes_->setProperty("look", "quiet");
-    setWrappedText(noTakes_,
-                   MillPanel::tr("Nothing is recorded yet. All that you mill is, or let the virtual operator "
-                                 "show it to you."));
+    setWrappedText(noTakes_, MillPanel::tr("Nothing is recorded yet. All that you mill is, or let the virtual operator "
+                                           "show it to you."));
     column_->addWidget(noTakes_);
     takes_ = new TakeList(panel);
     takes_->setObjectName(QStringLiteral("takeList"));
@@ -283,10 +282,10 @@ void MillPanel::Fields::refreshStylus() {
 
 void MillPanel::Fields::refreshDepth() {
     const bool level = state.depthRule == DepthChoice::level, pointer = state.stylus == 0;
-    for (QWidget* widget : {pointerTitle_, keysTitle_, keys_, static_cast<QWidget*>(level_),
-                            static_cast<QWidget*>(part_), static_cast<QWidget*>(stroke_),
-                            static_cast<QWidget*>(raster_), repeatRow_, stepOver_->parentWidget(),
-                            speed_->parentWidget()})
+    for (QWidget* widget :
+         {pointerTitle_, keysTitle_, keys_, static_cast<QWidget*>(level_), static_cast<QWidget*>(part_),
+          static_cast<QWidget*>(stroke_), static_cast<QWidget*>(raster_), repeatRow_, stepOver_->parentWidget(),
+          speed_->parentWidget()})
         widget->setVisible(pointer);
     level_->setChecked(level);
     part_->setChecked(!level);

@@ -113,8 +113,8 @@ struct MillState {
     double depthOfCut = 1.0, press = 2.0, speed = 60.0, stepOver = 2.0; ///< mm, mm, mm/s, mm
     bool canRepeat = false;                                             ///< there is a stroke to repeat
     QString lock;                                                       ///< what strokes keep to; empty: nothing
-    QString alarm;                                      ///< what keeps the tool from cutting; empty: nothing
-    QString hint;                                       ///< what the hand may wonder about; empty: nothing
+    QString alarm; ///< what keeps the tool from cutting; empty: nothing
+    QString hint;  ///< what the hand may wonder about; empty: nothing
     std::vector<TakeRow> takes;
     bool showing = false; ///< the virtual operator mills
     QStringList styluses; ///< what can be milled with

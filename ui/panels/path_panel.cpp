@@ -79,9 +79,8 @@ PathPanel::Fields::Fields(PathPanel* panel)
         (*row)->setObjectName(QLatin1String(name));
         inner->addWidget(*row);
     }
-    sides_->setToolTip(
-        PathPanel::tr("With a spindle that turns clockwise; conventional cuts are pink in the view. "
-                      "The rest cuts on both sides, or from above. Reverse turns strokes round"));
+    sides_->setToolTip(PathPanel::tr("With a spindle that turns clockwise; conventional cuts are pink in the view. "
+                                     "The rest cuts on both sides, or from above. Reverse turns strokes round"));
     budget_->setToolTip(PathPanel::tr("The path is at most this far from what the hand did"));
     selection_ = new SelectionCard(content_);
     connect(selection_, &SelectionCard::dragChosen, panel, &PathPanel::dragChosen);

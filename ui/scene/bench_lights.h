@@ -13,13 +13,13 @@ namespace burin {
 /// reads as a groove, a weak one from the right, and what a bright sky gives.
 void addBenchLights(vtkRenderer& renderer);
 
-/// Shades a matt surface by the bench's lights as an eye far away would see it: no reflection, power or root a light and
-/// pixel, which in software takes half of the time of a picture. Hollow edges are darker, raised ones lighter. For
+/// Shades a matt surface by the bench's lights as an eye far away would see it: no reflection, power or root a light
+/// and pixel, which in software takes half of the time of a picture. Hollow edges are darker, raised ones lighter. For
 /// surfaces with normals at their points.
 void shadeSimply(vtkActor& actor);
 
-/// Between which distances from the eye a surface gets dimmer, mm, along the direction of sight: floors of one direction
-/// at different depths are told apart.
+/// Between which distances from the eye a surface gets dimmer, mm, along the direction of sight: floors of one
+/// direction at different depths are told apart.
 struct DepthCue {
     double nearest = 0.0, farthest = 0.0;
 };

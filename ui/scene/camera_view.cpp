@@ -12,8 +12,9 @@ namespace {
 
 constexpr double smallestDistance = 0.05, largestDistance = 1.0e6; // mm
 constexpr double fitMargin = 1.12;
-constexpr double leastConvergence = 0.002; // less can't be told from none, and its eye would be too far away to reckon with
-constexpr double parallelReach = 1.0e5;    // mm from the focus to the eye of a parallel picture
+constexpr double leastConvergence =
+    0.002; // less can't be told from none, and its eye would be too far away to reckon with
+constexpr double parallelReach = 1.0e5; // mm from the focus to the eye of a parallel picture
 
 const double halfHeight = std::tan(0.5 * cameraViewAngle); // of the picture, at distance 1
 

@@ -14,10 +14,11 @@ namespace burin {
 /// Where the eye stands: a turntable about z, so the picture never rolls. Any elevation, ± 90° included, is well
 /// defined.
 struct CameraView {
-    glm::dvec3 focus{0.0};   ///< mm, setup frame: what the eye looks at
-    double azimuth = 0.0;    ///< rad about z from +x: heading from the focus to the eye
-    double elevation = 0.0;  ///< rad over the horizontal plane, -π/2 … π/2
-    double distance = 300.0; ///< mm from the focus to an eye in perspective: what the picture shows there stays as large
+    glm::dvec3 focus{0.0};  ///< mm, setup frame: what the eye looks at
+    double azimuth = 0.0;   ///< rad about z from +x: heading from the focus to the eye
+    double elevation = 0.0; ///< rad over the horizontal plane, -π/2 … π/2
+    double distance =
+        300.0; ///< mm from the focus to an eye in perspective: what the picture shows there stays as large
     /// 1: perspective. 0: parallel, the eye infinitely far away. Between them only while one becomes the other: the eye
     /// draws back and its angle narrows, and what lies as far away as the focus keeps its place in the picture.
     double convergence = 1.0;

@@ -64,8 +64,7 @@ void EditedPath::setPath(const EvaluatedPath& evaluated) {
         else
             addMove(kind, from, point);
     }
-    for (std::size_t kind = 0; kind < kinds; ++kind)
-        lines_[kind].setLines(lineData(lines[kind]));
+    for (std::size_t kind = 0; kind < kinds; ++kind) lines_[kind].setLines(lineData(lines[kind]));
     empty_ = path.points.empty();
     setVisible(visible_);
 }

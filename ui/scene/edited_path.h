@@ -13,8 +13,8 @@
 
 namespace burin {
 
-/// What the machine shall do, told apart by colour and by stroke: cuts in orange, conventional ones in pink, rapids grey
-/// and dashed, plunges in short white dashes, retracts in an unbroken grey.
+/// What the machine shall do, told apart by colour and by stroke: cuts in orange, conventional ones in pink, rapids
+/// grey and dashed, plunges in short white dashes, retracts in an unbroken grey.
 class EditedPath {
 public:
     explicit EditedPath(vtkRenderer& renderer);

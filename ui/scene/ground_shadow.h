@@ -10,8 +10,8 @@
 
 namespace burin {
 
-/// The soft shadow on the table around what stands there: it tells where the bench ends and the ground begins. Seen from
-/// above only.
+/// The soft shadow on the table around what stands there: it tells where the bench ends and the ground begins. Seen
+/// from above only.
 class GroundShadow {
 public:
     explicit GroundShadow(vtkRenderer& renderer);

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// Lines with a seam of another lightness on both sides, so that they are seen on whatever they lie. Points are drawn as
-/// dots with a seam. Invisible at first. The renderer outlives them.
+/// Lines with a seam of another lightness on both sides, so that they are seen on whatever they lie. Points are drawn
+/// as dots with a seam. Invisible at first. The renderer outlives them.
 class HaloedLines {
 public:
     explicit HaloedLines(vtkRenderer& renderer);

@@ -42,8 +42,8 @@ void PartActors::setBodies(std::vector<ShadedBody> bodies) {
     for (ShadedBody& body : bodies) {
         const ShadedPolyData data = polyDataOf(body.mesh);
         triangles_ += body.mesh.triangles.size() / 3;
-        bodies_.push_back({surfaceActor(data.surface), raisedLineActor(data.creases, seamHeight - 1.0), glassActor(data.surface),
-                           lineActor(data.creases), std::move(body)});
+        bodies_.push_back({surfaceActor(data.surface), raisedLineActor(data.creases, seamHeight - 1.0),
+                           glassActor(data.surface), lineActor(data.creases), std::move(body)});
         shadeSimply(*bodies_.back().surface);
         solids_.AddActor(bodies_.back().surface);
         solids_.AddActor(bodies_.back().edges);

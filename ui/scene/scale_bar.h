@@ -22,7 +22,7 @@ private:
 
     ScreenImage image_;
     QColor colour_, plate_;
-    LengthUnit unit_{}; ///< millimetre
+    LengthUnit unit_{};   ///< millimetre
     double length_ = 0.0; ///< in its unit
     int pixels_ = 0;      ///< device-independent
     double ratio_ = 0.0;

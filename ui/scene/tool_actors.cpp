@@ -21,8 +21,8 @@ namespace {
 
 constexpr double helixAngle = 30.0 * pi / 180.0; // usual for end mills; drawn, not reckoned with
 
-constexpr double fadedOpacity = 0.1;                  // each of three or four pieces one behind the other
-constexpr double fadesFrom = 0.1, fadedFrom = 0.5;    // share of the tip's surroundings that is hidden
+constexpr double fadedOpacity = 0.1;               // each of three or four pieces one behind the other
+constexpr double fadesFrom = 0.1, fadedFrom = 0.5; // share of the tip's surroundings that is hidden
 
 /// Of a shank or holder that hides a share of what lies round the tip.
 double opacityFor(double hidden) {

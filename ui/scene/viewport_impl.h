@@ -102,8 +102,8 @@ public:
     std::vector<ObstacleMark> obstacles;
     std::shared_ptr<const Model> part;
     std::uint64_t deviationsOrdered = 0; ///< counts setDeviations, as partOrdered
-    std::uint64_t partOrdered = 0; ///< counts setPart: a part that comes late must not replace a newer one
-    bool usable = false;           ///< there is a context that can draw
+    std::uint64_t partOrdered = 0;       ///< counts setPart: a part that comes late must not replace a newer one
+    bool usable = false;                 ///< there is a context that can draw
     bool failureTold = false;
     bool flashLit = true;
     bool paintedMoving = true;      ///< the newest paint was made in motion

@@ -67,8 +67,7 @@ MainWindow::MainWindow(QWidget* parent)
     restoreGeometry(settings_.windowGeometry());
     work_->restoreState(settings_.panelWidth());
     panels_->meters->setFolded(settings_.metersFolded());
-    connect(panels_->meters, &Meters::foldedChanged, this,
-            [this](bool folded) { settings_.setMetersFolded(folded); });
+    connect(panels_->meters, &Meters::foldedChanged, this, [this](bool folded) { settings_.setMetersFolded(folded); });
     showStep(JobStep::part);
     showWelcome();
     updateTitle();

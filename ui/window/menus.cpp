@@ -39,12 +39,13 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     file->insertMenu(file->actions().at(2), recent_);
     addMenu(bar, tr("&Edit"), "editMenu", actions, {undo, redo, line, preferences});
     addMenu(bar, tr("&View"), "viewMenu", actions,
-            {fit, line, viewIsometric, viewTop, viewBottom, viewFront, viewBack, viewLeft, viewRight, parallelView, line,
-             showWorkpiece, showPart, showTool, showPath, showOtherPaths, showGuides, line, nextStep, previousStep});
+            {fit,      line,           viewIsometric, viewTop, viewBottom,    viewFront,   viewBack,
+             viewLeft, viewRight,      parallelView,  line,    showWorkpiece, showPart,    showTool,
+             showPath, showOtherPaths, showGuides,    line,    nextStep,      previousStep});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
-            {embed,     addFixtureFile, axisOfView,  line,        millMode, raster, repeatLower, repeatLeft, repeatRight, line,
-             guides,    nearestEdge,    levelAbove,  levelBelow,  line,     clutch, recentre,
-             alignHand, finerHand,      coarserHand, rateControl, line,     showMe, stopShow});
+            {embed,       addFixtureFile, axisOfView, line,        millMode,    raster,     repeatLower, repeatLeft,
+             repeatRight, line,           guides,     nearestEdge, levelAbove,  levelBelow, line,        clutch,
+             recentre,    alignHand,      finerHand,  coarserHand, rateControl, line,       showMe,      stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions, {post, exportProgram, overrideCheck, line, findInProgram});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, keyList, about});

@@ -54,7 +54,7 @@ public:
 signals:
     void entered();
     void left();
-    void recordingBegan(bool well); ///< after startRecording
+    void recordingBegan(bool well);  ///< after startRecording
     void strokeTakenBack(bool undo); ///< the newest one; false: it was put back
     void takesChanged();             ///< recordings came, went, or strokes of them were taken back
 
