@@ -6,9 +6,12 @@
 
 #include <QComboBox>
 #include <QFile>
+#include <QHash>
 #include <QLabel>
 #include <QLineEdit>
 #include <QtTest>
+
+#include <algorithm>
 
 using namespace burin;
 using namespace burin::testing;
@@ -18,6 +21,7 @@ class TestWindow : public QObject {
 private slots:
     void settingsCanBeTakenBack();
     void unitAndThemeChangeAtOnce();
+    void aPreferenceRestylesNothingThatItDoesNotConcern();
     void allKeysAreListed();
     void unsavedChangesAreGuarded();
     void aWrongFileCostsOneSentence();
@@ -90,6 +94,54 @@ void TestWindow::unitAndThemeChangeAtOnce() {
     QCOMPARE(UserSettings().preferences().unit, LengthUnit::inch);
     QCOMPARE(UserSettings().preferences().theme, Theme::light);
     driver.shoot("10-light-welcome");
+}
+
+namespace {
+
+/// How often each widget was told to style itself anew.
+class StyleChanges : public QObject {
+public:
+    StyleChanges() { qApp->installEventFilter(this); }
+    int most() const { return counts_.isEmpty() ? 0 : *std::ranges::max_element(counts_); }
+    void forget() { counts_.clear(); }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::StyleChange) ++counts_[watched];
+        return false;
+    }
+
+private:
+    QHash<QObject*, int> counts_;
+};
+
+} // namespace
+
+/// Every visit of all widgets is a moment in which the window does not answer.
+void TestWindow::aPreferenceRestylesNothingThatItDoesNotConcern() {
+    WindowDriver driver;
+    QVERIFY(makeReady(driver));
+    int byLanguage = -1, byUnit = -1, byTheme = -1;
+    driver.whenDialogStands([&](QWidget& dialog) {
+        StyleChanges changes;
+        const auto chooseNext = [&](const char* choice, int& most) {
+            changes.forget();
+            auto* box = dialog.findChild<QComboBox*>(choice);
+            box->setFocus();
+            const int before = box->currentIndex();
+            QTest::keyClick(box, before == 0 ? Qt::Key_Down : Qt::Key_Up);
+            QTest::qWait(200);
+            most = box->currentIndex() == before ? -1 : changes.most();
+        };
+        chooseNext("languageChoice", byLanguage);
+        chooseNext("unitChoice", byUnit);
+        chooseNext("themeChoice", byTheme);
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    driver.key(Qt::Key_Comma, Qt::ControlModifier);
+    QCOMPARE(byLanguage, 0);
+    QCOMPARE(byUnit, 0);
+    QCOMPARE(byTheme, 1);
 }
 
 void TestWindow::allKeysAreListed() {

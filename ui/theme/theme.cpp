@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace burin {
 
@@ -133,9 +134,11 @@ Result<Palette> loadPalette(Theme theme) {
 }
 
 void applyTheme(QApplication& application, const Palette& palette) {
-    applied() = palette;
-    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    application.setFont(windowFont(QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
+    // Each of style, font and style sheet visits every widget that there is; style and font are the same in all themes.
+    if (!std::exchange(applied(), palette)) {
+        application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+        application.setFont(windowFont(QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
+    }
     application.setPalette(systemPalette(palette));
     application.setStyleSheet(styleSheet(palette));
 }

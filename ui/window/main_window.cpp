@@ -384,17 +384,21 @@ void MainWindow::dress(Theme theme) {
             Qt::QueuedConnection);
 }
 
-void MainWindow::apply(const Preferences& preferences) {
-    dress(preferences.theme);
-    viewport_->setPalette3D(activePalette());
-    presenters_->setUnit(preferences.unit);
+/// Only what is another one than before: a theme visits every widget.
+void MainWindow::apply(const Preferences& preferences, const Preferences& before) {
+    if (preferences.theme != before.theme) {
+        dress(preferences.theme);
+        viewport_->setPalette3D(activePalette());
+    }
+    if (preferences.unit != before.unit) presenters_->setUnit(preferences.unit);
 }
 
 void MainWindow::showPreferences() {
     PreferencesDialog dialog(settings_.preferences(), this);
     connect(&dialog, &PreferencesDialog::preferencesChanged, this, [this](const Preferences& preferences) {
+        const Preferences before = settings_.preferences();
         settings_.setPreferences(preferences);
-        apply(preferences);
+        apply(preferences, before);
     });
     dialog.exec();
 }

@@ -53,7 +53,7 @@ private:
     void tellAboutBattery(double share);
     void updateTitle();
     void dress(Theme theme);
-    void apply(const Preferences& preferences);
+    void apply(const Preferences& preferences, const Preferences& before);
     void showPreferences();
     void showKeys();
     void removeTake(qint64 take);
