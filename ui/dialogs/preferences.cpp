@@ -13,6 +13,7 @@ constexpr const char* recentKey = "recent_files";
 constexpr const char* geometryKey = "window_geometry";
 constexpr const char* panelWidthKey = "panel_width";
 constexpr const char* parallelKey = "parallel_view";
+constexpr const char* transparencyKey = "workpiece_transparency";
 constexpr const char* folderKey = "last_folder";
 
 } // namespace
@@ -78,6 +79,14 @@ bool UserSettings::parallelView() const {
 
 void UserSettings::setParallelView(bool parallel) {
     settings_.setValue(parallelKey, parallel);
+}
+
+int UserSettings::transparency() const {
+    return settings_.value(transparencyKey).toInt();
+}
+
+void UserSettings::setTransparency(int percent) {
+    settings_.setValue(transparencyKey, percent);
 }
 
 QString UserSettings::lastFolder() const {

@@ -39,6 +39,8 @@ public:
     void setPanelWidth(const QByteArray& state);
     bool parallelView() const;
     void setParallelView(bool parallel);
+    int transparency() const; ///< of the workpiece, %
+    void setTransparency(int percent);
     QString lastFolder() const; ///< that a file was chosen in; empty: none yet
     void setLastFolder(const QString& folder);
 

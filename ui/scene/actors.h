@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -23,6 +24,8 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines);
 vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines);
 void setColour(vtkActor& actor, const QColor& colour);
 void setLineWidth(vtkActor& actor, double screenPixels);
+/// Draws only what a plane doesn't cut off; null: all.
+void clipBy(vtkActor& actor, vtkPlane* plane);
 /// Blends an actor over what is already drawn (actors are drawn in the order in which they were added). VTK's own
 /// translucent pass would cost several full-screen buffers, which software OpenGL pays for with every frame.
 void setBlended(vtkActor& actor, double opacity);

@@ -43,12 +43,19 @@ void PartActors::setBodies(std::vector<ShadedBody> bodies) {
         triangles_ += body.mesh.triangles.size() / 3;
         bodies_.push_back({surfaceActor(data.surface), lineActor(data.creases), glassActor(data.surface),
                            lineActor(data.creases), std::move(body)});
+        for (vtkActor* actor : {bodies_.back().surface.Get(), bodies_.back().edges.Get()}) clipBy(*actor, clip_);
         solids_.AddActor(bodies_.back().surface);
         solids_.AddActor(bodies_.back().edges);
         marks_.AddActor(bodies_.back().ghostSurface);
         marks_.AddActor(bodies_.back().ghostEdges);
     }
     refresh();
+}
+
+void PartActors::setClip(vtkPlane* clip) {
+    clip_ = clip;
+    for (const Drawn& body : bodies_)
+        for (vtkActor* actor : {body.surface.Get(), body.edges.Get()}) clipBy(*actor, clip_);
 }
 
 void PartActors::setColours(const QColor& part, const QColor& edges) {

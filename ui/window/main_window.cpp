@@ -52,12 +52,12 @@ MainWindow::MainWindow(QWidget* parent)
     layOut();
     presenters_ =
         std::make_unique<Presenters>(workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_}, nullptr);
-    viewOptions_ = new ViewOptions(*viewport_, actions_, settings_, this);
+    new ViewOptions(*viewport_, *viewBar_, actions_, settings_, this);
     connectActions();
     connectWorkbench();
     connectWelcome();
     viewport_->setPalette3D(activePalette());
-    presenters_->setUnit(settings_.preferences().unit);
+    setUnit(settings_.preferences().unit);
     resize(firstWindow);
     restoreGeometry(settings_.windowGeometry());
     work_->restoreState(settings_.panelWidth());
@@ -77,6 +77,8 @@ void MainWindow::layOut() {
     viewport_ = new Viewport;
     viewport_->setObjectName(QStringLiteral("viewport"));
     viewport_->setFocusPolicy(Qt::StrongFocus);
+    viewBar_ = new ViewBar({*actions_[ActionId::parallelView], *actions_[ActionId::sectionPlane],
+                            *actions_[ActionId::flipSection]});
     jobLine_ = new JobLine;
     jobLine_->setObjectName(QStringLiteral("jobLine"));
     panels_ = new PanelStack;
@@ -86,7 +88,7 @@ void MainWindow::layOut() {
     work_ = new QSplitter(Qt::Horizontal);
     work_->setObjectName(QStringLiteral("workSplitter"));
     work_->setChildrenCollapsible(false);
-    work_->addWidget(viewport_);
+    work_->addWidget(makeView());
     work_->addWidget(panels_);
     work_->setStretchFactor(0, 1);
     work_->setStretchFactor(1, 0);
@@ -110,6 +112,16 @@ void MainWindow::layOut() {
     layout->addWidget(message_);
     layout->addWidget(pages_, 1);
     setCentralWidget(whole);
+}
+
+QWidget* MainWindow::makeView() {
+    auto* view = new QWidget;
+    auto* layout = new QVBoxLayout(view);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(viewport_, 1);
+    layout->addWidget(viewBar_);
+    return view;
 }
 
 void MainWindow::connectActions() {
@@ -336,7 +348,12 @@ void MainWindow::dress(Theme theme) {
 void MainWindow::apply(const Preferences& preferences) {
     dress(preferences.theme);
     viewport_->setPalette3D(activePalette());
-    presenters_->setUnit(preferences.unit);
+    setUnit(preferences.unit);
+}
+
+void MainWindow::setUnit(LengthUnit unit) {
+    presenters_->setUnit(unit);
+    viewBar_->setUnit(unit);
 }
 
 void MainWindow::showPreferences() {

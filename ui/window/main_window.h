@@ -50,6 +50,8 @@ private:
     void tellAboutBattery(double share);
     void updateTitle();
     void dress(Theme theme);
+    QWidget* makeView(); ///< the viewport and the bar below it
+    void setUnit(LengthUnit unit);
     void apply(const Preferences& preferences);
     void showPreferences();
     void showKeys();
@@ -68,13 +70,13 @@ private:
     QSplitter* work_ = nullptr; ///< the view, and the panel beside it
     QWidget* bench_ = nullptr;
     Viewport* viewport_ = nullptr;
+    ViewBar* viewBar_ = nullptr;
     JobLine* jobLine_ = nullptr;
     PanelStack* panels_ = nullptr;
     StatusLine* status_ = nullptr;
     MessageStrip* message_ = nullptr;
     Menus* menus_ = nullptr;
     std::unique_ptr<Presenters> presenters_;
-    ViewOptions* viewOptions_ = nullptr;
     QTimer lookAgain_; ///< for left work
     bool ending_ = false, ended_ = false;
 };

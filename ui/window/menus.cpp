@@ -40,6 +40,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     addMenu(bar, tr("&Edit"), "editMenu", actions, {undo, redo, line, preferences});
     addMenu(bar, tr("&View"), "viewMenu", actions,
             {fit, line, viewIsometric, viewTop, viewBottom, viewFront, viewBack, viewLeft, viewRight, parallelView, line,
+             seeThrough, sectionPlane, flipSection, line,
              showWorkpiece, showPart, showTool, showPath, showOtherPaths, showGuides, line, nextStep, previousStep});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
             {embed,     addFixtureFile, axisOfView,  line,        millMode, record, line,
