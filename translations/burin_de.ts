@@ -467,6 +467,30 @@
         <source>Parallel edges stay parallel in every view. Views along an axis always are so.</source>
         <translation>Parallele Kanten bleiben in jeder Ansicht parallel. Ansichten entlang einer Achse sind es immer.</translation>
     </message>
+    <message>
+        <source>Transpare&amp;nt workpiece</source>
+        <translation>&amp;Durchsichtiges Werkstück</translation>
+    </message>
+    <message>
+        <source>Show the part through the workpiece.</source>
+        <translation>Zeigt das Teil durch das Werkstück hindurch.</translation>
+    </message>
+    <message>
+        <source>S&amp;ection</source>
+        <translation>S&amp;chnitt</translation>
+    </message>
+    <message>
+        <source>Cut part and workpiece open in the view, to look inside.</source>
+        <translation>Schneidet Teil und Werkstück in der Ansicht auf, um hineinzusehen.</translation>
+    </message>
+    <message>
+        <source>Fl&amp;ip</source>
+        <translation>&amp;Umkehren</translation>
+    </message>
+    <message>
+        <source>Show the other side of the section plane.</source>
+        <translation>Zeigt die andere Seite der Schnittebene.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -5350,6 +5374,37 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Source of the dimensions</source>
         <translation>Quelle der Abmessungen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ViewBar</name>
+    <message>
+        <source>Transparency</source>
+        <translation>Transparenz</translation>
+    </message>
+    <message>
+        <source>How far the part is seen through the workpiece.</source>
+        <translation>Wie weit das Teil durch das Werkstück zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Axis of the section plane</source>
+        <translation>Achse der Schnittebene</translation>
+    </message>
+    <message>
+        <source>The axis that the section plane is square to.</source>
+        <translation>Die Achse, zu der die Schnittebene senkrecht steht.</translation>
+    </message>
+    <message>
+        <source>Moves the section plane along its axis.</source>
+        <translation>Verschiebt die Schnittebene entlang ihrer Achse.</translation>
+    </message>
+    <message>
+        <source>Position of the section plane</source>
+        <translation>Position der Schnittebene</translation>
+    </message>
+    <message>
+        <source>Where the section plane stands on its axis.</source>
+        <translation>Wo die Schnittebene auf ihrer Achse steht.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_steps.h"
 
+#include <QDoubleSpinBox>
+#include <QSlider>
 #include <QtTest>
 
 #include <cmath>
@@ -44,6 +46,8 @@ private slots:
     void aClickInTheParallelTopViewCutsThere();
     void thePartAndThePlaceOfAPressAreSeenThroughTheStock();
     void theProjectionIsRemembered();
+    void theSliderShowsThePartThroughTheWorkpiece();
+    void aSectionShowsWhatIsInside();
 };
 
 /// In a plan, a pixel's place follows from the borders of the stock in the picture, by rule of three.
@@ -149,6 +153,90 @@ void TestWindowView::theProjectionIsRemembered() {
     QVERIFY(isParallel());
     driver.key(Qt::Key_P);
     QVERIFY(driver.waitFor([&] { return !isParallel(); }, 3000));
+}
+
+void TestWindowView::theSliderShowsThePartThroughTheWorkpiece() {
+    WindowDriver driver;
+    QVERIFY(makeReady(driver));
+    Viewport& viewport = driver.window().viewport();
+    const Box part = driver.window().workbench().model.model()->box();
+    const double ratio = viewport.devicePixelRatioF();
+    const auto bluish = [&] { // at a face of the part, deep within the green stock
+        QTest::qWait(600);
+        const glm::dvec3 place(part.high.x, part.centre().y, part.centre().z);
+        const QColor colour = viewport.grabFramebuffer().pixelColor((viewport.project(place) * ratio).toPoint());
+        return colour.blue() - colour.green();
+    };
+    auto* slider = driver.visible<QSlider>("transparencySlider");
+    QVERIFY(slider != nullptr);
+    const int opaque = bluish();
+    slider->setFocus();
+    for (int i = 0; i < 3; ++i) QTest::keyClick(slider, Qt::Key_PageUp);
+    QVERIFY(pressed(menuAction(driver, QStringLiteral("seeThroughAction"))));
+    const int through = bluish();
+    driver.shoot("33-transparent");
+    QVERIFY(through > opaque + 40);
+    driver.key(Qt::Key_I);
+    QCOMPARE(slider->value(), 0);
+    QVERIFY(std::abs(bluish() - opaque) < 6);
+    driver.key(Qt::Key_I); // as transparent as before
+    QCOMPARE(slider->value(), 60);
+    QVERIFY(driver.restart(true));
+    QCOMPARE(driver.window().findChild<QSlider*>("transparencySlider")->value(), 60);
+}
+
+/// The block lies 5 mm within its stock: a cut through its middle shows a frame of stock around it.
+void TestWindowView::aSectionShowsWhatIsInside() {
+    WindowDriver driver;
+    QVERIFY(makeReady(driver));
+    Workbench& bench = driver.window().workbench();
+    Viewport& viewport = driver.window().viewport();
+    const Box part = bench.model.model()->box(), stock = bench.setup.setup().stock;
+    const double ratio = viewport.devicePixelRatioF();
+    const auto isPart = [&](const glm::dvec3& place) {
+        const QColor colour = viewport.grabFramebuffer().pixelColor((viewport.project(place) * ratio).toPoint());
+        return colour.blue() > colour.green() + 20;
+    };
+    driver.key(Qt::Key_S);
+    QTest::qWait(700);
+    const double middle = stock.centre().y;
+    const glm::dvec3 inPart(part.low.x + 2.0, middle, part.low.z + 2.0),
+        inStock(stock.low.x + 2.0, middle, stock.low.z + 2.0);
+    driver.shoot("34-section");
+    QVERIFY(isPart(inPart));
+    QVERIFY(!isPart(inStock));
+    // The field moves it into the stock before the part.
+    QVERIFY(driver.enter("sectionField", QLocale().toString(stock.low.y + 2.0)));
+    QTest::qWait(700);
+    QVERIFY(!isPart({inPart.x, stock.low.y + 2.0, inPart.z}));
+    // Back by the handle, at the upper corner of its outline: 3 % of the diagonal beyond the stock.
+    const double beyond = 0.03 * glm::length(stock.size());
+    const glm::dvec3 grip(stock.high.x + beyond, stock.low.y + 2.0, stock.high.z + beyond);
+    const QPoint from = viewport.project(grip).toPoint();
+    const QPoint to = viewport.project({grip.x, middle, grip.z}).toPoint();
+    QTest::mouseMove(&viewport, from);
+    QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, from);
+    for (int i = 1; i <= 10; ++i) {
+        const QPoint at = from + (to - from) * i / 10;
+        QMouseEvent move(QEvent::MouseMove, at, viewport.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&viewport, &move);
+        QTest::qWait(20);
+    }
+    QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, to);
+    const auto* field = driver.visible<QDoubleSpinBox>("sectionField");
+    QVERIFY(field != nullptr);
+    QVERIFY(std::abs(field->value() - middle) < 0.5);
+    QTest::qWait(700);
+    QVERIFY(isPart({inPart.x, field->value(), inPart.z}));
+    // Milling goes on, and the cut face follows.
+    const double before = bench.bench.bench()->workpieceVolume();
+    QVERIFY(recordLine(driver, {-15.0, 5.0}, {15.0, 5.0}));
+    QVERIFY(bench.bench.bench()->workpieceVolume() < before);
+    driver.shoot("35-section-milled");
+    driver.key(Qt::Key_S);
+    QTest::qWait(700);
+    QVERIFY(!isPart(inPart));
+    QVERIFY(driver.visible<QWidget>("sectionField") == nullptr);
 }
 
 QTEST_MAIN(TestWindowView)

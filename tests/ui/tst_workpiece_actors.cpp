@@ -39,7 +39,7 @@ public:
         window->OpenGLInitContext();
         window->SetMultiSamples(0);
         window->AddRenderer(renderer);
-        actors.emplace(*renderer, [this] { calls.fetch_add(1); });
+        actors.emplace(*renderer, *films, [this] { calls.fetch_add(1); });
     }
     ~Stage() {
         actors.reset();
@@ -90,6 +90,7 @@ public:
     Result<OffscreenContext> context = OffscreenContext::make(side, side);
     vtkNew<vtkRenderer> renderer;
     vtkNew<vtkGenericOpenGLRenderWindow> window;
+    vtkNew<vtkRenderer> films;
     std::atomic<int> calls = 0;
     glm::dvec3 focus{0.0};
     std::optional<WorkpieceActors> actors;

@@ -61,6 +61,12 @@ constexpr std::array rows{
     Row{ActionId::parallelView, "parallelViewAction", QT_TRANSLATE_NOOP("Actions", "Parallel pro&jection"),
         QT_TRANSLATE_NOOP("Actions", "Parallel edges stay parallel in every view. Views along an axis always are so."),
         "P", true},
+    Row{ActionId::seeThrough, "seeThroughAction", QT_TRANSLATE_NOOP("Actions", "Transpare&nt workpiece"),
+        QT_TRANSLATE_NOOP("Actions", "Show the part through the workpiece."), "I", true},
+    Row{ActionId::sectionPlane, "sectionPlaneAction", QT_TRANSLATE_NOOP("Actions", "S&ection"),
+        QT_TRANSLATE_NOOP("Actions", "Cut part and workpiece open in the view, to look inside."), "S", true},
+    Row{ActionId::flipSection, "flipSectionAction", QT_TRANSLATE_NOOP("Actions", "Fl&ip"),
+        QT_TRANSLATE_NOOP("Actions", "Show the other side of the section plane."), "Shift+S"},
     Row{ActionId::showPart, "showPartAction", QT_TRANSLATE_NOOP("Actions", "&Part"),
         QT_TRANSLATE_NOOP("Actions", "Draw the part beside the workpiece."), "Ctrl+1", true},
     Row{ActionId::showWorkpiece, "showWorkpieceAction", QT_TRANSLATE_NOOP("Actions", "&Workpiece"),
@@ -161,6 +167,8 @@ Actions::Actions(QObject* parent) : QObject(parent) {
         actions_[static_cast<std::size_t>(row.id)] = action;
     }
     (*this)[ActionId::parallelView]->setChecked(false);
+    (*this)[ActionId::seeThrough]->setChecked(false);
+    (*this)[ActionId::sectionPlane]->setChecked(false);
     (*this)[ActionId::millMode]->setChecked(false);
     (*this)[ActionId::raster]->setChecked(false);
     (*this)[ActionId::clutch]->setChecked(false);

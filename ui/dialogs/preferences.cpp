@@ -14,6 +14,7 @@ constexpr const char* geometryKey = "window_geometry";
 constexpr const char* panelWidthKey = "panel_width";
 constexpr const char* metersKey = "meters_folded";
 constexpr const char* parallelKey = "parallel_view";
+constexpr const char* transparencyKey = "workpiece_transparency";
 constexpr const char* folderKey = "last_folder";
 
 } // namespace
@@ -87,6 +88,14 @@ bool UserSettings::parallelView() const {
 
 void UserSettings::setParallelView(bool parallel) {
     settings_.setValue(parallelKey, parallel);
+}
+
+int UserSettings::transparency() const {
+    return settings_.value(transparencyKey).toInt();
+}
+
+void UserSettings::setTransparency(int percent) {
+    settings_.setValue(transparencyKey, percent);
 }
 
 QString UserSettings::lastFolder() const {

@@ -41,6 +41,8 @@ public:
     void setMetersFolded(bool folded);
     bool parallelView() const;
     void setParallelView(bool parallel);
+    int transparency() const; ///< of the workpiece, %
+    void setTransparency(int percent);
     QString lastFolder() const; ///< that a file was chosen in; empty: none yet
     void setLastFolder(const QString& folder);
 

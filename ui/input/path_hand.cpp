@@ -14,7 +14,7 @@ namespace {
 
 constexpr double clickReach = 4.0;    // pixels that a click may tremble
 constexpr double drawnSpacing = 0.2;  // mm between places that are drawn
-constexpr double smallestSine = 1e-3; // of a sight to a plane or an axis
+constexpr double smallestSine = 1e-3; // of a sight to a plane
 
 /// Where a sight meets the plane through a place, mm.
 std::optional<glm::dvec3> onPlane(const Sight& sight, const glm::dvec3& place, const glm::dvec3& normal) {
@@ -23,14 +23,6 @@ std::optional<glm::dvec3> onPlane(const Sight& sight, const glm::dvec3& place, c
     const double way = glm::dot(place - sight.origin, normal) / slope;
     if (way <= 0.0) return std::nullopt;
     return sight.origin + way * sight.direction;
-}
-
-/// How far along an axis through a place a sight passes it nearest, mm.
-std::optional<double> alongAxis(const Sight& sight, const glm::dvec3& place, const glm::dvec3& axis) {
-    const double cosine = glm::dot(sight.direction, axis), square = 1.0 - cosine * cosine;
-    if (square < smallestSine * smallestSine) return std::nullopt;
-    const glm::dvec3 between = sight.origin - place;
-    return (glm::dot(between, axis) - cosine * glm::dot(between, sight.direction)) / square;
 }
 
 } // namespace

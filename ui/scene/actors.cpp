@@ -59,6 +59,11 @@ void setLineWidth(vtkActor& actor, double screenPixels) {
     actor.GetProperty()->SetLineWidth(static_cast<float>(screenPixels));
 }
 
+void clipBy(vtkActor& actor, vtkPlane* plane) {
+    actor.GetMapper()->RemoveAllClippingPlanes();
+    if (plane != nullptr) actor.GetMapper()->AddClippingPlane(plane);
+}
+
 void setBlended(vtkActor& actor, double opacity) {
     actor.GetProperty()->SetOpacity(opacity);
     actor.ForceOpaqueOn();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -24,6 +25,8 @@ inline constexpr double seamHeight = 3.0, raisedHeight = 4.0, overSeamHeight = 6
 vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines, double height = raisedHeight);
 void setColour(vtkActor& actor, const QColor& colour);
 void setLineWidth(vtkActor& actor, double screenPixels);
+/// Draws only what a plane doesn't cut off; null: all.
+void clipBy(vtkActor& actor, vtkPlane* plane);
 /// Blends an actor over what is already drawn (actors are drawn in the order in which they were added). VTK's own
 /// translucent pass would cost several full-screen buffers, which software OpenGL pays for with every frame.
 void setBlended(vtkActor& actor, double opacity);

@@ -45,12 +45,19 @@ void PartActors::setBodies(std::vector<ShadedBody> bodies) {
         bodies_.push_back({surfaceActor(data.surface), raisedLineActor(data.creases, seamHeight - 1.0),
                            glassActor(data.surface), lineActor(data.creases), std::move(body)});
         shadeSimply(*bodies_.back().surface);
+        for (vtkActor* actor : {bodies_.back().surface.Get(), bodies_.back().edges.Get()}) clipBy(*actor, clip_);
         solids_.AddActor(bodies_.back().surface);
         solids_.AddActor(bodies_.back().edges);
         marks_.AddActor(bodies_.back().ghostSurface);
         marks_.AddActor(bodies_.back().ghostEdges);
     }
     refresh();
+}
+
+void PartActors::setClip(vtkPlane* clip) {
+    clip_ = clip;
+    for (const Drawn& body : bodies_)
+        for (vtkActor* actor : {body.surface.Get(), body.edges.Get()}) clipBy(*actor, clip_);
 }
 
 void PartActors::setColours(const QColor& part, const QColor& edges) {

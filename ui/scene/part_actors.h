@@ -8,6 +8,7 @@
 #include "ui/scene/sight.h"
 
 #include <vtkActor.h>
+#include <vtkPlane.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
@@ -37,6 +38,8 @@ public:
     void setBodies(std::vector<ShadedBody> bodies);
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
+    /// Draws only what a plane doesn't cut off; null: all. The plane may be moved.
+    void setClip(vtkPlane* clip);
     /// Of a part with very many triangles, the edges alone.
     void setGhost(bool visible);
     bool ghostVisible() const noexcept { return ghost_ && !bodies_.empty(); }
@@ -57,6 +60,7 @@ private:
 
     vtkRenderer &solids_, &marks_;
     std::vector<Drawn> bodies_;
+    vtkSmartPointer<vtkPlane> clip_;
     QColor part_, edges_;
     double lineWidth_ = 1.0;
     std::size_t triangles_ = 0;

@@ -33,7 +33,7 @@ Box boundsOf(vtkRenderer& renderer) {
 Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
              ObstacleActors::Shader obstacles)
     : part_(*bench_, *marks_)
-    , workpiece_(*bench_, std::move(workpieceReady))
+    , workpiece_(*bench_, *films_, std::move(workpieceReady))
     , tool_(*bench_, *films_)
     , livePath_(*bench_)
     , otherPaths_(*bench_)
@@ -45,6 +45,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , scaleBar_(*bench_)
     , obstacles_(*bench_, *films_, std::move(obstacles))
     , guides_(*films_, *marks_, std::move(surfaces))
+    , section_(*bench_, *marks_)
     , ghost_(*marks_)
     , touch_(*marks_)
     , moveMark_(*marks_)
@@ -82,6 +83,7 @@ void Scene::setPalette(const Palette& palette) {
     scaleBar_.setPalette(palette);
     obstacles_.setPalette(palette);
     guides_.setPalette(palette);
+    section_.setPalette(palette);
     ghost_.setPalette(palette);
     touch_.setPalette(palette);
     moveMark_.setColours(palette.chosenPath, palette.pathHalo);
@@ -115,6 +117,7 @@ void Scene::setStock(const std::optional<Box>& stock) {
 void Scene::setWorkpiece(const VolumeSnapshot& workpiece,
                          std::optional<std::chrono::steady_clock::time_point> oldestCut) {
     shown_ = workpiece;
+    section_.workpieceChanged();
     workpiece_.show(workpiece, oldestCut);
     refresh();
 }
@@ -122,7 +125,23 @@ void Scene::setWorkpiece(const VolumeSnapshot& workpiece,
 void Scene::setWorkpieceVisible(bool visible) {
     workpieceVisible_ = visible;
     workpiece_.setVisible(visible);
+    section_.workpieceChanged();
     refresh();
+}
+
+void Scene::setWorkpieceOpacity(double opacity) {
+    seenThrough_ = opacity < 1.0;
+    workpiece_.setOpacity(opacity);
+    refresh();
+}
+
+void Scene::setSection(const std::optional<SectionPlane>& plane) {
+    const bool wasOn = section_.plane().has_value();
+    section_.set(plane);
+    if (plane.has_value() == wasOn) return;
+    vtkPlane* clip = plane ? &section_.clip() : nullptr;
+    part_.setClip(clip);
+    workpiece_.setClip(clip);
 }
 
 void Scene::setTool(const std::optional<Tool>& tool) {
@@ -165,7 +184,7 @@ Box Scene::contentBox() const {
 }
 
 void Scene::refresh() {
-    part_.setVisible(partWish_.value_or(!workpieceSeen()));
+    part_.setVisible(partWish_.value_or(!workpieceSeen()) || (seenThrough_ && workpieceSeen()));
     stock_.setFaces(shown_.empty());
     grid_.setContent(contentBox());
     shadow_.setContent(contentBox());
@@ -186,6 +205,7 @@ void Scene::setLineWidths(double ratio) {
     livePath_.setLineWidth(pathLine * ratio);
     editedPath_.setLineWidth(pathLine * ratio);
     otherPaths_.setLineWidth(pathLine * ratio);
+    section_.setLineWidth(boldLine * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     touch_.setLineWidth(pathLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
@@ -209,10 +229,12 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     force_.place(view, size, ratio);
     guides_.place(view, size, ratio);
     touch_.place(view, size, ratio);
+    section_.place(workpieceSeen() ? shown_ : VolumeSnapshot(), contentBox(), view, size);
     cube_.place(view, size, ratio);
-    films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible());
+    films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible() ||
+                    workpiece_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
-                    outlines_.visible() || strokePlans_.visible() || touch_.visible());
+                    outlines_.visible() || strokePlans_.visible() || touch_.visible() || section_.plane().has_value());
 
     aimCamera(view);
     cueDepth();

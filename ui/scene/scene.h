@@ -15,6 +15,7 @@
 #include "ui/scene/other_paths.h"
 #include "ui/scene/part_actors.h"
 #include "ui/scene/scale_bar.h"
+#include "ui/scene/section_actors.h"
 #include "ui/scene/stock_outline.h"
 #include "ui/scene/stylus_ghost.h"
 #include "ui/scene/tool_actors.h"
@@ -51,6 +52,9 @@ public:
     void setStock(const std::optional<Box>& stock);
     void setWorkpiece(const VolumeSnapshot& workpiece, std::optional<std::chrono::steady_clock::time_point> oldestCut);
     void setWorkpieceVisible(bool visible);
+    void setWorkpieceOpacity(double opacity); ///< less than 1: the part is seen in it. 0 … 1
+    void setSection(const std::optional<SectionPlane>& plane);
+    SectionActors& section() noexcept { return section_; }
     void setTool(const std::optional<Tool>& tool);
     void setToolVisible(bool visible);
     /// @param flashLit the bright half of an alarm's flash
@@ -103,6 +107,7 @@ private:
     ScaleBar scaleBar_;
     ObstacleActors obstacles_;
     GuideActors guides_;
+    SectionActors section_;
     StylusGhost ghost_;
     TouchMark touch_;
     MarkedLines moveMark_, outlines_, strokePlans_;
@@ -112,6 +117,7 @@ private:
     Box partBox_;
     std::optional<bool> partWish_;
     VolumeSnapshot shown_;
+    bool seenThrough_ = false; ///< the workpiece is transparent
     bool workpieceVisible_ = true, toolVisible_ = true;
     ToolMarks toolMarks_;
     double lineRatio_ = 0.0;

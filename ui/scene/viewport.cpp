@@ -98,6 +98,22 @@ void Viewport::setWorkpieceVisible(bool visible) {
     impl_->refresh();
 }
 
+void Viewport::setWorkpieceOpacity(double opacity) {
+    impl_->scene.setWorkpieceOpacity(opacity);
+    impl_->refresh();
+}
+
+void Viewport::setSection(const std::optional<SectionPlane>& plane) {
+    if (plane == impl_->scene.section().plane()) return;
+    impl_->scene.setSection(plane);
+    if (!plane) impl_->sectionGrip.reset();
+    impl_->moved();
+}
+
+Box Viewport::contentBox() const {
+    return impl_->scene.contentBox();
+}
+
 void Viewport::setTool(const std::optional<Tool>& tool) {
     impl_->scene.setTool(tool);
     impl_->refresh();
@@ -300,6 +316,10 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) {
         if (const auto face = ViewCube::faceAt(impl_->motion.view(), impl_->motion.size(), position))
             return setStandardView(*face);
+        if (impl_->onSectionGrip(position)) {
+            impl_->sectionGrip = position;
+            return;
+        }
     }
     if (impl_->tool != nullptr && impl_->tool->press(impl_->eventAt(*event, event->modifiers()))) return;
     if (event->button() != Qt::MiddleButton && event->button() != Qt::RightButton) return;
@@ -314,12 +334,15 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         impl_->motion.drag(event->position(), CameraMotion::Clock::now(), impl_->flight());
         return impl_->moved();
     }
+    if (impl_->sectionGrip) return impl_->dragSection(event->position());
     const bool pressed = event->buttons() != Qt::NoButton;
+    setCursor(!pressed && impl_->onSectionGrip(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     impl_->hoverCube(pressed ? std::nullopt : std::optional(event->position()));
     if (impl_->tool != nullptr) impl_->tool->move(impl_->eventAt(*event, event->modifiers()));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && std::exchange(impl_->sectionGrip, std::nullopt)) return;
     if (!event->buttons().testAnyFlags(Qt::MiddleButton | Qt::RightButton)) impl_->motion.endDrag();
     if (impl_->tool != nullptr) impl_->tool->release(impl_->eventAt(*event, event->modifiers()));
 }

@@ -13,6 +13,7 @@
 #include "ui/scene/obstacle_mark.h"
 #include "ui/scene/place_chains.h"
 #include "ui/scene/press_mark.h"
+#include "ui/scene/section_plane.h"
 #include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
@@ -80,6 +81,12 @@ public:
     void setWorkpiece(const VolumeSnapshot& workpiece,
                       std::optional<std::chrono::steady_clock::time_point> oldestCut = std::nullopt);
     void setWorkpieceVisible(bool visible);
+    /// Less than 1: the part is seen in the workpiece. 0 … 1
+    void setWorkpieceOpacity(double opacity);
+    /// Cuts part and workpiece open in the picture alone. A handle moves the plane: see `sectionDragged`.
+    void setSection(const std::optional<SectionPlane>& plane);
+    /// Part, stock and workpiece, and what stands around them, mm, setup frame.
+    Box contentBox() const;
     void setTool(const std::optional<Tool>& tool);
     void setToolMarks(const ToolMarks& marks);
     void setToolVisible(bool visible);
@@ -136,6 +143,8 @@ signals:
     /// After each paint.
     void painted();
     void interactiveToolChanged();
+    /// The user drags the section plane. @param position mm along its axis, within the content
+    void sectionDragged(double position);
     /// OpenGL is too old; the sentence is for the user, as from `drawingObstacle`.
     void drawingFailed(const QString& sentence);
 

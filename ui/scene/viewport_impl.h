@@ -57,6 +57,18 @@ public:
         sighted.modifiers = modifiers;
         return sighted;
     }
+    bool onSectionGrip(const QPointF& position) {
+        return scene.section().gripAt(motion.view(), motion.size(), position);
+    }
+    void dragSection(const QPointF& position) {
+        const SectionPlane plane = *scene.section().plane();
+        const Box content = scene.contentBox();
+        const double to = scene.section().dragged(motion.view(), motion.size(), *sectionGrip, position);
+        // A pointer beyond the ends takes the plane along again when it comes back.
+        if (to < content.low[plane.axis] || to > content.high[plane.axis]) return;
+        sectionGrip = position;
+        emit widget.sectionDragged(to);
+    }
     void hoverCube(const std::optional<QPointF>& position) {
         const auto face = position ? ViewCube::faceAt(motion.view(), motion.size(), *position) : std::nullopt;
         if (scene.cube().setHovered(face)) refresh();
@@ -98,6 +110,7 @@ public:
     InteractiveTool* tool = nullptr;
     ToolMarks marks;
     std::optional<PressMark> press;
+    std::optional<QPointF> sectionGrip; ///< where the pointer was last while it drags the section plane
     GuideMarks guides;
     std::vector<ObstacleMark> obstacles;
     std::shared_ptr<const Model> part;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/workpiece_actors.h"
 
+#include "ui/scene/actors.h"
+#include "ui/scene/bench_lights.h"
+#include "ui/scene/glass_prop.h"
 #include "ui/scene/workpiece_mesher.h"
 
 #include <vtkActor.h>
@@ -26,7 +29,7 @@ constexpr std::size_t comfortableTriangles = 45'000;
 /// More are not drawn at rest either, whatever the size of the workpiece: no paint may take 100 ms.
 constexpr std::size_t restTriangles = 250'000;
 
-vtkSmartPointer<vtkActor> surfaceActor() {
+vtkSmartPointer<vtkActor> groupActor() {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetColorModeToDirectScalars();
     mapper->SetStatic(1); // the data come finished: no pipeline to ask
@@ -40,7 +43,7 @@ vtkSmartPointer<vtkActor> surfaceActor() {
 
 /// One of the two surfaces of a group.
 struct LayerActor {
-    vtkSmartPointer<vtkActor> actor = surfaceActor();
+    vtkSmartPointer<vtkActor> actor = groupActor();
     std::optional<SurfaceUpdate> next; ///< newer than what the actor holds
     std::size_t triangles = 0;         ///< that the actor holds
     bool loaded = false;               ///< the actor holds something
@@ -65,9 +68,18 @@ struct Group {
 
 class WorkpieceActors::Impl {
 public:
-    Impl(vtkRenderer& renderer, std::function<void()> ready)
-        : renderer_(renderer), ready_(ready), mesher_({movingTriangles, restTriangles}, std::move(ready)) {}
-    ~Impl() { removeGroups(); }
+    Impl(vtkRenderer& solids, vtkRenderer& films, std::function<void()> ready)
+        : renderer_(solids)
+        , films_(films)
+        , ready_(ready)
+        , mesher_({movingTriangles, restTriangles}, std::move(ready)) {
+        glass_->VisibilityOff();
+        films_.AddViewProp(glass_);
+    }
+    ~Impl() {
+        removeGroups();
+        films_.RemoveViewProp(glass_);
+    }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
@@ -77,6 +89,22 @@ public:
     void setVisible(bool visible) {
         visible_ = visible;
         for (Group& group : groups_) draw(group);
+        showGlass();
+    }
+
+    void setOpacity(double opacity) {
+        opacity_ = opacity;
+        for (Group& group : groups_) {
+            dress(group);
+            draw(group);
+        }
+        showGlass();
+    }
+    bool isGlass() const noexcept { return visible_ && opacity_ < 1.0; }
+
+    void setClip(vtkPlane* clip) {
+        clip_ = clip;
+        for (Group& group : groups_) dress(group);
     }
 
     void update(bool moving, const glm::dvec3& focus) {
@@ -89,6 +117,7 @@ public:
         });
         load(nearest, choose(nearest, moving));
         for (Group& group : groups_) draw(group);
+        showGlass();
         if (waiting_)
             ready_();
         else if (cut_)
@@ -130,6 +159,7 @@ private:
             groups_.resize(delivery.groups.size());
             for (std::size_t i = 0; i < groups_.size(); ++i) {
                 groups_[i].centre = delivery.groups[i];
+                dress(groups_[i]);
                 renderer_.AddActor(groups_[i].moving.actor);
                 renderer_.AddActor(groups_[i].rest.actor);
             }
@@ -179,10 +209,31 @@ private:
 
     void draw(Group& group) const {
         for (LayerActor* one : {&group.moving, &group.rest})
-            one->actor->SetVisibility(visible_ && one == group.drawn && one->triangles > 0);
+            one->actor->SetVisibility(visible_ && opacity_ >= 1.0 && one == group.drawn && one->triangles > 0);
     }
 
-    vtkRenderer& renderer_;
+    void dress(Group& group) const {
+        for (LayerActor* one : {&group.moving, &group.rest}) {
+            setBlended(*one->actor, opacity_);
+            clipBy(*one->actor, clip_);
+            // Where a section cuts, its face and the surface may stand a hair apart; then the inside closes the gap.
+            one->actor->GetProperty()->SetBackfaceCulling(clip_ == nullptr);
+        }
+    }
+
+    void showGlass() {
+        glass_->SetVisibility(isGlass());
+        std::vector<vtkActor*> drawn;
+        if (isGlass())
+            for (const Group& group : groups_)
+                if (group.drawn != nullptr && group.drawn->triangles > 0) drawn.push_back(group.drawn->actor);
+        glass_->set(std::move(drawn));
+    }
+
+    vtkRenderer &renderer_, &films_;
+    vtkNew<GlassProp> glass_;
+    vtkSmartPointer<vtkPlane> clip_;
+    double opacity_ = 1.0;
     std::function<void()> ready_;
     std::vector<Group> groups_;
     std::uint64_t volume_ = 0;
@@ -191,8 +242,8 @@ private:
     WorkpieceMesher mesher_; ///< last: its thread ends before the rest goes
 };
 
-WorkpieceActors::WorkpieceActors(vtkRenderer& renderer, std::function<void()> ready)
-    : impl_(std::make_unique<Impl>(renderer, std::move(ready))) {}
+WorkpieceActors::WorkpieceActors(vtkRenderer& solids, vtkRenderer& films, std::function<void()> ready)
+    : impl_(std::make_unique<Impl>(solids, films, std::move(ready))) {}
 WorkpieceActors::~WorkpieceActors() = default;
 
 void WorkpieceActors::show(const VolumeSnapshot& workpiece, std::optional<CutTime> oldestCut) {
@@ -200,6 +251,15 @@ void WorkpieceActors::show(const VolumeSnapshot& workpiece, std::optional<CutTim
 }
 void WorkpieceActors::setVisible(bool visible) {
     impl_->setVisible(visible);
+}
+void WorkpieceActors::setOpacity(double opacity) {
+    impl_->setOpacity(opacity);
+}
+bool WorkpieceActors::filmsVisible() const noexcept {
+    return impl_->isGlass();
+}
+void WorkpieceActors::setClip(vtkPlane* clip) {
+    impl_->setClip(clip);
 }
 void WorkpieceActors::setPartColour(const std::array<std::uint8_t, 3>& colour) {
     impl_->mesher().setPartColour(colour);

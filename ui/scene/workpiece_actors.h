@@ -5,6 +5,7 @@
 #include "core/volume/surface.h"
 #include "ui/scene/bench_lights.h"
 
+#include <vtkPlane.h>
 #include <vtkRenderer.h>
 
 #include <chrono>
@@ -22,7 +23,8 @@ public:
 
     /// @param ready called when there is something new to draw: post a wake-up, no more. On the worker's thread; and
     ///        from `update` when one paint can't take everything over
-    WorkpieceActors(vtkRenderer& renderer, std::function<void()> ready);
+    /// @param solids draws the bench, @param films what is seen through, with the bench's depths
+    WorkpieceActors(vtkRenderer& solids, vtkRenderer& films, std::function<void()> ready);
     /// Waits for the tile that the worker is at, some milliseconds; takes the actors out of the renderer.
     ~WorkpieceActors();
 
@@ -31,6 +33,11 @@ public:
     /// @param oldestCut when the first of those cuts was made that no earlier snapshot shows
     void show(const VolumeSnapshot& workpiece, std::optional<std::chrono::steady_clock::time_point> oldestCut);
     void setVisible(bool visible);
+    /// Less than 1: what is in it and behind it is seen through its surface. 0 … 1
+    void setOpacity(double opacity);
+    bool filmsVisible() const noexcept; ///< it is drawn by the films' renderer
+    /// Draws only what a plane doesn't cut off; null: all. The plane may be moved.
+    void setClip(vtkPlane* clip);
     /// sRGB of bare part; materials bring their own colours.
     void setPartColour(const std::array<std::uint8_t, 3>& colour);
     /// To be called before each paint: takes over what the worker has ready, as much as one paint can hand to OpenGL.

@@ -57,12 +57,12 @@ MainWindow::MainWindow(QWidget* parent)
     layOut();
     presenters_ =
         std::make_unique<Presenters>(workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_}, nullptr);
-    viewOptions_ = new ViewOptions(*viewport_, actions_, settings_, this);
+    new ViewOptions(*viewport_, *viewBar_, actions_, settings_, this);
     connectActions();
     connectWorkbench();
     connectWelcome();
     viewport_->setPalette3D(activePalette());
-    presenters_->setUnit(settings_.preferences().unit);
+    setUnit(settings_.preferences().unit);
     resize(firstWindow);
     restoreGeometry(settings_.windowGeometry());
     work_->restoreState(settings_.panelWidth());
@@ -84,6 +84,8 @@ void MainWindow::layOut() {
     viewport_ = new Viewport;
     viewport_->setObjectName(QStringLiteral("viewport"));
     viewport_->setFocusPolicy(Qt::StrongFocus);
+    viewBar_ = new ViewBar(
+        {*actions_[ActionId::parallelView], *actions_[ActionId::sectionPlane], *actions_[ActionId::flipSection]});
     jobLine_ = new JobLine;
     jobLine_->setObjectName(QStringLiteral("jobLine"));
     panels_ = new PanelStack;
@@ -93,7 +95,7 @@ void MainWindow::layOut() {
     work_ = new QSplitter(Qt::Horizontal);
     work_->setObjectName(QStringLiteral("workSplitter"));
     work_->setChildrenCollapsible(false);
-    work_->addWidget(viewport_);
+    work_->addWidget(makeView());
     work_->addWidget(panels_);
     work_->setStretchFactor(0, 1);
     work_->setStretchFactor(1, 0);
@@ -118,6 +120,16 @@ void MainWindow::layOut() {
     };
     connect(pages_, &QStackedWidget::currentChanged, this, follow);
     follow();
+}
+
+QWidget* MainWindow::makeView() {
+    auto* view = new QWidget;
+    auto* layout = new QVBoxLayout(view);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(viewport_, 1);
+    layout->addWidget(viewBar_);
+    return view;
 }
 
 void MainWindow::connectActions() {
@@ -390,7 +402,12 @@ void MainWindow::apply(const Preferences& preferences, const Preferences& before
         dress(preferences.theme);
         viewport_->setPalette3D(activePalette());
     }
-    if (preferences.unit != before.unit) presenters_->setUnit(preferences.unit);
+    if (preferences.unit != before.unit) setUnit(preferences.unit);
+}
+
+void MainWindow::setUnit(LengthUnit unit) {
+    presenters_->setUnit(unit);
+    viewBar_->setUnit(unit);
 }
 
 void MainWindow::showPreferences() {

@@ -54,6 +54,8 @@ private:
     void updateTitle();
     void dress(Theme theme);
     void apply(const Preferences& preferences, const Preferences& before);
+    QWidget* makeView(); ///< the viewport and the bar below it
+    void setUnit(LengthUnit unit);
     void showPreferences();
     void showKeys();
     void removeTake(qint64 take);
@@ -73,13 +75,13 @@ private:
     QSplitter* work_ = nullptr; ///< the view, and the panel beside it
     QWidget* bench_ = nullptr;
     Viewport* viewport_ = nullptr;
+    ViewBar* viewBar_ = nullptr;
     JobLine* jobLine_ = nullptr;
     PanelStack* panels_ = nullptr;
     StatusLine* status_ = nullptr;
     MessageStrip* message_ = nullptr;
     Menus* menus_ = nullptr;
     std::unique_ptr<Presenters> presenters_;
-    ViewOptions* viewOptions_ = nullptr;
     QTimer lookAgain_; ///< for left work
     bool ending_ = false, ended_ = false;
 };

@@ -39,9 +39,10 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     file->insertMenu(file->actions().at(2), recent_);
     addMenu(bar, tr("&Edit"), "editMenu", actions, {undo, redo, line, preferences});
     addMenu(bar, tr("&View"), "viewMenu", actions,
-            {fit,      line,           viewIsometric, viewTop, viewBottom,    viewFront,   viewBack,
-             viewLeft, viewRight,      parallelView,  line,    showWorkpiece, showPart,    showTool,
-             showPath, showOtherPaths, showGuides,    line,    nextStep,      previousStep});
+            {fit,          line,           viewIsometric, viewTop,       viewBottom, viewFront,
+             viewBack,     viewLeft,       viewRight,     parallelView,  line,       seeThrough,
+             sectionPlane, flipSection,    line,          showWorkpiece, showPart,   showTool,
+             showPath,     showOtherPaths, showGuides,    line,          nextStep,   previousStep});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
             {embed,       addFixtureFile, axisOfView, line,        millMode,    raster,     repeatLower, repeatLeft,
              repeatRight, line,           guides,     nearestEdge, levelAbove,  levelBelow, line,        clutch,

@@ -2,17 +2,91 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/view_options.h"
 
+#include <algorithm>
+
 namespace burin {
 
-ViewOptions::ViewOptions(Viewport& viewport, const Actions& actions, UserSettings& settings, QObject* parent)
-    : QObject(parent) {
+namespace {
+
+constexpr int firstTransparency = 60; // %: as long as the user has not chosen another
+
+} // namespace
+
+ViewOptions::ViewOptions(Viewport& viewport, ViewBar& bar, const Actions& actions, UserSettings& settings,
+                         QObject* parent)
+    : QObject(parent)
+    , viewport_(viewport)
+    , bar_(bar)
+    , actions_(actions)
+    , settings_(settings)
+    , usualTransparency_(firstTransparency) {
     QAction* parallel = actions[ActionId::parallelView];
     parallel->setChecked(settings.parallelView());
     viewport.setParallel(parallel->isChecked());
-    connect(parallel, &QAction::toggled, this, [&viewport, &settings](bool wanted) {
-        viewport.setParallel(wanted);
-        settings.setParallelView(wanted);
+    connect(parallel, &QAction::toggled, this, [this](bool wanted) {
+        viewport_.setParallel(wanted);
+        settings_.setParallelView(wanted);
     });
+    setTransparency(settings.transparency());
+    connect(&bar, &ViewBar::transparencyChosen, this, &ViewOptions::setTransparency);
+    connect(actions[ActionId::seeThrough], &QAction::triggered, this,
+            [this](bool wanted) { setTransparency(wanted ? usualTransparency_ : 0); });
+    connect(actions[ActionId::sectionPlane], &QAction::toggled, this, &ViewOptions::openSection);
+    connect(actions[ActionId::flipSection], &QAction::triggered, this, [this] {
+        if (!section_) return;
+        section_->keepsLow = !section_->keepsLow;
+        showSection();
+    });
+    connect(&bar, &ViewBar::axisChosen, this, &ViewOptions::chooseAxis);
+    connect(&bar, &ViewBar::positionChosen, this, &ViewOptions::moveSection);
+    connect(&viewport, &Viewport::sectionDragged, this, &ViewOptions::moveSection);
+    showSection();
+}
+
+void ViewOptions::setTransparency(int percent) {
+    transparency_ = std::clamp(percent, 0, ViewBar::mostTransparent);
+    if (transparency_ > 0) usualTransparency_ = transparency_;
+    viewport_.setWorkpieceOpacity(1.0 - transparency_ / 100.0);
+    bar_.showTransparency(transparency_);
+    actions_[ActionId::seeThrough]->setChecked(transparency_ > 0);
+    settings_.setTransparency(transparency_);
+}
+
+void ViewOptions::openSection(bool open) {
+    if (open)
+        chooseAxis(1); // the front comes off: what a view from the corner looks into
+    else
+        section_.reset();
+    showSection();
+}
+
+/// Through the middle; the half that is nearer to the eye comes off.
+void ViewOptions::chooseAxis(int axis) {
+    const Box content = viewport_.contentBox();
+    section_ = SectionPlane{axis, content.empty() ? 0.0 : content.centre()[axis], eyeIsHigh(axis)};
+    showSection();
+}
+
+bool ViewOptions::eyeIsHigh(int axis) const {
+    const glm::dvec3 along = viewport_.sight(QRectF(viewport_.rect()).center()).rayDirection;
+    constexpr double straight = 0.05; // of a direction: the eye is on neither side
+    return axis == 1 ? along.y < -straight : along[axis] < straight;
+}
+
+void ViewOptions::moveSection(double position) {
+    if (!section_) return;
+    section_->position = position;
+    showSection();
+}
+
+void ViewOptions::showSection() {
+    viewport_.setSection(section_);
+    std::optional<ViewBar::Section> shown;
+    const Box content = viewport_.contentBox();
+    if (section_)
+        shown = {section_->axis, section_->position, content.low[section_->axis], content.high[section_->axis]};
+    bar_.showSection(shown);
+    actions_[ActionId::flipSection]->setEnabled(section_.has_value());
 }
 
 } // namespace burin

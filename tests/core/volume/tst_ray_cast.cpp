@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/ray_cast.h"
+#include "core/volume/section.h"
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/oracles/dense_grid.h"
@@ -81,6 +82,7 @@ private slots:
     void nothingIsHighestAroundNoPlace();
     void findsThePartBehindStock();
     void highestIsWhatADenseGridShows();
+    void aSectionIsWhatThePlaneMeets();
 };
 
 void RayCastTest::meetsWhatMarchingMeets() {
@@ -218,6 +220,33 @@ void RayCastTest::highestIsWhatADenseGridShows() {
                     if (pile.dense.at(line, unit) != airProperty) expected = std::max(expected, unit + 1);
             }
         RC_ASSERT(highestWithin(pile.volume.snapshot(), place, radius) == grid.toMillimetres(expected));
+    });
+}
+
+/// Each place of the plane lies in one patch of its property, or in none where there is air.
+void RayCastTest::aSectionIsWhatThePlaneMeets() {
+    rc::check("a section shows what the dense grid holds", [] {
+        Pile pile = anyPile();
+        const Box box = pile.grid.box();
+        const int axis = *rc::gen::inRange(0, 3);
+        const double position = box.low[axis] + *rc::gen::inRange(1, 900) / 100.0 + 0.00137;
+        const std::vector<SectionPatch> patches = sectionOf(pile.volume.snapshot(), axis, position);
+        for (int i = 0; i < 40; ++i) {
+            glm::dvec3 place = box.low + anyPlace(0, 1000) / 100.0 + glm::dvec3(0.00371, 0.00513, 0.00297);
+            place[axis] = position;
+            const glm::dvec2 across(place[(axis + 1) % 3], place[(axis + 2) % 3]);
+            PropertyIndex seen = airProperty;
+            int found = 0;
+            for (const SectionPatch& patch : patches) {
+                if (glm::any(glm::lessThan(across, patch.low)) || glm::any(glm::greaterThan(across, patch.high))) continue;
+                seen = patch.property;
+                ++found;
+            }
+            RC_ASSERT(found <= 1);
+            RC_ASSERT(seen == pile.at(place));
+        }
+        RC_ASSERT(sectionOf(pile.volume.snapshot(), axis, box.high[axis] + 0.1).empty());
+        RC_ASSERT(sectionOf(pile.volume.snapshot(), axis, box.low[axis] - 0.1).empty());
     });
 }
 

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/view_bar.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
+#include "ui/panels/focus_keeper.h"
+#include "ui/panels/length_field.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+constexpr int sliderWidth = 120, fieldWidth = 110; // pixels
+constexpr int sliderSteps = 1000;                  // of the section's way
+constexpr int transparencyStep = 5;                // %
+
+QSlider* makeSlider(const QString& toolTip, const char* name, QWidget* parent) {
+    auto* slider = new QSlider(Qt::Horizontal, parent);
+    slider->setObjectName(QLatin1String(name));
+    slider->setAccessibleName(toolTip);
+    slider->setToolTip(toolTip);
+    slider->setFixedWidth(sliderWidth);
+    return slider;
+}
+
+/// A button that does what an action does, and is down as long as it is on.
+QPushButton* makeActionButton(QAction& action, const char* name, QWidget* parent) {
+    QPushButton* button = makeChoiceButton(action.iconText(), action.toolTip(), QLatin1String(name), parent);
+    button->setCheckable(action.isCheckable());
+    const auto follow = [button, &action] {
+        button->setChecked(action.isChecked());
+        setEnabledKeepingFocus(button, action.isEnabled());
+    };
+    follow();
+    QObject::connect(&action, &QAction::changed, button, follow);
+    QObject::connect(button, &QPushButton::clicked, &action, [&action, follow] {
+        action.trigger();
+        follow();
+    });
+    return button;
+}
+
+} // namespace
+
+ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
+    setObjectName(QStringLiteral("viewBar"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 6, 12, 6);
+    layout->setSpacing(8);
+    auto* label = new QLabel(tr("Transparency"), this);
+    label->setProperty("look", "quiet");
+    layout->addWidget(label);
+    transparency_ = makeSlider(tr("How far the part is seen through the workpiece."), "transparencySlider", this);
+    transparency_->setRange(0, mostTransparent);
+    transparency_->setSingleStep(transparencyStep);
+    transparency_->setPageStep(4 * transparencyStep);
+    layout->addWidget(transparency_);
+    layout->addWidget(makeActionButton(offered.parallel, "parallelButton", this));
+    layout->addWidget(makeActionButton(offered.section, "sectionButton", this));
+
+    sectionControls_ = new QWidget(this);
+    auto* row = new QHBoxLayout(sectionControls_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    axis_ = new ChoiceBox(sectionControls_);
+    axis_->setObjectName(QStringLiteral("sectionAxis"));
+    axis_->setAccessibleName(tr("Axis of the section plane"));
+    axis_->setToolTip(tr("The axis that the section plane is square to."));
+    axis_->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
+    row->addWidget(axis_);
+    position_ = makeSlider(tr("Moves the section plane along its axis."), "sectionSlider", sectionControls_);
+    position_->setRange(0, sliderSteps);
+    position_->setSingleStep(sliderSteps / 100);
+    position_->setPageStep(sliderSteps / 10);
+    row->addWidget(position_);
+    place_ = new LengthField(sectionControls_);
+    place_->setObjectName(QStringLiteral("sectionField"));
+    place_->setAccessibleName(tr("Position of the section plane"));
+    place_->setToolTip(tr("Where the section plane stands on its axis."));
+    place_->setFixedWidth(fieldWidth);
+    row->addWidget(place_);
+    row->addWidget(makeActionButton(offered.flip, "flipSectionButton", sectionControls_));
+    layout->addWidget(sectionControls_);
+    layout->addStretch(1);
+    sectionControls_->hide();
+
+    connect(transparency_, &QSlider::valueChanged, this, &ViewBar::transparencyChosen);
+    connect(axis_, &QComboBox::activated, this, &ViewBar::axisChosen);
+    connect(position_, &QSlider::valueChanged, this,
+            [this](int step) { emit positionChosen(low_ + (high_ - low_) * step / sliderSteps); });
+    connect(place_, &LengthField::valueEdited, this, &ViewBar::positionChosen);
+}
+
+void ViewBar::setUnit(LengthUnit unit) {
+    place_->setLengthUnit(unit);
+}
+
+void ViewBar::showTransparency(int percent) {
+    const QSignalBlocker quiet(transparency_);
+    transparency_->setValue(percent);
+}
+
+void ViewBar::showSection(const std::optional<Section>& section) {
+    sectionControls_->setVisible(section.has_value());
+    if (!section) return;
+    low_ = section->low;
+    high_ = section->high;
+    axis_->setCurrentIndex(section->axis);
+    const QSignalBlocker quiet(position_);
+    if (high_ > low_)
+        position_->setValue(static_cast<int>(std::lround(sliderSteps * (section->position - low_) / (high_ - low_))));
+    place_->limit(low_, high_);
+    place_->showValue(section->position);
+}
+
+} // namespace burin

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/theme/length_unit.h"
+
+#include <QFrame>
+
+#include <optional>
+
+class QAction;
+class QComboBox;
+class QSlider;
+
+namespace burin {
+
+class LengthField;
+
+/// Below the view: how it shows things. The section's controls are there while there is a section.
+class ViewBar final : public QFrame {
+    Q_OBJECT
+public:
+    static constexpr int mostTransparent = 95; ///< %
+
+    /// Actions that are offered as buttons, in this order; they outlive it.
+    struct Offered {
+        QAction &parallel, &section, &flip;
+    };
+    /// A section plane, mm along its axis.
+    struct Section {
+        int axis = 0; ///< 0, 1, 2 for x, y, z
+        double position = 0.0;
+        double low = 0.0, high = 0.0; ///< where it may stand
+    };
+    explicit ViewBar(const Offered& offered, QWidget* parent = nullptr);
+
+    void setUnit(LengthUnit unit);
+    void showTransparency(int percent); ///< never emits
+    void showSection(const std::optional<Section>& section); ///< never emits
+
+signals:
+    void transparencyChosen(int percent); ///< of the workpiece, 0 … mostTransparent
+    void axisChosen(int axis);            ///< 0, 1, 2
+    void positionChosen(double position); ///< mm along the axis
+
+private:
+    QSlider* transparency_;
+    QWidget* sectionControls_;
+    QComboBox* axis_;
+    QSlider* position_;
+    LengthField* place_;
+    double low_ = 0.0, high_ = 0.0; ///< mm: ends of the slider
+};
+
+} // namespace burin

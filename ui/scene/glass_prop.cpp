@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/glass_prop.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkOpenGLState.h>
+
+namespace burin {
+
+vtkStandardNewMacro(GlassProp);
+
+int GlassProp::RenderOpaqueGeometry(vtkViewport* viewport) {
+    vtkOpenGLState* state = vtkOpenGLRenderer::SafeDownCast(viewport)->GetState();
+    {
+        // Depths alone first: of all parts of the body, only what is nearest is coloured then.
+        const vtkOpenGLState::ScopedglColorMask before(state);
+        state->vtkglColorMask(0, 0, 0, 0);
+        for (vtkActor* actor : actors_) actor->RenderOpaqueGeometry(viewport);
+    }
+    int rendered = 0;
+    for (vtkActor* actor : actors_) rendered |= actor->RenderOpaqueGeometry(viewport);
+    return rendered;
+}
+
+double* GlassProp::GetBounds() {
+    vtkBoundingBox box;
+    for (vtkActor* actor : actors_) box.AddBounds(actor->GetBounds());
+    if (!box.IsValid()) return nullptr;
+    box.GetBounds(bounds_.data());
+    return bounds_.data();
+}
+
+} // namespace burin

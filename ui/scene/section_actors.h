@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/volume/run_volume.h"
+#include "ui/scene/camera_view.h"
+#include "ui/scene/section_plane.h"
+#include "ui/theme/theme.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace burin {
+
+/// A section plane: the face that it cuts, in the materials' colours, its outline, and a handle that moves it.
+class SectionActors {
+public:
+    /// @param solids draws the bench, @param marks what nothing hides
+    SectionActors(vtkRenderer& solids, vtkRenderer& marks);
+
+    void setPalette(const Palette& palette);
+    void set(const std::optional<SectionPlane>& plane);
+    const std::optional<SectionPlane>& plane() const noexcept { return plane_; }
+    /// Cuts off what `plane` doesn't keep from what is drawn with it.
+    vtkPlane& clip() const noexcept { return *clip_; }
+    void workpieceChanged() noexcept { stale_ = true; }
+    void setLineWidth(double screenPixels);
+    /// Before each paint. @param workpiece whose face is drawn; empty: none  @param content what the outline surrounds
+    void place(const VolumeSnapshot& workpiece, const Box& content, const CameraView& view, const QSizeF& size);
+    /// Whether the pointer is on the handle, as it was drawn last.
+    bool gripAt(const CameraView& view, const QSizeF& size, const QPointF& position) const;
+    /// Where the plane goes when the handle is dragged. @return mm along its axis
+    double dragged(const CameraView& view, const QSizeF& size, const QPointF& from, const QPointF& to) const;
+
+private:
+    void drawFace(const VolumeSnapshot& workpiece);
+
+    vtkNew<vtkPlane> clip_;
+    vtkSmartPointer<vtkActor> face_, outline_, arrow_, grip_;
+    std::optional<SectionPlane> plane_;
+    std::array<std::uint8_t, 3> partColour_{};
+    bool stale_ = true; ///< another face is to be drawn
+    glm::dvec3 gripPlace_{0.0};
+};
+
+} // namespace burin
