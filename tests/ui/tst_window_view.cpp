@@ -205,6 +205,8 @@ void TestWindowView::aSectionShowsWhatIsInside() {
     driver.shoot("34-section");
     QVERIFY(isPart(inPart));
     QVERIFY(!isPart(inStock));
+    const auto picked = viewport.pick(viewport.project(inPart)); // the pointer means the face that is seen
+    QVERIFY(picked && glm::distance(*picked, inPart) < 0.5);
     // The field moves it into the stock before the part.
     QVERIFY(driver.enter("sectionField", QLocale().toString(stock.low.y + 2.0)));
     QTest::qWait(700);

@@ -70,7 +70,7 @@ void MillTool::hoverOver(const Sight& sight) {
     if (workpiece.empty()) return;
     const Grid& grid = workpiece.grid();
     std::optional<glm::dvec3> place;
-    if (const std::optional<RayHit> hit = castRay(workpiece, sight.origin, sight.direction)) {
+    if (const std::optional<RayHit> hit = castRay(workpiece, sight.seenOrigin(), sight.direction)) {
         place = hit->place;
         surfaceHeight_ = hit->place.z;
     } else {
@@ -131,7 +131,7 @@ void MillTool::aim(const Sight& sight) {
 
 /// Where the pointer draws from now on: the plane through what is under it.
 void MillTool::lookAt(const VolumeSnapshot& workpiece, const Sight& sight) {
-    if (const auto hit = castRay(workpiece, sight.origin, sight.direction)) surfaceHeight_ = hit->place.z;
+    if (const auto hit = castRay(workpiece, sight.seenOrigin(), sight.direction)) surfaceHeight_ = hit->place.z;
     (void)aimPress(workpiece, sight);
 }
 

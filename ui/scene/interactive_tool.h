@@ -18,6 +18,7 @@ struct ViewportEvent {
     glm::dvec3 rayOrigin{0.0};             ///< mm: where the sight through the pointer begins
     glm::dvec3 rayDirection{0.0};          ///< unit
     bool parallel = false;                 ///< as in `Sight`
+    double seenFrom = 0.0;                 ///< mm, as in `Sight`
     Qt::MouseButton button = Qt::NoButton; ///< that changed
     Qt::MouseButtons buttons;
     Qt::KeyboardModifiers modifiers;
@@ -26,7 +27,7 @@ struct ViewportEvent {
 
 /// The sight through the pointer.
 inline Sight sightOf(const ViewportEvent& event) noexcept {
-    return {event.rayOrigin, event.rayDirection, event.parallel};
+    return {event.rayOrigin, event.rayDirection, event.parallel, event.seenFrom};
 }
 
 /// One way of using the pointer in the viewport: the camera, the mouse as a stylus, … The viewport asks the active tool

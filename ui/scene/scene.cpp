@@ -191,10 +191,12 @@ void Scene::refresh() {
 }
 
 std::optional<glm::dvec3> Scene::pick(const Sight& sight) const {
-    std::optional<glm::dvec3> nearest = part_.pick(sight);
+    Sight seen = sight;
+    if (section_.plane()) seen.origin += burin::seenFrom(*section_.plane(), sight) * sight.direction;
+    std::optional<glm::dvec3> nearest = part_.pick(seen);
     if (workpieceSeen()) {
-        const std::optional<RayHit> hit = castRay(shown_, sight.origin, sight.direction);
-        if (hit && (!nearest || hit->distance < glm::distance(sight.origin, *nearest))) nearest = hit->place;
+        const std::optional<RayHit> hit = castRay(shown_, seen.origin, seen.direction);
+        if (hit && (!nearest || hit->distance < glm::distance(seen.origin, *nearest))) nearest = hit->place;
     }
     return nearest;
 }

@@ -13,6 +13,10 @@ struct Sight {
     glm::dvec3 origin{0.0};               ///< mm
     glm::dvec3 direction{0.0, 0.0, -1.0}; ///< unit
     bool parallel = false;                ///< all sights of the picture have this direction, and origins of their own
+    double seenFrom = 0.0;                ///< mm from the origin: what lies before is cut away in the picture
+
+    /// Where what is seen begins, mm.
+    glm::dvec3 seenOrigin() const noexcept { return origin + seenFrom * direction; }
 };
 
 /// How far along an axis (unit) through a place a sight passes it nearest, mm. Nothing where it runs along the axis.

@@ -257,6 +257,7 @@ ViewportEvent Viewport::sight(const QPointF& position) const {
     event.rayOrigin = sight.origin;
     event.rayDirection = sight.direction;
     event.parallel = sight.parallel;
+    if (const auto& plane = impl_->scene.section().plane()) event.seenFrom = seenFrom(*plane, sight);
     return event;
 }
 
