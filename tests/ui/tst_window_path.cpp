@@ -186,8 +186,8 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.tip).toPoint());
     QVERIFY(bench.path.selection() && bench.path.selection()->first == bench.path.selection()->last);
     const QPoint dot = viewport->mapTo(&driver.window(), viewport->project(from.tip).toPoint());
-    const auto isMarked = [&] { return driver.window().grab().toImage().pixelColor(dot).blue() > 180; };
-    QVERIFY(driver.waitFor(isMarked, 5000)); // the line is orange
+    const auto isMarked = [&] { return driver.window().grab().toImage().pixelColor(dot).green() > 215; };
+    QVERIFY(driver.waitFor(isMarked, 5000)); // yellow; the line is orange
     driver.shoot("25-chosen-place");
     // So is a moment nearby whose own point simplification left out.
     const std::vector<PathPoint>& left = bench.path.evaluated()->path.points;

@@ -313,6 +313,10 @@ void MainWindow::goBack() {
 
 /// Esc leaves what one is in, wherever the keyboard is; in a field, the field.
 void MainWindow::escape() {
+    if (auto* list = findChild<KeyList*>()) {
+        list->close();
+        return;
+    }
     if (pages_->currentWidget() == welcome_) return goBack();
     InteractiveTool* tool = viewport_->interactiveTool();
     if (tool == nullptr || !tool->key(Qt::Key_Escape, Qt::NoModifier)) viewport_->setFocus();
