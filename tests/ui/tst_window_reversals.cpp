@@ -226,7 +226,7 @@ void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
         const QStringList found = backSteps(*runs);
         qInfo() << (inch ? "inch:" : "mm:") << runs->size() << "runs," << moves << "feed moves," << found.size()
                 << "back-steps, budget" << budget << "mm";
-        QVERIFY(runs->size() >= strokeCount && moves > 10 * strokeCount);
+        QVERIFY(moves > 10 * strokeCount); // strokes that meet may be one run; that none is missing is asked below
         QVERIFY2(found.isEmpty(), qPrintable(found.mid(0, 5).join("\n")));
 
         // What the hand cut is milled, as near as the path's edits say; the last digit's rounding comes on top.

@@ -152,7 +152,7 @@ void MillTool::beginFreeStroke(const ViewportEvent& event) {
 
 bool MillTool::press(const ViewportEvent& event) {
     if (event.button != Qt::LeftButton) return false;
-    if (stroke_ != Stroke::none || drawing_ != Drawing::none || feed_.waits() || view_().empty()) return true;
+    if (stroke_ != Stroke::none || drawing_ != Drawing::none || view_().empty()) return true;
     lookingAlong_ = sightOf(event).direction;
     if (settings_.drag == DragRule::raster)
         beginDrawing(Drawing::raster, event);

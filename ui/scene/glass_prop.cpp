@@ -4,21 +4,12 @@
 
 #include <vtkBoundingBox.h>
 #include <vtkObjectFactory.h>
-#include <vtkOpenGLRenderer.h>
-#include <vtkOpenGLState.h>
 
 namespace burin {
 
 vtkStandardNewMacro(GlassProp);
 
 int GlassProp::RenderOpaqueGeometry(vtkViewport* viewport) {
-    vtkOpenGLState* state = vtkOpenGLRenderer::SafeDownCast(viewport)->GetState();
-    {
-        // Depths alone first: of all parts of the body, only what is nearest is coloured then.
-        const vtkOpenGLState::ScopedglColorMask before(state);
-        state->vtkglColorMask(0, 0, 0, 0);
-        for (vtkActor* actor : actors_) actor->RenderOpaqueGeometry(viewport);
-    }
     int rendered = 0;
     for (vtkActor* actor : actors_) rendered |= actor->RenderOpaqueGeometry(viewport);
     return rendered;

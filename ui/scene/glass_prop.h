@@ -10,8 +10,9 @@
 
 namespace burin {
 
-/// Draws actors like one body of coloured glass: what was drawn before is seen through the surface that is nearest to
-/// the eye, and nothing of the body through itself, in whatever order its parts come. Twice the cost of the actors.
+/// Draws actors like coloured glass over what was drawn before. Where several of their surfaces lie behind each other
+/// the order in which they come decides what is seen of the farther ones. (Depths first, which would show the nearest
+/// alone, left nothing to be seen with this VTK.)
 class GlassProp final : public vtkProp {
 public:
     static GlassProp* New();
