@@ -121,7 +121,7 @@ void WindowJobTest::millsAlongThePart() {
     std::size_t strokes = 0;
     for (const double y : {-12.0, -6.0, 0.0, 6.0}) {
         // Farther out the part lies deeper than the flutes reach, and the shank rubs on the slot that they cut.
-        stroke({centre.x - 24.0, centre.y + y, height}, {centre.x + 24.0, centre.y + y, height},
+        stroke({centre.x - 14.0, centre.y + y, height}, {centre.x + 14.0, centre.y + y, height},
                strokes == 2 ? QStringLiteral("job-3-mill") : QString());
         ++strokes;
         QVERIFY(driver_->waitFor([&] { return bench().bench.strokes().count() == strokes; }, 3000));

@@ -28,8 +28,12 @@ HaloedLines::~HaloedLines() {
 }
 
 void HaloedLines::setLines(vtkPolyData* lines) {
-    for (vtkActor* actor : {halo_.Get(), line_.Get()})
-        vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(lines);
+    // A dot is as near as its halo, which came first: dots have none.
+    vtkNew<vtkPolyData> withoutDots;
+    withoutDots->ShallowCopy(lines);
+    withoutDots->SetVerts(nullptr);
+    vtkPolyDataMapper::SafeDownCast(halo_->GetMapper())->SetInputData(withoutDots);
+    vtkPolyDataMapper::SafeDownCast(line_->GetMapper())->SetInputData(lines);
 }
 
 void HaloedLines::setColours(const QColor& line, const QColor& halo) {
@@ -41,7 +45,6 @@ void HaloedLines::setWidth(double screenPixels) {
     setLineWidth(*line_, screenPixels);
     setLineWidth(*halo_, haloWidth * screenPixels);
     line_->GetProperty()->SetPointSize(static_cast<float>(dotWidth * screenPixels));
-    halo_->GetProperty()->SetPointSize(static_cast<float>((dotWidth + haloWidth - 1.0) * screenPixels));
 }
 
 void HaloedLines::setVisible(bool visible) {
