@@ -28,6 +28,11 @@ HaloedLines::~HaloedLines() {
 }
 
 void HaloedLines::setLines(vtkPolyData* lines) {
+    for (vtkActor* actor : {halo_.Get(), line_.Get()})
+        vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(lines);
+}
+
+void HaloedLines::setLinesAndDots(vtkPolyData* lines) {
     // A dot is as near as its halo, which came first: dots have none.
     vtkNew<vtkPolyData> withoutDots;
     withoutDots->ShallowCopy(lines);

@@ -17,7 +17,9 @@ public:
     HaloedLines(const HaloedLines&) = delete;
     HaloedLines& operator=(const HaloedLines&) = delete;
 
-    void setLines(vtkPolyData* lines);
+    void setLines(vtkPolyData* lines); ///< it may grow later
+    /// With points (vertices) as well; it stays as it is from now on.
+    void setLinesAndDots(vtkPolyData* lines);
     void setColours(const QColor& line, const QColor& halo);
     /// @param screenPixels of the line; the seams add half of it on either side
     void setWidth(double screenPixels);

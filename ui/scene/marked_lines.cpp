@@ -32,7 +32,7 @@ void MarkedLines::set(const PlaceChains& chains) {
     }
     const vtkSmartPointer<vtkPolyData> data = lineData(lines);
     addDots(*data, dots);
-    lines_.setLines(data);
+    lines_.setLinesAndDots(data);
     lines_.setVisible(!lines.empty() || !dots.empty());
 }
 
