@@ -424,7 +424,7 @@
         <translation>&amp;Fräsen</translation>
     </message>
     <message>
-        <source>Take the tool in hand: what it cuts is recorded. Esc puts it away.</source>
+        <source>Start or stop milling. Everything that is cut is recorded.</source>
         <translation>Das Werkzeug in die Hand nehmen: was es schneidet, wird aufgezeichnet. Esc legt es weg.</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Ras&amp;ter</translation>
     </message>
     <message>
-        <source>A drag spans a rectangle, which is milled in rows at the step-over.</source>
+        <source>Drag a rectangle; it is milled in rows at the step-over.</source>
         <translation>Ein Zug spannt ein Rechteck auf, das in Zeilen im Zeilenabstand gefräst wird.</translation>
     </message>
     <message>
@@ -440,7 +440,7 @@
         <translation>&amp;Tiefer wiederholen</translation>
     </message>
     <message>
-        <source>Cut the last stroke again, deeper by the depth of cut.</source>
+        <source>Repeat the last stroke, lower by the depth of cut.</source>
         <translation>Den letzten Zug noch einmal fräsen, um die Schnitttiefe tiefer.</translation>
     </message>
     <message>
@@ -448,7 +448,7 @@
         <translation>Links &amp;daneben wiederholen</translation>
     </message>
     <message>
-        <source>Cut the last stroke again, a step-over to its left as it went.</source>
+        <source>Repeat the last stroke one step-over to the left of its direction.</source>
         <translation>Den letzten Zug noch einmal fräsen, einen Zeilenabstand links von seiner Richtung.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>&amp;Rechts daneben wiederholen</translation>
     </message>
     <message>
-        <source>Cut the last stroke again, a step-over to its right as it went.</source>
+        <source>Repeat the last stroke one step-over to the right of its direction.</source>
         <translation>Den letzten Zug noch einmal fräsen, einen Zeilenabstand rechts von seiner Richtung.</translation>
     </message>
     <message>
@@ -480,7 +480,7 @@
         <translation>S&amp;chnitt</translation>
     </message>
     <message>
-        <source>Cut part and workpiece open in the view, to look inside.</source>
+        <source>Section the part and the workpiece in the view.</source>
         <translation>Schneidet Teil und Werkstück in der Ansicht auf, um hineinzusehen.</translation>
     </message>
     <message>
@@ -2591,11 +2591,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>vom Werkzeug unerreichbar</translation>
     </message>
     <message>
-        <source>Colours the part by the stock that the program leaves on it, or by how deep it cuts into it</source>
+        <source>Colours the part by the excess stock that the program leaves, or by the depth of its gouges</source>
         <translation>Färbt das Teil danach, wie viel Material das Programm stehen lässt oder wie tief es hineinschneidet</translation>
     </message>
     <message>
-        <source>Point at the part to read the value there.</source>
+        <source>Move the pointer over the part to read the deviation.</source>
         <translation>Auf das Teil zeigen, um den Wert dort abzulesen.</translation>
     </message>
 </context>
@@ -3021,11 +3021,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Blickt auf diese Seite.</translation>
     </message>
     <message>
-        <source>Cuts a stroke, or spans a raster.</source>
+        <source>Cuts a stroke, or draws the rectangle of a raster.</source>
         <translation>Schneidet einen Zug oder spannt ein Raster auf.</translation>
     </message>
     <message>
-        <source>Cuts straight on from the end of the last stroke.</source>
+        <source>Cuts a straight line from the end of the last stroke.</source>
         <translation>Schneidet gerade weiter vom Ende des letzten Zugs.</translation>
     </message>
     <message>
@@ -3033,7 +3033,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>X, Y</translation>
     </message>
     <message>
-        <source>Strokes go along X or Y only, until pressed again.</source>
+        <source>Locks strokes to X or to Y; again to unlock.</source>
         <translation>Züge gehen nur entlang X oder Y, bis zum nächsten Druck.</translation>
     </message>
     <message>
@@ -3041,15 +3041,15 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>D</translation>
     </message>
     <message>
-        <source>Strokes keep their direction, until pressed again.</source>
+        <source>Locks strokes to their direction; again to unlock.</source>
         <translation>Züge halten ihre Richtung, bis zum nächsten Druck.</translation>
     </message>
     <message>
-        <source>Makes a drag and the wheel fine.</source>
+        <source>Fine motion of a stroke and of the wheel.</source>
         <translation>Macht Zug und Rad fein.</translation>
     </message>
     <message>
-        <source>Ends the stroke, then puts the tool away.</source>
+        <source>Ends the stroke, then stops milling.</source>
         <translation>Beendet den Zug, legt dann das Werkzeug weg.</translation>
     </message>
 </context>
@@ -3698,11 +3698,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Was das System der Haptikschleife zugesteht; Echtzeit geben die geltenden Grenzen (rtprio) oder RealtimeKit</translation>
     </message>
     <message>
-        <source>Show the figures of the haptic loop as well</source>
+        <source>Show the values of the haptic loop</source>
         <translation>Auch die Werte der haptischen Schleife zeigen</translation>
     </message>
     <message>
-        <source>Hide the figures of the haptic loop</source>
+        <source>Hide the values of the haptic loop</source>
         <translation>Die Werte der haptischen Schleife verbergen</translation>
     </message>
 </context>
@@ -3847,7 +3847,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Was das Werkzeug führt</translation>
     </message>
     <message>
-        <source>Nothing is recorded yet. All that you mill is, or let the virtual operator show it to you.</source>
+        <source>Nothing is recorded yet. Everything that you mill will be; Show me demonstrates it.</source>
         <translation>Noch ist nichts aufgezeichnet. Alles, was Sie fräsen, wird es; oder lassen Sie es sich vom virtuellen Bediener zeigen.</translation>
     </message>
     <message>
@@ -3855,7 +3855,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Zug</translation>
     </message>
     <message>
-        <source>A drag cuts where the pointer goes</source>
+        <source>Dragging cuts along the pointer&apos;s trail</source>
         <translation>Ein Zug mit der Maus schneidet, wo der Zeiger geht</translation>
     </message>
     <message>
@@ -3863,7 +3863,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Raster</translation>
     </message>
     <message>
-        <source>A drag spans a rectangle, which is milled in rows at the step-over (T)</source>
+        <source>Drag a rectangle; it is milled in rows at the step-over (T)</source>
         <translation>Ein Zug mit der Maus spannt ein Rechteck auf, das in Zeilen im Zeilenabstand gefräst wird (T)</translation>
     </message>
     <message>
@@ -3871,7 +3871,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Zeilenabstand</translation>
     </message>
     <message>
-        <source>Between the rows of a raster, and to a stroke that is repeated beside</source>
+        <source>Distance between the rows of a raster, and to a stroke repeated beside the last one</source>
         <translation>Zwischen den Zeilen eines Rasters und zu einem Zug, der daneben wiederholt wird</translation>
     </message>
     <message>
@@ -3879,7 +3879,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Tiefer</translation>
     </message>
     <message>
-        <source>Cut the last stroke again, deeper by the depth of cut (L)</source>
+        <source>Repeat the last stroke, lower by the depth of cut (L)</source>
         <translation>Den letzten Zug noch einmal fräsen, um die Schnitttiefe tiefer (L)</translation>
     </message>
     <message>
@@ -3887,7 +3887,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Links</translation>
     </message>
     <message>
-        <source>Cut the last stroke again, a step-over to its left as it went (B)</source>
+        <source>Repeat the last stroke one step-over to the left of its direction (B)</source>
         <translation>Den letzten Zug noch einmal fräsen, einen Zeilenabstand links von seiner Richtung (B)</translation>
     </message>
     <message>
@@ -3895,7 +3895,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Rechts</translation>
     </message>
     <message>
-        <source>Cut the last stroke again, a step-over to its right as it went (Shift+B)</source>
+        <source>Repeat the last stroke one step-over to the right of its direction (Shift+B)</source>
         <translation>Den letzten Zug noch einmal fräsen, einen Zeilenabstand rechts von seiner Richtung (Umschalt+B)</translation>
     </message>
     <message>
@@ -3907,11 +3907,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Stopp, aufgezeichnet %1</translation>
     </message>
     <message>
-        <source>End the take, and put the tool away</source>
+        <source>Stop milling and end the take</source>
         <translation>Die Aufnahme beenden und das Werkzeug weglegen</translation>
     </message>
     <message>
-        <source>The tool follows the stylus; what it cuts is recorded</source>
+        <source>Start milling. Everything that is cut is recorded</source>
         <translation>Das Werkzeug folgt dem Stift; was es schneidet, wird aufgezeichnet</translation>
     </message>
 </context>
@@ -3946,26 +3946,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Für das Werkzeug gibt es keine Grenzfläche: ein anderes Werkzeug wählen oder neu einbetten, mit größeren Voxeln, wo der Speicher nicht reichte.</translation>
     </message>
     <message>
-        <source>Strokes go along X only; X lets them free.</source>
+        <source>Strokes are locked to X. Press X to unlock.</source>
         <translation>Züge gehen nur entlang X; X gibt sie frei.</translation>
     </message>
     <message>
-        <source>Strokes go along Y only; Y lets them free.</source>
+        <source>Strokes are locked to Y. Press Y to unlock.</source>
         <translation>Züge gehen nur entlang Y; Y gibt sie frei.</translation>
     </message>
     <message>
-        <source>Strokes keep their direction; D lets them free.</source>
+        <source>Strokes are locked to their direction. Press D to unlock.</source>
         <translation>Züge halten ihre Richtung; D gibt sie frei.</translation>
     </message>
 </context>
 <context>
     <name>burin::MillTool</name>
     <message>
-        <source>Esc: no line</source>
+        <source>Esc: cancel the line</source>
         <translation>Esc: keine Gerade</translation>
     </message>
     <message>
-        <source>Esc: no raster</source>
+        <source>Esc: cancel the raster</source>
         <translation>Esc: kein Raster</translation>
     </message>
     <message>
@@ -3973,27 +3973,27 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Esc: den Zug hier beenden</translation>
     </message>
     <message>
-        <source>Esc: put the tool away</source>
+        <source>Esc: stop milling</source>
         <translation>Esc: das Werkzeug weglegen</translation>
     </message>
     <message>
-        <source>There is no direction to keep yet: draw a little first.</source>
+        <source>No direction to lock yet. Draw at least 1 mm of a stroke first.</source>
         <translation>Es gibt noch keine Richtung zu halten: Ziehen Sie erst ein Stück.</translation>
     </message>
     <message>
-        <source>That are more than a million places to follow the part at. Take a larger step-over, or a smaller rectangle.</source>
+        <source>The raster needs more than a million points along the part. Increase the step-over or draw a smaller rectangle.</source>
         <translation>Das sind mehr als eine Million Stellen, an denen dem Teil zu folgen ist. Nehmen Sie einen größeren Zeilenabstand oder ein kleineres Rechteck.</translation>
     </message>
     <message>
-        <source>Along the part there is nothing lower: the part holds the tool.</source>
+        <source>A stroke along the part cannot be repeated lower: the part limits its depth.</source>
         <translation>Am Teil entlang geht es nicht tiefer: Das Teil hält das Werkzeug.</translation>
     </message>
     <message>
-        <source>The depth of cut is zero, so that lower would be the same again.</source>
+        <source>The depth of cut is zero. Enter a depth to repeat the stroke lower.</source>
         <translation>Die Schnitttiefe ist null; tiefer wäre dasselbe noch einmal.</translation>
     </message>
     <message>
-        <source>The last stroke only goes down: it has no side.</source>
+        <source>The last stroke is vertical, so it cannot be repeated beside itself.</source>
         <translation>Der letzte Zug geht nur nach unten: Er hat keine Seite.</translation>
     </message>
 </context>
@@ -4233,15 +4233,15 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::PathHand</name>
     <message>
-        <source>Esc: give it up</source>
+        <source>Esc: cancel</source>
         <translation>Esc: aufgeben</translation>
     </message>
     <message>
-        <source>Esc: draw nothing</source>
+        <source>Esc: cancel drawing</source>
         <translation>Esc: nichts zeichnen</translation>
     </message>
     <message>
-        <source>Esc: choose nothing</source>
+        <source>Esc: clear the selection</source>
         <translation>Esc: nichts auswählen</translation>
     </message>
 </context>
@@ -4632,15 +4632,15 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Programm ist noch nicht geprüft: Geben Sie es aus und prüfen Sie es.</translation>
     </message>
     <message>
-        <source>The path or what it was checked with changed since: post and check it again.</source>
+        <source>The path or its check&apos;s inputs have changed. Post and check again.</source>
         <translation>Die Bahn oder das, womit sie geprüft wurde, hat sich seither geändert: Geben Sie sie neu aus und prüfen Sie sie.</translation>
     </message>
     <message>
-        <source>Out of date: passed before something was changed.</source>
+        <source>Out of date: passed its check before the last changes.</source>
         <translation>Nicht mehr gültig: bestanden, bevor etwas geändert wurde.</translation>
     </message>
     <message>
-        <source>Out of date: not passed before something was changed.</source>
+        <source>Out of date: failed its check before the last changes.</source>
         <translation>Nicht mehr gültig: nicht bestanden, bevor etwas geändert wurde.</translation>
     </message>
     <message>
@@ -4725,7 +4725,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::QuantityField</name>
     <message>
-        <source>%1 is out of range: %2 to %3 is possible. The value is still %4.</source>
+        <source>%1 is out of range (%2 to %3). The value stays at %4.</source>
         <translation>%1 liegt außerhalb des Bereichs: %2 bis %3 ist möglich. Der Wert ist weiterhin %4.</translation>
     </message>
 </context>
@@ -4768,7 +4768,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Gewählt: %1</translation>
     </message>
     <message>
-        <source>Nothing of the path is chosen</source>
+        <source>No part of the path is selected</source>
         <translation>Von der Bahn ist nichts gewählt</translation>
     </message>
     <message>
@@ -4861,11 +4861,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Tatsächlich erreichte Takte je Sekunde der Haptikschleife, wie lange 999 von 1000 Kräften höchstens auf die nächste warten lassen, was ein Takt höchstens kostet, und ausgelassene Takte.</translation>
     </message>
     <message>
-        <source>All that is cut goes into this take.</source>
+        <source>Everything that is cut is recorded in this take.</source>
         <translation>Alles, was geschnitten wird, kommt in diese Aufnahme.</translation>
     </message>
     <message>
-        <source>What the Escape key does now.</source>
+        <source>Effect of the Escape key.</source>
         <translation>Was die Esc-Taste jetzt tut.</translation>
     </message>
 </context>
@@ -5383,19 +5383,19 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Transparenz</translation>
     </message>
     <message>
-        <source>How far the part is seen through the workpiece.</source>
+        <source>Transparency of the workpiece.</source>
         <translation>Wie weit das Teil durch das Werkstück zu sehen ist.</translation>
     </message>
     <message>
-        <source>Axis of the section plane</source>
+        <source>Normal of the section plane</source>
         <translation>Achse der Schnittebene</translation>
     </message>
     <message>
-        <source>The axis that the section plane is square to.</source>
+        <source>Axis perpendicular to the section plane.</source>
         <translation>Die Achse, zu der die Schnittebene senkrecht steht.</translation>
     </message>
     <message>
-        <source>Moves the section plane along its axis.</source>
+        <source>Moves the section plane along its normal.</source>
         <translation>Verschiebt die Schnittebene entlang ihrer Achse.</translation>
     </message>
     <message>
@@ -5403,7 +5403,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Position der Schnittebene</translation>
     </message>
     <message>
-        <source>Where the section plane stands on its axis.</source>
+        <source>Position of the section plane along its normal.</source>
         <translation>Wo die Schnittebene auf ihrer Achse steht.</translation>
     </message>
 </context>
@@ -5537,7 +5537,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Beispielteil, gefräst.</translation>
     </message>
     <message>
-        <source>Go on where you were (Esc)</source>
+        <source>Return to the project (Esc)</source>
         <translation>Dort weitermachen, wo Sie waren (Esc)</translation>
     </message>
     <message>

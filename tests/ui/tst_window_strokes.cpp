@@ -91,14 +91,14 @@ private slots:
 
     void xAndYLockAStrokeUntilPressedAgain() {
         driver_->key(Qt::Key_X);
-        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("along X")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("locked to X")); }, 2000));
         millLine(*driver_, {-12, -6}, {12, 6});
         QVERIFY(strokesAre(1));
         const std::vector<glm::dvec3> along = trace_->last();
         for (const glm::dvec3& place : along) QVERIFY(std::abs(place.y - along.front().y) < halfTrail);
         QVERIFY(std::abs(along.back().x - along.front().x) > 20.0);
         driver_->key(Qt::Key_Y);
-        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("along Y")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("locked to Y")); }, 2000));
         driver_->key(Qt::Key_Y);
         QVERIFY(driver_->waitFor([&] { return lockSentence().isEmpty(); }, 2000));
         millLine(*driver_, {-12, -6}, {12, 6});
@@ -172,7 +172,7 @@ private slots:
         QTest::mouseMove(&viewport(), from);
         QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
         QTest::mouseMove(&viewport(), to);
-        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("no raster")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("cancel the raster")); }, 2000));
         driver_->key(Qt::Key_Escape);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
         QTest::qWait(300);
@@ -203,7 +203,7 @@ private slots:
         QCOMPARE(field->text(), before);
         QTest::qWait(100);
         QVERIFY(bench().mill.active());
-        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("put the tool away")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("stop milling")); }, 2000));
         QTest::keyClick(field, Qt::Key_Escape);
         QVERIFY(driver_->waitFor([&] { return !bench().mill.active(); }, 5000));
         QVERIFY(driver_->waitFor([&] { return escapeLabel().isEmpty(); }, 2000));

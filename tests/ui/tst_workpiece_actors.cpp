@@ -3,7 +3,7 @@
 #include "tests/benchmarks/milled_sample.h"
 #include "tests/core/volume/surfaces.h"
 #include "tests/core/volume/volumes.h"
-#include "ui/scene/offscreen_context.h"
+#include "tests/ui/offscreen_stage.h"
 #include "ui/scene/workpiece_actors.h"
 
 #include <vtkCamera.h>
@@ -27,26 +27,11 @@ constexpr Colour background{255, 0, 255}; // nothing on the bench looks like it
 constexpr int side = 400;                 // pixels
 
 /// A window without a display, and the workpiece in it.
-class Stage {
+class Stage : public testing::OffscreenStage {
 public:
-    Stage() {
-        renderer->SetBackground(1.0, 0.0, 1.0);
-        window->SetMapped(true);
-        window->SetIsCurrent(true);
-        window->SetReadyForRendering(true);
-        window->SetOwnContext(0);
-        window->SetSize(side, side);
-        window->OpenGLInitContext();
-        window->SetMultiSamples(0);
-        window->AddRenderer(renderer);
+    Stage() : OffscreenStage(side) {
         actors.emplace(*renderer, *films, [this] { calls.fetch_add(1); });
     }
-    ~Stage() {
-        actors.reset();
-        window->Finalize();
-    }
-    Stage(const Stage&) = delete;
-    Stage& operator=(const Stage&) = delete;
 
     /// From straight above, the grid filling the picture.
     void lookDown(const Grid& grid) {
@@ -87,9 +72,6 @@ public:
     }
     Colour middle() { return pixels()[side * side / 2 + side / 2]; }
 
-    Result<OffscreenContext> context = OffscreenContext::make(side, side);
-    vtkNew<vtkRenderer> renderer;
-    vtkNew<vtkGenericOpenGLRenderWindow> window;
     vtkNew<vtkRenderer> films;
     std::atomic<int> calls = 0;
     glm::dvec3 focus{0.0};

@@ -3,7 +3,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/setup/stock_shape.h"
 #include "tests/core/volume/volumes.h"
-#include "ui/scene/offscreen_context.h"
+#include "tests/ui/offscreen_stage.h"
 #include "ui/scene/workpiece_mesher.h"
 
 #include <vtkActor.h>
@@ -102,20 +102,9 @@ void clear(RunVolume& volume, const Box& box) {
                            grid.toRunPosition(box.high.z), airProperty);
 }
 
-class Stage {
+class Stage : public testing::OffscreenStage {
 public:
-    Stage() {
-        renderer->SetBackground(1.0, 0.0, 1.0);
-        window->SetMapped(true);
-        window->SetIsCurrent(true);
-        window->SetReadyForRendering(true);
-        window->SetOwnContext(0);
-        window->SetSize(side, side);
-        window->OpenGLInitContext();
-        window->SetMultiSamples(0);
-        window->AddRenderer(renderer);
-    }
-    ~Stage() { window->Finalize(); }
+    Stage() : OffscreenStage(side) {}
     void look(const Box& box, const glm::dvec3& from, double scale) {
         const glm::dvec3 centre = box.centre(), eye = centre + 500.0 * glm::normalize(from);
         vtkCamera* camera = renderer->GetActiveCamera();
@@ -145,9 +134,6 @@ public:
             std::memcpy(image.scanLine(side - 1 - y), bytes->GetPointer(3 * y * side), std::size_t{3} * side);
         return image;
     }
-    Result<OffscreenContext> context = OffscreenContext::make(side, side);
-    vtkNew<vtkRenderer> renderer;
-    vtkNew<vtkGenericOpenGLRenderWindow> window;
 };
 
 } // namespace

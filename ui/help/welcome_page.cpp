@@ -89,7 +89,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
-    back_ = button({}, "backButton", tr("Go on where you were (Esc)"), "previous");
+    back_ = button({}, "backButton", tr("Return to the project (Esc)"), "previous");
     connect(back_, &QPushButton::clicked, this, &WelcomePage::backRequested);
     layout->addWidget(back_, 0, Qt::AlignLeft);
     back_->hide();

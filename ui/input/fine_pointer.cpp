@@ -15,8 +15,7 @@ bool comparable(const Sight& a, const Sight& b) {
 /// `from`, moved by a part of the way between two sights of its picture.
 Sight moved(const Sight& from, const Sight& before, const Sight& now, double part) {
     return {from.origin + part * (now.origin - before.origin),
-            glm::normalize(from.direction + part * (now.direction - before.direction)), now.parallel,
-            now.seenFrom};
+            glm::normalize(from.direction + part * (now.direction - before.direction)), now.parallel, now.seenFrom};
 }
 
 } // namespace

@@ -22,7 +22,12 @@ constexpr double dragReach = 4.0;                       // pixels: what goes far
 } // namespace
 
 MillTool::MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view, QObject* parent)
-    : QObject(parent), stylus_(stylus), tool_(tool), view_(std::move(view)), feed_(stylus), target_(stylus.tip()) {
+    : QObject(parent)
+    , stylus_(stylus)
+    , tool_(tool)
+    , view_(std::move(view))
+    , feed_(stylus, [this](const glm::dvec3& place) { return strokeHeight(view_(), place); })
+    , target_(stylus.tip()) {
     settling_.setSingleShot(true);
     settling_.setInterval(settlingInterval);
     connect(&settling_, &QTimer::timeout, this, &MillTool::settle);
@@ -97,7 +102,7 @@ void MillTool::showAim(const std::optional<glm::dvec3>& tip) {
 
 /// Along the part, so far below it that the boundary is pressed on; where there is none below, as deep as before.
 double MillTool::strokeHeight(const VolumeSnapshot& workpiece, const glm::dvec3& place) {
-    if (settings_.rule == DepthRule::part) {
+    if (settings_.rule == DepthRule::part && !workpiece.empty()) {
         const glm::dvec3 above(place.x, place.y, workpiece.grid().box().high.z + 1.0);
         if (const auto hit = castRay(workpiece, above, {0.0, 0.0, -1.0}, RayTarget::protectedOnly))
             levelHeight_ = hit->place.z - settings_.press;
@@ -153,6 +158,7 @@ void MillTool::beginFreeStroke(const ViewportEvent& event) {
 bool MillTool::press(const ViewportEvent& event) {
     if (event.button != Qt::LeftButton) return false;
     if (stroke_ != Stroke::none || drawing_ != Drawing::none || view_().empty()) return true;
+    if (feed_.heightsAreOpen()) return true; // a new stroke would change the level of one that follows the part
     lookingAlong_ = sightOf(event).direction;
     if (settings_.drag == DragRule::raster)
         beginDrawing(Drawing::raster, event);
@@ -165,10 +171,10 @@ bool MillTool::press(const ViewportEvent& event) {
 }
 
 QString MillTool::escapeMeaning() {
-    if (drawing_ == Drawing::line) return tr("Esc: no line");
-    if (drawing_ == Drawing::raster) return tr("Esc: no raster");
+    if (drawing_ == Drawing::line) return tr("Esc: cancel the line");
+    if (drawing_ == Drawing::raster) return tr("Esc: cancel the raster");
     if (stroke_ != Stroke::none || feed_.waits() || stylus_.strokeUnderWay()) return tr("Esc: end the stroke here");
-    return tr("Esc: put the tool away");
+    return tr("Esc: stop milling");
 }
 
 bool MillTool::move(const ViewportEvent& event) {
@@ -257,7 +263,7 @@ void MillTool::toggleLock(StrokeLock lock) {
     } else {
         if (lock == StrokeLock::direction) {
             const auto direction = directionAtEnd(lastStroke_, settledWay);
-            if (!direction) return emit refused(tr("There is no direction to keep yet: draw a little first."));
+            if (!direction) return emit refused(tr("No direction to lock yet. Draw at least 1 mm of a stroke first."));
             lockDirection_ = *direction;
         }
         lock_ = lock;

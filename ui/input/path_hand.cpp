@@ -139,9 +139,9 @@ bool PathHand::key(int key, Qt::KeyboardModifiers) {
 }
 
 QString PathHand::escapeMeaning() {
-    if (doing_ != Doing::nothing) return tr("Esc: give it up");
-    if (height_) return tr("Esc: draw nothing");
-    return places_.empty() ? QString() : tr("Esc: choose nothing");
+    if (doing_ != Doing::nothing) return tr("Esc: cancel");
+    if (height_) return tr("Esc: cancel drawing");
+    return places_.empty() ? QString() : tr("Esc: clear the selection");
 }
 
 void PathHand::leave() {

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr double mostPlaces = 1e6; // of one stroke: 50 MB until it is cut
+constexpr double mostPlaces = 1e6; // of one stroke: each waits as a StylusTarget of some 60 bytes until it is cut
 
 } // namespace
 
@@ -59,23 +59,20 @@ QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed) {
     const bool onPart = settings_.rule == DepthRule::part;
     const double spacing = workpiece.grid().edge();
     if (onPart && subdividedCount(corners, spacing) > mostPlaces)
-        return tr("That are more than a million places to follow the part at. Take a larger step-over, or a smaller "
-                  "rectangle.");
+        return tr(
+            "The raster needs more than a million points along the part. Increase the step-over or draw a smaller "
+            "rectangle.");
     const std::vector<glm::dvec3> places = onPart ? subdivided(corners, spacing) : corners;
     levelHeight_ = corners.front().z - wheelOffset_;
     glm::dvec3 first = places.front();
     if (onPart) first.z = strokeHeight(workpiece, first);
     emit strokeBegins();
-    const StylusTarget begin{
+    StylusTarget target{
         .tip = first, .maximumSpeed = speed, .cutting = true, .clearHeight = clearHeightTo(workpiece, first)};
-    feed_.add(begin);
+    feed_.add(target);
     for (std::size_t i = 1; i < places.size(); ++i) {
-        StylusTarget target = begin;
         target.tip = places[i];
-        if (onPart)
-            feed_.add(target, [this, workpiece](const glm::dvec3& place) { return strokeHeight(workpiece, place); });
-        else
-            feed_.add(target);
+        feed_.add(target, onPart ? StrokeFeed::Height::later : StrokeFeed::Height::given);
     }
     target_ = places.back();
     lastStroke_ = std::move(corners);
@@ -92,12 +89,13 @@ QString MillTool::repeat(Repetition how) {
     glm::dvec3 shift(0.0);
     if (how == Repetition::lower) {
         if (settings_.rule == DepthRule::part)
-            return tr("Along the part there is nothing lower: the part holds the tool.");
-        if (settings_.depthOfCut <= 0.0) return tr("The depth of cut is zero, so that lower would be the same again.");
+            return tr("A stroke along the part cannot be repeated lower: the part limits its depth.");
+        if (settings_.depthOfCut <= 0.0)
+            return tr("The depth of cut is zero. Enter a depth to repeat the stroke lower.");
         shift.z = -settings_.depthOfCut;
     } else {
         const auto across = acrossOf(lastStroke_);
-        if (!across) return tr("The last stroke only goes down: it has no side.");
+        if (!across) return tr("The last stroke is vertical, so it cannot be repeated beside itself.");
         shift = *across * (how == Repetition::left ? settings_.stepOver : -settings_.stepOver);
     }
     const VolumeSnapshot workpiece = view_();

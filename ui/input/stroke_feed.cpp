@@ -14,14 +14,15 @@ constexpr std::size_t longestTail = 4000; // places that are worth drawing
 
 } // namespace
 
-StrokeFeed::StrokeFeed(SimulatedStylus& stylus, QObject* parent) : QObject(parent), stylus_(stylus) {
+StrokeFeed::StrokeFeed(SimulatedStylus& stylus, std::function<double(const glm::dvec3&)> heightAt, QObject* parent)
+    : QObject(parent), stylus_(stylus), heightAt_(std::move(heightAt)) {
     timer_.setInterval(interval);
     connect(&timer_, &QTimer::timeout, this, &StrokeFeed::feed);
 }
 
-void StrokeFeed::add(const StylusTarget& target, std::function<double(const glm::dvec3&)> height) {
+void StrokeFeed::add(const StylusTarget& target, Height height) {
     if (!target.cutting && !queue_.empty() && !queue_.back().target.cutting) queue_.pop_back();
-    queue_.push_back({target, std::move(height)});
+    queue_.push_back({target, height});
     feed();
 }
 
@@ -46,10 +47,7 @@ void StrokeFeed::feed() {
     for (std::size_t i = 0; i < placesADeal && !queue_.empty(); ++i) {
         Entry& next = queue_.front();
         if (held_ && next.target.cutting) break;
-        if (next.height) {
-            next.target.tip.z = next.height(next.target.tip);
-            next.height = {};
-        }
+        if (std::exchange(next.height, Height::given) == Height::later) next.target.tip.z = heightAt_(next.target.tip);
         const bool passed = !stylus_.strokeUnderWay() && stylus_.targetsAhead() == 0;
         if (!stylus_.wish(next.target)) break;
         if (passed) handed_.clear();
@@ -62,6 +60,10 @@ void StrokeFeed::feed() {
         timer_.start();
 }
 
+bool StrokeFeed::heightsAreOpen() const {
+    return std::ranges::any_of(queue_, [](const Entry& entry) { return entry.height == Height::later; });
+}
+
 std::vector<glm::dvec3> StrokeFeed::tail() {
     const std::size_t ahead = std::min(stylus_.targetsAhead(), handed_.size());
     if (ahead == 0 && queue_.empty()) return {};
@@ -69,7 +71,7 @@ std::vector<glm::dvec3> StrokeFeed::tail() {
     places.insert(places.end(), handed_.end() - static_cast<std::ptrdiff_t>(ahead), handed_.end());
     for (const Entry& entry : queue_) {
         if (places.size() > longestTail) break;
-        if (entry.target.cutting && !entry.height) places.push_back(entry.target.tip);
+        if (entry.target.cutting && entry.height == Height::given) places.push_back(entry.target.tip);
     }
     return places;
 }

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <vector>
@@ -18,12 +19,16 @@ namespace burin {
 class StrokeFeed final : public QObject {
     Q_OBJECT
 public:
-    /// Outlives it.
-    explicit StrokeFeed(SimulatedStylus& stylus, QObject* parent = nullptr);
+    enum class Height : std::uint8_t {
+        given, ///< the target has its z
+        later  ///< it gets its z when its turn comes
+    };
+    /// @param stylus outlives it; @param heightAt z of the tip, mm, from x and y: of targets with Height::later
+    explicit StrokeFeed(SimulatedStylus& stylus, std::function<double(const glm::dvec3&)> heightAt,
+                        QObject* parent = nullptr);
 
     /// A target of a stroke, or one that ends it where its trail ends. Of targets that don't cut the newest counts.
-    /// @param height gives the target's z (mm) from its x and y when its turn comes; empty: it has it
-    void add(const StylusTarget& target, std::function<double(const glm::dvec3&)> height = {});
+    void add(const StylusTarget& target, Height height = Height::given);
     /// Ends what is under way, here and in the stylus: what waits is forgotten.
     void giveUp(const StylusTarget& target);
 
@@ -31,18 +36,21 @@ public:
     void goOn();
     bool waits() const noexcept { return !queue_.empty(); } ///< the stylus doesn't have all yet
 
+    bool heightsAreOpen() const; ///< some target that waits has its height still to come
+
     /// The places of the stroke that the tool has not passed, its own first; mm, setup frame. Empty: it has nothing to
-    /// catch up with. Those that `height` gives are known once they are handed over.
+    /// catch up with. Those whose height comes later are known once they are handed over.
     std::vector<glm::dvec3> tail();
 
 private:
     struct Entry {
         StylusTarget target;
-        std::function<double(const glm::dvec3&)> height;
+        Height height = Height::given;
     };
     void feed();
 
     SimulatedStylus& stylus_;
+    std::function<double(const glm::dvec3&)> heightAt_;
     QTimer timer_;
     std::deque<Entry> queue_;
     std::vector<glm::dvec3> handed_; ///< of the stroke that is under way

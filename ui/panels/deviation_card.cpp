@@ -30,7 +30,7 @@ DeviationCard::DeviationCard(QWidget* parent)
     column->setSpacing(4);
     switch_->setObjectName(QStringLiteral("deviationSwitch"));
     switch_->setToolTip(
-        tr("Colours the part by the stock that the program leaves on it, or by how deep it cuts into it"));
+        tr("Colours the part by the excess stock that the program leaves, or by the depth of its gouges"));
     legend_->setObjectName(QStringLiteral("deviationLegend"));
     bands_->setObjectName(QStringLiteral("deviationBands"));
     bands_->setAccessibleName(tr("Bands of deviation and their shares of the part"));
@@ -105,7 +105,7 @@ void DeviationCard::refresh() {
              tr("Within %1").arg(shortLength(tolerance_.allowance + tolerance_.excess, unit_)), shares_.inTolerance),
          row(scale.colourOf(deep), tr("Gouge deeper than %1").arg(shortLength(tolerance_.gouge, unit_)), shares_.gouge),
          row(unmeasuredColour, tr("Out of the tool's reach"), shares_.unreachable)});
-    QString text = tr("Point at the part to read the value there.");
+    QString text = tr("Move the pointer over the part to read the deviation.");
     if (sample_) {
         const double deviation = deviationOf(*sample_);
         text = deviation < 0.0 ? tr("Here: %1 too deep").arg(lengthText(-deviation, unit_))

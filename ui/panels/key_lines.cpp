@@ -56,17 +56,17 @@ void KeyLines::setKeyWidth(int pixels) {
 std::vector<KeyLine> HandKeys::inMillMode() {
     return {
         {tr("Move"), tr("The tool floats over the workpiece.")},
-        {tr("Left drag"), tr("Cuts a stroke, or spans a raster.")},
-        {tr("Shift and click"), tr("Cuts straight on from the end of the last stroke.")},
-        {tr("X, Y"), tr("Strokes go along X or Y only, until pressed again.")},
-        {tr("D"), tr("Strokes keep their direction, until pressed again.")},
+        {tr("Left drag"), tr("Cuts a stroke, or draws the rectangle of a raster.")},
+        {tr("Shift and click"), tr("Cuts a straight line from the end of the last stroke.")},
+        {tr("X, Y"), tr("Locks strokes to X or to Y; again to unlock.")},
+        {tr("D"), tr("Locks strokes to their direction; again to unlock.")},
         {tr("Wheel"), tr("Raises and lowers the tool.")},
-        {tr("Shift"), tr("Makes a drag and the wheel fine.")},
+        {tr("Shift"), tr("Fine motion of a stroke and of the wheel.")},
         {tr("Right drag"), tr("Turns the view.")},
         {tr("Arrows"), tr("Move the tool by a voxel.")},
         {tr("Page up, down"), tr("Raise and lower the tool.")},
         {tr("Space"), tr("Holds the spindle on.")},
-        {tr("Esc"), tr("Ends the stroke, then puts the tool away.")},
+        {tr("Esc"), tr("Ends the stroke, then stops milling.")},
     };
 }
 

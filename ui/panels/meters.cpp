@@ -98,8 +98,8 @@ void Meters::Fields::fold(bool wanted) {
     for (ValueRow* row : {rate_, interval_, work_, missed_, late_, scheduling_, stylus_}) row->setVisible(!folded);
     unfold_->setIcon(
         themedIcon(folded ? QStringLiteral("chevron-right") : QStringLiteral("chevron-down"), &Palette::quietText));
-    const QString does = folded ? Meters::tr("Show the figures of the haptic loop as well")
-                                : Meters::tr("Hide the figures of the haptic loop");
+    const QString does = folded ? Meters::tr("Show the values of the haptic loop")
+                                : Meters::tr("Hide the values of the haptic loop");
     unfold_->setToolTip(does);
     unfold_->setAccessibleName(does);
 }

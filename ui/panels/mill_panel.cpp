@@ -79,8 +79,8 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
     column_->addWidget(makeSectionTitle(MillPanel::tr("Takes"), panel));
     noTakes_ = makeWrappedLabel(panel);
     noTakes_->setProperty("look", "quiet");
-    setWrappedText(noTakes_, MillPanel::tr("Nothing is recorded yet. All that you mill is, or let the virtual operator "
-                                           "show it to you."));
+    setWrappedText(
+        noTakes_, MillPanel::tr("Nothing is recorded yet. Everything that you mill will be; Show me demonstrates it."));
     column_->addWidget(noTakes_);
     takes_ = new TakeList(panel);
     takes_->setObjectName(QStringLiteral("takeList"));
@@ -153,10 +153,10 @@ void MillPanel::Fields::addDepth() {
 }
 
 void MillPanel::Fields::addDrag() {
-    stroke_ = makeChoiceButton(MillPanel::tr("Stroke"), MillPanel::tr("A drag cuts where the pointer goes"),
+    stroke_ = makeChoiceButton(MillPanel::tr("Stroke"), MillPanel::tr("Dragging cuts along the pointer's trail"),
                                QStringLiteral("strokeButton"), panel_);
     raster_ = makeChoiceButton(MillPanel::tr("Raster"),
-                               MillPanel::tr("A drag spans a rectangle, which is milled in rows at the step-over (T)"),
+                               MillPanel::tr("Drag a rectangle; it is milled in rows at the step-over (T)"),
                                QStringLiteral("rasterButton"), panel_);
     auto* choice = new QHBoxLayout;
     choice->setSpacing(4);
@@ -165,9 +165,10 @@ void MillPanel::Fields::addDrag() {
     column_->addLayout(choice);
     connect(stroke_, &QPushButton::clicked, this, [this] { chooseRaster(false); });
     connect(raster_, &QPushButton::clicked, this, [this] { chooseRaster(true); });
-    stepOver_ = addField(new LengthField(panel_), MillPanel::tr("Step-over"),
-                         MillPanel::tr("Between the rows of a raster, and to a stroke that is repeated beside"),
-                         "stepOverField", 0.01, 100.0, &MillPanel::stepOverEdited);
+    stepOver_ =
+        addField(new LengthField(panel_), MillPanel::tr("Step-over"),
+                 MillPanel::tr("Distance between the rows of a raster, and to a stroke repeated beside the last one"),
+                 "stepOverField", 0.01, 100.0, &MillPanel::stepOverEdited);
 }
 
 void MillPanel::Fields::addRepetitions() {
@@ -178,11 +179,12 @@ void MillPanel::Fields::addRepetitions() {
     };
     const std::array offers{
         Offer{RepeatChoice::lower, MillPanel::tr("Lower"),
-              MillPanel::tr("Cut the last stroke again, deeper by the depth of cut (L)"), "repeatLowerButton"},
+              MillPanel::tr("Repeat the last stroke, lower by the depth of cut (L)"), "repeatLowerButton"},
         Offer{RepeatChoice::left, MillPanel::tr("Left"),
-              MillPanel::tr("Cut the last stroke again, a step-over to its left as it went (B)"), "repeatLeftButton"},
+              MillPanel::tr("Repeat the last stroke one step-over to the left of its direction (B)"),
+              "repeatLeftButton"},
         Offer{RepeatChoice::right, MillPanel::tr("Right"),
-              MillPanel::tr("Cut the last stroke again, a step-over to its right as it went (Shift+B)"),
+              MillPanel::tr("Repeat the last stroke one step-over to the right of its direction (Shift+B)"),
               "repeatRightButton"}};
     repeatRow_ = new QWidget(panel_);
     auto* row = new QHBoxLayout(repeatRow_);
@@ -250,8 +252,8 @@ void MillPanel::Fields::refreshButtons() {
     showIcon(mill_, state.active ? QStringLiteral("stop") : QStringLiteral("mill"),
              state.recording || (state.ready && !state.active) ? &Palette::field : &Palette::text);
     enableUnless(mill_, state.active || state.recording ? QString() : reason,
-                 state.active ? MillPanel::tr("End the take, and put the tool away")
-                              : MillPanel::tr("The tool follows the stylus; what it cuts is recorded"));
+                 state.active ? MillPanel::tr("Stop milling and end the take")
+                              : MillPanel::tr("Start milling. Everything that is cut is recorded"));
     enableUnless(undo_, reasonAgainstUndo(), undoText());
     setEnabledKeepingFocus(redo_, state.canRedoStroke);
     enableUnless(show_,

@@ -246,7 +246,7 @@ QString ProgramPanel::Fields::reasonAgainstExport() const {
     if (state.edited) return ProgramPanel::tr("The text was edited: check it first.");
     if (!state.report) return ProgramPanel::tr("The program is not checked yet: post and check it.");
     if (state.outdated)
-        return ProgramPanel::tr("The path or what it was checked with changed since: post and check it again.");
+        return ProgramPanel::tr("The path or its check's inputs have changed. Post and check again.");
     if (!state.released) return ProgramPanel::tr("The program did not pass its check.");
     return {};
 }
@@ -310,15 +310,15 @@ void ProgramPanel::Fields::refreshVerdict() {
         notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The program is not checked yet: post and check it."));
     else if (!state.text.isEmpty() && state.outdated)
         notice_->tell(Notice::Kind::warning,
-                      ProgramPanel::tr("The path or what it was checked with changed since: post and check it again."));
+                      ProgramPanel::tr("The path or its check's inputs have changed. Post and check again."));
     else
         notice_->clear();
     if (!state.report)
         verdict_->clear();
     else if (state.outdated) // nothing is told as passed that might not pass now
         verdict_->tell(Notice::Kind::warning,
-                       errors() == 0 ? ProgramPanel::tr("Out of date: passed before something was changed.")
-                                     : ProgramPanel::tr("Out of date: not passed before something was changed."));
+                       errors() == 0 ? ProgramPanel::tr("Out of date: passed its check before the last changes.")
+                                     : ProgramPanel::tr("Out of date: failed its check before the last changes."));
     else if (errors() == 0)
         verdict_->tell(Notice::Kind::passed,
                        ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")

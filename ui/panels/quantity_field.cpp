@@ -218,7 +218,7 @@ void QuantityField::commit() {
 
 void QuantityField::sayRange() {
     const auto text = [this](double number) { return quantityText(number, quantity_, unit_, locale()); };
-    showUnder(this, tr("%1 is out of range: %2 to %3 is possible. The value is still %4.")
+    showUnder(this, tr("%1 is out of range (%2 to %3). The value stays at %4.")
                         .arg(text(*refused_), text(minimum()), text(maximum()), text(value())));
     refused_.reset();
 }

@@ -46,7 +46,7 @@ SelectionCard::SelectionCard(QWidget* parent)
 
 void SelectionCard::setState(const PathState& state) {
     QString chosen = state.selection ? tr("Chosen: %1").arg(stretchText(state.takes, *state.selection))
-                                     : tr("Nothing of the path is chosen");
+                                     : tr("No part of the path is selected");
     if (state.selectedSide == MillingSide::climb) chosen += QStringLiteral(" · ") + tr("climb");
     if (state.selectedSide == MillingSide::conventional) chosen += QStringLiteral(" · ") + tr("conventional");
     if (state.drawing) chosen = tr("Draw it in the view; Esc gives it up");

@@ -59,7 +59,7 @@ ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
     auto* label = new QLabel(tr("Transparency"), this);
     label->setProperty("look", "quiet");
     layout->addWidget(label);
-    transparency_ = makeSlider(tr("How far the part is seen through the workpiece."), "transparencySlider", this);
+    transparency_ = makeSlider(tr("Transparency of the workpiece."), "transparencySlider", this);
     transparency_->setRange(0, mostTransparent);
     transparency_->setSingleStep(transparencyStep);
     transparency_->setPageStep(4 * transparencyStep);
@@ -73,11 +73,11 @@ ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
     row->setSpacing(8);
     axis_ = new ChoiceBox(sectionControls_);
     axis_->setObjectName(QStringLiteral("sectionAxis"));
-    axis_->setAccessibleName(tr("Axis of the section plane"));
-    axis_->setToolTip(tr("The axis that the section plane is square to."));
+    axis_->setAccessibleName(tr("Normal of the section plane"));
+    axis_->setToolTip(tr("Axis perpendicular to the section plane."));
     axis_->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
     row->addWidget(axis_);
-    position_ = makeSlider(tr("Moves the section plane along its axis."), "sectionSlider", sectionControls_);
+    position_ = makeSlider(tr("Moves the section plane along its normal."), "sectionSlider", sectionControls_);
     position_->setRange(0, sliderSteps);
     position_->setSingleStep(sliderSteps / 100);
     position_->setPageStep(sliderSteps / 10);
@@ -85,7 +85,7 @@ ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
     place_ = new LengthField(sectionControls_);
     place_->setObjectName(QStringLiteral("sectionField"));
     place_->setAccessibleName(tr("Position of the section plane"));
-    place_->setToolTip(tr("Where the section plane stands on its axis."));
+    place_->setToolTip(tr("Position of the section plane along its normal."));
     place_->setFixedWidth(fieldWidth);
     row->addWidget(place_);
     row->addWidget(makeActionButton(offered.flip, "flipSectionButton", sectionControls_));

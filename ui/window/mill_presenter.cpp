@@ -104,11 +104,11 @@ QString MillPresenter::lockText() const {
     case StrokeLock::none:
         break;
     case StrokeLock::alongX:
-        return tr("Strokes go along X only; X lets them free.");
+        return tr("Strokes are locked to X. Press X to unlock.");
     case StrokeLock::alongY:
-        return tr("Strokes go along Y only; Y lets them free.");
+        return tr("Strokes are locked to Y. Press Y to unlock.");
     case StrokeLock::direction:
-        return tr("Strokes keep their direction; D lets them free.");
+        return tr("Strokes are locked to their direction. Press D to unlock.");
     }
     return {};
 }

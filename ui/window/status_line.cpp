@@ -14,9 +14,9 @@ namespace burin {
 StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     setObjectName(QStringLiteral("statusLine"));
     setSizeGripEnabled(false);
-    recording_ = add("recordingStatus", tr("All that is cut goes into this take."));
+    recording_ = add("recordingStatus", tr("Everything that is cut is recorded in this take."));
     recording_->setProperty("look", "force");
-    escape_ = add("escapeStatus", tr("What the Escape key does now."));
+    escape_ = add("escapeStatus", tr("Effect of the Escape key."));
     stylus_ = add("stylusStatus", tr("What leads the tool."));
     rate_ = add("rateStatus", tr("Ticks per second of the haptic loop that were really reached, how long 999 of 1000 "
                                  "forces let wait for the next one at most, what a tick costs at most, and ticks that "
