@@ -3050,7 +3050,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Ends the stroke, then stops milling.</source>
-        <translation>Beendet den Zug, legt dann das Werkzeug weg.</translation>
+        <translation>Beendet den Zug, dann das Fräsen.</translation>
     </message>
 </context>
 <context>
@@ -3908,7 +3908,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Stop milling and end the take</source>
-        <translation>Die Aufnahme beenden und das Werkzeug weglegen</translation>
+        <translation>Fräsen und Aufnahme beenden</translation>
     </message>
     <message>
         <source>Start milling. Everything that is cut is recorded</source>
@@ -3974,7 +3974,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Esc: stop milling</source>
-        <translation>Esc: das Werkzeug weglegen</translation>
+        <translation>Esc: Fräsen beenden</translation>
     </message>
     <message>
         <source>No direction to lock yet. Draw at least 1 mm of a stroke first.</source>
