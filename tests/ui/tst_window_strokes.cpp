@@ -244,6 +244,8 @@ private slots:
         driver_->key(Qt::Key_F1);
         QVERIFY(driver_->visible<QWidget>("backButton") != nullptr);
         driver_->shoot("strokes-welcome-back");
+        const auto* escape = driver_->visible<QLabel>("escapeStatus");
+        QVERIFY(escape != nullptr && escape->text() == QStringLiteral("Esc: back to the project"));
         QVERIFY(driver_->clickOn("backButton"));
         QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
         driver_->key(Qt::Key_F1);
