@@ -137,7 +137,8 @@ bool MillController::startRecording() {
     if (startingRecording_) return true;
     if (recording() || recordingSince_) return false;
     startingRecording_ = true;
-    const QString name = tr("take %1").arg(takes_.empty() ? 1 : takes_.back().id + 1);
+    // In English, as the virtual operator's: panels show it in the language of whoever opens the project.
+    const QString name = QStringLiteral("take %1").arg(takes_.empty() ? 1 : takes_.back().id + 1);
     session_.startRecording(name, [this](bool well) {
         startingRecording_ = false;
         recordingSince_ = well;
