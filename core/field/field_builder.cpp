@@ -101,6 +101,7 @@ FieldResolution fieldResolution(const ToolFieldRequest& request) noexcept {
     resolution.spacing = std::min(voxel, std::sqrt(4.0 * resolution.interpolationBound * radius));
     resolution.low = -3.0 * voxel;
     resolution.high = std::max(request.maximumAllowance, 0.0) + 4.0 * voxel;
+    resolution.clear = std::max(request.maximumAllowance, 0.0) + 0.05 * voxel;
     return resolution;
 }
 

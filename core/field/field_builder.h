@@ -11,6 +11,7 @@ struct FieldResolution {
     double spacing = 0.0;            ///< mm
     double interpolationBound = 0.0; ///< mm, how far interpolation may be too high over smooth faces
     double low = 0.0, high = 0.0;    ///< mm, the fine band of clearances
+    double clear = 0.0;              ///< mm, no less is answered beyond the band: a tool goes free there
 };
 
 FieldResolution fieldResolution(const ToolFieldRequest& request) noexcept;

@@ -35,7 +35,7 @@ TipCorners::TipCorners(const MeshDistance& part, const ToolFieldRequest& request
     : part_(part), request_(request), resolution_(resolution), field_(field), samples_(field.cornerCount()) {}
 
 double TipCorners::nearEnough(const FieldResolution& resolution, double edge) noexcept {
-    return std::max(std::hypot(resolution.high, std::sqrt(0.5) * edge), halfDiagonal * edge) + 1e-6;
+    return std::max(std::hypot(resolution.high, std::sqrt(0.5) * edge), resolution.clear + halfDiagonal * edge) + 1e-6;
 }
 
 void TipCorners::sample(Progress& progress, double from, double to) {
@@ -100,7 +100,8 @@ std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, int step) 
     return value;
 }
 
-/// None when the cube may hold the band. A tip with the band's clearance lies so near to a place where the tool
+/// None when the cube may hold the band, or the value is too little for coarse bricks to say that the tool goes free
+/// there. A tip with the band's clearance lies so near to a place where the tool
 /// touches, and that place no nearer to a corner than half a face's diagonal tells; no tip is less deep than a corner
 /// is, less the way to it. Where a corner was not asked, the larger cube around told so.
 std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, const Cube& cube) const noexcept {
@@ -119,8 +120,12 @@ std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, const Cube
         sum += (1.0 - share.x) * (1.0 - share.y) * (1.0 - share.z) * distance;
     }
     const bool deep = most + request_.voxel + halfDiagonal * edge < resolution_.low;
-    if (asked && !deep && least <= nearEnough(resolution_, edge)) return std::nullopt;
-    return sum - interpolationExcess(least, edge);
+    const double brick = nearEnough(resolution_, field_.brickEdge()); // what corners of coarse bricks have at least
+    if (asked && !deep && least <= std::max(nearEnough(resolution_, edge), brick + halfDiagonal * edge))
+        return std::nullopt;
+    const double value = sum - interpolationExcess(least, edge);
+    if (most > 0.0 && value <= brick) return std::nullopt;
+    return value;
 }
 
 void TipCorners::boundCoarseBricks() {

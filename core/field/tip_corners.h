@@ -26,7 +26,8 @@ public:
     /// Whether some tip in a brick may be in the band. @param asker  for the middle of a doubtful one
     bool mayHoldBand(const glm::ivec3& brick, TipAsker& asker) const;
 
-    /// Largest distance from the surface of equal clearance at which a brick of this edge may have the band in it, mm.
+    /// Largest clearance of a corner with which a brick of this edge may have the band in it, or say less than
+    /// `FieldResolution::clear` when it is coarse, mm.
     static double nearEnough(const FieldResolution& resolution, double edge) noexcept;
 
 private:

@@ -104,6 +104,8 @@ private slots:
     void shankAndHolderAreInIt();
     void swallowedToolsAreDeep();
     void farTipsAreNeverToldTooMuch();
+    void aToolGoesFreeWhereItIsClear_data();
+    void aToolGoesFreeWhereItIsClear();
     void insideLeadsOut();
     void outsideTheBoxIsItsNearestPoint();
     void zeroIsOutsideThePart();
@@ -312,6 +314,48 @@ void ToolFieldTest::farTipsAreNeverToldTooMuch() {
     QVERIFY(d.coarse > 5000);
     QVERIFY(d.coarseAbove <= 0.0);
     QVERIFY(field.at({0, 0, 45}).clearance > 40.0); // and enough to march
+}
+
+void ToolFieldTest::aToolGoesFreeWhereItIsClear_data() {
+    QTest::addColumn<double>("edge"); // mm, of a voxel
+    QTest::addColumn<double>("corner");
+    for (const double edge : {0.2, 0.5, 0.65})
+        for (const double corner : {0.0, 1.0, 5.0})
+            QTest::addRow("voxel %g, corner radius %g", edge, corner) << edge << corner;
+}
+
+/// Where the tool keeps more than the largest allowance from the part, by a tenth of a voxel, no allowance holds it:
+/// the hand would stick to nothing. A plate with a boss, in air above and beside it.
+void ToolFieldTest::aToolGoesFreeWhereItIsClear() {
+    QFETCH(const double, edge);
+    QFETCH(const double, corner);
+    constexpr double allowance = 1.0;
+    TriangleMesh solid = shapes::box({-21, -13, -8}, {21, 13, 0});
+    const TriangleMesh boss = shapes::box({-9, -7, 0.01}, {4, 6, 6});
+    const auto first = static_cast<std::uint32_t>(solid.vertices.size());
+    solid.vertices.insert(solid.vertices.end(), boss.vertices.begin(), boss.vertices.end());
+    for (auto triangle : boss.triangles) {
+        for (std::uint32_t& vertex : triangle) vertex += first;
+        solid.triangles.push_back(triangle);
+    }
+    const MeshDistance part(solid);
+    const Box tips{{-36, -28, -6}, {36, 28, 30}};
+    const std::vector<RevolvedPiece> pieces = tool(5.0, corner);
+    Progress progress;
+    const Result<ToolField> field = ToolField::build(part, {pieces, tips, edge, allowance}, progress);
+    QVERIFY(field);
+    Points points;
+    int clear = 0;
+    for (int i = 0; i < 30000; ++i) {
+        const glm::dvec3 tip = points.in(tips);
+        const double truth = part.clearance(pieces, {tip, {0, 0, 1}}).clearance;
+        if (truth < allowance + 0.1 * edge) continue;
+        ++clear;
+        const double told = field->at(tip).clearance;
+        QVERIFY2(told > allowance, qPrintable(QString("%1 %2 %3: %4 mm clear, told %5 mm")
+                                                  .arg(tip.x).arg(tip.y).arg(tip.z).arg(truth).arg(told)));
+    }
+    QVERIFY(clear > 10000);
 }
 
 void ToolFieldTest::insideLeadsOut() {
