@@ -69,7 +69,7 @@ int runWorkstation(int argc, char** argv) {
                      "\"burin demo\" does the whole job without one, \"burin --help\" lists the others.\n";
         return static_cast<int>(ErrorClass::wrongUse);
     }
-    useSceneSurfaceFormat();
+    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat()); // the window's own context has to share with the view's
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("Burin"));
     QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));

@@ -1449,6 +1449,120 @@
     </message>
 </context>
 <context>
+    <name>ImportNote</name>
+    <message>
+        <source>Lengths in %1 were converted: 1 %2 = %3 mm.</source>
+        <translation>Längen in %1 wurden umgerechnet: 1 %2 = %3 mm.</translation>
+    </message>
+    <message>
+        <source>The file mixes %1 length units; each part was converted by its own.</source>
+        <translation>Die Datei mischt %1 Längeneinheiten; jedes Teil wurde mit seiner eigenen umgerechnet.</translation>
+    </message>
+    <message>
+        <source>A BREP file states no unit; millimetres were taken.</source>
+        <translation>Eine BREP-Datei nennt keine Einheit; angenommen wurden Millimeter.</translation>
+    </message>
+    <message>
+        <source>An STL file states no unit; 1 unit = %1 mm was taken.</source>
+        <translation>Eine STL-Datei nennt keine Einheit; angenommen wurde 1 Einheit = %1 mm.</translation>
+    </message>
+    <message>
+        <source>The part is %1 mm long: perhaps its unit is another one.</source>
+        <translation>Das Teil ist %1 mm lang: Vielleicht hat es eine andere Einheit.</translation>
+    </message>
+    <message>
+        <source>%1 was invalid and was repaired.</source>
+        <translation>%1 war ungültig und wurde repariert.</translation>
+    </message>
+    <message>
+        <source>%1 is not fully valid, even after repair.</source>
+        <translation>%1 ist auch nach der Reparatur nicht ganz gültig.</translation>
+    </message>
+    <message>
+        <source>%1 does not close, so its inside is not certain.</source>
+        <translation>%1 ist nicht geschlossen, deshalb ist sein Inneres nicht sicher.</translation>
+    </message>
+    <message>
+        <source>%1 was inside out and was turned.</source>
+        <translation>%1 war nach innen gewendet und wurde umgedreht.</translation>
+    </message>
+    <message>
+        <source>1 loose face was sewn to a solid.</source>
+        <translation>1 lose Fläche wurde zu einem Volumenkörper vernäht.</translation>
+    </message>
+    <message>
+        <source>%1 loose faces were sewn to a solid.</source>
+        <translation>%1 lose Flächen wurden zu einem Volumenkörper vernäht.</translation>
+    </message>
+    <message>
+        <source>1 face outside of every solid was left out.</source>
+        <translation>1 Fläche außerhalb aller Volumenkörper wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 faces outside of every solid were left out.</source>
+        <translation>%1 Flächen außerhalb aller Volumenkörper wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Curves outside of every solid were left out.</source>
+        <translation>Kurven außerhalb aller Volumenkörper wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 plane faces that the mesher left incomplete were filled.</source>
+        <translation>%1: %2 ebene Flächen, die die Vernetzung unvollständig ließ, wurden gefüllt.</translation>
+    </message>
+    <message>
+        <source>%1 is not closed: %2 open edges. Its inside is not certain.</source>
+        <translation>%1 ist nicht geschlossen: %2 offene Kanten. Sein Inneres ist nicht sicher.</translation>
+    </message>
+    <message>
+        <source>%1: its mesh encloses %2 mm³, its exact surface %3 mm³.</source>
+        <translation>%1: Sein Netz umschließt %2 mm³, seine exakte Oberfläche %3 mm³.</translation>
+    </message>
+    <message>
+        <source>%1: its faces meet with gaps of up to %2 mm; there the mesh may be off by as much.</source>
+        <translation>%1: Seine Flächen stoßen mit Spalten bis %2 mm aneinander; dort kann das Netz um ebenso viel abweichen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles were turned.</source>
+        <translation>%1: %2 Dreiecke wurden umgedreht.</translation>
+    </message>
+    <message>
+        <source>%1 is not closed: %2 open edges. Its inside and volume are not certain.</source>
+        <translation>%1 ist nicht geschlossen: %2 offene Kanten. Sein Inneres und sein Volumen sind nicht sicher.</translation>
+    </message>
+    <message>
+        <source>%1 consists of %2 pieces that are not connected. Where they overlap, its volume counts twice.</source>
+        <translation>%1 besteht aus %2 Stücken, die nicht verbunden sind. Wo sie sich überlappen, zählt das Volumen doppelt.</translation>
+    </message>
+    <message>
+        <source>What follows behind the last triangle was left out.</source>
+        <translation>Was hinter dem letzten Dreieck folgt, wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Body %1</source>
+        <translation>Körper %1</translation>
+    </message>
+    <message>
+        <source>Solid %1</source>
+        <translation>Volumenkörper %1</translation>
+    </message>
+</context>
+<context>
+    <name>ImportUnit</name>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>yard</source>
+        <translation>Yard</translation>
+    </message>
+</context>
+<context>
     <name>Messages</name>
     <message>
         <source>no details are known</source>
@@ -1857,25 +1971,6 @@
     <message>
         <source>Holder passes a fixture at %1</source>
         <translation>Halter geht in %1 an einer Vorrichtung vorbei</translation>
-    </message>
-</context>
-<context>
-    <name>PartPanel</name>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>inch</source>
-        <translation>Zoll</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
-        <source>m</source>
-        <translation>m</translation>
     </message>
 </context>
 <context>
@@ -2306,6 +2401,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Vertical machining centre with a Haas control (typical)</source>
         <translation>Vertikales Bearbeitungszentrum mit Haas-Steuerung (typisch)</translation>
     </message>
+    <message>
+        <source>Haas mill</source>
+        <translation>Haas-Fräsmaschine</translation>
+    </message>
 </context>
 <context>
     <name>Subject</name>
@@ -2455,6 +2554,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>hostile hand</source>
         <translation>rohe Hand</translation>
+    </message>
+    <message>
+        <source>take %1</source>
+        <translation>Aufnahme %1</translation>
     </message>
 </context>
 <context>
@@ -3709,10 +3812,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::MillController</name>
     <message>
-        <source>take %1</source>
-        <translation>Aufnahme %1</translation>
-    </message>
-    <message>
         <source>allowance</source>
         <translation>Aufmaß</translation>
     </message>
@@ -4197,6 +4296,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>An STL file states no unit. Another one reads the file again.</source>
         <translation>Eine STL-Datei nennt keine Einheit. Eine andere liest die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
     </message>
 </context>
 <context>

@@ -69,9 +69,13 @@ int list(const PathArguments& arguments, CommandContext& context) {
 
 /// A path has one tool: that of the first take asked for, or the last one that milled.
 Result<std::string> toolForNew(const Project& project, const PathArguments& arguments) {
+    if (arguments.takes.empty()) {
+        const Result<std::vector<TakeInfo>> standing = standingTakes(project);
+        if (!standing) return standing.error();
+        return standing->empty() ? std::string() : standing->back().toolId;
+    }
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
-    if (arguments.takes.empty()) return takes->empty() ? std::string() : takes->back().toolId;
     const auto first = std::ranges::find(*takes, arguments.takes.front(), &TakeInfo::id);
     if (first == takes->end())
         return Error{ErrorCode::nameUnknown, "take", std::to_string(arguments.takes.front()), {}};

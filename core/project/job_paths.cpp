@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/job_paths.h"
 
+#include "core/recording/stroke_count.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,6 +93,21 @@ ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<Take
     return {tool.id, tool.cutter.diameter, std::isfinite(allowance) ? allowance : 0.0};
 }
 
+Result<std::vector<TakeInfo>> standingTakes(const Project& project) {
+    Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes;
+    std::vector<TakeInfo> standing;
+    for (TakeInfo& info : *takes) {
+        if (info.undoneCount > 0) {
+            const Result<Take> take = project.take(info.id);
+            if (!take) return take.error();
+            if (strokeCount(*take) == 0) continue;
+        }
+        standing.push_back(std::move(info));
+    }
+    return standing;
+}
+
 void addNewerTakes(StoredPath& path, const std::vector<TakeInfo>& takes) {
     const std::string tool = toolOf(path, takes);
     const auto newest = std::ranges::max_element(path.takes);
@@ -101,7 +118,7 @@ void addNewerTakes(StoredPath& path, const std::vector<TakeInfo>& takes) {
 }
 
 Result<StoredPath> standardPath(const Project& project, const std::string& toolId) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
+    const Result<std::vector<TakeInfo>> takes = standingTakes(project);
     if (!takes) return takes.error();
     StoredPath path;
     for (const TakeInfo& take : *takes)
@@ -117,11 +134,13 @@ Result<StoredPath> standardPath(const Project& project, const std::string& toolI
 Result<std::vector<StoredPath>> jobPaths(Project& project) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
-    if (takes->empty()) return withoutTake();
+    const Result<std::vector<TakeInfo>> standing = standingTakes(project);
+    if (!standing) return standing.error();
+    if (standing->empty()) return withoutTake();
     const Result<std::vector<StoredPath>> kept = project.paths();
     if (!kept) return kept.error();
     std::vector<StoredPath> paths;
-    for (const std::string& tool : toolsOf(*takes)) {
+    for (const std::string& tool : toolsOf(*standing)) {
         const auto first =
             std::ranges::find_if(*kept, [&](const StoredPath& path) { return toolOf(path, *takes) == tool; });
         if (first != kept->end()) {
@@ -168,11 +187,16 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, 
     if (!paths) return paths.error();
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
+    const Result<std::vector<TakeInfo>> standing = standingTakes(project);
+    if (!standing) return standing.error();
+    const std::vector<std::string> milling = toolsOf(*standing);
     const std::string tool = toolOf(path, *takes);
     std::vector<PathMatter> matters;
     std::size_t wanted = 0;
     for (const StoredPath& each : firstPaths(*paths, *takes)) {
-        const bool itself = toolOf(each, *takes) == tool;
+        const std::string toolOfEach = toolOf(each, *takes);
+        const bool itself = toolOfEach == tool;
+        if (!itself && std::ranges::find(milling, toolOfEach) == milling.end()) continue;
         if (itself) wanted = matters.size();
         Result<PathMatter> matter = matterOf(project, itself ? path : each);
         if (!matter) return std::move(matter).error();

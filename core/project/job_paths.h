@@ -15,15 +15,19 @@ std::string toolOf(const StoredPath& path, const std::vector<TakeInfo>& takes);
 /// Whether a path is the one that the job mills with its tool: the first of that tool. Others are variants of it.
 bool isFirstOfItsTool(const StoredPath& path, const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes);
 
+/// Takes that a job is made of: not those whose strokes were all taken back, as long as nobody redoes one. Reads the
+/// samples of takes of which something was taken back. Errors: those of Project::takes and Project::take.
+Result<std::vector<TakeInfo>> standingTakes(const Project& project);
+
 /// Adds the recordings of its tool that are newer than all of its own. Older ones that it lacks were left out on
 /// purpose.
 void addNewerTakes(StoredPath& path, const std::vector<TakeInfo>& takes);
 
-/// A path of all takes of one tool with the edits of the main job; no id yet.
-/// Errors: projectIncomplete (no take of that tool).
+/// A path of all standing takes of one tool with the edits of the main job; no id yet.
+/// Errors: projectIncomplete (no such take), those of standingTakes.
 Result<StoredPath> standardPath(const Project& project, const std::string& toolId);
 
-/// What the job mills with: the first path of each tool, in the order of the tools' first takes. A tool that no path is
+/// What the job mills with: the first path of each tool of standing takes, in the order of these. A tool that no path is
 /// of yet gets a new one, which the project keeps. Errors: projectIncomplete (no take), those of Project::addPath.
 Result<std::vector<StoredPath>> jobPaths(Project& project);
 

@@ -6,6 +6,7 @@
 #include "core/base/resource_folder.h"
 #include "core/machine/machine_library.h"
 #include "core/nc/dialect_library.h"
+#include "core/project/job_paths.h"
 #include "core/verify/report_json.h"
 
 #include <nlohmann/json.hpp>
@@ -50,7 +51,7 @@ Result<void> addMaterials(const Project& project, Parts& parts) {
 }
 
 Result<void> addTools(const Project& project, Parts& parts) {
-    const Result<std::vector<TakeInfo>> takes = project.takes();
+    const Result<std::vector<TakeInfo>> takes = standingTakes(project);
     if (!takes) return takes.error();
     std::set<std::string> ids;
     for (const TakeInfo& take : *takes) ids.insert(take.toolId);

@@ -330,7 +330,7 @@ int run(StallWatch& watch) {
 } // namespace
 
 int main(int argc, char** argv) {
-    useSceneSurfaceFormat();
+    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
     StallWatch watch(argc, argv);
     return run(watch);
 }

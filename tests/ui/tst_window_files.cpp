@@ -160,6 +160,7 @@ void TestWindowFiles::aMissingRecentFileIsTakenOffTheList() {
 
 void TestWindowFiles::whatIsOpenAlreadyIsShown() {
     WindowDriver driver;
+    QVERIFY(driver.visible<QWidget>("escapeStatus") == nullptr); // there is no project to go back to
     QVERIFY(makeReady(driver, 1.0));
     const QString file = driver.folder().filePath("here.burin");
     QVERIFY(saveAs(driver, file));

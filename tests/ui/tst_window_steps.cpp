@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/visible_texts.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 
@@ -30,6 +31,8 @@ void TestWindowSteps::eachStepTellsWhatItHolds() {
     for (const auto& [step, name] : before) {
         QVERIFY(driver.step(step));
         driver.shoot(QStringLiteral("small-02-%1").arg(name));
+        for (const VisibleText& cut : clippedTexts(driver.window()))
+            QFAIL(qPrintable(QStringLiteral("cut in the window of %1: %2: %3").arg(name, cut.where, cut.text)));
     }
     // Nothing can be milled yet, and the panel says what is to be done first.
     QVERIFY(driver.step(JobStep::mill));

@@ -240,10 +240,79 @@ private slots:
         QCOMPARE(removedSoFar(*bench().bench.bench()), removed);
     }
 
+    /// A take whose only stroke is taken back is none: not in the list, not in the path, nor in the program; redo
+    /// brings it back. Saved and reopened without it, it stays away.
+    void undoOfATakesFirstStrokeLeavesNoTraceOfIt() {
+        const PathController& path = bench().path;
+        const ProgramController& program = bench().program;
+        millLine(*driver_, {-12, -4}, {12, -4});
+        QVERIFY(strokesAre(1));
+        QVERIFY(driver_->step(JobStep::path));
+        QVERIFY(driver_->clickOn("newPathButton"));
+        QVERIFY(driver_->waitFor([&] { return path.evaluated() && !path.outdated() && !path.busy(); }));
+        QVERIFY(postProgram(*driver_));
+        QVERIFY(!program.outdated());
+        const auto evaluated = path.evaluated();
+
+        QVERIFY(recordLine(*driver_, {-12, 5}, {12, 5}));
+        QVERIFY(strokesAre(2));
+        QVERIFY(driver_->waitFor([&] { return takesAre(2) && path.outdated() && program.outdated(); }, 5000));
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
+        QVERIFY(!path.outdated() && path.evaluated() == evaluated);
+        QVERIFY(!program.outdated());
+        driver_->shoot("strokes-first-undone");
+        driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver_->waitFor([&] { return takesAre(2) && path.outdated() && program.outdated(); }, 5000));
+        QCOMPARE(bench().mill.strokesOf(bench().mill.takes()[1].id), std::size_t{1});
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
+
+        const double removed = removedSoFar(*bench().bench.bench());
+        const QString file = driver_->folder().filePath("strokes.burin");
+        QVERIFY(saveAs(*driver_, file));
+        trace_.reset(); // of the window that goes
+        QVERIFY(driver_->restart());
+        driver_->window().openFile(file);
+        QVERIFY(driver_->waitFor([&] { return bench().bench.ready() && !bench().bench.embedding(); }));
+        QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
+        QCOMPARE(removedSoFar(*bench().bench.bench()), removed);
+        QVERIFY(driver_->waitFor(
+            [&] { return bench().path.evaluated() && !bench().path.outdated() && !bench().path.busy(); }));
+    }
+
+    /// As long as nothing is recorded the setup can be changed, and a path can't be made: so it is again.
+    void undoOfTheVeryFirstStrokeLeavesTheSetupOpen() {
+        millLine(*driver_, {-12, -4}, {12, -4});
+        QVERIFY(strokesAre(1));
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
+        QVERIFY(bench().setup.locked() && bench().path.hasTakes());
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(driver_->waitFor([&] { return takesAre(0); }, 5000));
+        QVERIFY(!bench().setup.locked() && !bench().path.hasTakes());
+        driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
+        QVERIFY(bench().setup.locked() && bench().path.hasTakes());
+        // A path of it goes and comes with it.
+        const PathController& path = bench().path;
+        QVERIFY(driver_->step(JobStep::path));
+        QVERIFY(driver_->clickOn("newPathButton"));
+        QVERIFY(driver_->waitFor([&] { return path.evaluated() && !path.outdated() && !path.busy(); }));
+        const auto evaluated = path.evaluated();
+        for (int i = 0; i < 2; ++i) driver_->key(Qt::Key_Z, Qt::ControlModifier); // the path, and the stroke
+        QVERIFY(driver_->waitFor([&] { return takesAre(0); }, 5000));
+        QVERIFY(path.stored() == nullptr && !path.evaluated());
+        for (int i = 0; i < 2; ++i) driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver_->waitFor([&] { return takesAre(1) && path.evaluated() == evaluated && !path.outdated(); }));
+    }
+
     void helpAndBack() {
         driver_->key(Qt::Key_F1);
         QVERIFY(driver_->visible<QWidget>("backButton") != nullptr);
         driver_->shoot("strokes-welcome-back");
+        const auto* escape = driver_->visible<QLabel>("escapeStatus");
+        QVERIFY(escape != nullptr && escape->text() == QStringLiteral("Esc: back to the project"));
         QVERIFY(driver_->clickOn("backButton"));
         QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
         driver_->key(Qt::Key_F1);
@@ -303,6 +372,7 @@ private:
     bool strokesAre(std::size_t count) {
         return driver_->waitFor([&] { return bench().bench.strokes().count() == count; }, 15000);
     }
+    bool takesAre(std::size_t count) { return bench().mill.takes().size() == count; }
     QString lockSentence() {
         auto* lock = driver_->visible<Notice>("millLock");
         return lock != nullptr ? lock->sentence() : QString();

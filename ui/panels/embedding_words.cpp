@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/embedding_words.h"
 
+#include "ui/panels/model_words.h"
 #include "ui/panels/quantity.h"
 #include "ui/panels/texts.h"
 
@@ -32,7 +33,7 @@ QString whereText(const EmbeddingFinding& finding, LengthUnit unit) {
 // No default: the compiler names every kind that has no sentence yet.
 QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit) {
     using Kind = EmbeddingFinding::Kind;
-    const QString body = QString::fromStdString(finding.body);
+    const QString body = bodyName(finding.body);
     switch (finding.kind) {
     case Kind::openSurface:
         return EmbeddingWords::tr("The surface of “%1” is open (edges: %2, rims: %3), so what it encloses there is a "
@@ -61,7 +62,7 @@ QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit) {
             .arg(body);
     case Kind::overlappingBodies:
         return EmbeddingWords::tr("“%1” overlaps “%2” in %3, where the later body has the place.")
-            .arg(body, QString::fromStdString(finding.otherBody), volumeText(finding.volume, unit));
+            .arg(body, bodyName(finding.otherBody), volumeText(finding.volume, unit));
     }
     return {};
 }

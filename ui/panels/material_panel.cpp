@@ -5,6 +5,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/focus_keeper.h"
+#include "ui/panels/model_words.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"
@@ -134,7 +135,7 @@ void MaterialPanel::Fields::refreshChoices() {
         ids.append(QString::fromStdString(entry.id));
     }
     for (std::size_t i = 0; i < state.bodyNames.size(); ++i) {
-        bodies.append(QString::fromStdString(state.bodyNames[i]));
+        bodies.append(bodyName(state.bodyNames[i]));
         places.append(QString::number(i));
     }
     offer(*stock_, names, ids, QString::fromStdString(state.stockMaterial));

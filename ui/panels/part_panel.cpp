@@ -8,6 +8,7 @@
 #include "ui/panels/elided_label.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/focus_keeper.h"
+#include "ui/panels/model_words.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"
@@ -25,8 +26,8 @@ namespace {
 
 /// What an STL file may mean by 1, mm.
 constexpr std::array stlUnits{
-    std::pair{1.0, QT_TRANSLATE_NOOP("PartPanel", "mm")}, std::pair{25.4, QT_TRANSLATE_NOOP("PartPanel", "inch")},
-    std::pair{10.0, QT_TRANSLATE_NOOP("PartPanel", "cm")}, std::pair{1000.0, QT_TRANSLATE_NOOP("PartPanel", "m")}};
+    std::pair{1.0, QT_TRANSLATE_NOOP("burin::PartPanel", "mm")}, std::pair{25.4, QT_TRANSLATE_NOOP("burin::PartPanel", "inch")},
+    std::pair{10.0, QT_TRANSLATE_NOOP("burin::PartPanel", "cm")}, std::pair{1000.0, QT_TRANSLATE_NOOP("burin::PartPanel", "m")}};
 
 } // namespace
 
@@ -164,7 +165,7 @@ std::vector<ListRow> PartPanel::Fields::bodyRows() const {
     std::vector<ListRow> rows;
     for (const Body& body : state.model->bodies) {
         ListRow row;
-        row.title = row.toolTip = QString::fromStdString(body.name);
+        row.title = row.toolTip = bodyName(body.name);
         row.value = volumeText(body.volume, unit);
         QStringList details;
         if (!body.box.empty()) details.append(sizeText(body.box.size(), unit));
@@ -191,7 +192,7 @@ std::vector<ListRow> PartPanel::Fields::noteRows() const {
     std::vector<ListRow> rows;
     for (const ImportNote& note : state.model->notes) {
         ListRow row;
-        row.detail = row.toolTip = QString::fromStdString(note.text);
+        row.detail = row.toolTip = importNoteText(note.text);
         switch (note.kind) {
         case ImportNote::Kind::unit:
             row.title = PartPanel::tr("Unit");

@@ -21,7 +21,7 @@ namespace burin {
 
 namespace {
 
-constexpr int numberPadding = 8, markWidth = 10;
+constexpr int numberPadding = 8, lintMarkWidth = 10;
 constexpr double lineTint = 0.08;
 constexpr int linesASlice = 3000; // about 20 ms
 constexpr int coloured = 1;       // state of a block whose words have their colours
@@ -189,7 +189,7 @@ bool ProgramView::find(const QString& wanted, bool backward) {
 
 int ProgramView::marginWidth() const {
     const int digits = std::max(3, static_cast<int>(QString::number(blockCount()).size()));
-    return markWidth + 2 * numberPadding + digits * fontMetrics().horizontalAdvance(QLatin1Char('0'));
+    return lintMarkWidth + 2 * numberPadding + digits * fontMetrics().horizontalAdvance(QLatin1Char('0'));
 }
 
 void ProgramView::placeMargin() {

@@ -8,6 +8,7 @@
 #include "ui/panels/quantity.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
@@ -43,6 +44,7 @@ class PanelTexts {
     QT_TRANSLATE_NOOP("Resource", "Taper ball mill 1 mm, 5° a side"),
     QT_TRANSLATE_NOOP("Resource", "Ball-screw router with grblHAL (typical)"),
     QT_TRANSLATE_NOOP("Resource", "Desktop router with GRBL 1.1 (Shapeoko 3 settings)"),
+    QT_TRANSLATE_NOOP("Resource", "Haas mill"),
     QT_TRANSLATE_NOOP("Resource", "Hobby mill with Mach3 (typical)"),
     QT_TRANSLATE_NOOP("Resource", "Three-axis mill with LinuxCNC (example)"),
     QT_TRANSLATE_NOOP("Resource", "Vertical machining centre with a Fanuc control (typical)"),
@@ -89,6 +91,9 @@ QString materialName(const Property& material) {
 }
 
 QString takeName(const std::string& name) {
+    static const QRegularExpression numbered(QStringLiteral("^take ([0-9]+)$"));
+    const QRegularExpressionMatch match = numbered.match(QString::fromStdString(name));
+    if (match.hasMatch()) return QCoreApplication::translate("Take", "take %1").arg(match.captured(1));
     return QCoreApplication::translate("Take", name.c_str());
 }
 

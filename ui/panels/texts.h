@@ -22,7 +22,7 @@ QString toolName(const Tool& tool); ///< of a tool that Burin is shipped with in
 QString toolName(const std::vector<Tool>& tools, const std::string& id); ///< the id where none of them has it
 QString toolSummary(const Tool& tool, LengthUnit unit);                  ///< "Ø 10 mm, R 2 mm, 4 flutes"
 QString materialName(const Property& material);                          ///< as `toolName`
-QString takeName(const std::string& name); ///< as `toolName`, of a take of the virtual operator
+QString takeName(const std::string& name);                               ///< as `toolName`, of a take that Burin named
 /// "specific_cutting_energy" in words; a name that Burin does not know, with spaces.
 QString valueNameText(const std::string& name);
 QString prettyUnit(const std::string& unit); ///< "J/mm^3" with a raised 3; empty for "1"

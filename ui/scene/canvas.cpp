@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/canvas.h"
 
+#include "ui/scene/surface_format.h"
+
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
@@ -25,7 +27,10 @@ void layOut(QWidget& canvas) {
 /// Composed into the window by the graphics card.
 class CardCanvas final : public QOpenGLWidget, public Canvas {
 public:
-    CardCanvas(QWidget& parent, CanvasPainter& painter) : QOpenGLWidget(&parent), painter_(painter) { layOut(*this); }
+    CardCanvas(QWidget& parent, CanvasPainter& painter) : QOpenGLWidget(&parent), painter_(painter) {
+        setFormat(sceneSurfaceFormat());
+        layOut(*this);
+    }
     ~CardCanvas() override { end(); }
 
     QWidget& widget() override { return *this; }
@@ -140,6 +145,8 @@ bool drawsInSoftware(QOpenGLContext& context) {
 std::unique_ptr<Canvas> Canvas::make(QWidget& parent, CanvasPainter& painter) {
     auto context = std::make_unique<QOpenGLContext>();
     auto surface = std::make_unique<QOffscreenSurface>();
+    context->setFormat(sceneSurfaceFormat());
+    surface->setFormat(sceneSurfaceFormat());
     surface->create();
     const bool current = context->create() && context->makeCurrent(surface.get());
     const bool card = current && !drawsInSoftware(*context);

@@ -6,15 +6,16 @@
 
 namespace burin {
 
-/// OpenGL as VTK wants it in a viewport: core profile 3.2, depth and stencil. To be called before the application is
-/// made, as every context takes its format from there.
-inline void useSceneSurfaceFormat() {
+/// OpenGL as VTK wants it in a viewport: core profile 3.2, depth and stencil. Not forward-compatible, which Qt asks for
+/// unless deprecated functions are wanted: there, lines wider than a pixel are an error, and drawn one pixel wide.
+inline QSurfaceFormat sceneSurfaceFormat() {
     QSurfaceFormat format;
     format.setVersion(3, 2);
     format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setOption(QSurfaceFormat::DeprecatedFunctions);
     format.setDepthBufferSize(24);
     format.setStencilBufferSize(8);
-    QSurfaceFormat::setDefaultFormat(format);
+    return format;
 }
 
 } // namespace burin

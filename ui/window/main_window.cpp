@@ -113,13 +113,15 @@ void MainWindow::layOut() {
     pages_->addWidget(welcome_);
     pages_->addWidget(bench_);
     setCentralWidget(pages_);
-    const auto follow = [this] {
-        const bool working = pages_->currentWidget() == bench_;
-        message_->layOver(working ? static_cast<QWidget*>(viewport_) : welcome_);
-        status_->setPageEscape(working ? QString() : tr("Esc: back to the project"), !working);
-    };
-    connect(pages_, &QStackedWidget::currentChanged, this, follow);
-    follow();
+    connect(pages_, &QStackedWidget::currentChanged, this, &MainWindow::followPage);
+    followPage();
+}
+
+void MainWindow::followPage() {
+    const bool working = pages_->currentWidget() == bench_;
+    const bool leadsBack = !working && workbench_.document.isOpen();
+    message_->layOver(working ? static_cast<QWidget*>(viewport_) : welcome_);
+    status_->setPageEscape(leadsBack ? tr("Esc: back to the project") : QString(), !working);
 }
 
 QWidget* MainWindow::makeView() {
@@ -290,6 +292,7 @@ void MainWindow::showWelcome() {
     welcome_->setRecentFiles(settings_.recentFiles());
     welcome_->setProject(workbench_.document.isOpen() ? workbench_.document.title() : QString());
     pages_->setCurrentWidget(welcome_);
+    followPage(); // also where it was shown before, and the project is another or none
 }
 
 /// And again where a program has some of it open: one that was killed may still be ending.

@@ -47,6 +47,7 @@ private:
     void showStep(JobStep step);
     void showBench(bool shown);
     void showWelcome();
+    void followPage();
     void goBack();
     void escape();
     void lookForLeftWork();

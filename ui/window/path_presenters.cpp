@@ -143,7 +143,7 @@ void ProgramPresenter::present() {
     for (const MachineProfile& machine : target.machines())
         state.machines.push_back({machine.id, QCoreApplication::translate("Resource", machine.name.c_str())});
     for (const DialectDescription& dialect : target.dialects())
-        state.dialects.push_back({dialect.id, QString::fromStdString(dialect.name)});
+        state.dialects.push_back({dialect.id, QCoreApplication::translate("Resource", dialect.name.c_str())});
     state.machine = target.machine().id;
     state.dialect = target.dialect();
     state.units = target.target().units;

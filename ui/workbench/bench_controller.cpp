@@ -3,8 +3,8 @@
 #include "ui/workbench/bench_controller.h"
 
 #include "core/project/bench_materials.h"
+#include "core/recording/stroke_count.h"
 #include "ui/workbench/setup_controller.h"
-#include "ui/workbench/stroke_count.h"
 #include "ui/workbench/tool_controller.h"
 
 #include <QCoreApplication>

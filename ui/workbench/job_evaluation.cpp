@@ -3,6 +3,7 @@
 #include "ui/workbench/job_evaluation.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace burin {
@@ -50,15 +51,23 @@ void JobEvaluation::readersStop() {
 }
 
 void JobEvaluation::setJob(const std::vector<StoredPath>& inOrder, std::int64_t inForce) {
+    std::vector<Entry> before = std::exchange(entries_, {});
+    std::ranges::move(resting_, std::back_inserter(before));
     std::vector<Entry> entries;
     for (const StoredPath& path : inOrder) {
         Entry entry;
-        if (Entry* known = find(path.id)) entry = std::move(*known);
+        const auto known = std::ranges::find(before, path.id, [](const Entry& each) { return each.path.id; });
+        if (known != before.end()) {
+            entry = std::move(*known);
+            before.erase(known);
+        }
         entry.path = path;
         if (path.id != inForce) entry.recorded.reset(); // takes are large; those of one path suffice
         entries.push_back(std::move(entry));
     }
     entries_ = std::move(entries);
+    resting_ = std::move(before);
+    for (Entry& entry : resting_) entry.recorded.reset();
     inForce_ = inForce;
 }
 
@@ -67,19 +76,21 @@ void JobEvaluation::touch(std::int64_t path) {
 }
 
 void JobEvaluation::touchAll() {
-    for (Entry& entry : entries_) ++entry.revision;
+    for (std::vector<Entry>* entries : {&entries_, &resting_})
+        for (Entry& entry : *entries) ++entry.revision;
 }
 
-void JobEvaluation::touchRecordings(std::int64_t path) {
+void JobEvaluation::setRecorded(std::int64_t path, const RecordedKey& key) {
     Entry* entry = find(path);
-    if (entry == nullptr) return;
-    ++entry->revision;
+    if (entry == nullptr || entry->key == key) return;
+    entry->key = key;
     entry->recorded.reset();
 }
 
 void JobEvaluation::forget() {
     desk_.tasks.abandon(TaskKind::path);
     entries_.clear();
+    resting_.clear();
     inForce_ = 0;
     running_.reset();
     ++loads_;
@@ -152,7 +163,7 @@ bool JobEvaluation::isSettled(const Entry& entry, const Basis& basis) const {
 
 /// As it stands.
 bool JobEvaluation::isImpossible(const Entry& entry) {
-    return entry.problem && entry.failedOn.revision == entry.revision;
+    return entry.problem && entry.failedOn.revision == entry.revision && entry.failedOn.key == entry.key;
 }
 
 std::vector<std::int64_t> JobEvaluation::missingBefore(std::int64_t path) const {
@@ -174,7 +185,7 @@ std::vector<MilledPath> JobEvaluation::milledBefore(const Entry& entry) const {
 }
 
 JobEvaluation::Basis JobEvaluation::basisOf(const Entry& entry) const {
-    Basis basis{entry.revision, {}};
+    Basis basis{entry.revision, entry.key, {}};
     for (const MilledPath& path : milledBefore(entry)) basis.before.push_back(path.evaluated);
     return basis;
 }
@@ -205,20 +216,22 @@ void JobEvaluation::goOn() {
 void JobEvaluation::read(const Entry& entry) {
     reading_ = true;
     desk_.project.post([path = entry.path](Project& project) { return gather(project, path); },
-                       [this, id = entry.path.id, revision = entry.revision, load = loads_](Result<PathMatter> matter) {
+                       [this, id = entry.path.id, asked = Basis{entry.revision, entry.key, {}},
+                        load = loads_](Result<PathMatter> matter) {
                            if (load != loads_) return; // another project
                            reading_ = false;
-                           takeRecorded(id, revision, std::move(matter));
+                           takeRecorded(id, asked, std::move(matter));
                        });
     emit changed();
 }
 
-void JobEvaluation::takeRecorded(std::int64_t id, quint64 revision, Result<PathMatter> matter) {
+void JobEvaluation::takeRecorded(std::int64_t id, const Basis& asked, Result<PathMatter> matter) {
     if (matter) emit recordingsAdded(matter->path);
     Entry* entry = find(id);
-    if (entry != nullptr && entry->revision == revision && matter)
+    const bool asAsked = entry != nullptr && entry->revision == asked.revision && entry->key == asked.key;
+    if (asAsked && matter)
         entry->recorded = std::make_shared<const Recorded>(Recorded{std::move(matter->takes), std::move(matter->tool)});
-    if (entry != nullptr && entry->revision == revision && !matter) {
+    if (asAsked && !matter) {
         entry->problem = matter.error();
         entry->failedOn = basisOf(*entry);
     }

@@ -7,9 +7,14 @@
 
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace burin {
+
+/// What is recorded with a tool: of each take its id, samples, whether it is complete, and the number of the newest
+/// stroke that stands. Equal where just the same is recorded, also after strokes were milled and taken back.
+using RecordedKey = std::vector<std::tuple<std::int64_t, std::uint64_t, bool, std::uint64_t>>;
 
 /// Evaluates the paths of a job in the background, one after the other, each on the stock as those before it leave it:
 /// first what the one in force comes after and itself, then the others. A path is evaluated again where it, or one
@@ -19,13 +24,16 @@ class JobEvaluation final : public QObject {
 public:
     JobEvaluation(const Desk& desk, BenchController& bench, QObject* parent);
 
-    /// What is to be evaluated. Paths that it knows by their ids keep what is known of them.
+    /// What is to be evaluated. Paths that it knows by their ids keep what is known of them, also those that were not
+    /// among the last ones.
     /// @param inOrder in which they are milled. @param inForce id; 0: none
     void setJob(const std::vector<StoredPath>& inOrder, std::int64_t inForce);
     /// Edits of a path are others, or what all paths were evaluated on is.
     void touch(std::int64_t path);
     void touchAll();
-    void touchRecordings(std::int64_t path);  ///< also what was read of them is of no use any more
+    /// What is recorded with its tool. Where it is other than before, what was read of it is of no use any more; where
+    /// it is again what the path was evaluated with, the path is current again.
+    void setRecorded(std::int64_t path, const RecordedKey& key);
     void forget();                            ///< another project: nothing stands of what was evaluated or read
     void start();                             ///< evaluates what is out of date
     void hold() noexcept { wanted_ = false; } ///< what comes out of date from now on waits for `start`
@@ -56,12 +64,14 @@ private:
     /// What an evaluation stands on.
     struct Basis {
         quint64 revision = 0; ///< of the path
+        RecordedKey key;
         Before before;
         bool operator==(const Basis&) const = default;
     };
     struct Entry {
         StoredPath path;
         quint64 revision = 1;
+        RecordedKey key;
         std::shared_ptr<const Recorded> recorded; ///< null: to be read
         std::shared_ptr<const EvaluatedPath> evaluated;
         Tool tool; ///< that `evaluated` was made with
@@ -84,7 +94,7 @@ private:
     Entry* next();
     void goOn();
     void read(const Entry& entry);
-    void takeRecorded(std::int64_t id, quint64 revision, Result<PathMatter> matter);
+    void takeRecorded(std::int64_t id, const Basis& asked, Result<PathMatter> matter);
     void evaluate(const Entry& entry, const Basis& basis);
     void takeEvaluated(const Running& asked, const Tool& tool, Result<EvaluatedPath> outcome);
     void readersStop();
@@ -92,6 +102,7 @@ private:
     Desk desk_;
     BenchController& bench_;
     std::vector<Entry> entries_; ///< in the order in which they are milled
+    std::vector<Entry> resting_; ///< of paths that are not milled now, and may be again
     std::int64_t inForce_ = 0;
     std::optional<Running> running_;
     quint64 loads_ = 0; ///< of projects

@@ -7,6 +7,7 @@
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace burin {
@@ -136,7 +137,8 @@ bool MillController::startRecording() {
     if (startingRecording_) return true;
     if (recording() || recordingSince_) return false;
     startingRecording_ = true;
-    const QString name = tr("take %1").arg(takes_.empty() ? 1 : takes_.back().id + 1);
+    // In English, as the virtual operator's: panels show it in the language of whoever opens the project.
+    const QString name = QStringLiteral("take %1").arg(takes_.empty() ? 1 : takes_.back().id + 1);
     session_.startRecording(name, [this](bool well) {
         startingRecording_ = false;
         recordingSince_ = well;
@@ -182,10 +184,8 @@ void MillController::takeBack(bool undo) {
     const std::int64_t taken = history.canUndo() ? history.newest().take : 0;
     const auto done = [this, undo, taken](bool changedIt) {
         if (!changedIt) return;
-        if (undo)
-            --strokes_[taken];
-        else
-            ++strokes_[bench_.strokes().newest().take];
+        moveStroke(undo ? taken : bench_.strokes().newest().take, undo);
+        sortOut();
         emit strokeTakenBack(undo);
         emit takesChanged();
         emit changed();
@@ -208,13 +208,29 @@ void MillController::takeBack(bool undo) {
     });
 }
 
+void MillController::moveStroke(std::int64_t take, bool undo) {
+    std::vector<std::uint64_t>& from = undo ? numbers_[take] : undoneNumbers_;
+    std::vector<std::uint64_t>& to = undo ? undoneNumbers_ : numbers_[take];
+    if (!from.empty()) {
+        to.push_back(from.back());
+        from.pop_back();
+    }
+    strokes_[take] = undo ? strokes_[take] - 1 : strokes_[take] + 1;
+}
+
 void MillController::noteStrokes() {
     const std::uint64_t now = bench_.strokes().added();
     const std::uint64_t fresh = now - std::exchange(strokesSeen_, now);
     for (std::uint64_t i = 0; i < fresh; ++i)
         desk_.undo.push(new StrokeCommand(tr("stroke"), [this](bool undo) { takeBack(undo); }));
     if (fresh == 0) return;
-    if (bench_.strokes().canUndo()) strokes_[bench_.strokes().newest().take] += fresh;
+    if (bench_.strokes().canUndo()) {
+        const std::int64_t take = bench_.strokes().newest().take;
+        strokes_[take] += fresh;
+        for (std::uint64_t number = now - fresh + 1; number <= now; ++number) numbers_[take].push_back(number);
+    }
+    undoneNumbers_.clear();
+    sortOut();
     emit takesChanged();
 }
 
@@ -223,8 +239,29 @@ std::size_t MillController::strokesOf(std::int64_t take) const {
     return found == strokes_.end() ? 0 : found->second;
 }
 
+std::map<std::int64_t, std::uint64_t> MillController::newestStrokes() const {
+    std::map<std::int64_t, std::uint64_t> newest;
+    for (const auto& [take, numbers] : numbers_)
+        if (!numbers.empty()) newest[take] = numbers.back();
+    return newest;
+}
+
+/// A take whose strokes were all taken back is none, unless redo brings one of them back.
+void MillController::sortOut() {
+    standing_.clear();
+    std::ranges::copy_if(takes_, std::back_inserter(standing_), [this](const TakeInfo& take) {
+        const auto strokes = strokes_.find(take.id);
+        return strokes == strokes_.end() || strokes->second > 0;
+    });
+}
+
 void MillController::setStrokes(std::map<std::int64_t, std::size_t> strokes) {
     strokes_ = std::move(strokes);
+    for (const TakeInfo& take : takes_) // what never had a stroke is kept, so that it can be removed
+        if (take.undoneCount == 0 && strokesOf(take.id) == 0) strokes_.erase(take.id);
+    const std::size_t before = standing_.size();
+    sortOut();
+    if (standing_.size() != before) emit takesChanged();
     emit changed();
 }
 
@@ -247,6 +284,10 @@ void MillController::load(std::vector<TakeInfo> takes) {
     takes_ = std::move(takes);
     allowance_ = takes_.empty() ? 0.0 : takes_.back().allowance;
     strokesSeen_ = bench_.strokes().added();
+    strokes_.clear();
+    numbers_.clear();
+    undoneNumbers_.clear();
+    sortOut();
     emit takesChanged();
     emit changed();
 }
@@ -256,6 +297,7 @@ void MillController::refreshTakes(Then then) {
                       [this, then = std::move(then)](Result<std::vector<TakeInfo>> takes) {
                           if (takes && !std::ranges::equal(*takes, takes_, sameTake)) {
                               takes_ = std::move(*takes);
+                              sortOut();
                               emit takesChanged();
                               emit changed();
                           }

@@ -28,8 +28,13 @@ public:
     const WorkspaceMapping& mapping() const noexcept { return mapping_; }
     bool recording() const noexcept { return session_.running() && session_.state().recording; }
     double allowance() const noexcept { return allowance_; } ///< mm
-    const std::vector<TakeInfo>& takes() const noexcept { return takes_; }
-    std::size_t strokesOf(std::int64_t take) const; ///< that stand
+    /// Those without the ones whose strokes were all taken back: redo brings these back.
+    const std::vector<TakeInfo>& takes() const noexcept { return standing_; }
+    const std::vector<TakeInfo>& allTakes() const noexcept { return takes_; } ///< these as well
+    std::size_t strokesOf(std::int64_t take) const;                           ///< that stand
+    /// The newest stroke that stands of each take that was milled since the project was opened, by a number that no
+    /// other stroke has.
+    std::map<std::int64_t, std::uint64_t> newestStrokes() const;
 
     using Then = std::function<void()>;
     void enter();
@@ -61,6 +66,8 @@ signals:
 private:
     void takeBack(bool undo);
     void noteStrokes();
+    void moveStroke(std::int64_t take, bool undo);
+    void sortOut();
     void applyAllowance(double millimetres);
     void enterWithMouse();
     void enterWithDevice();
@@ -80,9 +87,12 @@ private:
     WorkspaceMapping mapping_;
     std::uint32_t forceButtons_ = 0;
     double allowance_ = 0.0;
-    std::vector<TakeInfo> takes_;
+    std::vector<TakeInfo> takes_;    ///< all of the project
+    std::vector<TakeInfo> standing_; ///< of these, the ones that have strokes, or may yet
     std::uint64_t strokesSeen_ = 0;
     std::map<std::int64_t, std::size_t> strokes_;
+    std::map<std::int64_t, std::vector<std::uint64_t>> numbers_; ///< of strokes that stand, rising
+    std::vector<std::uint64_t> undoneNumbers_;                   ///< the one that is redone first last
 };
 
 } // namespace burin

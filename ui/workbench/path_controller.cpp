@@ -6,7 +6,6 @@
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace burin {
@@ -36,17 +35,6 @@ Edit meantFor(Edit edit, const TakeStretch& chosen) {
     return edit;
 }
 
-/// Whether other recordings of a tool stand in one list than in the other.
-bool recordedElse(const std::vector<TakeInfo>& one, const std::vector<TakeInfo>& other, const std::string& tool) {
-    const auto figures = [&](const std::vector<TakeInfo>& takes) {
-        std::vector<std::tuple<std::int64_t, std::uint64_t, std::uint64_t, bool>> all;
-        for (const TakeInfo& take : takes)
-            if (take.toolId == tool) all.emplace_back(take.id, take.sampleCount, take.undoneCount, take.complete);
-        return all;
-    };
-    return figures(one) != figures(other);
-}
-
 /// A path of all recordings of a tool, kept by the project.
 Result<StoredPath> makeStandard(Project& project, const std::string& toolId) {
     Result<StoredPath> path = standardPath(project, toolId);
@@ -73,7 +61,8 @@ PathController::PathController(const Desk& desk, BenchController& bench, const T
 
 void PathController::load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes) {
     paths_ = paths;
-    recorded_ = takes;
+    recorded_ = standing_ = takes;
+    newestStrokes_.clear();
     ++loads_;
     making_ = false;
     selection_.reset();
@@ -101,10 +90,12 @@ void PathController::updateJob() {
     std::vector<StoredPath> inOrder;
     for (const OrderedPass& pass : orderPasses(passes)) inOrder.push_back(paths[pass.pass]);
     evaluation_.setJob(inOrder, inForce());
+    for (const StoredPath& path : inOrder) evaluation_.setRecorded(path.id, recordedKey(toolOf(path.id)));
 }
 
 void PathController::countVersion() {
-    ++version_;
+    version_ = ++newestVersion_;
+    versions_ = {{recordedKey({}), version_}};
     emit versionChanged();
 }
 
@@ -144,13 +135,16 @@ std::vector<std::string> PathController::toolsMissingBefore() const {
 }
 
 const StoredPath* PathController::stored() const {
+    if (!hasTakes()) return nullptr;
     const auto found =
         std::ranges::find_if(paths_, [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == tool_; });
     return found == paths_.end() ? nullptr : &*found;
 }
 
 std::vector<StoredPath> PathController::jobPaths() const {
-    return firstPaths(paths_, recorded_);
+    std::vector<StoredPath> paths = firstPaths(paths_, recorded_);
+    std::erase_if(paths, [&](const StoredPath& path) { return !isMilledWith(toolOf(path.id)); });
+    return paths;
 }
 
 std::string PathController::toolOf(std::int64_t path) const {
@@ -160,7 +154,7 @@ std::string PathController::toolOf(std::int64_t path) const {
 
 std::vector<std::string> PathController::toolsWithoutPath() const {
     std::vector<std::string> tools;
-    for (const TakeInfo& take : recorded_) {
+    for (const TakeInfo& take : standing_) {
         const bool known = std::ranges::find(tools, take.toolId) != tools.end();
         const bool used = std::ranges::any_of(
             paths_, [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == take.toolId; });
@@ -170,17 +164,46 @@ std::vector<std::string> PathController::toolsWithoutPath() const {
 }
 
 bool PathController::hasTakes() const {
-    return std::ranges::find(recorded_, tool_, &TakeInfo::toolId) != recorded_.end();
+    return isMilledWith(tool_);
 }
 
-void PathController::takesChanged(const std::vector<TakeInfo>& takes) {
-    const std::vector<TakeInfo> before = std::exchange(recorded_, takes);
+bool PathController::isMilledWith(const std::string& tool) const {
+    return std::ranges::find(standing_, tool, &TakeInfo::toolId) != standing_.end();
+}
+
+void PathController::takesChanged(const std::vector<TakeInfo>& all, const std::vector<TakeInfo>& standing,
+                                  const std::map<std::int64_t, std::uint64_t>& newestStrokes) {
+    recorded_ = all;
+    standing_ = standing;
+    newestStrokes_ = newestStrokes;
     updateJob();
-    for (const StoredPath& path : jobPaths())
-        if (path.id == inForce() || recordedElse(before, takes, toolOf(path.id))) evaluation_.touchRecordings(path.id);
-    evaluation_.hold(); // what is recorded is evaluated when the user wants it
-    countVersion();
+    // What is recorded is evaluated when the user wants it; who just did gets it with what came last.
+    if (!evaluation_.busy(inForce())) evaluation_.hold();
+    followRecordings();
     emit changed();
+}
+
+void PathController::recordingBegins() {
+    evaluation_.hold();
+}
+
+/// @param tool by id; empty: of all tools
+RecordedKey PathController::recordedKey(const std::string& tool) const {
+    RecordedKey key;
+    for (const TakeInfo& take : standing_) {
+        if (!tool.empty() && take.toolId != tool) continue;
+        const auto newest = newestStrokes_.find(take.id);
+        key.emplace_back(take.id, take.sampleCount, take.complete, newest != newestStrokes_.end() ? newest->second : 0);
+    }
+    return key;
+}
+
+/// What was posted before strokes were milled and taken back is up to date again.
+void PathController::followRecordings() {
+    const auto [known, isNew] = versions_.try_emplace(recordedKey({}), newestVersion_ + 1);
+    if (isNew) ++newestVersion_;
+    version_ = known->second;
+    emit versionChanged();
 }
 
 void PathController::benchChanged() {

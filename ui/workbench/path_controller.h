@@ -6,6 +6,7 @@
 #include "ui/workbench/job_evaluation.h"
 #include "ui/workbench/tool_controller.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -19,7 +20,7 @@ class PathController final : public Controller {
 public:
     PathController(const Desk& desk, BenchController& bench, const ToolController& tools, QObject* parent);
 
-    /// Of the tool in force; null: it has none yet.
+    /// Of the tool in force; null: it has none, or nothing is milled with it.
     const StoredPath* stored() const;
     /// What the job mills with, a path for each tool, in the order in which they were made.
     std::vector<StoredPath> jobPaths() const;
@@ -64,9 +65,14 @@ public:
     /// Puts a stroke that was drawn in the selection's stead. @param places mm, setup frame, at least two
     void replaceSelection(const std::vector<glm::dvec3>& places);
     void evaluate();
-    void takesChanged(const std::vector<TakeInfo>& takes); ///< what was evaluated may be no longer what was recorded
-    void benchChanged();                                   ///< links may go other ways, feeds be others
-    void useTool(const std::string& id);                   ///< the tool in force
+    /// What was evaluated may be no longer what was recorded, or be it again.
+    /// @param all of the project; @param standing those whose strokes were not all taken back; @param newestStrokes as
+    /// MillController::newestStrokes has them
+    void takesChanged(const std::vector<TakeInfo>& all, const std::vector<TakeInfo>& standing,
+                      const std::map<std::int64_t, std::uint64_t>& newestStrokes);
+    void recordingBegins();              ///< while the hand mills nothing is evaluated
+    void benchChanged();                 ///< links may go other ways, feeds be others
+    void useTool(const std::string& id); ///< the tool in force
 
     void load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes);
 
@@ -81,6 +87,9 @@ private:
     void push(const QString& text, std::vector<Edit> edits);
     void apply(std::int64_t path, const std::vector<Edit>& edits);
     void countVersion();
+    bool isMilledWith(const std::string& tool) const;
+    RecordedKey recordedKey(const std::string& tool) const;
+    void followRecordings();
     void keepNew(const StoredPath& path);
     void setPresent(const StoredPath& path, bool present);
     void keepTakes(const StoredPath& path);
@@ -90,11 +99,14 @@ private:
     JobEvaluation evaluation_;
     std::optional<Error> notMade_;  ///< why there is no path of the tool in force
     std::vector<StoredPath> paths_; ///< all of the project
-    std::vector<TakeInfo> recorded_;
+    std::vector<TakeInfo> recorded_; ///< all of the project
+    std::vector<TakeInfo> standing_; ///< of these, the ones that strokes stand of: a tool without them has no path
     std::string tool_; ///< in force, by id
     std::optional<TakeStretch> selection_;
-    quint64 version_ = 0;
-    quint64 loads_ = 0; ///< of projects
+    std::map<std::int64_t, std::uint64_t> newestStrokes_;
+    quint64 version_ = 0, newestVersion_ = 0;
+    std::map<RecordedKey, quint64> versions_; ///< since edits and what stands around were changed last
+    quint64 loads_ = 0;                       ///< of projects
     bool making_ = false;
 };
 

@@ -55,9 +55,10 @@ void Workbench::wire() {
     connect(&target, &Controller::changed, this, [this] { bench.setWanted(target.machine()); });
     connect(&mill, &MillController::takesChanged, this, [this] {
         setup.setLocked(mill.recording() || !mill.takes().empty());
-        path.takesChanged(mill.takes());
+        path.takesChanged(mill.allTakes(), mill.takes(), mill.newestStrokes());
     });
     connect(&session, &SessionRunner::recordingStarted, this, [this] {
+        path.recordingBegins();
         if (!setup.locked()) undo_.clear(); // what is locked now can't be undone any more
         setup.setLocked(true);
     });

@@ -3,6 +3,7 @@
 #include "core/cad/reader/cad_file.h"
 
 #include "core/base/numbers.h"
+#include "core/cad/import_notes.h"
 #include "core/cad/reader/document_shapes.h"
 
 #include <BRepTools.hxx>
@@ -84,8 +85,9 @@ void stateUnit(CadFile& file, double scale, const std::string& name) {
     file.unitScale = scale;
     file.lengthUnit = unitName(scale, name);
     if (std::abs(scale - 1.0) > 1e-12)
-        file.notes.push_back({ImportNote::Kind::unit, "Lengths in " + file.lengthUnit + " were converted: 1 " +
-                                                          file.lengthUnit + " = " + formatShortest(scale) + " mm."});
+        file.notes.push_back(
+            {ImportNote::Kind::unit, import_notes::fill(import_notes::unitConverted,
+                                                        {file.lengthUnit, file.lengthUnit, formatShortest(scale)})});
 }
 
 void stateStepUnit(CadFile& file, STEPControl_Reader& reader) {
@@ -95,8 +97,8 @@ void stateStepUnit(CadFile& file, STEPControl_Reader& reader) {
     const std::string name = lengths.IsEmpty() ? "mm" : lengths.First().ToCString();
     stateUnit(file, units.empty() ? 1.0 : *units.rbegin(), name);
     if (units.size() > 1)
-        file.notes.push_back({ImportNote::Kind::unit, "The file mixes " + std::to_string(units.size()) +
-                                                          " length units; each part was converted by its own."});
+        file.notes.push_back(
+            {ImportNote::Kind::unit, import_notes::fill(import_notes::unitsMixed, {std::to_string(units.size())})});
 }
 
 } // namespace
@@ -162,7 +164,7 @@ Result<CadFile> readBrepFile(const std::string& content, bool binary) {
     }
     if (shape.IsNull() || stream.fail()) return damaged("");
     CadFile read{"BREP", "mm", 1.0, {}, {}};
-    read.notes.push_back({ImportNote::Kind::unit, "A BREP file states no unit; millimetres were taken."});
+    read.notes.push_back({ImportNote::Kind::unit, import_notes::brepWithoutUnit.text});
     read.shapes = explodedShapes(shape, {}, std::nullopt);
     return read;
 }

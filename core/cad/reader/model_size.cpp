@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/model_size.h"
 
+#include "core/cad/import_notes.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -13,12 +15,16 @@ namespace {
 constexpr double farthest = 1e6;                     // mm
 constexpr double smallest = 1.0, largest = 10'000.0; // mm, of parts that are milled
 
-/// In millimetres, four digits of it.
-std::string lengthText(double length) {
+/// Four digits.
+std::string numberText(double length) {
     std::array<char, 32> text{};
     const std::to_chars_result end =
         std::to_chars(text.data(), text.data() + text.size(), length, std::chars_format::general, 4);
-    return std::string(text.data(), end.ptr) + " mm";
+    return std::string(text.data(), end.ptr);
+}
+
+std::string lengthText(double millimetres) {
+    return numberText(millimetres) + " mm";
 }
 
 double largestOf(const glm::dvec3& v) {
@@ -36,7 +42,7 @@ Result<void> judgeSize(Model& model) {
     const double size = largestOf(whole.high - whole.low);
     if (size < smallest || size > largest)
         model.notes.push_back(
-            {ImportNote::Kind::warning, "The part is " + lengthText(size) + " long: perhaps its unit is another one."});
+            {ImportNote::Kind::warning, import_notes::fill(import_notes::sizeDoubtful, {numberText(size)})});
     return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/file.h"
 #include "core/base/numbers.h"
+#include "core/cad/import_notes.h"
 #include "core/cad/reader/cad_file.h"
 #include "core/cad/reader/edge_curve.h"
 #include "core/cad/reader/exact_distance.h"
@@ -33,6 +34,8 @@
 
 namespace burin {
 
+using import_notes::fill;
+
 namespace {
 
 std::string encodeShape(const TopoDS_Shape& shape) {
@@ -49,24 +52,21 @@ std::size_t countFaces(const TopoDS_Shape& shape) {
 
 void noteMesh(Model& model, const Body& body, const SolidMesh& mesh) {
     const std::string title = "\"" + body.name + "\"";
-    const auto note = [&](ImportNote::Kind kind, const std::string& text) {
-        model.notes.push_back({kind, title + text});
-    };
+    const auto note = [&](ImportNote::Kind kind, std::string text) { model.notes.push_back({kind, std::move(text)}); };
     if (mesh.facesFilled > 0)
-        note(ImportNote::Kind::healing,
-             ": " + std::to_string(mesh.facesFilled) + " plane faces that the mesher left incomplete were filled.");
+        note(ImportNote::Kind::healing, fill(import_notes::facesFilled, {title, std::to_string(mesh.facesFilled)}));
     if (mesh.openEdges > 0)
-        note(ImportNote::Kind::warning,
-             " is not closed: " + std::to_string(mesh.openEdges) + " open edges. Its inside is not certain.");
+        note(ImportNote::Kind::warning, fill(import_notes::meshOpen, {title, std::to_string(mesh.openEdges)}));
     // A mesh within its chord encloses a volume that differs by less than the chord times the area.
     if (const double meshed = signedVolume(body.mesh); std::abs(meshed - body.volume) > model.meshChord * body.area)
-        note(ImportNote::Kind::warning, ": its mesh encloses " + formatFixed(meshed, 2) + " mm³, its exact surface " +
-                                            formatFixed(body.volume, 2) + " mm³.");
+        note(ImportNote::Kind::warning,
+             fill(import_notes::meshVolumeDiffers, {title, formatFixed(meshed, 2), formatFixed(body.volume, 2)}));
 }
 
 Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, const ReportFraction& report) {
     Body body;
-    body.name = solid.name.empty() ? "Body " + std::to_string(model.bodies.size() + 1) : solid.name;
+    body.name =
+        solid.name.empty() ? fill(import_notes::unnamedBody, {std::to_string(model.bodies.size() + 1)}) : solid.name;
     body.colour = solid.colour;
     body.box = exactBox(solid.solid); // before meshing, so that no triangle has a say
     body.volume = exactVolume(solid.solid);
@@ -84,9 +84,8 @@ Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, const
     noteMesh(model, body, mesh);
     // The file's own gaps between its faces: no mesh can be nearer to both sides.
     if (const double gap = BRep_Tool::MaxTolerance(solid.solid, TopAbs_EDGE); gap > chord)
-        model.notes.push_back({ImportNote::Kind::warning, "\"" + body.name + "\": its faces meet with gaps of up to " +
-                                                              formatFixed(gap, 4) +
-                                                              " mm; there the mesh may be off by as much."});
+        model.notes.push_back({ImportNote::Kind::warning,
+                               fill(import_notes::facesApart, {"\"" + body.name + "\"", formatFixed(gap, 4)})});
     return body;
 }
 

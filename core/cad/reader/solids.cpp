@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/solids.h"
 
+#include "core/cad/import_notes.h"
+
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -17,6 +19,8 @@
 
 namespace burin {
 
+using import_notes::fill;
+
 namespace {
 
 constexpr double sewingTolerance = 1e-3; // mm; design figure for IGES, whose faces arrive loose
@@ -31,8 +35,12 @@ std::string counted(int number, std::string_view singular) {
     return std::to_string(number) + " " + std::string(singular) + (number == 1 ? "" : "s");
 }
 
+std::string counted(int number, TextId one, TextId several) {
+    return number == 1 ? one.text : fill(several, {std::to_string(number)});
+}
+
 std::string quoted(const std::string& name, std::size_t number) {
-    return name.empty() ? "Solid " + std::to_string(number) : "\"" + name + "\"";
+    return name.empty() ? fill(import_notes::unnamedSolid, {std::to_string(number)}) : "\"" + name + "\"";
 }
 
 void note(CadFile& file, ImportNote::Kind kind, std::string text) {
@@ -62,17 +70,17 @@ void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& s
     if (!BRepCheck_Analyzer(shape).IsValid()) {
         shape = healed(shape);
         if (BRepCheck_Analyzer(shape).IsValid())
-            note(file, ImportNote::Kind::healing, title + " was invalid and was repaired.");
+            note(file, ImportNote::Kind::healing, fill(import_notes::repaired, {title}));
         else
-            note(file, ImportNote::Kind::warning, title + " is not fully valid, even after repair.");
+            note(file, ImportNote::Kind::warning, fill(import_notes::notRepaired, {title}));
     }
     for (TopExp_Explorer parts(shape, TopAbs_SOLID); parts.More(); parts.Next()) {
         TopoDS_Solid solid = TopoDS::Solid(parts.Current());
         const TopAbs_Orientation before = solid.Orientation();
         if (!BRepLib::OrientClosedSolid(solid))
-            note(file, ImportNote::Kind::warning, title + " does not close, so its inside is not certain.");
+            note(file, ImportNote::Kind::warning, fill(import_notes::solidOpen, {title}));
         else if (solid.Orientation() != before)
-            note(file, ImportNote::Kind::healing, title + " was inside out and was turned.");
+            note(file, ImportNote::Kind::healing, fill(import_notes::insideOut, {title}));
         solids.push_back({solid, from.name, from.colour});
     }
 }
@@ -109,15 +117,16 @@ Result<std::vector<NamedSolid>> makeSolids(CadFile& file) {
         const std::vector<TopoDS_Solid> closed = sewn(entry.shape, openEdges);
         for (const TopoDS_Solid& solid : closed) {
             note(file, ImportNote::Kind::healing,
-                 counted(count(solid, TopAbs_FACE), "loose face") + " were sewn to a solid.");
+                 counted(count(solid, TopAbs_FACE), import_notes::faceSewn, import_notes::facesSewn));
             addHealed(file, {solid, entry.name, entry.colour}, solids);
         }
         if (closed.empty()) looseFaces += faces;
     }
     if (solids.empty()) return Error{ErrorCode::modelHasNoSolid, {}, contents(file, openEdges), {}};
     if (looseFaces > 0)
-        note(file, ImportNote::Kind::warning, counted(looseFaces, "face") + " outside of every solid were left out.");
-    if (looseEdges > 0) note(file, ImportNote::Kind::warning, "Curves outside of every solid were left out.");
+        note(file, ImportNote::Kind::warning,
+             counted(looseFaces, import_notes::faceLeftOut, import_notes::facesLeftOut));
+    if (looseEdges > 0) note(file, ImportNote::Kind::warning, import_notes::curvesLeftOut.text);
     return solids;
 }
 

@@ -3,6 +3,7 @@
 #include "core/cad/reader/stl_model.h"
 
 #include "core/base/numbers.h"
+#include "core/cad/import_notes.h"
 #include "core/cad/reader/mesh_repair.h"
 #include "core/cad/reader/stl_file.h"
 
@@ -10,6 +11,8 @@
 #include <utility>
 
 namespace burin {
+
+using import_notes::fill;
 
 namespace {
 
@@ -26,27 +29,26 @@ std::string title(const Body& body) {
 
 void notePieces(Model& model, const Body& body, std::size_t pieces) {
     if (pieces > 1)
-        note(model, ImportNote::Kind::warning,
-             title(body) + " consists of " + std::to_string(pieces) +
-                 " pieces that are not connected. Where they overlap, its volume counts twice.");
+        note(model, ImportNote::Kind::warning, fill(import_notes::piecesApart, {title(body), std::to_string(pieces)}));
 }
 
 Body makeBody(Model& model, StlSolid solid, MeshConnection& connection) {
     Body body;
-    body.name = solid.name.empty() ? "Body " + std::to_string(model.bodies.size() + 1) : solid.name;
+    body.name =
+        solid.name.empty() ? fill(import_notes::unnamedBody, {std::to_string(model.bodies.size() + 1)}) : solid.name;
     body.mesh = std::move(solid.mesh);
     for (glm::dvec3& vertex : body.mesh.vertices) vertex *= model.unitScale;
     connection = separatePieces(body.mesh);
     if (const std::size_t turned = orientConsistently(body.mesh); turned > 0)
-        note(model, ImportNote::Kind::healing, title(body) + ": " + std::to_string(turned) + " triangles were turned.");
+        note(model, ImportNote::Kind::healing,
+             fill(import_notes::trianglesTurned, {title(body), std::to_string(turned)}));
     body.volume = signedVolume(body.mesh);
     body.area = surfaceArea(body.mesh);
     body.box = boundingBox(body.mesh);
     body.openEdges = countOpenEdges(body.mesh);
     if (body.openEdges > 0)
         note(model, ImportNote::Kind::warning,
-             title(body) + " is not closed: " + std::to_string(body.openEdges) +
-                 " open edges. Its inside and volume are not certain.");
+             fill(import_notes::stlOpen, {title(body), std::to_string(body.openEdges)}));
     notePieces(model, body, connection.pieces);
     return body;
 }
@@ -60,10 +62,9 @@ Result<Model> readStlModel(std::string_view content, bool binary, double unit) {
     model.format = binary ? "STL binary" : "STL ASCII";
     model.lengthUnit = "none";
     model.unitScale = unit;
-    note(model, ImportNote::Kind::unit,
-         "An STL file states no unit; 1 unit = " + formatShortest(unit) + " mm was taken.");
+    note(model, ImportNote::Kind::unit, fill(import_notes::stlWithoutUnit, {formatShortest(unit)}));
     if (binary && !hasLengthOfBinaryStl(content))
-        note(model, ImportNote::Kind::warning, "What follows behind the last triangle was left out.");
+        note(model, ImportNote::Kind::warning, import_notes::restLeftOut.text);
     std::size_t triangles = 0, edges = 0, boundary = 0;
     for (StlSolid& solid : *solids) {
         MeshConnection connection;

@@ -80,6 +80,26 @@ private slots:
         QVERIFY(std::ranges::find(path.takes, left) == path.takes.end());
     }
 
+    /// A take whose strokes were all taken back mills nothing: its tool is none of the job, and no other tool's path is
+    /// changed by it. Put back, it is there again.
+    void aTakeThatWasTakenBackIsNone() {
+        const std::int64_t stands = record(*project_, "ball-6"), gone = record(*project_, "flat-10");
+        const SampleRange all{0, 20};
+        QVERIFY(project_->undoStretch(gone, all));
+        const auto standing = standingTakes(*project_);
+        QVERIFY(standing && standing->size() == 1 && standing->front().id == stands);
+        QCOMPARE(standardPath(*project_, "flat-10").error().code, ErrorCode::projectIncomplete);
+        const auto paths = jobPaths(*project_);
+        QVERIFY(paths && paths->size() == 1);
+        QCOMPARE(takesIn(paths, 0), std::vector{stands});
+        QVERIFY(project_->redoStretch(gone, all));
+        QCOMPARE(jobPaths(*project_)->size(), std::size_t{2});
+        QVERIFY(project_->undoStretch(gone, {0, 5})); // some of it
+        QCOMPARE(standingTakes(*project_)->size(), std::size_t{2});
+        QVERIFY(project_->undoStretch(stands, all) && project_->undoStretch(gone, {5, 15}));
+        QCOMPARE(jobPaths(*project_).error().code, ErrorCode::projectIncomplete);
+    }
+
     void cleanup() { project_.reset(); }
 
 private:

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/text.h"
+
+#include <array>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace burin::import_notes {
+
+// What an import may note. %1 … %3 stand for names and numbers. Projects keep the filled English text, and the user
+// interface finds its text here again: one that was ever released stays as it is.
+
+inline constexpr TextId unitConverted = BURIN_TEXT("ImportNote", "Lengths in %1 were converted: 1 %2 = %3 mm.");
+inline constexpr TextId unitsMixed =
+    BURIN_TEXT("ImportNote", "The file mixes %1 length units; each part was converted by its own.");
+inline constexpr TextId brepWithoutUnit =
+    BURIN_TEXT("ImportNote", "A BREP file states no unit; millimetres were taken.");
+inline constexpr TextId stlWithoutUnit =
+    BURIN_TEXT("ImportNote", "An STL file states no unit; 1 unit = %1 mm was taken.");
+inline constexpr TextId sizeDoubtful =
+    BURIN_TEXT("ImportNote", "The part is %1 mm long: perhaps its unit is another one.");
+inline constexpr TextId repaired = BURIN_TEXT("ImportNote", "%1 was invalid and was repaired.");
+inline constexpr TextId notRepaired = BURIN_TEXT("ImportNote", "%1 is not fully valid, even after repair.");
+inline constexpr TextId solidOpen = BURIN_TEXT("ImportNote", "%1 does not close, so its inside is not certain.");
+inline constexpr TextId insideOut = BURIN_TEXT("ImportNote", "%1 was inside out and was turned.");
+inline constexpr TextId faceSewn = BURIN_TEXT("ImportNote", "1 loose face was sewn to a solid.");
+inline constexpr TextId facesSewn = BURIN_TEXT("ImportNote", "%1 loose faces were sewn to a solid.");
+inline constexpr TextId faceLeftOut = BURIN_TEXT("ImportNote", "1 face outside of every solid was left out.");
+inline constexpr TextId facesLeftOut = BURIN_TEXT("ImportNote", "%1 faces outside of every solid were left out.");
+inline constexpr TextId curvesLeftOut = BURIN_TEXT("ImportNote", "Curves outside of every solid were left out.");
+inline constexpr TextId facesFilled =
+    BURIN_TEXT("ImportNote", "%1: %2 plane faces that the mesher left incomplete were filled.");
+inline constexpr TextId meshOpen =
+    BURIN_TEXT("ImportNote", "%1 is not closed: %2 open edges. Its inside is not certain.");
+inline constexpr TextId meshVolumeDiffers =
+    BURIN_TEXT("ImportNote", "%1: its mesh encloses %2 mm³, its exact surface %3 mm³.");
+inline constexpr TextId facesApart =
+    BURIN_TEXT("ImportNote", "%1: its faces meet with gaps of up to %2 mm; there the mesh may be off by as much.");
+inline constexpr TextId trianglesTurned = BURIN_TEXT("ImportNote", "%1: %2 triangles were turned.");
+inline constexpr TextId stlOpen =
+    BURIN_TEXT("ImportNote", "%1 is not closed: %2 open edges. Its inside and volume are not certain.");
+inline constexpr TextId piecesApart = BURIN_TEXT("ImportNote", "%1 consists of %2 pieces that are not connected. Where "
+                                                               "they overlap, its volume counts twice.");
+inline constexpr TextId restLeftOut = BURIN_TEXT("ImportNote", "What follows behind the last triangle was left out.");
+
+inline constexpr std::array all{
+    unitConverted,     unitsMixed, brepWithoutUnit, stlWithoutUnit, sizeDoubtful, repaired,      notRepaired, solidOpen,
+    insideOut,         faceSewn,   facesSewn,       faceLeftOut,    facesLeftOut, curvesLeftOut, facesFilled, meshOpen,
+    meshVolumeDiffers, facesApart, trianglesTurned, stlOpen,        piecesApart,  restLeftOut};
+
+/// The names that are given where a file has none; %1: a number from 1.
+inline constexpr TextId unnamedBody = BURIN_TEXT("ImportNote", "Body %1");
+inline constexpr TextId unnamedSolid = BURIN_TEXT("ImportNote", "Solid %1");
+
+/// In English, the first value for %1 and so on; at most nine.
+inline std::string fill(TextId note, std::initializer_list<std::string_view> values) {
+    std::string filled;
+    for (const char* at = note.text; *at != '\0'; ++at) {
+        const auto number = static_cast<std::size_t>(*at == '%' ? at[1] - '1' : -1);
+        if (number < values.size()) {
+            filled += values.begin()[number];
+            ++at;
+        } else {
+            filled += *at;
+        }
+    }
+    return filled;
+}
+
+} // namespace burin::import_notes
