@@ -11,8 +11,6 @@ namespace {
 
 constexpr int faces = 6;
 constexpr float onFace = 0.001F; ///< mm
-/// Three bevels take more off a corner than two off an edge: as far along an edge it is the corner's.
-constexpr float cornerReach = 2.0F;
 
 constexpr int axisOf(int face) {
     return (face - 1) / 2;
@@ -57,20 +55,19 @@ glm::vec3 BoxStock::normal(Number face, const glm::vec3&) const noexcept {
     return normal;
 }
 
-glm::vec3 BoxStock::sharpened(const glm::vec3& place, float reach) const noexcept {
-    glm::vec3 sharp = place;
-    std::array<bool, 3> near{};
-    const auto draw = [&](float within) {
-        for (int face = 1; face <= faces; ++face) {
-            const int axis = axisOf(face);
-            const float at = side(face);
-            if (near[static_cast<std::size_t>(axis)] || std::abs(place[axis] - at) > within) continue;
-            sharp[axis] = at;
-            near[static_cast<std::size_t>(axis)] = true;
-        }
-    };
-    draw(reach);
-    if (std::count(near.begin(), near.end(), true) == 2) draw(cornerReach * reach);
+glm::vec3 BoxStock::sharpened(const glm::vec3& point, const SharpeningRaster& raster) const noexcept {
+    glm::vec3 sharp = point;
+    std::array<bool, 3> onSide{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const int low = 2 * axis + 1, high = low + 1;
+        const float toLow = std::abs(point[axis] - side(low)), toHigh = std::abs(point[axis] - side(high));
+        if (std::min(toLow, toHigh) > raster.reach) continue;
+        sharp[axis] = side(toLow <= toHigh ? low : high);
+        onSide[static_cast<std::size_t>(axis)] = true;
+    }
+    if (std::count(onSide.begin(), onSide.end(), true) != 2) return sharp;
+    const int along = static_cast<int>(std::find(onSide.begin(), onSide.end(), false) - onSide.begin());
+    sharp[along] = raster.origin[along] + raster.cell * std::round((point[along] - raster.origin[along]) / raster.cell);
     return sharp;
 }
 

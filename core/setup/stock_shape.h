@@ -25,7 +25,7 @@ public:
     bool fill(RunVolume& volume, PropertyIndex property) const override;
     Number faceOf(const std::array<glm::vec3, 3>& triangle) const noexcept override;
     glm::vec3 normal(Number face, const glm::vec3& place) const noexcept override;
-    glm::vec3 sharpened(const glm::vec3& place, float reach) const noexcept override;
+    glm::vec3 sharpened(const glm::vec3& point, const SharpeningRaster& raster) const noexcept override;
 
 private:
     /// Of face 1 … 6, low and high side of x, then of y, then of z: along its axis.

@@ -3,16 +3,41 @@
 #include "ui/scene/stock_sharpening.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace burin {
 
 namespace {
 
-/// Of a cell: the points of an edge's own cubes lie up to a half from both faces, those beside it a whole one.
-constexpr double reachOfEdges = 0.65;
+/// Cells that a surface made of cells may take off the edges and corners of a solid.
+constexpr double reachOfBevels = 1.25;
 /// Points that are nearer to the shape stay where they are, mm.
 constexpr float nearEnough = 1e-4F;
+
+/// What the untouched stock needs: of its bricks of 8 × 8 scanlines all inside are one, those on its sides may differ.
+std::size_t reserveFor(const Grid& grid) {
+    constexpr std::size_t bytesPerBrick = 2048, bricksInside = 64, linesPerBrick = 8;
+    const auto aroundIt = 2 * static_cast<std::size_t>(grid.lineCountU() + grid.lineCountV()) / linesPerBrick;
+    return bytesPerBrick * (bricksInside + aroundIt);
+}
+
+/// Quadrangles, two triangles each, are split along the diagonal that keeps both in faces of the stock.
+void splitAlongEdges(const KnownFaces& faces, SurfaceMesh& mesh) {
+    const auto offFaces = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        const std::array corners{mesh.points[a], mesh.points[b], mesh.points[c]};
+        const bool empty = corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+        return !empty && faces.faceOf(corners) == KnownFaces::none ? 1 : 0;
+    };
+    for (std::size_t corner = 0; corner + 5 < mesh.triangles.size(); corner += 6) {
+        std::uint32_t* const at = &mesh.triangles[corner];
+        const std::uint32_t a = at[0], b = at[1], c = at[2], d = at[5];
+        const int asIs = offFaces(a, b, c) + offFaces(a, c, d);
+        if (asIs == 0 || offFaces(b, c, d) + offFaces(b, d, a) >= asIs) continue;
+        const std::array turned{b, c, d, b, d, a};
+        std::copy(turned.begin(), turned.end(), at);
+    }
+}
 
 /// Where two rows of points have met in an edge.
 void dropTrianglesWithoutArea(SurfaceMesh& mesh) {
@@ -61,7 +86,7 @@ StockSharpening::StockSharpening(std::shared_ptr<const StockShape> stock, const 
     PropertyList properties;
     const Result<PropertyIndex> material =
         properties.add(Property{.id = "stock", .name = {}, .base = {}, .values = {}});
-    Result<RunVolume> volume = RunVolume::make(grid, properties);
+    Result<RunVolume> volume = RunVolume::make(grid, properties, reserveFor(grid));
     if (!stock || !material || !volume || !stock->fill(*volume, *material)) return; // edges as they come will do
     stock_ = std::move(stock);
     volume_ = *std::move(volume);
@@ -74,6 +99,7 @@ void StockSharpening::sharpen(SurfaceTile tile, int level, SurfaceMesh& mesh) {
     if (moves.empty()) return;
     for (glm::vec3& point : mesh.points)
         if (const auto move = moves.find(point); move != moves.end()) point = move->second;
+    splitAlongEdges(*stock_, mesh);
     dropTrianglesWithoutArea(mesh);
 }
 
@@ -81,9 +107,12 @@ const StockSharpening::Moves& StockSharpening::movesOf(SurfaceTile tile, int lev
     const auto [entry, isNew] = moves_.try_emplace({level, tile.u, tile.v});
     if (!isNew) return entry->second;
     extractor_.extract(untouched_, tile, {level, 0.0}, mesh_);
-    const auto reach = static_cast<float>(reachOfEdges * untouched_.grid().edge() * (1 << level));
+    const Grid& grid = untouched_.grid();
+    const double cell = grid.edge() * (1 << level);
+    const SharpeningRaster raster{static_cast<float>(reachOfBevels * cell), glm::vec3(grid.low()),
+                                  static_cast<float>(cell)};
     for (const glm::vec3& point : mesh_.points) {
-        const glm::vec3 sharp = stock_->sharpened(point, reach);
+        const glm::vec3 sharp = stock_->sharpened(point, raster);
         if (glm::length(sharp - point) > nearEnough) entry->second.emplace(point, sharp);
     }
     return entry->second;
