@@ -89,12 +89,15 @@ Result<void> SimulatedStylus::open() {
 void SimulatedStylus::takeWishes() noexcept {
     const std::uint32_t givenUp = givenUp_.load(std::memory_order_relaxed);
     if (std::exchange(givenUpSeen_, givenUp) != givenUp) waiting_.reset(); // it was made before
-    for (;;) {
+    for (int taken = 0; taken < mostTaken; ++taken) {
         if (!waiting_) {
             Wish next;
             if (wishes_.pop({&next, 1}) == 0) return;
             // As a difference: the count may have gone round, and newer ones may come in between.
-            if (static_cast<std::int32_t>(next.givenUp - givenUp) < 0) continue;
+            if (static_cast<std::int32_t>(next.givenUp - givenUp) < 0) {
+                --taken; // costs nothing
+                continue;
+            }
             next.target.maximumSpeed = std::clamp(next.target.maximumSpeed, 0.0, maximumSpeed);
             waiting_ = next.target;
         }
@@ -114,7 +117,7 @@ bool SimulatedStylus::apply(const StylusTarget& target) noexcept {
     }
     if (after_) return false; // the next stroke
     if (phase_ != Phase::hover) {
-        if (!trail_.append(target.tip)) return false;
+        if (!trail_.append(target.tip, target.grain)) return false;
     } else {
         strokeStart_ = target.tip;
         hoverHeight_ = std::max(hoverHeight_, target.clearHeight);

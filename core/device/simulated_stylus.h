@@ -22,6 +22,9 @@ struct StylusTarget {
     double clearHeight = -1.0e9;
     /// Of a target that doesn't cut: a stroke that is under way goes on to its end first. Else it ends where it is.
     bool finishStroke = false;
+    /// mm: the pointer can't tell places apart that are nearer to each other, a pixel's longest diagonal there; 0: the
+    /// target is exact. Steps of a stroke that it explains are smoothed.
+    double grain = 0.0;
 };
 
 /// The simulated stylus: mouse or keyboard. Its device frame is the setup frame (mapping 1 : 1). It leads the tip along
@@ -89,6 +92,7 @@ private:
     void changePhase() noexcept;
 
     static constexpr std::size_t mostWishes = 4096, roomToEnd = 64;
+    static constexpr int mostTaken = 64; // wishes at a reading: a long stroke never holds the loop up
     struct Wish {
         StylusTarget target;
         std::uint32_t givenUp = 0; // how often a stroke had been given up when it was made

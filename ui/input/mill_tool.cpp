@@ -121,17 +121,29 @@ std::optional<glm::dvec3> MillTool::strokePlace(const VolumeSnapshot& workpiece,
     return within;
 }
 
-void MillTool::cutTo(const glm::dvec3& tip, double clearHeight) {
+/// A fine pointer tells as much more.
+double MillTool::grainAt(const glm::dvec3& place) const {
+    return grain_ ? grain_(place) * (fine_.isFine() ? FinePointer::share : 1.0) : 0.0;
+}
+
+void MillTool::beginLast() {
+    lastStroke_.clear();
+    lastGrain_ = 0.0;
+}
+
+void MillTool::cutTo(const glm::dvec3& tip, double clearHeight, double grain) {
     target_ = tip;
+    lastGrain_ = std::max(lastGrain_, grain);
     if (lastStroke_.empty() || lastStroke_.back() != tip) lastStroke_.push_back(tip);
-    feed_.add({.tip = tip, .maximumSpeed = settings_.speed, .cutting = true, .clearHeight = clearHeight});
+    feed_.add(
+        {.tip = tip, .maximumSpeed = settings_.speed, .cutting = true, .clearHeight = clearHeight, .grain = grain});
 }
 
 void MillTool::aim(const Sight& sight) {
     lastSight_ = sight;
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return;
-    if (const auto place = strokePlace(workpiece, sight)) cutTo(*place, place->z);
+    if (const auto place = strokePlace(workpiece, sight)) cutTo(*place, place->z, grainAt(*place));
 }
 
 /// Where the pointer draws from now on: the plane through what is under it.
@@ -150,9 +162,9 @@ void MillTool::beginFreeStroke(const ViewportEvent& event) {
     if (!place) return;
     showAim({});
     stroke_ = Stroke::pointer;
-    lastStroke_.clear();
+    beginLast();
     emit strokeBegins();
-    cutTo(*place, clearHeightTo(workpiece, *place));
+    cutTo(*place, clearHeightTo(workpiece, *place), grainAt(*place));
 }
 
 bool MillTool::press(const ViewportEvent& event) {
@@ -241,7 +253,7 @@ void MillTool::step(const glm::dvec3& way) {
     if (workpiece.empty()) return;
     const glm::dvec3 place = keptWithin(strokeReach(workpiece, tool_.cutter), target_ + way);
     if (stroke_ == Stroke::keyboard)
-        cutTo(place, place.z);
+        cutTo(place, place.z, 0.0);
     else
         hoverAt(place);
 }
@@ -251,9 +263,9 @@ void MillTool::toggleSpindle() {
     if (view_().empty()) return;
     showAim({});
     stroke_ = Stroke::keyboard;
-    lastStroke_.clear();
+    beginLast();
     emit strokeBegins();
-    cutTo(target_, target_.z);
+    cutTo(target_, target_.z, 0.0);
     emit stateChanged();
 }
 

@@ -17,6 +17,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -62,6 +63,8 @@ public:
     MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view,
              QObject* parent = nullptr);
 
+    /// @param grain mm at a place: the longest diagonal of a pixel there, on its level; what the pointer can't tell
+    void setGrain(std::function<double(const glm::dvec3& place)> grain) { grain_ = std::move(grain); }
     void setSettings(const MillToolSettings& settings);
     const MillToolSettings& settings() const noexcept { return settings_; }
 
@@ -113,14 +116,16 @@ private:
     void aim(const Sight& sight);
     double strokeHeight(const VolumeSnapshot& workpiece, const glm::dvec3& place);
     std::optional<glm::dvec3> strokePlace(const VolumeSnapshot& workpiece, const Sight& sight);
-    void cutTo(const glm::dvec3& tip, double clearHeight);
+    double grainAt(const glm::dvec3& place) const;
+    void beginLast();
+    void cutTo(const glm::dvec3& tip, double clearHeight, double grain);
     void lookAt(const VolumeSnapshot& workpiece, const Sight& sight);
     void beginFreeStroke(const ViewportEvent& event);
     void beginDrawing(Drawing what, const ViewportEvent& event);
     void draw(const ViewportEvent& event);
     std::vector<glm::dvec3> drawnCorners() const;
     void finishDrawing();
-    QString cutPlan(std::vector<glm::dvec3> corners, double speed);
+    QString cutPlan(std::vector<glm::dvec3> corners, double speed, double grain);
     void toggleLock(StrokeLock lock);
     bool lockKey(int key);
     void settle();
@@ -132,6 +137,7 @@ private:
     SimulatedStylus& stylus_;
     Tool tool_;
     std::function<VolumeSnapshot()> view_;
+    std::function<double(const glm::dvec3&)> grain_;
     MillToolSettings settings_;
     FinePointer fine_;
     StrokeFeed feed_;
@@ -141,6 +147,7 @@ private:
     ViewportEvent pressed_;                ///< that began what is drawn
     glm::dvec3 corner_{0.0}, across_{0.0}; ///< mm, of what is drawn: where it begins and where the pointer is
     std::vector<glm::dvec3> lastStroke_;   ///< mm, places or corners of the stroke that is drawn, else of the last one
+    double lastGrain_ = 0.0;               ///< mm, the coarsest of them; 0: they are exact
     StrokeLock lock_ = StrokeLock::none;
     glm::dvec3 lockAnchor_{0.0}, lockDirection_{1.0, 0.0, 0.0}; ///< mm; unit
     glm::dvec3 target_;                                         ///< mm, that was wished last

@@ -48,12 +48,12 @@ void MillTool::finishDrawing() {
     const std::vector<glm::dvec3> corners = drawnCorners();
     const Drawing what = std::exchange(drawing_, Drawing::none);
     const bool fast = what == Drawing::raster && settings_.rule == DepthRule::level;
-    const QString obstacle = cutPlan(corners, fast ? SimulatedStylus::maximumSpeed : settings_.speed);
+    const QString obstacle = cutPlan(corners, fast ? SimulatedStylus::maximumSpeed : settings_.speed, 0.0);
     if (!obstacle.isEmpty()) emit refused(obstacle);
 }
 
-/// A whole stroke at once, at the heights of its corners or along the part.
-QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed) {
+/// A whole stroke at once, at the heights of its corners or along the part. @param grain as of a StylusTarget
+QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed, double grain) {
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty() || corners.empty()) return {};
     const bool onPart = settings_.rule == DepthRule::part;
@@ -67,8 +67,11 @@ QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed) {
     glm::dvec3 first = places.front();
     if (onPart) first.z = strokeHeight(workpiece, first);
     emit strokeBegins();
-    StylusTarget target{
-        .tip = first, .maximumSpeed = speed, .cutting = true, .clearHeight = clearHeightTo(workpiece, first)};
+    StylusTarget target{.tip = first,
+                        .maximumSpeed = speed,
+                        .cutting = true,
+                        .clearHeight = clearHeightTo(workpiece, first),
+                        .grain = grain};
     feed_.add(target);
     for (std::size_t i = 1; i < places.size(); ++i) {
         target.tip = places[i];
@@ -76,6 +79,7 @@ QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed) {
     }
     target_ = places.back();
     lastStroke_ = std::move(corners);
+    lastGrain_ = grain;
     strokeEnd_ = target_;
     feed_.add({.tip = target_, .finishStroke = true});
     hoverAt(target_);
@@ -102,7 +106,7 @@ QString MillTool::repeat(Repetition how) {
     if (workpiece.empty()) return {};
     std::vector<glm::dvec3> corners = lastStroke_;
     for (glm::dvec3& corner : corners) corner = keptWithin(strokeReach(workpiece, tool_.cutter), corner + shift);
-    return cutPlan(std::move(corners), settings_.speed);
+    return cutPlan(std::move(corners), settings_.speed, lastGrain_);
 }
 
 PlaceChains MillTool::plans() {
