@@ -45,6 +45,7 @@ ViewportEvent at(const QPointF& pointer, Qt::KeyboardModifiers modifiers = Qt::N
     ViewportEvent event;
     event.position = pointer;
     event.button = Qt::LeftButton;
+    event.buttons = Qt::LeftButton;
     event.modifiers = modifiers;
     event.rayOrigin = {0.1 * pointer.x(), -0.1 * pointer.y(), 500.0};
     event.rayDirection = {0.0, 0.0, -1.0};

@@ -105,6 +105,7 @@ bool PathHand::press(const ViewportEvent& event) {
 }
 
 bool PathHand::move(const ViewportEvent& event) {
+    if (!event.buttons.testFlag(Qt::LeftButton)) giveUp(); // the release went to a dialog, or to another program
     if (doing_ == Doing::nothing) return false;
     if (doing_ == Doing::drawing) {
         draw(event);

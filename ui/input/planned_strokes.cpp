@@ -18,7 +18,7 @@ void MillTool::beginDrawing(Drawing what, const ViewportEvent& event) {
     drawing_ = what;
     lookAt(view_(), sightOf(event));
     if (what == Drawing::line) { // on the level of the last stroke, where it ends
-        corner_ = lastStroke_.back();
+        corner_ = memory_.last().places.back();
         lockAnchor_ = corner_;
         if (settings_.rule == DepthRule::level) levelHeight_ = corner_.z - wheelOffset_;
     } else {
@@ -36,6 +36,7 @@ void MillTool::draw(const ViewportEvent& event) {
     const glm::dvec3 held = drawing_ == Drawing::line ? locked(lock_, lockAnchor_, lockDirection_, *place) : *place;
     across_ = keptWithin(strokeReach(workpiece, tool_.cutter), held);
     across_.z = corner_.z;
+    showAim(drawing_ == Drawing::line ? std::optional(across_) : std::nullopt); // where the line ends
     emit stateChanged();
 }
 
@@ -47,13 +48,14 @@ std::vector<glm::dvec3> MillTool::drawnCorners() const {
 void MillTool::finishDrawing() {
     const std::vector<glm::dvec3> corners = drawnCorners();
     const Drawing what = std::exchange(drawing_, Drawing::none);
+    showAim({});
     const bool fast = what == Drawing::raster && settings_.rule == DepthRule::level;
     const QString obstacle = cutPlan(corners, fast ? SimulatedStylus::maximumSpeed : settings_.speed, 0.0);
     if (!obstacle.isEmpty()) emit refused(obstacle);
 }
 
 /// A whole stroke at once, at the heights of its corners or along the part. @param grain as of a StylusTarget
-QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed, double grain) {
+QString MillTool::cutPlan(const std::vector<glm::dvec3>& corners, double speed, double grain) {
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty() || corners.empty()) return {};
     const bool onPart = settings_.rule == DepthRule::part;
@@ -78,8 +80,8 @@ QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed, double 
         feed_.add(target, onPart ? StrokeFeed::Height::later : StrokeFeed::Height::given);
     }
     target_ = places.back();
-    lastStroke_ = std::move(corners);
-    lastGrain_ = grain;
+    memory_.begin();
+    for (const glm::dvec3& corner : corners) memory_.add(corner, grain);
     strokeEnd_ = target_;
     feed_.add({.tip = target_, .finishStroke = true});
     hoverAt(target_);
@@ -98,15 +100,15 @@ QString MillTool::repeat(Repetition how) {
             return tr("The depth of cut is zero. Enter a depth to repeat the stroke lower.");
         shift.z = -settings_.depthOfCut;
     } else {
-        const auto across = acrossOf(lastStroke_);
+        const auto across = acrossOf(memory_.last().places);
         if (!across) return tr("The last stroke is vertical, so it cannot be repeated beside itself.");
         shift = *across * (how == Repetition::left ? settings_.stepOver : -settings_.stepOver);
     }
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return {};
-    std::vector<glm::dvec3> corners = lastStroke_;
+    std::vector<glm::dvec3> corners = memory_.last().places;
     for (glm::dvec3& corner : corners) corner = keptWithin(strokeReach(workpiece, tool_.cutter), corner + shift);
-    return cutPlan(std::move(corners), settings_.speed, lastGrain_);
+    return cutPlan(corners, settings_.speed, memory_.last().grain);
 }
 
 PlaceChains MillTool::plans() {

@@ -31,6 +31,9 @@ MillMode::MillMode(Workbench& workbench, Viewport& viewport, QObject* parent)
     connect(&workbench.mill, &MillController::recordingBegan, this, [this](bool well) {
         if (tool_) well ? tool_->goOn() : tool_->giveUp();
     });
+    connect(&workbench.mill, &MillController::strokeTakenBack, this, [this](bool undo) {
+        if (tool_) tool_->strokeTakenBack(undo);
+    });
     connect(&workbench.session, &SessionRunner::ticked, this, &MillMode::showPlans);
 }
 
