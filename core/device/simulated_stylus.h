@@ -59,7 +59,7 @@ public:
     glm::dvec3 tip() noexcept;
     /// Whether a stroke was under way at the newest reading, its trail after the button's release among it.
     bool strokeUnderWay() noexcept;
-    /// How many of a stroke's targets were not passed at the newest reading; those that end it may count among them.
+    /// How many targets of strokes, of all that were wished, were not passed at the newest reading.
     std::size_t targetsAhead() noexcept;
 
     StylusDescription description() const override;
@@ -82,6 +82,7 @@ private:
         glm::dvec3 tip{0.0}; // mm
         bool strokeUnderWay = false;
         std::size_t targetsAhead = 0;
+        std::uint64_t taken = 0; // cutting wishes, since the beginning
     };
     void takeWishes() noexcept;
     bool apply(const StylusTarget& target) noexcept;
@@ -101,6 +102,8 @@ private:
     Ring<Wish> wishes_{mostWishes};
     std::atomic<std::uint32_t> givenUp_{0}; ///< by the user interface
     std::uint32_t givenUpSeen_ = 0;
+    std::uint64_t wished_ = 0; ///< cutting, by the user interface
+    std::uint64_t taken_ = 0;  ///< of these, by the loop
     Mailbox<Shown> places_;
     Shown shown_; ///< the user interface's copy
     StylusTarget target_;

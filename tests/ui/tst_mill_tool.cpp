@@ -374,6 +374,31 @@ private slots:
         QVERIFY(tool_->canRepeat());
     }
 
+    /// Strokes that wait are seen as strokes: no line is drawn where the tool goes from one to the next.
+    void strokesThatWaitAreSeenEachByItself() {
+        tool_->setSettings({.depthOfCut = 1.0, .speed = 20.0});
+        const auto draw = [this](double y) {
+            tool_->press(left({-4.0, y, top}));
+            for (int i = 1; i <= 4; ++i) tool_->move(over({-4.0 + 2.0 * i, y, top}, Qt::LeftButton));
+            tool_->release(left({4.0, y, top}));
+        };
+        draw(12.0);
+        for (int tick = 0; tick < 1000 || !cutting_; ++tick) read();
+        draw(16.0);
+        draw(9.0);
+        rest(10);
+        const PlaceChains plans = tool_->plans();
+        QCOMPARE(plans.size(), std::size_t{3});
+        const double rows[] = {12.0, 16.0, 9.0};
+        for (std::size_t i = 0; i < plans.size(); ++i) {
+            QVERIFY(plans[i].size() > 1);
+            for (const glm::dvec3& place : plans[i]) QVERIFY(std::abs(place.y - rows[i]) < 0.05);
+            QVERIFY(std::abs(plans[i].back().x - 4.0) < 1e-6);
+        }
+        rest(12000);
+        QVERIFY(tool_->plans().empty());
+    }
+
     void escapeAndLeavingEndTheStrokeSafely_data() {
         QTest::addColumn<bool>("escape");
         QTest::newRow("Esc") << true;

@@ -114,8 +114,7 @@ QString MillTool::repeat(Repetition how) {
 PlaceChains MillTool::plans() {
     PlaceChains chains;
     if (drawing_ != Drawing::none) chains.push_back(drawnCorners());
-    std::vector<glm::dvec3> tail = feed_.tail();
-    if (!tail.empty()) chains.push_back(std::move(tail));
+    for (std::vector<glm::dvec3>& stroke : feed_.tail()) chains.push_back(std::move(stroke));
     return chains;
 }
 
