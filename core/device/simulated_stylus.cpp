@@ -41,7 +41,9 @@ SimulatedStylus::SimulatedStylus(const glm::dvec3& start) : shown_{.tip = start}
 bool SimulatedStylus::wish(const StylusTarget& target) noexcept {
     if (target.cutting && wishes_.size() + roomToEnd >= wishes_.capacity()) return false;
     if (!target.cutting && !target.finishStroke) givenUp_.fetch_add(1, std::memory_order_relaxed);
-    return wishes_.push({target, givenUp_.load(std::memory_order_relaxed)});
+    const bool taken = wishes_.push({target, givenUp_.load(std::memory_order_relaxed)});
+    if (taken && target.cutting) ++wished_;
+    return taken;
 }
 
 glm::dvec3 SimulatedStylus::tip() noexcept {
@@ -56,7 +58,7 @@ bool SimulatedStylus::strokeUnderWay() noexcept {
 
 std::size_t SimulatedStylus::targetsAhead() noexcept {
     places_.take(shown_);
-    return shown_.targetsAhead + wishes_.size();
+    return shown_.targetsAhead + static_cast<std::size_t>(wished_ - shown_.taken);
 }
 
 StylusDescription SimulatedStylus::description() const {
@@ -89,12 +91,16 @@ Result<void> SimulatedStylus::open() {
 void SimulatedStylus::takeWishes() noexcept {
     const std::uint32_t givenUp = givenUp_.load(std::memory_order_relaxed);
     if (std::exchange(givenUpSeen_, givenUp) != givenUp) waiting_.reset(); // it was made before
-    for (;;) {
+    for (int taken = 0; taken < mostTaken; ++taken) {
         if (!waiting_) {
             Wish next;
             if (wishes_.pop({&next, 1}) == 0) return;
+            if (next.target.cutting) ++taken_;
             // As a difference: the count may have gone round, and newer ones may come in between.
-            if (static_cast<std::int32_t>(next.givenUp - givenUp) < 0) continue;
+            if (static_cast<std::int32_t>(next.givenUp - givenUp) < 0) {
+                --taken; // costs nothing
+                continue;
+            }
             next.target.maximumSpeed = std::clamp(next.target.maximumSpeed, 0.0, maximumSpeed);
             waiting_ = next.target;
         }
@@ -114,7 +120,7 @@ bool SimulatedStylus::apply(const StylusTarget& target) noexcept {
     }
     if (after_) return false; // the next stroke
     if (phase_ != Phase::hover) {
-        if (!trail_.append(target.tip)) return false;
+        if (!trail_.append(target.tip, target.grain)) return false;
     } else {
         strokeStart_ = target.tip;
         hoverHeight_ = std::max(hoverHeight_, target.clearHeight);
@@ -185,8 +191,8 @@ StylusState SimulatedStylus::read(double time) noexcept {
     double gap = lastTime_ ? std::clamp(time - *lastTime_, 0.0, longestGap) : 0.0;
     lastTime_ = time;
     for (; gap > 0.0; gap -= longestStep) step(std::min(gap, longestStep));
-    const std::size_t ahead = phase_ == Phase::hover ? 0 : trail_.ahead() + (waiting_ ? 1 : 0);
-    places_.post({tip_, phase_ != Phase::hover, ahead});
+    const std::size_t waits = waiting_ && waiting_->cutting ? 1 : 0;
+    places_.post({tip_, phase_ != Phase::hover, phase_ == Phase::hover ? 0 : trail_.ahead() + waits, taken_});
     StylusState state;
     state.time = time;
     state.pose.position = tip_;

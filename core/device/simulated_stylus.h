@@ -22,6 +22,9 @@ struct StylusTarget {
     double clearHeight = -1.0e9;
     /// Of a target that doesn't cut: a stroke that is under way goes on to its end first. Else it ends where it is.
     bool finishStroke = false;
+    /// mm: the pointer can't tell places apart that are nearer to each other, a pixel's longest diagonal there; 0: the
+    /// target is exact. Steps of a stroke that it explains are smoothed.
+    double grain = 0.0;
 };
 
 /// The simulated stylus: mouse or keyboard. Its device frame is the setup frame (mapping 1 : 1). It leads the tip along
@@ -56,7 +59,7 @@ public:
     glm::dvec3 tip() noexcept;
     /// Whether a stroke was under way at the newest reading, its trail after the button's release among it.
     bool strokeUnderWay() noexcept;
-    /// How many of a stroke's targets were not passed at the newest reading; those that end it may count among them.
+    /// How many targets of strokes, of all that were wished, were not passed at the newest reading.
     std::size_t targetsAhead() noexcept;
 
     StylusDescription description() const override;
@@ -79,6 +82,7 @@ private:
         glm::dvec3 tip{0.0}; // mm
         bool strokeUnderWay = false;
         std::size_t targetsAhead = 0;
+        std::uint64_t taken = 0; // cutting wishes, since the beginning
     };
     void takeWishes() noexcept;
     bool apply(const StylusTarget& target) noexcept;
@@ -89,6 +93,7 @@ private:
     void changePhase() noexcept;
 
     static constexpr std::size_t mostWishes = 4096, roomToEnd = 64;
+    static constexpr int mostTaken = 64; // wishes at a reading: a long stroke never holds the loop up
     struct Wish {
         StylusTarget target;
         std::uint32_t givenUp = 0; // how often a stroke had been given up when it was made
@@ -97,6 +102,8 @@ private:
     Ring<Wish> wishes_{mostWishes};
     std::atomic<std::uint32_t> givenUp_{0}; ///< by the user interface
     std::uint32_t givenUpSeen_ = 0;
+    std::uint64_t wished_ = 0; ///< cutting, by the user interface
+    std::uint64_t taken_ = 0;  ///< of these, by the loop
     Mailbox<Shown> places_;
     Shown shown_; ///< the user interface's copy
     StylusTarget target_;

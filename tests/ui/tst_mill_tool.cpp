@@ -4,12 +4,9 @@
 #include "ui/input/mill_geometry.h"
 #include "ui/input/mill_tool.h"
 #include "ui/input/press_preview.h"
-#include "ui/input/stroke_shapes.h"
 
 #include <QSignalSpy>
 #include <QTest>
-
-#include <rapidcheck.h>
 
 using namespace burin;
 
@@ -63,76 +60,6 @@ ViewportEvent left(const glm::dvec3& place, Qt::KeyboardModifiers modifiers = Qt
     return event;
 }
 
-double anyNumber(int low, int high) { // hundredths
-    return 0.01 * *rc::gen::inRange(low, high);
-}
-glm::dvec3 anyPlace() {
-    return {anyNumber(-10000, 10000), anyNumber(-10000, 10000), anyNumber(-500, 500)};
-}
-
-/// Rows along the longer side, there and back, from edge to edge: none is missing and none is too many.
-void checkRows() {
-    const glm::dvec3 corner = anyPlace(), opposite = anyPlace();
-    const double stepOver = anyNumber(5, 3000);
-    const std::vector<glm::dvec3> ends = rasterRows(corner, opposite, stepOver);
-    const bool alongX = std::abs(opposite.x - corner.x) >= std::abs(opposite.y - corner.y);
-    const int along = alongX ? 0 : 1, across = alongX ? 1 : 0;
-    const double width = std::abs(opposite[across] - corner[across]);
-    RC_ASSERT(ends.size() >= 2 && ends.size() % 2 == 0);
-    const std::size_t rows = ends.size() / 2;
-    RC_ASSERT(ends.front() == corner);
-    RC_ASSERT(std::abs(ends.back()[across] - (rows > 1 ? opposite[across] : corner[across])) < 1e-9);
-    const bool fewest = rows == 1 ? width < 1e-3 : static_cast<double>(rows - 2) * stepOver < width;
-    RC_ASSERT(fewest);
-    for (std::size_t row = 0; row < rows; ++row) {
-        const glm::dvec3 &begin = ends[2 * row], &end = ends[2 * row + 1];
-        RC_ASSERT(begin[across] == end[across] && begin.z == corner.z && end.z == corner.z);
-        RC_ASSERT(std::abs(std::abs(end[along] - begin[along]) - std::abs(opposite[along] - corner[along])) < 1e-9);
-        if (row == 0) continue;
-        const double spacing = std::abs(begin[across] - ends[2 * row - 1][across]);
-        RC_ASSERT(spacing <= stepOver + 1e-9);
-        RC_ASSERT(std::abs(spacing - width / static_cast<double>(rows - 1)) < 1e-9);
-        RC_ASSERT(begin[along] == ends[2 * row - 1][along]);
-    }
-}
-
-/// Every place of the line stays, in order; those that come between lie on it, and none is too far from the next.
-void checkSubdivided() {
-    std::vector<glm::dvec3> line;
-    for (int i = *rc::gen::inRange(1, 8); i > 0; --i) line.push_back(anyPlace());
-    const double spacing = anyNumber(10, 3000);
-    const std::vector<glm::dvec3> places = subdivided(line, spacing);
-    RC_ASSERT(static_cast<double>(places.size()) <= subdividedCount(line, spacing));
-    std::size_t reached = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (i > 0) RC_ASSERT(glm::distance(places[i - 1], places[i]) <= spacing * (1.0 + 1e-6));
-        if (reached < line.size() && places[i] == line[reached]) {
-            ++reached;
-            continue;
-        }
-        RC_ASSERT(reached > 0 && reached < line.size());
-        const glm::dvec3 &from = line[reached - 1], &to = line[reached];
-        const double detour = glm::distance(from, places[i]) + glm::distance(places[i], to) - glm::distance(from, to);
-        RC_ASSERT(detour < 1e-6);
-    }
-    RC_ASSERT(reached == line.size());
-}
-
-/// It lies on the line that is allowed, and none of that line is nearer to what was asked for, seen from above.
-void checkLocked() {
-    const glm::dvec3 anchor = anyPlace(), place = anyPlace();
-    const double angle = anyNumber(0, 628);
-    const auto [lock, direction] =
-        *rc::gen::element(std::pair(StrokeLock::alongX, glm::dvec3(1.0, 0.0, 0.0)),
-                          std::pair(StrokeLock::alongY, glm::dvec3(0.0, 1.0, 0.0)),
-                          std::pair(StrokeLock::direction, glm::dvec3(std::cos(angle), std::sin(angle), 0.0)));
-    const glm::dvec3 held = locked(lock, anchor, direction, place);
-    RC_ASSERT(held.z == place.z);
-    const glm::dvec2 line(direction), fromAnchor(held - anchor), asked(place - held);
-    RC_ASSERT(std::abs(fromAnchor.x * line.y - fromAnchor.y * line.x) < 1e-9);
-    RC_ASSERT(std::abs(glm::dot(asked, line)) < 1e-9);
-}
-
 Tool slimTool() { // flutes 2 mm in radius and 6 mm long, shank 3 mm, holder 8 mm from 20 mm up
     Tool tool = fixture::ballTool();
     tool.cutter = {CutterType::flat, 4.0, 0.0, 6.0, 6.0, 20.0, {{16.0, 16.0, 20.0}}};
@@ -170,12 +97,6 @@ private slots:
         QVERIFY(glm::distance(onLevel(sight, 2.0).value(), glm::dvec3(6.0, 0.0, 2.0)) < 1e-12);
         QVERIFY(!onLevel(sight, 11.0));
         QVERIFY(!onLevel({{0.0, 0.0, 10.0}, {1.0, 0.0, 0.0}}, 2.0));
-    }
-
-    void shapesOfStrokesFitAnyRectangleLineAndLock() {
-        QVERIFY(rc::check("rows of a raster", checkRows));
-        QVERIFY(rc::check("a line with more places", checkSubdivided));
-        QVERIFY(rc::check("a place that a lock allows", checkLocked));
     }
 
     void hoversTwoMillimetresOverWhatIsUnderThePointer() {
@@ -401,6 +322,81 @@ private slots:
             QVERIFY(!tool_->press(event));
             QVERIFY(!tool_->release(event));
         }
+    }
+
+    /// A dialog opened, or another program came to the front, while the button was down: its release is never seen.
+    void aReleaseThatWentElsewhereEndsTheStroke() {
+        QSignalSpy ends(tool_.get(), &MillTool::strokeEnds);
+        tool_->press(left({0.0, 12.0, top}));
+        tool_->move(over({6.0, 12.0, top}, Qt::LeftButton));
+        rest();
+        QVERIFY(cutting_);
+        tool_->move(over({-9.0, 15.0, top})); // the pointer comes back, no button down
+        QCOMPARE(ends.count(), 1);
+        for (int tick = 0; tick < 2000; ++tick) {
+            const glm::dvec3 tip = read();
+            QVERIFY(!cutting_ || (std::abs(tip.y - 12.0) < 1e-6 && tip.x > -1e-6));
+        }
+        QVERIFY(!cutting_);
+        tool_->setSettings({.drag = DragRule::raster});
+        tool_->press(left({0.0, 12.0, top}));
+        tool_->move(over({6.0, 16.0, top}, Qt::LeftButton));
+        tool_->move(over({-9.0, 15.0, top}));
+        tool_->release(left({-9.0, 15.0, top}));
+        rest();
+        QCOMPARE(ends.count(), 1); // a rectangle that nobody let go of is not milled
+    }
+
+    /// What was taken back is no last stroke any more: lines go on from the one before, and that one is repeated.
+    void afterAnUndoLinesGoOnFromTheStrokeBefore() {
+        tool_->setSettings({.depthOfCut = 1.0, .stepOver = 3.0});
+        const auto draw = [this](double y) {
+            tool_->press(left({-4.0, y, top}));
+            tool_->move(over({4.0, y, top}, Qt::LeftButton));
+            tool_->release(left({4.0, y, top}));
+            rest();
+        };
+        draw(12.0);
+        draw(16.0);
+        tool_->strokeTakenBack(true);
+        QVERIFY(tool_->repeat(MillTool::Repetition::left).isEmpty()); // of the first: to +Y, as it goes to +X
+        bool cut = false;
+        for (int tick = 0; tick < 3000; ++tick) {
+            const glm::dvec3 tip = read();
+            if (cutting_) QVERIFY2(std::abs(tip.y - 15.0) < 0.03, qPrintable(QString::number(tip.y)));
+            cut = cut || cutting_;
+        }
+        QVERIFY(cut);
+        tool_->strokeTakenBack(true);
+        tool_->strokeTakenBack(true);
+        QVERIFY(!tool_->canRepeat());
+        tool_->strokeTakenBack(false);
+        QVERIFY(tool_->canRepeat());
+    }
+
+    /// Strokes that wait are seen as strokes: no line is drawn where the tool goes from one to the next.
+    void strokesThatWaitAreSeenEachByItself() {
+        tool_->setSettings({.depthOfCut = 1.0, .speed = 20.0});
+        const auto draw = [this](double y) {
+            tool_->press(left({-4.0, y, top}));
+            for (int i = 1; i <= 4; ++i) tool_->move(over({-4.0 + 2.0 * i, y, top}, Qt::LeftButton));
+            tool_->release(left({4.0, y, top}));
+        };
+        draw(12.0);
+        for (int tick = 0; tick < 1000 || !cutting_; ++tick) read();
+        draw(16.0);
+        draw(9.0);
+        rest(10);
+        const PlaceChains plans = tool_->plans();
+        QCOMPARE(plans.size(), std::size_t{3});
+        const double rows[] = {12.0, 16.0, 9.0};
+        for (std::size_t i = 0; i < plans.size(); ++i) {
+            QVERIFY(plans[i].size() > 1);
+            for (const glm::dvec3& place : plans[i]) QVERIFY(std::abs(place.y - rows[i]) < 0.05);
+            QVERIFY(std::abs(plans[i].back().x - 4.0) < 1e-6);
+        }
+        rest(12000);
+        QVERIFY(tool_->plans().empty());
     }
 
     void escapeAndLeavingEndTheStrokeSafely_data() {

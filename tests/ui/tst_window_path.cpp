@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/path/hand_stretch.h"
 #include "tests/ui/window_steps.h"
 
 #include <QAbstractButton>
 #include <QAction>
-#include <QLabel>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QScrollArea>
 #include <QtTest>
 
@@ -20,10 +17,7 @@ namespace {
 
 /// Makes a path of one straight groove along X, 1 mm deep.
 bool makePath(WindowDriver& driver) {
-    Workbench& bench = driver.window().workbench();
-    return makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && driver.step(JobStep::path) &&
-           driver.clickOn("newPathButton") && driver.waitFor([&] { return bench.path.evaluated() != nullptr; }) &&
-           driver.settle();
+    return makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && newPath(driver);
 }
 
 bool evaluatedAgain(WindowDriver& driver) {
@@ -93,49 +87,9 @@ class TestWindowPath : public QObject {
     Q_OBJECT
 private slots:
     void placesAreDraggedStretchesDrawnAndEditsOrdered();
-    void aPlaceBetweenTwoPointsIsChosen();
     void anAreaIsDrawnAndEmptied();
     void theMirrorsPlaneIsDrawn();
 };
-
-/// A straight groove has few points; whatever is clicked between them is what is meant.
-void TestWindowPath::aPlaceBetweenTwoPointsIsChosen() {
-    WindowDriver driver;
-    Workbench& bench = driver.window().workbench();
-    QVERIFY(makePath(driver));
-    auto* viewport = driver.visible<Viewport>("viewport");
-    const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
-    std::size_t longest = 0;
-    double length = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const double way = glm::distance(points[i - 1].tip, points[i].tip);
-        if (!isOfTheHand(points[i - 1]) || !isOfTheHand(points[i]) || points[i].kind != MoveKind::cut || way < length)
-            continue;
-        longest = i;
-        length = way;
-    }
-    QVERIFY2(length > 1.2, qPrintable(QString::number(length)));
-    for (const double share : {0.25, 0.4, 0.7}) {
-        const glm::dvec3 meant = glm::mix(points[longest - 1].tip, points[longest].tip, share);
-        QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(meant).toPoint());
-        QVERIFY(bench.path.selection());
-        const auto chosen = pointsOf(bench.path.evaluated()->path, *bench.path.selection());
-        QVERIFY(!chosen.empty());
-        const double off = glm::distance(chosen.front().front().tip, meant);
-        QVERIFY2(off < 0.3, qPrintable(QString::number(off))); // a pixel is as long
-    }
-    QVERIFY(driver.waitFor([&] { return driver.visible<QLabel>("pathSelection") != nullptr; }, 3000));
-    QTest::qWait(100);
-    // When the hand was there. A take that missed ticks is longer than they are.
-    const QString told = driver.visible<QLabel>("pathSelection")->text();
-    const auto time = QRegularExpression(QStringLiteral("([0-9.]+) s(?: |$)")).match(told);
-    QVERIFY2(time.hasMatch(), qPrintable(told));
-    const TakeInfo& take = bench.mill.takes().front();
-    const double ticks = static_cast<double>(bench.path.selection()->first) * take.tickPeriod;
-    const double missed = *take.seconds - static_cast<double>(take.sampleCount) * take.tickPeriod;
-    QVERIFY2(std::abs(time.captured(1).toDouble() - ticks) < 0.051 + std::max(0.0, missed), qPrintable(told));
-    driver.shoot("46-place-between");
-}
 
 void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     WindowDriver driver;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/project/project.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
@@ -104,6 +105,47 @@ private slots:
         millLine(*driver_, {-12, -6}, {12, 6});
         QVERIFY(strokesAre(2));
         QVERIFY(std::abs(trace_->last().back().y - trace_->last().front().y) > 10.0);
+    }
+
+    /// A pixel to the side, a pixel down, a pixel to the side, as a good mouse reports a slanted sweep: 30 mm of it are
+    /// no staircase, and cut as fast as a straight line is.
+    void aSlantedSweepIsCutAtTheSpeedLimit() {
+        QVERIFY(driver_->enter("speedField", "200"));
+        const QPoint from = at({-13, 9});
+        QTest::mouseMove(&viewport(), from);
+        QTest::qWait(300);
+        QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
+        QVERIFY(driver_->waitFor([&] { return bench().session.state().cutting; }, 5000));
+        QPoint pointer = from;
+        while (glm::distance(placeAt(pointer), placeAt(from)) < 25.0) {
+            pointer += (pointer.x() - from.x() > pointer.y() - from.y()) ? QPoint(0, 1) : QPoint(1, 0);
+            QTest::mouseMove(&viewport(), pointer);
+        }
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, pointer);
+        QVERIFY(strokesAre(1));
+        const glm::dvec3 a = placeAt(from), b = placeAt(pointer);
+        const double pixel = glm::distance(placeAt(from), placeAt(from + QPoint(1, 0)));
+        for (const glm::dvec3& place : trace_->last())
+            QVERIFY2(distanceToLine(place, a, b) < pixel + halfTrail,
+                     qPrintable(QString::number(distanceToLine(place, a, b))));
+        QVERIFY(glm::distance(glm::dvec2(trace_->last().back()), glm::dvec2(b)) < halfTrail);
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
+        const QString file = driver_->folder().filePath("sweep.burin"), copy = driver_->folder().filePath("copy.burin");
+        QVERIFY(saveAs(*driver_, file));
+        QVERIFY(QFile::copy(file, copy)); // the window has the file itself
+        const Result<Project> project = Project::open(copy.toStdString());
+        QVERIFY(project);
+        const Result<Take> take = project->take(bench().mill.takes().front().id);
+        QVERIFY(take);
+        double fastest = 0.0;
+        for (std::size_t i = 10; i < take->samples.size(); ++i) {
+            const Sample &before = take->samples[i - 10], &now = take->samples[i];
+            if (glm::distance(before.proxy.tip, now.proxy.tip) > 5.0) continue; // between two pieces of it
+            fastest = std::max(fastest, glm::distance(glm::dvec2(before.proxy.tip), glm::dvec2(now.proxy.tip)) /
+                                            (now.time - before.time));
+        }
+        QVERIFY2(fastest > 0.9 * 200.0, qPrintable(QString::number(fastest)));
     }
 
     /// Beside it to the left as it goes: a stroke to +X gets one that lies a step-over farther to +Y.

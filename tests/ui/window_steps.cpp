@@ -80,6 +80,12 @@ bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& 
     return driver.waitFor([&] { return !bench.session.running(); }, 5000);
 }
 
+bool newPath(WindowDriver& driver) {
+    const PathController& path = driver.window().workbench().path;
+    return driver.step(JobStep::path) && driver.clickOn("newPathButton") &&
+           driver.waitFor([&] { return path.evaluated() != nullptr; }) && driver.settle();
+}
+
 bool postProgram(WindowDriver& driver) {
     const ProgramController& program = driver.window().workbench().program;
     const auto before = program.program();

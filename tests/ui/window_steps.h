@@ -27,6 +27,8 @@ bool makeReady(WindowDriver& driver, double voxel = 0.5);
 void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to);
 /// Records a take of one such line, in mill mode and out of it again.
 bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to);
+/// Makes a path of what is recorded, and waits until it is evaluated.
+bool newPath(WindowDriver& driver);
 /// Posts the program and waits for its check. False: nothing new came of it.
 bool postProgram(WindowDriver& driver);
 /// mm³ that the workpiece has lost.

@@ -19,6 +19,7 @@ public:
     /// @return the sight to use
     Sight follow(const Sight& pointer, bool fine);
     void reset() noexcept { anchor_.reset(); }
+    bool isFine() const noexcept { return anchor_ && anchor_->fine; } ///< the newest sight is
 
 private:
     struct Anchor {

@@ -121,17 +121,23 @@ std::optional<glm::dvec3> MillTool::strokePlace(const VolumeSnapshot& workpiece,
     return within;
 }
 
-void MillTool::cutTo(const glm::dvec3& tip, double clearHeight) {
+/// A fine pointer tells as much more.
+double MillTool::grainAt(const glm::dvec3& place) const {
+    return grain_ ? grain_(place) * (fine_.isFine() ? FinePointer::share : 1.0) : 0.0;
+}
+
+void MillTool::cutTo(const glm::dvec3& tip, double clearHeight, double grain) {
     target_ = tip;
-    if (lastStroke_.empty() || lastStroke_.back() != tip) lastStroke_.push_back(tip);
-    feed_.add({.tip = tip, .maximumSpeed = settings_.speed, .cutting = true, .clearHeight = clearHeight});
+    memory_.add(tip, grain);
+    feed_.add(
+        {.tip = tip, .maximumSpeed = settings_.speed, .cutting = true, .clearHeight = clearHeight, .grain = grain});
 }
 
 void MillTool::aim(const Sight& sight) {
     lastSight_ = sight;
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return;
-    if (const auto place = strokePlace(workpiece, sight)) cutTo(*place, place->z);
+    if (const auto place = strokePlace(workpiece, sight)) cutTo(*place, place->z, grainAt(*place));
 }
 
 /// Where the pointer draws from now on: the plane through what is under it.
@@ -150,9 +156,9 @@ void MillTool::beginFreeStroke(const ViewportEvent& event) {
     if (!place) return;
     showAim({});
     stroke_ = Stroke::pointer;
-    lastStroke_.clear();
+    memory_.begin();
     emit strokeBegins();
-    cutTo(*place, clearHeightTo(workpiece, *place));
+    cutTo(*place, clearHeightTo(workpiece, *place), grainAt(*place));
 }
 
 bool MillTool::press(const ViewportEvent& event) {
@@ -162,7 +168,7 @@ bool MillTool::press(const ViewportEvent& event) {
     lookingAlong_ = sightOf(event).direction;
     if (settings_.drag == DragRule::raster)
         beginDrawing(Drawing::raster, event);
-    else if (event.modifiers.testFlag(Qt::ShiftModifier) && !lastStroke_.empty())
+    else if (event.modifiers.testFlag(Qt::ShiftModifier) && !memory_.empty())
         beginDrawing(Drawing::line, event);
     else
         beginFreeStroke(event);
@@ -177,7 +183,20 @@ QString MillTool::escapeMeaning() {
     return tr("Esc: stop milling");
 }
 
+/// The release went elsewhere: to a dialog that opened meanwhile, or to another program.
+void MillTool::missRelease() {
+    if (std::exchange(drawing_, Drawing::none) != Drawing::none) emit stateChanged();
+    if (stroke_ == Stroke::pointer) endStroke(End::finished);
+}
+
+void MillTool::strokeTakenBack(bool undo) {
+    memory_.takeBack(undo);
+    if (drawing_ == Drawing::line) drawing_ = Drawing::none; // it began where that stroke ended
+    emit stateChanged();
+}
+
 bool MillTool::move(const ViewportEvent& event) {
+    if (!event.buttons.testFlag(Qt::LeftButton)) missRelease();
     const Sight sight = sightOf(event);
     lookingAlong_ = sight.direction;
     if (stroke_ == Stroke::keyboard) return true;
@@ -241,7 +260,7 @@ void MillTool::step(const glm::dvec3& way) {
     if (workpiece.empty()) return;
     const glm::dvec3 place = keptWithin(strokeReach(workpiece, tool_.cutter), target_ + way);
     if (stroke_ == Stroke::keyboard)
-        cutTo(place, place.z);
+        cutTo(place, place.z, 0.0);
     else
         hoverAt(place);
 }
@@ -251,9 +270,9 @@ void MillTool::toggleSpindle() {
     if (view_().empty()) return;
     showAim({});
     stroke_ = Stroke::keyboard;
-    lastStroke_.clear();
+    memory_.begin();
     emit strokeBegins();
-    cutTo(target_, target_.z);
+    cutTo(target_, target_.z, 0.0);
     emit stateChanged();
 }
 
@@ -262,7 +281,7 @@ void MillTool::toggleLock(StrokeLock lock) {
         lock_ = StrokeLock::none;
     } else {
         if (lock == StrokeLock::direction) {
-            const auto direction = directionAtEnd(lastStroke_, settledWay);
+            const auto direction = directionAtEnd(memory_.last().places, settledWay);
             if (!direction) return emit refused(tr("No direction to lock yet. Draw at least 1 mm of a stroke first."));
             lockDirection_ = *direction;
         }
@@ -292,6 +311,7 @@ bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
     if (key == Qt::Key_Escape) {
         if (drawing_ != Drawing::none) {
             drawing_ = Drawing::none;
+            showAim({});
             emit stateChanged();
         } else if (stroke_ == Stroke::none && !feed_.waits() && !stylus_.strokeUnderWay()) {
             emit leaveRequested();

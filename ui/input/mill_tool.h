@@ -7,6 +7,7 @@
 #include "core/volume/run_volume.h"
 #include "ui/input/fine_pointer.h"
 #include "ui/input/stroke_feed.h"
+#include "ui/input/stroke_memory.h"
 #include "ui/input/stroke_shapes.h"
 #include "ui/scene/interactive_tool.h"
 #include "ui/scene/place_chains.h"
@@ -17,6 +18,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -62,6 +64,8 @@ public:
     MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view,
              QObject* parent = nullptr);
 
+    /// @param grain mm at a place: the longest diagonal of a pixel there, on its level; what the pointer can't tell
+    void setGrain(std::function<double(const glm::dvec3& place)> grain) { grain_ = std::move(grain); }
     void setSettings(const MillToolSettings& settings);
     const MillToolSettings& settings() const noexcept { return settings_; }
 
@@ -75,7 +79,9 @@ public:
     /// Cuts the last stroke again: lower by the depth of cut, or beside it by the step-over, to its left or right as it
     /// went, seen from above. Nothing happens while a stroke is under way. @return why it can't be; empty: it begins
     QString repeat(Repetition how);
-    bool canRepeat() const noexcept { return stroke_ == Stroke::none && lastStroke_.size() > 1; }
+    bool canRepeat() const noexcept { return stroke_ == Stroke::none && memory_.last().places.size() > 1; }
+    /// The newest stroke was undone, or redone: lines and repetitions go on from the one that is the last now.
+    void strokeTakenBack(bool undo);
 
     StrokeLock lock() const noexcept { return lock_; }
     /// What Esc does now, a sentence.
@@ -113,17 +119,19 @@ private:
     void aim(const Sight& sight);
     double strokeHeight(const VolumeSnapshot& workpiece, const glm::dvec3& place);
     std::optional<glm::dvec3> strokePlace(const VolumeSnapshot& workpiece, const Sight& sight);
-    void cutTo(const glm::dvec3& tip, double clearHeight);
+    double grainAt(const glm::dvec3& place) const;
+    void cutTo(const glm::dvec3& tip, double clearHeight, double grain);
     void lookAt(const VolumeSnapshot& workpiece, const Sight& sight);
     void beginFreeStroke(const ViewportEvent& event);
     void beginDrawing(Drawing what, const ViewportEvent& event);
     void draw(const ViewportEvent& event);
     std::vector<glm::dvec3> drawnCorners() const;
     void finishDrawing();
-    QString cutPlan(std::vector<glm::dvec3> corners, double speed);
+    QString cutPlan(const std::vector<glm::dvec3>& corners, double speed, double grain);
     void toggleLock(StrokeLock lock);
     bool lockKey(int key);
     void settle();
+    void missRelease();
     enum class End : std::uint8_t { finished, givenUp };
     void endStroke(End how);
     void step(const glm::dvec3& way);
@@ -132,6 +140,7 @@ private:
     SimulatedStylus& stylus_;
     Tool tool_;
     std::function<VolumeSnapshot()> view_;
+    std::function<double(const glm::dvec3&)> grain_;
     MillToolSettings settings_;
     FinePointer fine_;
     StrokeFeed feed_;
@@ -140,7 +149,7 @@ private:
     Drawing drawing_ = Drawing::none;
     ViewportEvent pressed_;                ///< that began what is drawn
     glm::dvec3 corner_{0.0}, across_{0.0}; ///< mm, of what is drawn: where it begins and where the pointer is
-    std::vector<glm::dvec3> lastStroke_;   ///< mm, places or corners of the stroke that is drawn, else of the last one
+    StrokeMemory memory_;
     StrokeLock lock_ = StrokeLock::none;
     glm::dvec3 lockAnchor_{0.0}, lockDirection_{1.0, 0.0, 0.0}; ///< mm; unit
     glm::dvec3 target_;                                         ///< mm, that was wished last

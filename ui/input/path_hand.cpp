@@ -43,37 +43,47 @@ std::optional<glm::dvec3> dragged(const glm::dvec3& place, const Sight& from, co
 
 PathHand::PathHand(Appearance appearance, QObject* parent) : QObject(parent), appearance_(std::move(appearance)) {}
 
-void PathHand::setPlaces(std::vector<glm::dvec3> places, std::vector<bool> usable) {
+void PathHand::setPoints(std::vector<HandPoint> points) {
     if (doing_ != Doing::drawing) giveUp(); // it was about a path that is no more
-    places_ = std::move(places);
-    usable_ = std::move(usable);
+    points_ = std::move(points);
 }
 
 void PathHand::setDrawing(std::optional<double> height) {
     if (height == height_) return;
     giveUp();
     height_ = height;
+    emit stateChanged();
+}
+
+void PathHand::setChosen(bool chosen) {
+    if (std::exchange(chosen_, chosen) != chosen) emit stateChanged();
+}
+
+/// @return what it did before
+PathHand::Doing PathHand::become(Doing what) {
+    const Doing before = std::exchange(doing_, what);
+    if (before != what) emit stateChanged();
+    return before;
+}
+
+PathPiece PathHand::pieceAt(std::size_t piece) const {
+    return {points_[piece].place, points_[piece + 1].place, points_[piece + 1].arc};
 }
 
 /// On the piece that appears nearest. Where only one of its ends comes from the hand, that one.
 std::optional<PathPlace> PathHand::placeAt(const QPointF& pointer) const {
-    if (places_.size() < 2) return std::nullopt;
-    const auto piece = nearestSegment(
-        pointer, places_.size() - 1,
-        [this](std::size_t i) {
-            const bool wanted = usable_[i] || usable_[i + 1];
-            const glm::dvec3 nowhere(std::nan(""));
-            return wanted ? std::pair(places_[i], places_[i + 1]) : std::pair(nowhere, nowhere);
+    if (points_.size() < 2) return std::nullopt;
+    const auto place = nearestPlace(
+        pointer, points_.size() - 1,
+        [this](std::size_t i) -> std::optional<PathPiece> {
+            if (!points_[i].usable && !points_[i + 1].usable) return std::nullopt;
+            return pieceAt(i);
         },
         appearance_);
-    if (!piece) return std::nullopt;
-    if (!usable_[*piece]) return PathPlace{*piece, 1.0};
-    if (!usable_[*piece + 1]) return PathPlace{*piece, 0.0};
-    return PathPlace{*piece, shareNearest(pointer, places_[*piece], places_[*piece + 1], appearance_)};
-}
-
-glm::dvec3 PathHand::at(const PathPlace& place) const {
-    return glm::mix(places_[place.piece], places_[place.piece + 1], place.share);
+    if (!place) return std::nullopt;
+    if (!points_[place->piece].usable) return PathPlace{place->piece, 1.0};
+    if (!points_[place->piece + 1].usable) return PathPlace{place->piece, 0.0};
+    return PathPlace{place->piece, place->share};
 }
 
 bool PathHand::press(const ViewportEvent& event) {
@@ -81,7 +91,7 @@ bool PathHand::press(const ViewportEvent& event) {
     pressedAt_ = event.position;
     pressedSight_ = sightOf(event);
     if (height_) {
-        doing_ = Doing::drawing;
+        become(Doing::drawing);
         drawn_.clear();
         draw(event);
         return true;
@@ -90,11 +100,12 @@ bool PathHand::press(const ViewportEvent& event) {
     if (!place) return false;
     place_ = *place;
     by_ = glm::dvec3(0.0);
-    doing_ = Doing::pressed;
+    become(Doing::pressed);
     return true;
 }
 
 bool PathHand::move(const ViewportEvent& event) {
+    if (!event.buttons.testFlag(Qt::LeftButton)) giveUp(); // the release went to a dialog, or to another program
     if (doing_ == Doing::nothing) return false;
     if (doing_ == Doing::drawing) {
         draw(event);
@@ -102,15 +113,16 @@ bool PathHand::move(const ViewportEvent& event) {
     }
     const QPointF way = event.position - pressedAt_;
     if (doing_ == Doing::pressed && std::hypot(way.x(), way.y()) < clickReach) return true;
-    doing_ = Doing::dragging;
-    if (const auto by = dragged(at(place_), pressedSight_, sightOf(event), along_)) by_ = *by;
+    become(Doing::dragging);
+    if (const auto by = dragged(pieceAt(place_.piece).at(place_.share), pressedSight_, sightOf(event), along_))
+        by_ = *by;
     emit dragging(place_, by_);
     return true;
 }
 
 bool PathHand::release(const ViewportEvent& event) {
     if (event.button != Qt::LeftButton) return false;
-    const Doing done = std::exchange(doing_, Doing::nothing);
+    const Doing done = become(Doing::nothing);
     if (done == Doing::pressed)
         emit chosen(place_, (event.modifiers & Qt::ShiftModifier) != 0);
     else if (done == Doing::dragging)
@@ -131,25 +143,27 @@ void PathHand::draw(const ViewportEvent& event) {
 
 bool PathHand::key(int key, Qt::KeyboardModifiers) {
     if (key != Qt::Key_Escape) return false;
-    if (doing_ == Doing::nothing)
+    if (doing_ != Doing::nothing)
+        giveUp();
+    else if (height_ || chosen_)
         emit cleared();
     else
-        giveUp();
+        return false;
     return true;
 }
 
 QString PathHand::escapeMeaning() {
     if (doing_ != Doing::nothing) return tr("Esc: cancel");
     if (height_) return tr("Esc: cancel drawing");
-    return places_.empty() ? QString() : tr("Esc: clear the selection");
+    return chosen_ ? tr("Esc: clear the selection") : QString();
 }
 
 void PathHand::leave() {
-    if (doing_ == Doing::pressed) doing_ = Doing::nothing;
+    if (doing_ == Doing::pressed) become(Doing::nothing);
 }
 
 void PathHand::giveUp() {
-    if (std::exchange(doing_, Doing::nothing) != Doing::nothing) emit givenUp();
+    if (become(Doing::nothing) != Doing::nothing) emit givenUp();
 }
 
 } // namespace burin

@@ -10,10 +10,14 @@ PathPicker::PathPicker(Appearance appearance, QObject* parent) : QObject(parent)
 
 bool PathPicker::press(const ViewportEvent& event) {
     if (event.button != Qt::LeftButton) return false;
-    const auto move = nearestSegment(
-        event.position, moves_.size(), [this](std::size_t i) { return moves_[i]; }, appearance_);
-    taken_ = move.has_value();
-    if (move) emit chosen(*move);
+    const auto place = nearestPlace(
+        event.position, moves_.size(),
+        [this](std::size_t i) -> std::optional<PathPiece> {
+            return PathPiece{moves_[i].first, moves_[i].second};
+        },
+        appearance_);
+    taken_ = place.has_value();
+    if (place) emit chosen(place->piece);
     return taken_;
 }
 

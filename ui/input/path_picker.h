@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/input/nearest_segment.h"
+#include "ui/input/nearest_piece.h"
 #include "ui/scene/interactive_tool.h"
 
 #include <QObject>
 
+#include <utility>
 #include <vector>
 
 namespace burin {

@@ -18,7 +18,7 @@ void MillTool::beginDrawing(Drawing what, const ViewportEvent& event) {
     drawing_ = what;
     lookAt(view_(), sightOf(event));
     if (what == Drawing::line) { // on the level of the last stroke, where it ends
-        corner_ = lastStroke_.back();
+        corner_ = memory_.last().places.back();
         lockAnchor_ = corner_;
         if (settings_.rule == DepthRule::level) levelHeight_ = corner_.z - wheelOffset_;
     } else {
@@ -36,6 +36,7 @@ void MillTool::draw(const ViewportEvent& event) {
     const glm::dvec3 held = drawing_ == Drawing::line ? locked(lock_, lockAnchor_, lockDirection_, *place) : *place;
     across_ = keptWithin(strokeReach(workpiece, tool_.cutter), held);
     across_.z = corner_.z;
+    showAim(drawing_ == Drawing::line ? std::optional(across_) : std::nullopt); // where the line ends
     emit stateChanged();
 }
 
@@ -47,13 +48,14 @@ std::vector<glm::dvec3> MillTool::drawnCorners() const {
 void MillTool::finishDrawing() {
     const std::vector<glm::dvec3> corners = drawnCorners();
     const Drawing what = std::exchange(drawing_, Drawing::none);
+    showAim({});
     const bool fast = what == Drawing::raster && settings_.rule == DepthRule::level;
-    const QString obstacle = cutPlan(corners, fast ? SimulatedStylus::maximumSpeed : settings_.speed);
+    const QString obstacle = cutPlan(corners, fast ? SimulatedStylus::maximumSpeed : settings_.speed, 0.0);
     if (!obstacle.isEmpty()) emit refused(obstacle);
 }
 
-/// A whole stroke at once, at the heights of its corners or along the part.
-QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed) {
+/// A whole stroke at once, at the heights of its corners or along the part. @param grain as of a StylusTarget
+QString MillTool::cutPlan(const std::vector<glm::dvec3>& corners, double speed, double grain) {
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty() || corners.empty()) return {};
     const bool onPart = settings_.rule == DepthRule::part;
@@ -67,15 +69,19 @@ QString MillTool::cutPlan(std::vector<glm::dvec3> corners, double speed) {
     glm::dvec3 first = places.front();
     if (onPart) first.z = strokeHeight(workpiece, first);
     emit strokeBegins();
-    StylusTarget target{
-        .tip = first, .maximumSpeed = speed, .cutting = true, .clearHeight = clearHeightTo(workpiece, first)};
+    StylusTarget target{.tip = first,
+                        .maximumSpeed = speed,
+                        .cutting = true,
+                        .clearHeight = clearHeightTo(workpiece, first),
+                        .grain = grain};
     feed_.add(target);
     for (std::size_t i = 1; i < places.size(); ++i) {
         target.tip = places[i];
         feed_.add(target, onPart ? StrokeFeed::Height::later : StrokeFeed::Height::given);
     }
     target_ = places.back();
-    lastStroke_ = std::move(corners);
+    memory_.begin();
+    for (const glm::dvec3& corner : corners) memory_.add(corner, grain);
     strokeEnd_ = target_;
     feed_.add({.tip = target_, .finishStroke = true});
     hoverAt(target_);
@@ -94,22 +100,21 @@ QString MillTool::repeat(Repetition how) {
             return tr("The depth of cut is zero. Enter a depth to repeat the stroke lower.");
         shift.z = -settings_.depthOfCut;
     } else {
-        const auto across = acrossOf(lastStroke_);
+        const auto across = acrossOf(memory_.last().places);
         if (!across) return tr("The last stroke is vertical, so it cannot be repeated beside itself.");
         shift = *across * (how == Repetition::left ? settings_.stepOver : -settings_.stepOver);
     }
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return {};
-    std::vector<glm::dvec3> corners = lastStroke_;
+    std::vector<glm::dvec3> corners = memory_.last().places;
     for (glm::dvec3& corner : corners) corner = keptWithin(strokeReach(workpiece, tool_.cutter), corner + shift);
-    return cutPlan(std::move(corners), settings_.speed);
+    return cutPlan(corners, settings_.speed, memory_.last().grain);
 }
 
 PlaceChains MillTool::plans() {
     PlaceChains chains;
     if (drawing_ != Drawing::none) chains.push_back(drawnCorners());
-    std::vector<glm::dvec3> tail = feed_.tail();
-    if (!tail.empty()) chains.push_back(std::move(tail));
+    for (std::vector<glm::dvec3>& stroke : feed_.tail()) chains.push_back(std::move(stroke));
     return chains;
 }
 

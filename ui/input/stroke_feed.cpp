@@ -30,6 +30,7 @@ void StrokeFeed::giveUp(const StylusTarget& target) {
     queue_.clear();
     handed_.clear();
     held_ = false;
+    between_ = true;
     timer_.stop();
     stylus_.wish(target);
 }
@@ -51,7 +52,8 @@ void StrokeFeed::feed() {
         const bool passed = !stylus_.strokeUnderWay() && stylus_.targetsAhead() == 0;
         if (!stylus_.wish(next.target)) break;
         if (passed) handed_.clear();
-        if (next.target.cutting) handed_.push_back(next.target.tip);
+        if (next.target.cutting) handed_.push_back({next.target.tip, between_});
+        between_ = !next.target.cutting;
         queue_.pop_front();
     }
     if (queue_.empty())
@@ -64,16 +66,24 @@ bool StrokeFeed::heightsAreOpen() const {
     return std::ranges::any_of(queue_, [](const Entry& entry) { return entry.height == Height::later; });
 }
 
-std::vector<glm::dvec3> StrokeFeed::tail() {
+PlaceChains StrokeFeed::tail() {
+    PlaceChains chains;
+    std::size_t count = 0;
+    const auto add = [&](const Place& next) {
+        if (chains.empty() && !next.begins) chains.push_back({stylus_.tip()});
+        if (next.begins) chains.emplace_back();
+        chains.back().push_back(next.place);
+        ++count;
+    };
     const std::size_t ahead = std::min(stylus_.targetsAhead(), handed_.size());
-    if (ahead == 0 && queue_.empty()) return {};
-    std::vector<glm::dvec3> places{stylus_.tip()};
-    places.insert(places.end(), handed_.end() - static_cast<std::ptrdiff_t>(ahead), handed_.end());
+    for (auto next = handed_.end() - static_cast<std::ptrdiff_t>(ahead); next != handed_.end(); ++next) add(*next);
+    bool between = between_;
     for (const Entry& entry : queue_) {
-        if (places.size() > longestTail) break;
-        if (entry.target.cutting && entry.height == Height::given) places.push_back(entry.target.tip);
+        if (count > longestTail) break;
+        if (entry.target.cutting && entry.height == Height::given) add({entry.target.tip, between});
+        between = !entry.target.cutting;
     }
-    return places;
+    return chains;
 }
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/device/simulated_stylus.h"
+#include "ui/scene/place_chains.h"
 
 #include <QObject>
 #include <QTimer>
@@ -38,14 +39,20 @@ public:
 
     bool heightsAreOpen() const; ///< some target that waits has its height still to come
 
-    /// The places of the stroke that the tool has not passed, its own first; mm, setup frame. Empty: it has nothing to
-    /// catch up with. Those whose height comes later are known once they are handed over.
-    std::vector<glm::dvec3> tail();
+    /// The places that the tool has not passed, stroke by stroke, before those of the one under way its own; mm, setup
+    /// frame. Empty: it has nothing to catch up with. Those whose height comes later are known once they are handed
+    /// over.
+    PlaceChains tail();
 
 private:
     struct Entry {
         StylusTarget target;
         Height height = Height::given;
+    };
+    /// A place of a stroke.
+    struct Place {
+        glm::dvec3 place{0.0}; // mm
+        bool begins = false;   // the stroke
     };
     void feed();
 
@@ -53,7 +60,8 @@ private:
     std::function<double(const glm::dvec3&)> heightAt_;
     QTimer timer_;
     std::deque<Entry> queue_;
-    std::vector<glm::dvec3> handed_; ///< of the stroke that is under way
+    std::vector<Place> handed_; ///< of the stroke that is under way, and those that the stylus has behind it
+    bool between_ = true;       ///< strokes: the newest target that was handed over doesn't cut
     bool held_ = false;
 };
 

@@ -227,6 +227,7 @@ void MillPanel::Fields::chooseRaster(bool on) {
 
 /// A history of strokes belongs to a workpiece, which is made anew when a project is opened.
 QString MillPanel::Fields::reasonAgainstUndo() const {
+    if (state.cutting) return MillPanel::tr("A stroke is being cut. Wait until it ends, or press Esc to end it.");
     if (state.canUndoStroke) return {};
     if (state.takes.empty() || state.recording || state.showing)
         return MillPanel::tr("There is no stroke to take back.");
@@ -255,7 +256,7 @@ void MillPanel::Fields::refreshButtons() {
                  state.active ? MillPanel::tr("Stop milling and end the take")
                               : MillPanel::tr("Start milling. Everything that is cut is recorded"));
     enableUnless(undo_, reasonAgainstUndo(), undoText());
-    setEnabledKeepingFocus(redo_, state.canRedoStroke);
+    setEnabledKeepingFocus(redo_, state.canRedoStroke && !state.cutting);
     enableUnless(show_,
                  state.showing     ? QString()
                  : state.recording ? MillPanel::tr("Stop the recording first.")

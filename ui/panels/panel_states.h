@@ -106,6 +106,7 @@ struct MillState {
     bool active = false; ///< mill mode
     bool recording = false;
     double recordedSeconds = 0.0;
+    bool cutting = false; ///< a stroke is under way: none is taken back or put back
     bool canUndoStroke = false, canRedoStroke = false;
     std::size_t undoableStrokes = 0; ///< that can be taken back one after the other
     DepthChoice depthRule = DepthChoice::level;

@@ -2,11 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/mill_mode.h"
 
+#include "ui/input/mill_geometry.h"
 #include "ui/input/press_preview.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace burin {
+namespace {
+
+/// The longest diagonal of a pixel where it shows a place, on the place's level, mm; 0: it is not to be seen.
+double pixelDiagonal(const Viewport& viewport, const glm::dvec3& place) {
+    const QPointF at = viewport.project(place);
+    const double pixel = 1.0 / viewport.devicePixelRatioF();
+    const auto from = onLevel(sightOf(viewport.sight(at)), place.z);
+    const auto right = onLevel(sightOf(viewport.sight(at + QPointF(pixel, 0.0))), place.z);
+    const auto down = onLevel(sightOf(viewport.sight(at + QPointF(0.0, pixel))), place.z);
+    if (!from || !right || !down) return 0.0;
+    return std::max(glm::length(*right + *down - 2.0 * *from), glm::distance(*right, *down));
+}
+
+} // namespace
 
 MillMode::MillMode(Workbench& workbench, Viewport& viewport, QObject* parent)
     : QObject(parent), workbench_(workbench), viewport_(viewport) {
@@ -14,6 +30,9 @@ MillMode::MillMode(Workbench& workbench, Viewport& viewport, QObject* parent)
     connect(&workbench.mill, &MillController::left, this, &MillMode::end);
     connect(&workbench.mill, &MillController::recordingBegan, this, [this](bool well) {
         if (tool_) well ? tool_->goOn() : tool_->giveUp();
+    });
+    connect(&workbench.mill, &MillController::strokeTakenBack, this, [this](bool undo) {
+        if (tool_) tool_->strokeTakenBack(undo);
     });
     connect(&workbench.session, &SessionRunner::ticked, this, &MillMode::showPlans);
 }
@@ -32,6 +51,7 @@ void MillMode::begin() {
     if (workbench_.mill.stylus() == nullptr) return; // a device leads the tool, and the mouse the camera
     tool_ = std::make_unique<MillTool>(*workbench_.mill.stylus(), workbench_.bench.bench()->tool,
                                        [this] { return workbench_.session.workpiece(); });
+    tool_->setGrain([this](const glm::dvec3& place) { return pixelDiagonal(viewport_, place); });
     tool_->setSettings(settings_);
     connect(tool_.get(), &MillTool::strokeBegins, this, &MillMode::record);
     connect(tool_.get(), &MillTool::stateChanged, this, &MillMode::showPlans);

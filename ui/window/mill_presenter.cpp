@@ -147,6 +147,7 @@ void MillPresenter::present() {
     state.active = mill.active();
     state.recording = workbench_.session.running() && session.recording;
     state.recordedSeconds = session.recordedSeconds;
+    state.cutting = workbench_.session.running() && session.cutting && !workbench_.showMe.showing();
     StrokeHistory& strokes = workbench_.bench.strokes();
     state.canUndoStroke = strokes.canUndo() && !workbench_.showMe.showing();
     state.undoableStrokes = strokes.count();

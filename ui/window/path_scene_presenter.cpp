@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/path_scene_presenter.h"
 
+#include "core/geometry/arc.h"
 #include "core/path/hand_stretch.h"
 
 #include <algorithm>
@@ -11,6 +12,8 @@ namespace burin {
 namespace {
 
 constexpr std::string_view areaKey = "outline_mm";
+constexpr double markedChord = 0.02;  // mm that the mark of an arc may leave it by
+constexpr double draggedSteps = 16.0; // of an arc whose drag is shown
 
 std::vector<glm::dvec3> closed(std::vector<glm::dvec3> outline) {
     if (!outline.empty()) outline.push_back(outline.front());
@@ -22,14 +25,33 @@ std::string keyOf(const StoredPath& path, std::size_t edit) {
     return std::to_string(path.id) + ' ' + std::to_string(edit) + ' ' + toJson(path.edits[edit]);
 }
 
+Arc arcOf(const glm::dvec3& from, const PathPoint& to) {
+    return {from, to.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+}
+
+glm::dvec3 placeOf(const std::vector<PathPoint>& points, const PathPlace& place) {
+    const PathPoint &from = points[place.piece], &to = points[place.piece + 1];
+    if (!to.arc) return glm::mix(from.tip, to.tip, place.share);
+    const Arc arc = arcOf(from.tip, to);
+    return placeOn(arc, turnOf(arc), place.share);
+}
+
+/// Points and what lies on the arcs between them.
+std::vector<glm::dvec3> drawnLine(const std::vector<PathPoint>& points) {
+    std::vector<glm::dvec3> line, places;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        places.assign(1, points[i].tip);
+        if (i > 0 && points[i].arc) flatten(arcOf(points[i - 1].tip, points[i]), markedChord, places);
+        line.insert(line.end(), places.begin(), places.end());
+    }
+    return line;
+}
+
 /// How a stroke follows the place that is dragged, as MovePoints does it: along the stroke, ever less.
 class Falloff {
 public:
     Falloff(const std::vector<PathPoint>& points, const PathPlace& place, const glm::dvec3& by)
-        : points_(points)
-        , place_(place)
-        , start_(glm::mix(points[place.piece].tip, points[place.piece + 1].tip, place.share))
-        , by_(by) {}
+        : points_(points), place_(place), start_(placeOf(points, place)), by_(by) {}
 
     std::vector<glm::dvec3> places() const {
         std::vector<glm::dvec3> moved{start_ + by_};
@@ -40,19 +62,27 @@ public:
     }
 
 private:
-    void follow(std::vector<glm::dvec3>& moved, int step) const {
+    void follow(std::vector<glm::dvec3>& moved, std::ptrdiff_t step) const {
         const MovePoints edit;
         const std::int64_t take = points_[place_.nearestPoint()].take;
+        const double end = step < 0 ? 0.0 : 1.0;
+        PathPlace at = place_;
         glm::dvec3 from = start_;
         double way = 0.0;
-        const auto last = static_cast<std::ptrdiff_t>(points_.size());
-        for (auto i = static_cast<std::ptrdiff_t>(place_.piece) + (step < 0 ? 0 : 1);
-             i >= 0 && i < last && way < edit.falloff; i += step) {
-            const PathPoint& point = points_[static_cast<std::size_t>(i)];
-            if (!isOfTheHand(point) || point.take != take) return;
-            way += glm::distance(point.tip, from);
-            from = point.tip;
-            moved.push_back(point.tip + edit.shareAt(way) * by_);
+        const auto pieces = static_cast<std::ptrdiff_t>(points_.size()) - 1;
+        for (auto piece = static_cast<std::ptrdiff_t>(place_.piece); piece >= 0 && piece < pieces; piece += step) {
+            at.piece = static_cast<std::size_t>(piece);
+            const PathPoint& point = points_[at.piece + (step < 0 ? 0 : 1)];
+            if (way >= edit.falloff || !isOfTheHand(point) || point.take != take) return;
+            const double steps = points_[at.piece + 1].arc ? draggedSteps : 1.0, begin = at.share;
+            for (double i = 1.0; i <= steps; i += 1.0) {
+                at.share = glm::mix(begin, end, i / steps);
+                const glm::dvec3 place = placeOf(points_, at);
+                way += glm::distance(place, from);
+                from = place;
+                moved.push_back(place + edit.shareAt(way) * by_);
+            }
+            at.share = 1.0 - end;
         }
     }
 
@@ -71,6 +101,7 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
     connect(&hand_, &PathHand::chosen, this, [this](const PathPlace& place, bool extend) {
         extend ? workbench_.path.selectTo(momentOf(place)) : workbench_.path.select(momentOf(place));
     });
+    connect(&hand_, &PathHand::stateChanged, this, &PathScenePresenter::escapeChanged);
     connect(&hand_, &PathHand::dragging, this, &PathScenePresenter::showDrag);
     connect(&hand_, &PathHand::dropped, this, &PathScenePresenter::drop);
     connect(&hand_, &PathHand::drawing, this, &PathScenePresenter::showDrawing);
@@ -165,6 +196,7 @@ void PathScenePresenter::present() {
         if (!active) viewport_.setMoveMark({});
     }
     takePath();
+    hand_.setChosen(active_ && workbench_.path.selection().has_value());
     if (drawing_ && (!active || !stillMeant())) setDrawing(false);
     showOutlines();
     if (active_) markSelection();
@@ -174,14 +206,14 @@ void PathScenePresenter::takePath() {
     const auto path = active_ ? workbench_.path.evaluated() : nullptr;
     if (path == path_) return;
     path_ = path;
-    std::vector<glm::dvec3> places;
-    std::vector<bool> usable;
+    std::vector<HandPoint> points;
     if (path_)
         for (const PathPoint& point : path_->path.points) {
-            places.push_back(point.tip);
-            usable.push_back(isOfTheHand(point) && point.kind != MoveKind::rapid);
+            const bool usable = isOfTheHand(point) && point.kind != MoveKind::rapid;
+            const glm::dvec3 from = points.empty() ? point.tip : points.back().place;
+            points.push_back({point.tip, usable, point.arc ? std::optional(arcOf(from, point)) : std::nullopt});
         }
-    hand_.setPlaces(std::move(places), std::move(usable));
+    hand_.setPoints(std::move(points));
 }
 
 void PathScenePresenter::markSelection() {
@@ -190,10 +222,7 @@ void PathScenePresenter::markSelection() {
         return;
     }
     PlaceChains chosen;
-    for (const std::vector<PathPoint>& chain : chosenPoints()) {
-        chosen.emplace_back();
-        for (const PathPoint& point : chain) chosen.back().push_back(point.tip);
-    }
+    for (const std::vector<PathPoint>& chain : chosenPoints()) chosen.push_back(drawnLine(chain));
     viewport_.setMoveMark(chosen);
 }
 

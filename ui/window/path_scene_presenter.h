@@ -31,7 +31,8 @@ public:
     void addEdit(const Edit& edit);
 
 signals:
-    void changed(); ///< drag or drawing
+    void changed();       ///< drag or drawing
+    void escapeChanged(); ///< what Esc does may be another
 
 private:
     void present() override;

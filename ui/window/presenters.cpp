@@ -28,6 +28,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , guideScene(workbench, stage.viewport, actions, this)
     , programScene(workbench, stage.viewport, *stage.panels.program, scene, this)
     , deviation(workbench, stage.viewport, stage.panels.program->deviation(), scene, this) {
+    connect(&pathScene, &PathScenePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);
 }
 

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace burin {
+
+/// The line through a pointer's goals. It grows at its end while what is followed is passed at its beginning.
+///
+/// A goal with a grain comes from a pointer that tells nothing finer than that, as pixels do: a slanted sweep arrives
+/// as a staircase. There the line is the mean of what lies within three pixels to both sides, less near corners, the
+/// start and the end, and only what stands out from its surroundings by more than pixels explain is slowed down for.
+/// The line ends at the newest goal. Thread: one; no lock, no allocation.
+class PointerTrail {
+public:
+    static constexpr std::size_t capacity = 1024; ///< points that are not passed
+    static constexpr double meanTime = 0.016;     ///< s: whoever follows the line takes the mean of it over this time
+    static constexpr double tolerance = 0.05;     ///< mm that this mean may be off the line at a corner
+
+    struct Point {
+        glm::dvec3 place{0.0};
+        double length = 0.0; ///< mm, from the point before
+        double speed = 0.0;  ///< mm/s at which it may be passed; 0 at the line's end
+    };
+
+    void begin(const glm::dvec3& start) noexcept; ///< mm
+    /// @param goal mm; @param grain mm: goals nearer to each other can't be told apart; 0: the goal is exact
+    /// @return false, and nothing changed, where there is no room
+    bool append(const glm::dvec3& goal, double grain) noexcept;
+
+    std::size_t ahead() const noexcept { return newest_ + 1 - next_; } ///< points that are not passed
+    /// @param index 0 the next one to be passed
+    const Point& point(std::size_t index) const noexcept { return goal(next_ + index).point; }
+    double lengthBeyond() const noexcept { return beyond_; } ///< mm, from the next point to the line's end
+    const glm::dvec3& end() const noexcept { return goal(newest_).place; }
+    void pass() noexcept; ///< the next point; it stays as it was passed
+    void passAll() noexcept;
+
+private:
+    static constexpr std::size_t kept = 2 * capacity; // goals, half of them passed
+    static constexpr std::size_t scales = 8;          // of the compasses that look for corners
+
+    struct Goal {
+        glm::dvec3 place{0.0};
+        double grain = 0.0;
+        double arc = 0.0;       // mm along the goals, from the start
+        glm::dvec3 moment{0.0}; // mm²: the goals' line, integrated over the arc
+        double turnSpeed = 0.0; // mm/s that the corners found allow
+        double reach = 0.0;     // mm to each side that corners allow the mean to take
+        double window = 0.0;    // mm to each side that it takes
+        Point point;
+    };
+    Goal& goal(std::size_t number) noexcept { return goals_[number % kept]; }
+    const Goal& goal(std::size_t number) const noexcept { return goals_[number % kept]; }
+    std::size_t oldest() const noexcept { return newest_ < kept ? 0 : newest_ + 1 - kept; }
+    template <class Value>
+    Value along(std::size_t number, double distance, Value (*between)(const Goal&, const Goal&, double)) const noexcept;
+    glm::dvec3 placeBeside(std::size_t number, double distance) const noexcept;
+    glm::dvec3 momentBeside(std::size_t number, double distance) const noexcept;
+    void findCorners() noexcept;
+    void judge(std::size_t number, std::size_t scale, double width) noexcept;
+    void shape() noexcept;
+    std::size_t firstToShape() const noexcept;
+    double widestWindow(std::size_t number) const noexcept;
+    void place(std::size_t number) noexcept;
+    void limitSpeed(std::size_t number) noexcept;
+
+    std::array<Goal, kept> goals_; // by their number, from 0, the start
+    std::size_t next_ = 1, newest_ = 0;
+    double beyond_ = 0.0;
+    std::array<std::size_t, scales> judged_{}; // of each scale, the next one to be judged
+};
+
+} // namespace burin

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// The pointer on lines and arcs of a path, against the formulas of circle and helix.
+#include "ui/input/path_hand.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+
+using namespace burin;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double radius = 30.0;              // mm
+constexpr glm::dvec3 centre(5.0, -3.0, 2.0); // mm
+
+/// At an angle of the circle about +Z, so much higher.
+glm::dvec3 onCircle(double angle, double rise = 0.0, double atRadius = radius) {
+    return centre + glm::dvec3(atRadius * std::cos(angle), atRadius * std::sin(angle), rise);
+}
+
+/// Ten pixels a millimetre, from straight above.
+QPointF fromAbove(const glm::dvec3& place) {
+    return {10.0 * place.x, -10.0 * place.y};
+}
+
+/// As a pinhole camera shows it from the front left, 300 mm off.
+QPointF fromAside(const glm::dvec3& place) {
+    const glm::dvec3 eye(-120.0, -220.0, 160.0), ahead = glm::normalize(centre - eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(ahead, {0.0, 0.0, 1.0})), up = glm::cross(right, ahead);
+    const glm::dvec3 way = place - eye;
+    const double scale = 1200.0 / glm::dot(way, ahead);
+    return {600.0 + scale * glm::dot(way, right), 400.0 - scale * glm::dot(way, up)};
+}
+
+/// From an angle on, anticlockwise where the sweep is positive, rising evenly.
+std::vector<HandPoint> arcPath(double start, double sweep, double rise) {
+    const glm::dvec3 from = onCircle(start), to = onCircle(start + sweep, rise);
+    return {{from, true, {}}, {to, true, Arc{from, to, centre, 2, sweep < 0.0}}};
+}
+
+ViewportEvent at(const QPointF& pointer, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    ViewportEvent event;
+    event.position = pointer;
+    event.button = Qt::LeftButton;
+    event.buttons = Qt::LeftButton;
+    event.modifiers = modifiers;
+    event.rayOrigin = {0.1 * pointer.x(), -0.1 * pointer.y(), 500.0};
+    event.rayDirection = {0.0, 0.0, -1.0};
+    event.parallel = true;
+    return event;
+}
+
+/// What a click chooses; nothing: nothing.
+std::optional<PathPlace> chosenBy(PathHand& hand, const QPointF& pointer) {
+    std::optional<PathPlace> chosen;
+    const auto connection =
+        QObject::connect(&hand, &PathHand::chosen, [&](const PathPlace& place, bool) { chosen = place; });
+    hand.press(at(pointer));
+    hand.release(at(pointer));
+    QObject::disconnect(connection);
+    return chosen;
+}
+
+} // namespace
+
+class TestPathHand : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// From above, the place nearest to a pointer inside or outside of a circle is where its radius meets it.
+    void onACircleTheNearestPlaceLiesOnThePointersRadius_data() {
+        QTest::addColumn<double>("sweep");
+        for (const double sweep : {0.3, -0.9, 2.4, -3.1, 4.0, 2.0 * pi}) QTest::addRow("%g rad", sweep) << sweep;
+    }
+    void onACircleTheNearestPlaceLiesOnThePointersRadius() {
+        QFETCH(double, sweep);
+        for (const double start : {0.2, 1.9, -2.5}) {
+            PathHand hand(fromAbove);
+            hand.setPoints(arcPath(start, sweep, 0.0));
+            for (const double share : {0.02, 0.31, 0.5, 0.77, 0.98})
+                for (const double off : {-0.6, 0.0, 0.7}) { // mm; the pointer reaches 0.8
+                    const auto place = chosenBy(hand, fromAbove(onCircle(start + share * sweep, 0.0, radius + off)));
+                    QVERIFY(place);
+                    QCOMPARE(place->piece, std::size_t{0});
+                    QVERIFY2(std::abs(place->share - share) < 1e-5, qPrintable(QString::number(place->share)));
+                }
+        }
+    }
+
+    /// Whatever the view: a click on what is drawn of a helix means that place, at its share of the turn.
+    void onAHelixThePlaceUnderThePointerIsChosen() {
+        for (const double sweep : {0.4, -1.3, 2.8, -3.0})
+            for (const double rise : {0.0, 4.0, -9.0}) {
+                PathHand hand(fromAside);
+                hand.setPoints(arcPath(0.7, sweep, rise));
+                for (const double share : {0.03, 0.29, 0.64, 0.97}) {
+                    const glm::dvec3 meant = onCircle(0.7 + share * sweep, share * rise);
+                    const auto place = chosenBy(hand, fromAside(meant));
+                    QVERIFY(place);
+                    QVERIFY2(std::abs(place->share - share) < 1e-4, qPrintable(QString::number(place->share)));
+                }
+            }
+    }
+
+    /// Nothing is drawn where the chord of an arc would run.
+    void theChordOfAnArcIsNotPicked() {
+        PathHand hand(fromAbove);
+        const std::vector<HandPoint> path = arcPath(0.0, 2.0, 0.0);
+        hand.setPoints(path);
+        for (const double share : {0.3, 0.5, 0.7})
+            QVERIFY(!chosenBy(hand, fromAbove(glm::mix(path[0].place, path[1].place, share))));
+    }
+
+    /// Where line and arc lie close to each other, the nearer one counts.
+    void ofALineAndAnArcTheNearerIsChosen() {
+        PathHand hand(fromAbove);
+        std::vector<HandPoint> path = arcPath(0.5 * pi, -pi, 0.0); // from the top over the right to the bottom
+        path.push_back({onCircle(-0.5 * pi) + glm::dvec3(-10.0, 0.0, 0.0), true, {}});
+        hand.setPoints(path);
+        QCOMPARE(chosenBy(hand, fromAbove(onCircle(-0.2)))->piece, std::size_t{0});
+        const auto place = chosenBy(hand, fromAbove(onCircle(-0.5 * pi) + glm::dvec3(-4.0, 0.3, 0.0)));
+        QCOMPARE(place->piece, std::size_t{1});
+        QVERIFY(std::abs(place->share - 0.4) < 1e-5);
+    }
+
+    /// A move that comes from the hand at one of its ends alone means that end.
+    void whereNoHandWentTheEndOfTheHandIsChosen() {
+        PathHand hand(fromAbove);
+        std::vector<HandPoint> path = arcPath(0.0, 1.0, 0.0);
+        path[0].usable = false;
+        hand.setPoints(path);
+        QCOMPARE(chosenBy(hand, fromAbove(onCircle(0.2)))->share, 1.0);
+        path[1].usable = false;
+        hand.setPoints(path);
+        QVERIFY(!chosenBy(hand, fromAbove(onCircle(0.2))));
+    }
+
+    /// What Esc does is what is said of it, in each state; where it does nothing, the key is others'.
+    void escapeDoesWhatItSays() {
+        PathHand hand(fromAbove);
+        hand.setPoints(arcPath(0.0, 1.0, 0.0));
+        QSignalSpy cleared(&hand, &PathHand::cleared), givenUp(&hand, &PathHand::givenUp),
+            told(&hand, &PathHand::stateChanged);
+        QCOMPARE(hand.escapeMeaning(), QString());
+        QVERIFY(!hand.key(Qt::Key_Escape, Qt::NoModifier));
+        QCOMPARE(cleared.count(), 0);
+
+        hand.setChosen(true);
+        QCOMPARE(told.count(), 1);
+        QCOMPARE(hand.escapeMeaning(), QStringLiteral("Esc: clear the selection"));
+        QVERIFY(hand.key(Qt::Key_Escape, Qt::NoModifier));
+        QCOMPARE(cleared.count(), 1);
+
+        hand.press(at(fromAbove(onCircle(0.5)))); // a drag goes first
+        hand.move(at(fromAbove(onCircle(0.5)) + QPointF(20.0, 0.0)));
+        QCOMPARE(hand.escapeMeaning(), QStringLiteral("Esc: cancel"));
+        QVERIFY(told.count() > 1);
+        QVERIFY(hand.key(Qt::Key_Escape, Qt::NoModifier));
+        QCOMPARE(givenUp.count(), 1);
+        QCOMPARE(cleared.count(), 1);
+
+        hand.setChosen(false);
+        hand.setDrawing(3.0);
+        QCOMPARE(hand.escapeMeaning(), QStringLiteral("Esc: cancel drawing"));
+        QVERIFY(hand.key(Qt::Key_Escape, Qt::NoModifier));
+        QCOMPARE(cleared.count(), 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPathHand)
+#include "tst_path_hand.moc"

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// What comes in between while a stroke is drawn or cut: Esc, undo, another step, a dialog, another program.
+#include "tests/ui/window_steps.h"
+
+#include <QLabel>
+#include <QtTest>
+
+#include <initializer_list>
+#include <utility>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+/// What a user is in the middle of.
+enum class Middle { stroke, line, rectangle, rows, repetition, spindle };
+
+} // namespace
+Q_DECLARE_METATYPE(Middle)
+
+class TestWindowInterruptions : public QObject {
+    Q_OBJECT
+private slots:
+    void init() {
+        driver_ = std::make_unique<WindowDriver>();
+        QVERIFY(makeReady(*driver_));
+        viewport().setStandardView(StandardView::top);
+        QTest::qWait(400); // the view turns
+        QVERIFY(driver_->step(JobStep::mill));
+        QVERIFY(driver_->clickOn("millButton"));
+        QVERIFY(driver_->waitFor([&] { return bench().mill.active(); }, 5000));
+        millLine(*driver_, {-12, -9}, {12, -9}); // something to go on from
+        QVERIFY(strokesAre(1));
+        QVERIFY(driver_->enter("speedField", "15")); // so that what is cut by itself takes its time
+        viewport().setFocus();
+    }
+    void cleanup() { driver_.reset(); }
+
+    /// Esc ends or cancels just that, then the tool is free for the next stroke.
+    void escapeEndsWhatIsUnderWay_data() {
+        addMiddles(
+            {Middle::stroke, Middle::line, Middle::rectangle, Middle::rows, Middle::repetition, Middle::spindle});
+    }
+    void escapeEndsWhatIsUnderWay() {
+        QFETCH(Middle, middle);
+        begin(middle);
+        const QString meaning = escapeLabel();
+        QVERIFY2(!meaning.isEmpty() && !meaning.contains(QStringLiteral("stop milling")), qPrintable(meaning));
+        driver_->shoot(QStringLiteral("interrupted-%1").arg(QTest::currentDataTag()));
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !cutting() && escapeLabel().contains(QStringLiteral("stop milling")); },
+                                 5000));
+        letGo();
+        QTest::qWait(300);
+        QVERIFY(!cutting() && bench().mill.active());
+        const std::size_t before = bench().bench.strokes().count();
+        QCOMPARE(before, isCut(middle) ? std::size_t{2} : std::size_t{1});
+        QVERIFY(driver_->enter("speedField", "200"));
+        millLine(*driver_, {-12, 9}, {12, 9});
+        QVERIFY(strokesAre(before + 1));
+    }
+
+    /// While the tool cuts, undo waits its turn; what is not yet cut is cancelled with the stroke that it began at.
+    void undoNeverTakesBackSomethingElse_data() { addMiddles({Middle::line, Middle::rows}); }
+    void undoNeverTakesBackSomethingElse() {
+        QFETCH(Middle, middle);
+        begin(middle);
+        const double removed = removedSoFar(*bench().bench.bench());
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QTest::qWait(300);
+        QVERIFY(bench().mill.active());
+        if (!isCut(middle)) { // the stroke before goes, as always
+            QVERIFY(strokesAre(0));
+            letGo();
+            QVERIFY(driver_->waitFor([&] { return !cutting() && !escapeLabel().contains("end the stroke"); }, 20000));
+            return;
+        }
+        QVERIFY(cutting());
+        QVERIFY(!driver_->visible<QWidget>("undoStrokeButton")->isEnabled()); // nor does it seem so
+        driver_->key(Qt::Key_Escape);
+        letGo();
+        QVERIFY(strokesAre(2)); // both are there
+        QVERIFY(driver_->waitFor([&] { return !cutting(); }, 5000));
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(strokesAre(1));
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(strokesAre(0));
+        QVERIFY(removedSoFar(*bench().bench.bench()) < removed);
+    }
+
+    /// By its key, the left button still down: the tool is put away, what was cut is kept.
+    void anotherStepEndsMilling_data() { addMiddles({Middle::stroke, Middle::rows}); }
+    void anotherStepEndsMilling() {
+        QFETCH(Middle, middle);
+        begin(middle);
+        QVERIFY(driver_->step(JobStep::tool));
+        QVERIFY(driver_->waitFor([&] { return !bench().session.running(); }, 5000));
+        letGo();
+        QVERIFY(!bench().mill.active());
+        QVERIFY(strokesAre(isCut(middle) ? 2 : 1));
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, at({0, 5}));
+        QTest::mouseMove(&viewport(), at({8, 5}), 50);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, at({8, 5}));
+        QTest::qWait(200);
+        QVERIFY(!bench().session.running());
+        driver_->shoot(QStringLiteral("interrupted-step-%1").arg(QTest::currentDataTag()));
+    }
+
+    /// A dialog opens, and has the release: nothing goes on with the pointer when it is closed.
+    void aDialogEndsWhatThePointerDraws_data() { addMiddles({Middle::stroke, Middle::rectangle, Middle::spindle}); }
+    void aDialogEndsWhatThePointerDraws() {
+        QFETCH(Middle, middle);
+        begin(middle);
+        bool stood = false;
+        driver_->whenDialogStands([&](QWidget& dialog) {
+            stood = true;
+            QTest::keyClick(&dialog, Qt::Key_Escape);
+        });
+        driver_->key(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(driver_->waitFor([&] { return stood; }, 5000));
+        movePointer(at({14, 11}), Qt::NoButton); // the button was let go over the dialog
+        QTest::qWait(100);
+        const QString meaning = escapeLabel();
+        movePointer(at({-14, 11}), Qt::NoButton);
+        QVERIFY(driver_->waitFor([&] { return !cutting() || middle == Middle::spindle; }, 20000));
+        if (cutting()) driver_->key(Qt::Key_Escape); // the spindle, which no button holds
+        letGo();
+        QVERIFY2(!meaning.contains(QStringLiteral("cancel")), qPrintable(meaning));
+        QVERIFY(strokesAre(isCut(middle) ? 2 : 1));
+        QVERIFY(driver_->enter("speedField", "200"));
+        millLine(*driver_, {-12, 9}, {12, 9});
+        QVERIFY(strokesAre(isCut(middle) ? 3 : 2));
+    }
+
+private:
+    static void addMiddles(std::initializer_list<Middle> middles) {
+        QTest::addColumn<Middle>("middle");
+        for (const Middle middle : middles) QTest::newRow(nameOf(middle)) << middle;
+    }
+    static const char* nameOf(Middle middle) {
+        switch (middle) {
+        case Middle::stroke:
+            return "stroke";
+        case Middle::line:
+            return "line";
+        case Middle::rectangle:
+            return "rectangle";
+        case Middle::rows:
+            return "rows";
+        case Middle::repetition:
+            return "repetition";
+        case Middle::spindle:
+            break;
+        }
+        return "spindle";
+    }
+    static bool isCut(Middle middle) { return middle != Middle::line && middle != Middle::rectangle; }
+
+    void begin(Middle middle) {
+        switch (middle) {
+        case Middle::stroke:
+            press(at({-10, -2}), Qt::NoModifier);
+            for (int i = 1; i <= 10; ++i) QTest::mouseMove(&viewport(), at({-10 + 2 * i, -2 + 0.5 * i}), 10);
+            break;
+        case Middle::line:
+            press(at({-8, 4}), Qt::ShiftModifier);
+            break;
+        case Middle::rectangle:
+        case Middle::rows:
+            driver_->key(Qt::Key_T);
+            press(at({-12, -4}), Qt::NoModifier);
+            for (int i = 1; i <= 10; ++i) QTest::mouseMove(&viewport(), at({-12 + 2.4 * i, -4 + 0.9 * i}), 10);
+            if (middle == Middle::rows) letGo();
+            break;
+        case Middle::repetition:
+            QTest::mouseMove(&viewport(), at({0, 0}));
+            driver_->key(Qt::Key_L);
+            break;
+        case Middle::spindle:
+            QTest::mouseMove(&viewport(), at({0, 0}));
+            QTest::qWait(800); // the tool gets there
+            driver_->key(Qt::Key_Space);
+            break;
+        }
+        if (isCut(middle)) QVERIFY(driver_->waitFor([&] { return cutting(); }, 8000));
+        QTest::qWait(200);
+    }
+    void press(const QPoint& pixel, Qt::KeyboardModifiers modifiers) {
+        QTest::mouseMove(&viewport(), pixel);
+        QTest::qWait(300);
+        QTest::mousePress(&viewport(), Qt::LeftButton, modifiers, pixel);
+        held_ = true;
+    }
+    void letGo() {
+        if (std::exchange(held_, false))
+            QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, viewport().mapFromGlobal(QCursor::pos()));
+    }
+    void movePointer(const QPoint& pixel, Qt::MouseButtons buttons) {
+        QMouseEvent move(QEvent::MouseMove, pixel, viewport().mapToGlobal(pixel), Qt::NoButton, buttons, {});
+        QCoreApplication::sendEvent(&viewport(), &move);
+    }
+    Workbench& bench() { return driver_->window().workbench(); }
+    Viewport& viewport() { return driver_->window().viewport(); }
+    QPoint at(const glm::dvec2& place) {
+        return viewport().project(bench().setup.setup().workOffset + glm::dvec3(place, 0.0)).toPoint();
+    }
+    bool cutting() { return bench().session.running() && bench().session.state().cutting; }
+    bool strokesAre(std::size_t count) {
+        return driver_->waitFor([&] { return bench().bench.strokes().count() == count; }, 15000);
+    }
+    QString escapeLabel() {
+        auto* label = driver_->visible<QLabel>("escapeStatus");
+        return label != nullptr ? label->text() : QString();
+    }
+
+    std::unique_ptr<WindowDriver> driver_;
+    bool held_ = false;
+};
+
+QTEST_MAIN(TestWindowInterruptions)
+#include "tst_window_interruptions.moc"

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// A click on a path means the place under the pointer, on a line and on an arc.
+#include "core/geometry/arc.h"
+#include "core/path/hand_stretch.h"
+#include "tests/ui/window_steps.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace burin;
+using namespace burin::testing;
+
+namespace {
+
+/// Records a stroke round the middle of the stock's top: three quarters of a circle, mm.
+bool recordCircle(WindowDriver& driver, double radius) {
+    Workbench& bench = driver.window().workbench();
+    Viewport& viewport = driver.window().viewport();
+    if (!driver.step(JobStep::mill) || !driver.clickOn("millButton")) return false;
+    if (!driver.waitFor([&] { return bench.mill.active(); }, 5000)) return false;
+    const glm::dvec3 zero = bench.setup.setup().workOffset;
+    const auto at = [&](int degrees) {
+        const double angle = degrees * M_PI / 180.0;
+        return viewport.project(zero + radius * glm::dvec3(std::cos(angle), std::sin(angle), 0.0)).toPoint();
+    };
+    QTest::mouseMove(&viewport, at(0));
+    QTest::qWait(300);
+    QTest::mousePress(&viewport, Qt::LeftButton, {}, at(0));
+    for (int degrees = 0; degrees <= 270; degrees += 3) QTest::mouseMove(&viewport, at(degrees), 15);
+    QTest::mouseRelease(&viewport, Qt::LeftButton, {}, at(270));
+    if (!driver.waitFor([&] { return bench.bench.strokes().count() == 1; }, 10000)) return false;
+    driver.key(Qt::Key_Escape);
+    return driver.waitFor([&] { return !bench.session.running(); }, 5000);
+}
+
+QString escapeLabel(WindowDriver& driver) {
+    auto* label = driver.visible<QLabel>("escapeStatus");
+    return label != nullptr ? label->text() : QString();
+}
+
+} // namespace
+
+class TestWindowPicking : public QObject {
+    Q_OBJECT
+private slots:
+    /// A straight groove has few points; whatever is clicked between them is what is meant.
+    void aPlaceBetweenTwoPointsIsChosen() {
+        WindowDriver driver;
+        Workbench& bench = driver.window().workbench();
+        QVERIFY(makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && newPath(driver));
+        auto* viewport = driver.visible<Viewport>("viewport");
+        const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
+        std::size_t longest = 0;
+        double length = 0.0;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double way = glm::distance(points[i - 1].tip, points[i].tip);
+            if (!isOfTheHand(points[i - 1]) || !isOfTheHand(points[i]) || points[i].kind != MoveKind::cut ||
+                way < length)
+                continue;
+            longest = i;
+            length = way;
+        }
+        QVERIFY2(length > 1.2, qPrintable(QString::number(length)));
+        for (const double share : {0.25, 0.4, 0.7}) {
+            const glm::dvec3 meant = glm::mix(points[longest - 1].tip, points[longest].tip, share);
+            QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(meant).toPoint());
+            QVERIFY(bench.path.selection());
+            const auto chosen = pointsOf(bench.path.evaluated()->path, *bench.path.selection());
+            QVERIFY(!chosen.empty());
+            const double off = glm::distance(chosen.front().front().tip, meant);
+            QVERIFY2(off < 0.3, qPrintable(QString::number(off))); // a pixel is as long
+        }
+        QVERIFY(driver.waitFor([&] { return driver.visible<QLabel>("pathSelection") != nullptr; }, 3000));
+        QTest::qWait(100);
+        // When the hand was there. A take that missed ticks is longer than they are.
+        const QString told = driver.visible<QLabel>("pathSelection")->text();
+        const auto time = QRegularExpression(QStringLiteral("([0-9.]+) s(?: |$)")).match(told);
+        QVERIFY2(time.hasMatch(), qPrintable(told));
+        const TakeInfo& take = bench.mill.takes().front();
+        const double ticks = static_cast<double>(bench.path.selection()->first) * take.tickPeriod;
+        const double missed = *take.seconds - static_cast<double>(take.sampleCount) * take.tickPeriod;
+        QVERIFY2(std::abs(time.captured(1).toDouble() - ticks) < 0.051 + std::max(0.0, missed), qPrintable(told));
+        driver.shoot("46-place-between");
+    }
+
+    /// Seen from above and aslant: a click on what is drawn of an arc chooses that place of it, at its time of the
+    /// hand; the chord's middle, where nothing is drawn, means nothing. Esc does what the status line says of it.
+    void aPlaceOnAFittedArcIsChosen() {
+        WindowDriver driver;
+        Workbench& bench = driver.window().workbench();
+        QVERIFY(makeReady(driver));
+        Viewport& viewport = driver.window().viewport();
+        viewport.setStandardView(StandardView::top);
+        QTest::qWait(400); // the view turns
+        QVERIFY(recordCircle(driver, 9.0));
+        QVERIFY(newPath(driver));
+        driver.window().findChild<QAction*>("add-fit-arcs")->trigger();
+        QVERIFY(driver.waitFor([&] { return bench.path.outdated() || bench.path.busy(); }, 5000));
+        QVERIFY(driver.waitFor([&] { return !bench.path.busy() && !bench.path.outdated(); }));
+        const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
+        std::size_t largest = 0;
+        Arc arc;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            if (!points[i].arc || !isOfTheHand(points[i - 1]) || !isOfTheHand(points[i])) continue;
+            const PathArc& turn = *points[i].arc;
+            const Arc candidate{points[i - 1].tip, points[i].tip, turn.centre, turn.axis, turn.clockwise};
+            if (turn.axis != 2 || turnOf(candidate).startRadius < 3.0) continue; // on the way down
+            if (largest != 0 && std::abs(turnOf(candidate).sweep) < std::abs(turnOf(arc).sweep)) continue;
+            largest = i;
+            arc = candidate;
+        }
+        QVERIFY(largest != 0);
+        const ArcTurn turn = turnOf(arc);
+        QVERIFY2(std::abs(turn.sweep) > 0.3, qPrintable(QString::number(turn.sweep)));
+        QTRY_COMPARE(escapeLabel(driver), QString());
+        for (const StandardView view : {StandardView::top, StandardView::isometric}) {
+            viewport.setStandardView(view);
+            QTest::qWait(500);
+            for (const double share : {0.2, 0.5, 0.85}) {
+                const double angle = turn.startAngle + share * turn.sweep;
+                const glm::dvec3 meant(arc.centre.x + turn.startRadius * std::cos(angle),
+                                       arc.centre.y + turn.startRadius * std::sin(angle), arc.from.z);
+                QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.project(meant).toPoint());
+                QVERIFY(bench.path.selection());
+                const double ticks = static_cast<double>(points[largest].sample - points[largest - 1].sample);
+                const double told =
+                    static_cast<double>(bench.path.selection()->first - points[largest - 1].sample) / ticks;
+                const double pixel = 0.4 / (turn.startRadius * std::abs(turn.sweep)); // mm, of the arc
+                QVERIFY2(std::abs(told - share) < pixel + 1.0 / ticks, qPrintable(QString::number(told)));
+                const auto chosen = pointsOf(bench.path.evaluated()->path, *bench.path.selection());
+                QVERIFY(!chosen.empty() && glm::distance(chosen.front().front().tip, meant) < 0.4);
+            }
+            QTRY_COMPARE(escapeLabel(driver), QStringLiteral("Esc: clear the selection"));
+            driver.shoot(view == StandardView::top ? "picking-arc-top" : "picking-arc-aslant");
+            driver.key(Qt::Key_Escape);
+            QVERIFY(driver.waitFor([&] { return !bench.path.selection(); }, 2000));
+            QTRY_COMPARE(escapeLabel(driver), QString());
+        }
+    }
+};
+
+QTEST_MAIN(TestWindowPicking)
+#include "tst_window_picking.moc"
