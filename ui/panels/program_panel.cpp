@@ -140,7 +140,7 @@ void ProgramPanel::Fields::addTarget() {
     machine_->setObjectName(QStringLiteral("machineChoice"));
     column_->addWidget(new FieldRow(ProgramPanel::tr("Machine"), machine_,
                                     ProgramPanel::tr("Its feeds, speeds and travel bound the program"), panel_,
-                                    FieldRow::choiceWidth));
+                                    FieldRow::wholeWidth));
     dialect_ = new ChoiceBox(panel_);
     dialect_->setObjectName(QStringLiteral("dialectChoice"));
     column_->addWidget(new FieldRow(ProgramPanel::tr("Dialect"), dialect_,
