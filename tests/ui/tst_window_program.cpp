@@ -4,9 +4,12 @@
 #include "tests/ui/window_steps.h"
 
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMainWindow>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTextBlock>
@@ -61,7 +64,132 @@ private slots:
     void textThatTheCheckRefusedSurvives();
     void whatIsTypedWhileItIsCheckedStays();
     void aNewTextToolAndValuesStandOnOneLine();
+    void theTextOpensNextToTheView();
+    void findingsStandBesideTheText();
+    void lettersInTheTextAreNoShortcuts_data();
+    void lettersInTheTextAreNoShortcuts();
 };
+
+/// By a key, as a window of its own, after a restart, and back into the panel.
+void TestWindowProgram::theTextOpensNextToTheView() {
+    WindowDriver driver;
+    QVERIFY(mill(driver) && post(driver));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    const QPointer<QWidget> panel = driver.visible("programPage");
+    QVERIFY(panel->isAncestorOf(text));
+    text->setFocus();
+    driver.key(Qt::Key_F7);
+    auto* dock = driver.visible<QDockWidget>("programDock");
+    QVERIFY(dock != nullptr && dock->isAncestorOf(text) && !panel->isAncestorOf(text));
+    QVERIFY(text->hasFocus());
+    QVERIFY(driver.waitFor([&] { return text->width() > 600; }, 3000));
+    QVERIFY(text->viewport()->width() >= 80 * text->fontMetrics().horizontalAdvance(QLatin1Char('0')));
+    auto* viewport = driver.visible<Viewport>("viewport");
+    QVERIFY(viewport->height() > dock->height()); // the view keeps the larger share
+    driver.shoot("46-text-below-the-view");
+
+    // Esc leaves the text and closes nothing; other steps give the view all the room.
+    driver.key(Qt::Key_Escape);
+    QVERIFY(viewport->hasFocus() && dock->isVisible());
+    QVERIFY(driver.step(JobStep::path) && !dock->isVisible());
+    QVERIFY(driver.step(JobStep::program) && dock->isVisible());
+
+    QVERIFY(driver.clickOn("floatDockButton"));
+    QVERIFY(dock->isFloating());
+    dock->resize(900, 500);
+    QApplication::setActiveWindow(dock);
+    text->setFocus();
+    QTest::keyClick(text, Qt::Key_F, Qt::ControlModifier); // the window's shortcuts hold there as well
+    QVERIFY(driver.visible<QLineEdit>("programSearch")->hasFocus());
+    text->setFocus();
+    QTest::keyClick(text, Qt::Key_F1);
+    QVERIFY(driver.visible("welcomePage") != nullptr && !dock->isVisible());
+    driver.key(Qt::Key_F1);
+    QVERIFY(dock->isVisible());
+    QVERIFY(driver.waitFor([&] { return text->hasFocus(); }, 3000)); // where it was before
+
+    QVERIFY(saveAs(driver, driver.folder().filePath("docked.burin")));
+    QVERIFY(driver.restart() && driver.clickOn("recentFileButton"));
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(driver.waitFor([&] { return bench.bench.ready() && bench.path.evaluated(); }) && driver.settle());
+    QVERIFY(driver.step(JobStep::program));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    dock = driver.visible<QDockWidget>("programDock");
+    QVERIFY(dock != nullptr && dock->isFloating() && dock->isAncestorOf(driver.visible("programText")));
+    QCOMPARE(dock->size(), QSize(900, 500));
+
+    QVERIFY(driver.clickOn("closeDockButton"));
+    QVERIFY(!dock->isVisible() && driver.visible("programPage")->isAncestorOf(driver.visible("programText")));
+    QVERIFY(!menuAction(driver, "programDockAction")->isChecked());
+    QVERIFY(driver.clickOn("moveTextButton"));
+    QVERIFY(driver.visible("programDock") != nullptr);
+}
+
+/// In a wide dock; in the panel they are above it.
+void TestWindowProgram::findingsStandBesideTheText() {
+    WindowDriver driver;
+    QPlainTextEdit* text = textToEdit(driver);
+    QVERIFY(text != nullptr);
+    QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(text, "G999");
+    QTest::keyClick(text, Qt::Key_Return);
+    QVERIFY(driver.waitFor([&] { return driver.visible("findingList") != nullptr; }, 3000));
+    QTest::keyClick(text, Qt::Key_End, Qt::ControlModifier);
+    const auto lies = [&](const char* name) {
+        return QRect(driver.visible(name)->mapTo(&driver.window(), QPoint(0, 0)), driver.visible(name)->size());
+    };
+    QVERIFY(lies("findingList").bottom() < lies("programText").top());
+    driver.key(Qt::Key_F7);
+    QVERIFY(driver.waitFor([&] { return lies("findingList").left() > lies("programText").right(); }, 3000));
+    QVERIFY(lies("checkTextButton").top() > lies("findingList").bottom());
+    QTest::mouseClick(driver.visible<QAbstractScrollArea>("findingList")->viewport(), Qt::LeftButton, {}, {20, 10});
+    QCOMPARE(text->textCursor().blockNumber(), 0);
+    driver.shoot("47-findings-beside-the-text");
+    auto* docks = driver.window().findChild<QMainWindow*>("viewDocks");
+    docks->addDockWidget(Qt::LeftDockWidgetArea, driver.visible<QDockWidget>("programDock"));
+    QVERIFY(driver.waitFor([&] { return lies("findingList").bottom() < lies("programText").top(); }, 3000));
+    driver.shoot("47-text-left-of-the-view");
+}
+
+void TestWindowProgram::lettersInTheTextAreNoShortcuts_data() {
+    QTest::addColumn<bool>("docked");
+    QTest::addColumn<bool>("editable");
+    for (const bool docked : {false, true})
+        for (const bool editable : {false, true})
+            QTest::addRow("%s, %s", docked ? "in the dock" : "in the panel", editable ? "editable" : "locked")
+                << docked << editable;
+}
+
+/// "G", "M", "S", "P", "I", "F", "1" and "4" are keys of the view elsewhere.
+void TestWindowProgram::lettersInTheTextAreNoShortcuts() {
+    QFETCH(bool, docked);
+    QFETCH(bool, editable);
+    WindowDriver driver;
+    QVERIFY(mill(driver) && post(driver));
+    if (docked) driver.key(Qt::Key_F7);
+    QVERIFY(!editable || driver.clickOn("editTextButton"));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    auto* viewport = driver.visible<Viewport>("viewport");
+    const QString before = text->toPlainText();
+    const auto state = [&] {
+        QString on;
+        for (const QAction* action : driver.window().actions())
+            if (action->isCheckable()) on += QLatin1Char(action->isChecked() ? '1' : '0');
+        const QPointF seen = viewport->project({30, 20, 10});
+        return on + QStringLiteral(" %1 %2").arg(seen.x()).arg(seen.y());
+    };
+    QTest::qWait(200);
+    const QString shown = state();
+    QTest::mouseClick(text->viewport(), Qt::LeftButton, {}, {60, 8});
+    QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClicks(text, "g1m4spif");
+    QTest::qWait(100);
+    QCOMPARE(state(), shown);
+    QCOMPARE(text->toPlainText(), (editable ? QStringLiteral("g1m4spif") : QString()) + before);
+    QCOMPARE(driver.window().workbench().mill.active(), false);
+}
 
 /// A line is chosen, the path changes, and the program is posted anew: what stands beside the text is of its line.
 void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {

@@ -140,6 +140,9 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Make the program, read it back and check it."), "F6"},
     Row{ActionId::findInProgram, "findAction", QT_TRANSLATE_NOOP("Actions", "&Find in the program"),
         QT_TRANSLATE_NOOP("Actions", "Look for a text in the program."), "Ctrl+F"},
+    Row{ActionId::programDock, "programDockAction", QT_TRANSLATE_NOOP("Actions", "&Text next to the view"),
+        QT_TRANSLATE_NOOP("Actions", "Show the program's text and findings next to the view instead of in the panel."),
+        "F7", true},
     Row{ActionId::overrideCheck, "overrideAction", QT_TRANSLATE_NOOP("Actions", "&Override the check…"),
         QT_TRANSLATE_NOOP("Actions", "Give the reason why a program is wanted that its check refused."),
         "Ctrl+Shift+E"},
@@ -169,6 +172,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
     (*this)[ActionId::parallelView]->setChecked(false);
     (*this)[ActionId::seeThrough]->setChecked(false);
     (*this)[ActionId::sectionPlane]->setChecked(false);
+    (*this)[ActionId::programDock]->setChecked(false);
     (*this)[ActionId::millMode]->setChecked(false);
     (*this)[ActionId::raster]->setChecked(false);
     (*this)[ActionId::clutch]->setChecked(false);

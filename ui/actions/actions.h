@@ -69,6 +69,7 @@ enum class ActionId : std::size_t {
     drawEdit,
     post,
     findInProgram,
+    programDock,
     overrideCheck,
     welcome,
     keyList,

@@ -12,6 +12,8 @@ constexpr const char* languageKey = "language";
 constexpr const char* recentKey = "recent_files";
 constexpr const char* geometryKey = "window_geometry";
 constexpr const char* panelWidthKey = "panel_width";
+constexpr const char* docksKey = "view_docks";
+constexpr const char* programDockedKey = "program_docked";
 constexpr const char* metersKey = "meters_folded";
 constexpr const char* parallelKey = "parallel_view";
 constexpr const char* transparencyKey = "workpiece_transparency";
@@ -72,6 +74,22 @@ QByteArray UserSettings::panelWidth() const {
 
 void UserSettings::setPanelWidth(const QByteArray& state) {
     settings_.setValue(panelWidthKey, state);
+}
+
+QByteArray UserSettings::viewDocks() const {
+    return settings_.value(docksKey).toByteArray();
+}
+
+void UserSettings::setViewDocks(const QByteArray& state) {
+    settings_.setValue(docksKey, state);
+}
+
+bool UserSettings::programDocked() const {
+    return settings_.value(programDockedKey).toBool();
+}
+
+void UserSettings::setProgramDocked(bool docked) {
+    settings_.setValue(programDockedKey, docked);
 }
 
 bool UserSettings::metersFolded() const {

@@ -37,6 +37,10 @@ public:
     void setWindowGeometry(const QByteArray& geometry);
     QByteArray panelWidth() const; ///< state of the splitter between view and panel
     void setPanelWidth(const QByteArray& state);
+    QByteArray viewDocks() const; ///< state of the docks next to the view
+    void setViewDocks(const QByteArray& state);
+    bool programDocked() const; ///< whether its text is next to the view
+    void setProgramDocked(bool docked);
     bool metersFolded() const;
     void setMetersFolded(bool folded);
     bool parallelView() const;

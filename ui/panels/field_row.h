@@ -13,7 +13,8 @@ namespace burin {
 class FieldRow : public QWidget {
     Q_OBJECT
 public:
-    static constexpr int numberWidth = 136, choiceWidth = 184; ///< of the field, pixels
+    static constexpr int numberWidth = 136, choiceWidth = 184; ///< of the field, pixels; of a choice the least
+    static constexpr int wholeWidth = 0;                       ///< the field stands below its label, as wide as both
     FieldRow(const QString& label, QWidget* field, const QString& toolTip, QWidget* parent = nullptr,
              int fieldWidth = numberWidth);
 

@@ -10,15 +10,6 @@ namespace {
 
 constexpr qint64 typingPause = 2000; // ms: a key that comes later is meant as it is
 
-/// What a field would have taken as text, or to correct it.
-bool isTyped(const QKeyEvent& key) {
-    if ((key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0) return false;
-    if (key.key() == Qt::Key_Backspace || key.key() == Qt::Key_Delete || key.key() == Qt::Key_Return ||
-        key.key() == Qt::Key_Enter)
-        return true;
-    return !key.text().isEmpty() && key.text().front().isPrint();
-}
-
 bool holds(const QWidget* widget, const QWidget* focus) {
     return focus != nullptr && (widget == focus || widget->isAncestorOf(focus));
 }
@@ -32,6 +23,14 @@ FocusKeeper* keeperFor(QWidget* widget) {
 }
 
 } // namespace
+
+bool isTyped(const QKeyEvent& key) {
+    if ((key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0) return false;
+    if (key.key() == Qt::Key_Backspace || key.key() == Qt::Key_Delete || key.key() == Qt::Key_Return ||
+        key.key() == Qt::Key_Enter)
+        return true;
+    return !key.text().isEmpty() && key.text().front().isPrint();
+}
 
 FocusKeeper::FocusKeeper(QWidget* place, QWidget* kept) : QObject(place), place_(place), kept_(kept) {
     place->setFocus(Qt::OtherFocusReason);

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QPointer>
 
+class QKeyEvent;
 class QWidget;
 
 namespace burin {
@@ -15,6 +16,9 @@ namespace burin {
 /// beside the widget, and keys that go on being typed into a field mean nothing; it comes back when the widget is
 /// enabled again, unless the user took it elsewhere.
 void setEnabledKeepingFocus(QWidget* widget, bool enabled);
+
+/// Whether a key writes something in a field of text, or corrects what stands there.
+bool isTyped(const QKeyEvent& key);
 
 /// Holds the keyboard for a widget that is disabled. Ends itself when the focus goes on.
 class FocusKeeper final : public QObject {

@@ -25,9 +25,10 @@ namespace burin {
 namespace {
 
 /// What an STL file may mean by 1, mm.
-constexpr std::array stlUnits{
-    std::pair{1.0, QT_TRANSLATE_NOOP("burin::PartPanel", "mm")}, std::pair{25.4, QT_TRANSLATE_NOOP("burin::PartPanel", "inch")},
-    std::pair{10.0, QT_TRANSLATE_NOOP("burin::PartPanel", "cm")}, std::pair{1000.0, QT_TRANSLATE_NOOP("burin::PartPanel", "m")}};
+constexpr std::array stlUnits{std::pair{1.0, QT_TRANSLATE_NOOP("burin::PartPanel", "mm")},
+                              std::pair{25.4, QT_TRANSLATE_NOOP("burin::PartPanel", "inch")},
+                              std::pair{10.0, QT_TRANSLATE_NOOP("burin::PartPanel", "cm")},
+                              std::pair{1000.0, QT_TRANSLATE_NOOP("burin::PartPanel", "m")}};
 
 } // namespace
 
@@ -90,6 +91,7 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
     bodies_->setAccessibleName(PartPanel::tr("Bodies"));
     notesTitle_ = makeSectionTitle(PartPanel::tr("Import notes"), content_);
     notes_ = new RowList(content_);
+    notes_->setTextsWrap(true);
     notes_->setObjectName(QStringLiteral("noteList"));
     notes_->setAccessibleName(PartPanel::tr("Import notes"));
     for (QWidget* widget : {static_cast<QWidget*>(bodiesTitle_), static_cast<QWidget*>(bodies_),

@@ -14,8 +14,7 @@
 #include "ui/panels/named_switch.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
-#include "ui/panels/program_text.h"
-#include "ui/panels/row_list.h"
+#include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
 
@@ -47,9 +46,10 @@ public:
     explicit Fields(ProgramPanel* panel);
     void refresh();
     void setUnit(LengthUnit next);
+    void takeEditor();
 
     ProgramState state;
-    ProgramText* program;
+    ProgramEditor* editor;
     DeviationCard* deviation;
     LoadChart* load;
 
@@ -63,23 +63,17 @@ private:
     void refreshFigures();
     QString reasonAgainstExport() const;
     QString failure() const;
-    void gather();
-    void gatherNearPasses(std::vector<NearPass> passes);
-    std::vector<ListRow> rows() const;
-    std::size_t errors() const;
 
     ProgramPanel* panel_;
     QVBoxLayout* column_;
     LengthUnit unit_ = LengthUnit::millimetre;
-    QPushButton *post_, *export_, *override_, *checkText_;
+    QPushButton *post_, *export_, *override_;
     ChoiceBox *machine_, *dialect_, *units_;
     QWidget* paths_;
     std::vector<NamedSwitch*> pathSwitches_;
     Notice* withoutPath_;
     LengthField* tolerance_;
     Notice *verdict_, *notice_;
-    RowList* findings_;
-    std::vector<LineMark> marks_; ///< what the check found and what the control may not take, a row each
     QWidget* figures_;
     ValueRow *gouge_, *excess_, *onPart_, *removed_, *time_, *blocks_;
     QLabel* onPartText_;
@@ -107,46 +101,38 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     verdict_ = new Notice(panel);
     verdict_->setObjectName(QStringLiteral("verdict"));
     column_->addWidget(verdict_);
-    findings_ = new RowList(panel);
-    findings_->setTitlesWrap(true);
-    findings_->setObjectName(QStringLiteral("findingList"));
-    findings_->setAccessibleName(ProgramPanel::tr("Findings of the check"));
-    findings_->setMaximumRows(5);
-    column_->addWidget(findings_);
     override_ = makeButton(ProgramPanel::tr("Override the check…"), QStringLiteral("warning"),
                            QStringLiteral("overrideButton"), panel);
     override_->setToolTip(
         ProgramPanel::tr("Give a reason that goes into the program's header; then it can be exported"));
     column_->addWidget(override_);
+    editor = new ProgramEditor(panel);
+    takeEditor();
     addFigures();
     load = new LoadChart(panel);
     load->setObjectName(QStringLiteral("loadChart"));
     column_->addWidget(load);
     deviation = new DeviationCard(panel);
     column_->addWidget(deviation);
-    checkText_ = makePrimaryButton(ProgramPanel::tr("Check the edited text"), QStringLiteral("checkTextButton"), panel);
-    column_->addWidget(checkText_);
-    program = new ProgramText(panel);
-    column_->addWidget(program, 1);
     column_->addStretch(); // while there is no text
 
     connect(post_, &QPushButton::clicked, panel, &ProgramPanel::postRequested);
     connect(export_, &QPushButton::clicked, panel, &ProgramPanel::exportRequested);
     connect(tolerance_, &LengthField::valueEdited, panel, &ProgramPanel::gougeToleranceEdited);
-    connect(checkText_, &QPushButton::clicked, panel, &ProgramPanel::textCheckRequested);
-    connect(program, &ProgramText::textEdited, panel, &ProgramPanel::textEdited);
+    connect(editor, &ProgramEditor::textCheckRequested, panel, &ProgramPanel::textCheckRequested);
+    connect(editor, &ProgramEditor::textEdited, panel, &ProgramPanel::textEdited);
     connect(override_, &QPushButton::clicked, panel, &ProgramPanel::overrideRequested);
-    connect(program, &ProgramText::lineChosen, panel, &ProgramPanel::lineChosen);
+    connect(editor, &ProgramEditor::lineChosen, panel, &ProgramPanel::lineChosen);
     connect(load, &LoadChart::lineChosen, panel, [panel, this](int line) {
-        program->showLine(line);
+        editor->showLine(line);
         emit panel->lineChosen(line);
     });
-    connect(findings_, &RowList::rowChosen, this, [this](int row) {
-        if (static_cast<std::size_t>(row) >= marks_.size()) return;
-        const int line = marks_[static_cast<std::size_t>(row)].line;
-        program->showLine(line);
-        emit panel_->lineChosen(line);
-    });
+}
+
+/// Below what the check says of it.
+void ProgramPanel::Fields::takeEditor() {
+    column_->insertWidget(column_->indexOf(override_) + 1, editor, 1);
+    editor->show(); // who let it go may have hidden it
 }
 
 void ProgramPanel::Fields::addTarget() {
@@ -154,7 +140,7 @@ void ProgramPanel::Fields::addTarget() {
     machine_->setObjectName(QStringLiteral("machineChoice"));
     column_->addWidget(new FieldRow(ProgramPanel::tr("Machine"), machine_,
                                     ProgramPanel::tr("Its feeds, speeds and travel bound the program"), panel_,
-                                    FieldRow::choiceWidth));
+                                    FieldRow::wholeWidth));
     dialect_ = new ChoiceBox(panel_);
     dialect_->setObjectName(QStringLiteral("dialectChoice"));
     column_->addWidget(new FieldRow(ProgramPanel::tr("Dialect"), dialect_,
@@ -245,56 +231,15 @@ QString ProgramPanel::Fields::reasonAgainstExport() const {
     if (state.busy) return ProgramPanel::tr("Work is under way.");
     if (state.edited) return ProgramPanel::tr("The text was edited: check it first.");
     if (!state.report) return ProgramPanel::tr("The program is not checked yet: post and check it.");
-    if (state.outdated)
-        return ProgramPanel::tr("The path or its check's inputs have changed. Post and check again.");
+    if (state.outdated) return ProgramPanel::tr("The path or its check's inputs have changed. Post and check again.");
     if (!state.released) return ProgramPanel::tr("The program did not pass its check.");
     return {};
 }
 
-void ProgramPanel::Fields::gather() {
-    marks_.clear();
-    if (state.report)
-        for (const Finding& finding : state.report->findings)
-            marks_.push_back({static_cast<int>(finding.line), LineMark::Kind::error, findingText(finding, unit_)});
-    for (const LintMark& mark : state.lint)
-        marks_.push_back({static_cast<int>(mark.line),
-                          mark.severity == LintSeverity::error ? LineMark::Kind::error : LineMark::Kind::warning,
-                          lintText(mark)});
-    if (state.report) gatherNearPasses(state.report->nearPasses);
-}
-
-/// The nearest ones: a holder may pass a wall near by on a thousand lines.
-void ProgramPanel::Fields::gatherNearPasses(std::vector<NearPass> passes) {
-    constexpr std::size_t most = 50;
-    std::ranges::stable_sort(passes, {}, &NearPass::distance);
-    if (passes.size() > most) passes.resize(most);
-    std::ranges::stable_sort(passes, {}, &NearPass::line);
-    for (const NearPass& pass : passes)
-        marks_.push_back({static_cast<int>(pass.line), LineMark::Kind::warning, nearPassText(pass, unit_)});
-}
-
-std::size_t ProgramPanel::Fields::errors() const {
-    return static_cast<std::size_t>(std::ranges::count(marks_, LineMark::Kind::error, &LineMark::kind));
-}
-
 QString ProgramPanel::Fields::failure() const {
-    const int count = static_cast<int>(errors());
+    const int count = static_cast<int>(editor->errors());
     return count == 1 ? ProgramPanel::tr("Not passed: 1 finding.")
                       : ProgramPanel::tr("Not passed: %n findings.", nullptr, count);
-}
-
-std::vector<ListRow> ProgramPanel::Fields::rows() const {
-    std::vector<ListRow> rows;
-    for (const LineMark& mark : marks_) {
-        const bool error = mark.kind == LineMark::Kind::error;
-        ListRow row;
-        row.title = row.toolTip = mark.text;
-        row.value = ProgramPanel::tr("line %1").arg(mark.line);
-        row.icon = error ? QStringLiteral("error") : QStringLiteral("warning");
-        row.iconRole = error ? &Palette::force : &Palette::accent;
-        rows.push_back(row);
-    }
-    return rows;
 }
 
 void ProgramPanel::Fields::refreshVerdict() {
@@ -317,9 +262,10 @@ void ProgramPanel::Fields::refreshVerdict() {
         verdict_->clear();
     else if (state.outdated) // nothing is told as passed that might not pass now
         verdict_->tell(Notice::Kind::warning,
-                       errors() == 0 ? ProgramPanel::tr("Out of date: passed its check before the last changes.")
-                                     : ProgramPanel::tr("Out of date: failed its check before the last changes."));
-    else if (errors() == 0)
+                       editor->errors() == 0
+                           ? ProgramPanel::tr("Out of date: passed its check before the last changes.")
+                           : ProgramPanel::tr("Out of date: failed its check before the last changes."));
+    else if (editor->errors() == 0)
         verdict_->tell(Notice::Kind::passed,
                        ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")
                            .arg(lengthText(state.report->gougeMax, unit_), lengthText(state.judgedTolerance, unit_)));
@@ -329,8 +275,6 @@ void ProgramPanel::Fields::refreshVerdict() {
     else
         verdict_->tell(Notice::Kind::error, failure());
     override_->setVisible(state.report && !state.released && !state.outdated && !state.busy);
-    findings_->setRows(rows());
-    findings_->setVisible(!marks_.empty());
 }
 
 void ProgramPanel::Fields::refreshFigures() {
@@ -363,24 +307,19 @@ void ProgramPanel::Fields::refresh() {
     units_->setCurrentIndex(static_cast<int>(state.units));
     refreshPaths();
     tolerance_->showValue(state.gougeTolerance);
-    gather();
+    editor->setState(state);
     refreshVerdict();
     refreshFigures();
     load->setVisible(state.report && !state.report->loads.empty());
     load->setReport(state.report);
     deviation->setVisible(state.report && !state.report->deviations.empty());
-    checkText_->setVisible(state.edited);
-    enableUnless(checkText_, state.busy ? ProgramPanel::tr("Work is under way.") : QString(),
-                 ProgramPanel::tr("Read the edited text back and mill it again on a fresh workpiece"));
-    program->showProgram(state.text);
-    program->setMarks(marks_);
-    program->setVisible(!state.text.isEmpty());
 }
 
 void ProgramPanel::Fields::setUnit(LengthUnit next) {
     unit_ = next;
     tolerance_->setLengthUnit(next);
     deviation->setUnit(next);
+    editor->setUnit(next);
     refresh();
 }
 
@@ -399,15 +338,15 @@ void ProgramPanel::setState(const ProgramState& state) {
 }
 
 int ProgramPanel::line() const {
-    return fields_->program->line();
+    return fields_->editor->line();
 }
 
 void ProgramPanel::showLine(int line) {
-    fields_->program->showLine(line);
+    fields_->editor->showLine(line);
 }
 
 void ProgramPanel::showMachineState(const QString& state, std::optional<double> seconds) {
-    fields_->program->showState(state);
+    fields_->editor->showMachineState(state);
     fields_->load->showTime(seconds);
 }
 
@@ -415,12 +354,12 @@ DeviationCard& ProgramPanel::deviation() const {
     return *fields_->deviation;
 }
 
-void ProgramPanel::tellTextNow() {
-    fields_->program->tellNow();
+ProgramEditor& ProgramPanel::editor() const {
+    return *fields_->editor;
 }
 
-void ProgramPanel::startSearch() {
-    fields_->program->startSearch();
+void ProgramPanel::takeEditor() {
+    fields_->takeEditor();
 }
 
 } // namespace burin

@@ -12,8 +12,9 @@
 namespace burin {
 
 class DeviationCard;
+class ProgramEditor;
 
-/// The program with highlighting, the verdict of its check and every finding, its figures; Export.
+/// What the program is made for, the verdict of its check, the editor with text and findings, its figures; Export.
 class ProgramPanel : public QWidget {
     Q_OBJECT
 public:
@@ -24,8 +25,9 @@ public:
     void showLine(int line);                  ///< from 1, without a signal
     /// When the chosen line is done: the machine's state, and the time; nothing: no line is looked at.
     void showMachineState(const QString& state, std::optional<double> seconds);
-    void startSearch();
-    void tellTextNow();               ///< what was typed and not told yet
+    /// Text and findings. The panel's own child, unless somebody shows it elsewhere.
+    ProgramEditor& editor() const;
+    void takeEditor();                ///< back from elsewhere
     DeviationCard& deviation() const; ///< the part of the panel that tells what is left on the part
 
 signals:

@@ -7,11 +7,13 @@
 #include "ui/panels/panel_layout.h"
 #include "ui/theme/number_font.h"
 
+#include <QAction>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QToolButton>
+#include <QToolTip>
 
 #include <chrono>
 
@@ -19,6 +21,7 @@ namespace burin {
 
 ProgramText::ProgramText(QWidget* parent)
     : QWidget(parent)
+    , bar_(new QHBoxLayout)
     , wanted_(new QLineEdit(this))
     , edit_(
           makeIconButton(QStringLiteral("edit"), tr("Edit the program's text"), QStringLiteral("editTextButton"), this))
@@ -43,18 +46,17 @@ ProgramText::ProgramText(QWidget* parent)
     view_->setAccessibleName(tr("Text of the program"));
     view_->setMinimumHeight(160);
 
-    auto* bar = new QHBoxLayout;
-    bar->setSpacing(4);
+    bar_->setSpacing(4);
     edit_->setCheckable(true);
-    bar->addWidget(edit_);
-    bar->addWidget(wanted_, 1);
-    bar->addWidget(found_);
-    bar->addWidget(previous_);
-    bar->addWidget(next_);
+    bar_->addWidget(edit_);
+    bar_->addWidget(wanted_, 1);
+    bar_->addWidget(found_);
+    bar_->addWidget(previous_);
+    bar_->addWidget(next_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
-    column->addLayout(bar);
+    column->addLayout(bar_);
     column->addWidget(view_, 1);
     column->addWidget(state_);
 
@@ -63,6 +65,7 @@ ProgramText::ProgramText(QWidget* parent)
     connect(next_, &QToolButton::clicked, this, [this] { search(false); });
     connect(previous_, &QToolButton::clicked, this, [this] { search(true); });
     connect(view_, &ProgramView::lineChosen, this, &ProgramText::lineChosen);
+    connect(view_, &ProgramView::typedWhileLocked, this, &ProgramText::hintAtEditing);
     settled_.setSingleShot(true);
     settled_.setInterval(std::chrono::milliseconds(400));
     connect(edit_, &QToolButton::toggled, this, [this](bool editable) {
@@ -73,6 +76,23 @@ ProgramText::ProgramText(QWidget* parent)
     connect(&settled_, &QTimer::timeout, this, &ProgramText::tell);
     showState({});
     told();
+}
+
+void ProgramText::offer(QAction& action) {
+    QToolButton* button =
+        makeIconButton(QStringLiteral("dock"), action.toolTip(), QStringLiteral("moveTextButton"), this);
+    button->setProperty("look", "toggle");
+    button->setCheckable(true);
+    button->setChecked(action.isChecked());
+    bar_->addWidget(button);
+    connect(&action, &QAction::toggled, button, &QToolButton::setChecked);
+    connect(button, &QToolButton::clicked, &action, &QAction::trigger);
+}
+
+/// A key that was meant as text and changed nothing gets an answer.
+void ProgramText::hintAtEditing() {
+    QToolTip::showText(edit_->mapToGlobal(edit_->rect().bottomLeft()),
+                       tr("The text can't be changed yet: press this button to edit it"), edit_);
 }
 
 bool ProgramText::editable() const {

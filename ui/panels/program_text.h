@@ -7,6 +7,8 @@
 #include <QTimer>
 #include <QWidget>
 
+class QAction;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QToolButton;
@@ -19,6 +21,7 @@ class ProgramText : public QWidget {
 public:
     explicit ProgramText(QWidget* parent = nullptr);
 
+    void offer(QAction& action);           ///< by a button on the right of the search
     void showProgram(const QString& text); ///< nothing is done when it shows it
     int line() const;                      ///< from 1: where the cursor stands
     void showLine(int line);               ///< from 1; brings it into view, without a signal
@@ -41,7 +44,9 @@ private:
     void search(bool backward);
     void tell();
     void told();
+    void hintAtEditing();
 
+    QHBoxLayout* bar_;
     QLineEdit* wanted_;
     QToolButton *edit_, *previous_, *next_;
     QLabel *found_, *state_;

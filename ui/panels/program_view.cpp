@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/program_view.h"
 
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/program_words.h"
 #include "ui/theme/colour.h"
 
 #include <QFontDatabase>
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QPaintEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -209,6 +211,21 @@ void ProgramView::changeEvent(QEvent* event) {
     if (event->type() != QEvent::PaletteChange && event->type() != QEvent::StyleChange) return;
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) block.setUserState(-1);
     markCurrentLine();
+}
+
+/// Also while it can't be edited: who clicks into the text and types "G1" wants neither guides nor the top view.
+bool ProgramView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && isTyped(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
+    return QPlainTextEdit::event(event);
+}
+
+void ProgramView::keyPressEvent(QKeyEvent* event) {
+    if (!isReadOnly() || !isTyped(*event)) return QPlainTextEdit::keyPressEvent(event);
+    event->accept();
+    emit typedWhileLocked();
 }
 
 void ProgramView::colourSeen() {

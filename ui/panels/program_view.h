@@ -40,11 +40,14 @@ public:
 signals:
     void edited();             ///< the user changed the text
     void lineChosen(int line); ///< from 1; the user put the cursor there
+    void typedWhileLocked();   ///< a key that would have written something, while the text can't be edited
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    bool event(QEvent* event) override; ///< keys that write are the text's alone
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     class Margin;

@@ -102,14 +102,23 @@ RowDelegate::Places RowDelegate::placesOf(const QStyleOptionViewItem& option, co
                                           const QRect& row) const {
     const QRect room = row.adjusted(paddingAcross + markWidth(index), paddingAlong, -paddingAcross, -paddingAlong);
     const int width = std::max(1, room.width() - valueWidth(option, index));
-    int height = option.fontMetrics.height();
-    if (wrap_)
-        height =
-            std::max(height, option.fontMetrics
-                                 .boundingRect(QRect(0, 0, width, 10000), Qt::TextWordWrap, textOf(index, titleRole))
-                                 .height());
+    const auto heightOf = [this](const QFontMetrics& font, int across, const QString& text) {
+        if (!wrap_) return font.height();
+        return std::max(font.height(), font.boundingRect(QRect(0, 0, across, 10000), Qt::TextWordWrap, text).height());
+    };
+    const QFontMetrics detail(detailFont(option.font));
+    const int height = heightOf(option.fontMetrics, width, textOf(index, titleRole));
     return {QRect(room.left(), room.top(), width, height),
-            QRect(room.left(), room.top() + height + 1, room.width(), QFontMetrics(detailFont(option.font)).height())};
+            QRect(room.left(), room.top() + height + 1, room.width(),
+                  heightOf(detail, room.width(), textOf(index, detailRole)))};
+}
+
+void RowDelegate::paintText(QPainter& painter, const QRect& room, const QString& text) const {
+    if (wrap_)
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
+    else
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(text, Qt::ElideRight, room.width()));
 }
 
 void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -131,17 +140,11 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     if (!badge.isEmpty()) paintBadge(*painter, option, badge, line.right() + 1 - valueRoom);
     painter->setFont(option.font);
     painter->setPen(enabled ? colours.text : colours.quietText);
-    if (wrap_)
-        painter->drawText(places.title, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, title);
-    else
-        painter->drawText(places.title, Qt::AlignLeft | Qt::AlignVCenter,
-                          option.fontMetrics.elidedText(title, Qt::ElideRight, places.title.width()));
+    paintText(*painter, places.title, title);
 
     painter->setFont(detailFont(option.font));
     painter->setPen(colours.quietText);
-    painter->drawText(
-        places.detail, Qt::AlignLeft | Qt::AlignVCenter,
-        painter->fontMetrics().elidedText(textOf(index, detailRole), Qt::ElideRight, places.detail.width()));
+    paintText(*painter, places.detail, textOf(index, detailRole));
     painter->restore();
 }
 
@@ -163,7 +166,7 @@ bool RowDelegate::helpEvent(QHelpEvent* event, QAbstractItemView* view, const QS
         !wrap_ && option.fontMetrics.horizontalAdvance(title) > places.title.width())
         texts << title;
     if (const QString detail = textOf(index, detailRole);
-        QFontMetrics(detailFont(option.font)).horizontalAdvance(detail) > places.detail.width())
+        !wrap_ && QFontMetrics(detailFont(option.font)).horizontalAdvance(detail) > places.detail.width())
         texts << detail;
     texts << index.data(Qt::ToolTipRole).toString();
     texts.removeAll(QString());

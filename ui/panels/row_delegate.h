@@ -13,8 +13,8 @@ class RowDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
-    /// Titles are as many lines as they need instead: for whole sentences.
-    void setTitlesWrap(bool wrap) { wrap_ = wrap; }
+    /// Titles and details are as many lines as they need instead: for whole sentences.
+    void setTextsWrap(bool wrap) { wrap_ = wrap; }
     static void fill(QListWidgetItem& item, const ListRow& row);
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
@@ -27,6 +27,7 @@ private:
     struct Places {
         QRect title, detail;
     };
+    void paintText(QPainter& painter, const QRect& room, const QString& text) const;
     Places placesOf(const QStyleOptionViewItem& option, const QModelIndex& index, const QRect& row) const;
 
     bool wrap_ = false;

@@ -31,8 +31,12 @@ void RowList::setMaximumRows(int rows) {
     updateGeometry();
 }
 
-void RowList::setTitlesWrap(bool wrap) {
-    static_cast<RowDelegate*>(itemDelegate())->setTitlesWrap(wrap);
+void RowList::setFillsHeight(bool fills) {
+    setSizePolicy(QSizePolicy::Expanding, fills ? QSizePolicy::Expanding : QSizePolicy::Fixed);
+}
+
+void RowList::setTextsWrap(bool wrap) {
+    static_cast<RowDelegate*>(itemDelegate())->setTextsWrap(wrap);
     scheduleDelayedItemsLayout();
     updateGeometry();
 }
@@ -75,7 +79,8 @@ QSize RowList::sizeHint() const {
 }
 
 QSize RowList::minimumSizeHint() const {
-    return {96, sizeHint().height()};
+    constexpr int leastWidth = 96, leastHeight = 32; // pixels
+    return {leastWidth, sizePolicy().verticalPolicy() == QSizePolicy::Fixed ? sizeHint().height() : leastHeight};
 }
 
 void RowList::mousePressEvent(QMouseEvent* event) {

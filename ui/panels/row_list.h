@@ -26,7 +26,8 @@ class RowList : public QListWidget {
 public:
     explicit RowList(QWidget* parent = nullptr);
     void setMaximumRows(int rows);
-    void setTitlesWrap(bool wrap); ///< titles are whole sentences, over several lines
+    void setFillsHeight(bool fills); ///< takes the height that there is, however many rows it has
+    void setTextsWrap(bool wrap);    ///< titles and details are whole sentences, over several lines
     /// Shows rows without a signal; nothing is done when it has them. The current row stays where it can.
     void setRows(const std::vector<ListRow>& rows);
     void setChosen(int row); ///< without a signal; -1: none

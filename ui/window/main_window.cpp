@@ -5,7 +5,9 @@
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
+#include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
+#include "ui/window/program_dock.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -66,6 +68,8 @@ MainWindow::MainWindow(QWidget* parent)
     resize(firstWindow);
     restoreGeometry(settings_.windowGeometry());
     work_->restoreState(settings_.panelWidth());
+    view_->restoreState(settings_.viewDocks());
+    actions_[ActionId::programDock]->setChecked(settings_.programDocked());
     panels_->meters->setFolded(settings_.metersFolded());
     connect(panels_->meters, &Meters::foldedChanged, this, [this](bool folded) { settings_.setMetersFolded(folded); });
     showStep(JobStep::part);
@@ -95,7 +99,9 @@ void MainWindow::layOut() {
     work_ = new QSplitter(Qt::Horizontal);
     work_->setObjectName(QStringLiteral("workSplitter"));
     work_->setChildrenCollapsible(false);
-    work_->addWidget(makeView());
+    view_ = makeView();
+    programDock_ = new ProgramDock(*panels_->program, *actions_[ActionId::programDock], *view_);
+    work_->addWidget(view_);
     work_->addWidget(panels_);
     work_->setStretchFactor(0, 1);
     work_->setStretchFactor(1, 0);
@@ -121,17 +127,28 @@ void MainWindow::followPage() {
     const bool working = pages_->currentWidget() == bench_;
     const bool leadsBack = !working && workbench_.document.isOpen();
     message_->layOver(working ? static_cast<QWidget*>(viewport_) : welcome_);
+    followProgram();
     status_->setPageEscape(leadsBack ? tr("Esc: back to the project") : QString(), !working);
 }
 
-QWidget* MainWindow::makeView() {
+void MainWindow::followProgram() {
+    programDock_->setUsed(presenters_ && pages_->currentWidget() == bench_ &&
+                          presenters_->job.shown() == JobStep::program);
+}
+
+QMainWindow* MainWindow::makeView() {
+    auto* docks = new QMainWindow;
+    docks->setWindowFlags(Qt::Widget);
+    docks->setObjectName(QStringLiteral("viewDocks"));
+    docks->setContextMenuPolicy(Qt::NoContextMenu); // the menu offers what there is
     auto* view = new QWidget;
+    docks->setCentralWidget(view);
     auto* layout = new QVBoxLayout(view);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(viewport_, 1);
     layout->addWidget(viewBar_);
-    return view;
+    return docks;
 }
 
 void MainWindow::connectActions() {
@@ -195,15 +212,20 @@ void MainWindow::connectActions() {
     on(ActionId::post, [this] { workbench_.program.post(programName(workbench_)); });
     on(ActionId::findInProgram, [this] {
         showStep(JobStep::program);
-        panels_->program->startSearch();
+        panels_->program->editor().startSearch();
+    });
+    on(ActionId::programDock, [this](bool docked) {
+        if (docked) showStep(JobStep::program); // where one sees what it did
     });
     on(ActionId::overrideCheck, [this] { overrideCheck(); });
     connect(panels_->program, &ProgramPanel::overrideRequested, actions_[ActionId::overrideCheck], &QAction::trigger);
     on(ActionId::welcome, [this] {
-        if (pages_->currentWidget() != welcome_)
+        if (pages_->currentWidget() != welcome_) {
+            leftFrom_ = QApplication::focusWidget();
             showWelcome();
-        else
+        } else {
             goBack();
+        }
     });
     connect(welcome_, &WelcomePage::backRequested, this, &MainWindow::goBack);
     connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &MainWindow::escape);
@@ -311,7 +333,9 @@ void MainWindow::lookForLeftWork() {
 
 /// From the welcome page to the project, where one is open.
 void MainWindow::goBack() {
-    if (workbench_.document.isOpen()) showBench(true);
+    if (!workbench_.document.isOpen()) return;
+    showBench(true);
+    if (leftFrom_ && leftFrom_->isVisible()) leftFrom_->setFocus();
 }
 
 /// Esc leaves what one is in, wherever the keyboard is; in a field, the field.
@@ -322,7 +346,10 @@ void MainWindow::escape() {
     }
     if (pages_->currentWidget() == welcome_) return goBack();
     InteractiveTool* tool = viewport_->interactiveTool();
-    if (tool == nullptr || !tool->key(Qt::Key_Escape, Qt::NoModifier)) viewport_->setFocus();
+    if (tool == nullptr || !tool->key(Qt::Key_Escape, Qt::NoModifier)) {
+        activateWindow(); // a dock may be a window of its own
+        viewport_->setFocus();
+    }
 }
 
 void MainWindow::showBench(bool shown) {
@@ -341,6 +368,7 @@ void MainWindow::showStep(JobStep step) {
     presenters_->programScene.setShown(step);
     if (step != JobStep::program) presenters_->pathScene.setShown(step);
     panels_->showStep(step);
+    followProgram();
 }
 
 LeftAt MainWindow::leftAt() const {
@@ -480,6 +508,8 @@ void MainWindow::end(bool abandon) {
     ending_ = true;
     settings_.setWindowGeometry(saveGeometry());
     settings_.setPanelWidth(work_->saveState());
+    settings_.setViewDocks(view_->saveState());
+    settings_.setProgramDocked(actions_[ActionId::programDock]->isChecked());
     flow_.closeProject(abandon, [this] {
         ended_ = true;
         close();

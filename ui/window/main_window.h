@@ -13,12 +13,15 @@
 #include "ui/window/view_options.h"
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QTimer>
 
 class QSplitter;
 class QStackedWidget;
 
 namespace burin {
+
+class ProgramDock;
 
 /// The window: lays out its parts and connects them. What they show, presenters say; what is done, controllers do.
 class MainWindow final : public QMainWindow {
@@ -55,7 +58,8 @@ private:
     void updateTitle();
     void dress(Theme theme);
     void apply(const Preferences& preferences, const Preferences& before);
-    QWidget* makeView(); ///< the viewport and the bar below it
+    QMainWindow* makeView(); ///< the viewport and the bar below it, with docks around
+    void followProgram();
     void setUnit(LengthUnit unit);
     void showPreferences();
     void showKeys();
@@ -77,6 +81,9 @@ private:
     QWidget* bench_ = nullptr;
     Viewport* viewport_ = nullptr;
     ViewBar* viewBar_ = nullptr;
+    QMainWindow* view_ = nullptr; ///< both, with room for docks
+    ProgramDock* programDock_ = nullptr;
+    QPointer<QWidget> leftFrom_; ///< what had the keyboard before the welcome page came
     JobLine* jobLine_ = nullptr;
     PanelStack* panels_ = nullptr;
     StatusLine* status_ = nullptr;

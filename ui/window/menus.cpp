@@ -48,7 +48,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              repeatRight, line,           guides,     nearestEdge, levelAbove,  levelBelow, line,        clutch,
              recentre,    alignHand,      finerHand,  coarserHand, rateControl, line,       showMe,      stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions, {newPath, evaluatePath, line, drawStretch, drawEdit});
-    addMenu(bar, tr("P&rogram"), "programMenu", actions, {post, exportProgram, overrideCheck, line, findInProgram});
+    addMenu(bar, tr("P&rogram"), "programMenu", actions,
+            {post, exportProgram, overrideCheck, line, findInProgram, programDock});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {welcome, keyList, about});
     setRecentFiles({});
 }

@@ -5,6 +5,7 @@
 #include "core/path/hand_stretch.h"
 #include "core/path/milling_side.h"
 #include "ui/messages/messages.h"
+#include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
 
 #include <QFileInfo>
@@ -112,7 +113,7 @@ ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QO
     connect(&panel, &ProgramPanel::pathIncluded, &workbench.program, &ProgramController::include);
     connect(&panel, &ProgramPanel::postRequested, this, [this] { workbench_.program.post(programName(workbench_)); });
     connect(&panel, &ProgramPanel::textEdited, &workbench.program, &ProgramController::editText);
-    connect(&workbench, &Workbench::textWanted, &panel, &ProgramPanel::tellTextNow);
+    connect(&workbench, &Workbench::textWanted, &panel.editor(), &ProgramEditor::tellTextNow);
     connect(&panel, &ProgramPanel::textCheckRequested, this,
             [this] { workbench_.program.checkText(programName(workbench_)); });
     connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);

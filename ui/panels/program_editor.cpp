@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/program_editor.h"
+
+#include "ui/panels/buttons.h"
+#include "ui/panels/program_text.h"
+#include "ui/panels/row_list.h"
+#include "ui/panels/texts.h"
+
+#include <QBoxLayout>
+
+#include <algorithm>
+
+namespace burin {
+
+namespace {
+
+constexpr int rowsInPanel = 5;
+constexpr int dockMargin = 8; // pixels
+
+} // namespace
+
+ProgramEditor::ProgramEditor(QWidget* parent)
+    : QWidget(parent)
+    , parts_(new QBoxLayout(QBoxLayout::TopToBottom, this))
+    , side_(new QWidget(this))
+    , findings_(new RowList(side_))
+    , checkText_(makePrimaryButton(tr("Check the edited text"), QStringLiteral("checkTextButton"), side_))
+    , text_(new ProgramText(this)) {
+    setObjectName(QStringLiteral("programEditor"));
+    findings_->setTextsWrap(true);
+    findings_->setMaximumRows(rowsInPanel);
+    findings_->setObjectName(QStringLiteral("findingList"));
+    findings_->setAccessibleName(tr("Findings of the check"));
+    auto* column = new QVBoxLayout(side_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(findings_);
+    column->addWidget(checkText_, 0, Qt::AlignTop);
+    parts_->setSpacing(8);
+    parts_->addWidget(side_, 2);
+    parts_->addWidget(text_, 3);
+
+    connect(checkText_, &QPushButton::clicked, this, &ProgramEditor::textCheckRequested);
+    connect(text_, &ProgramText::textEdited, this, &ProgramEditor::textEdited);
+    connect(text_, &ProgramText::lineChosen, this, &ProgramEditor::lineChosen);
+    connect(findings_, &RowList::rowChosen, this, [this](int row) {
+        if (static_cast<std::size_t>(row) >= marks_.size()) return;
+        const int line = marks_[static_cast<std::size_t>(row)].line;
+        text_->showLine(line);
+        emit lineChosen(line);
+    });
+    arrange();
+}
+
+void ProgramEditor::offer(QAction& move) {
+    text_->offer(move);
+}
+
+void ProgramEditor::setDocked(bool docked) {
+    docked_ = docked;
+    arrange();
+}
+
+void ProgramEditor::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+/// In the panel the list is as high as its rows and the panel scrolls; in a dock it has the height that there is.
+void ProgramEditor::arrange() {
+    const bool beside = docked_ && width() > height();
+    parts_->setDirection(beside ? QBoxLayout::RightToLeft : QBoxLayout::TopToBottom); // the text is on the left
+    const int margin = docked_ ? dockMargin : 0;
+    parts_->setContentsMargins(margin, margin, margin, margin);
+    findings_->setFillsHeight(beside);
+    side_->setSizePolicy(QSizePolicy::Preferred, beside ? QSizePolicy::Preferred : QSizePolicy::Maximum);
+}
+
+void ProgramEditor::setUnit(LengthUnit unit) {
+    unit_ = unit;
+    refresh();
+}
+
+void ProgramEditor::setState(const ProgramState& state) {
+    state_ = state;
+    refresh();
+}
+
+void ProgramEditor::refresh() {
+    gather();
+    findings_->setRows(rows());
+    findings_->setVisible(!marks_.empty());
+    checkText_->setVisible(state_.edited);
+    enableUnless(checkText_, state_.busy ? tr("Work is under way.") : QString(),
+                 tr("Read the edited text back and mill it again on a fresh workpiece"));
+    side_->setVisible(!marks_.empty() || state_.edited);
+    text_->showProgram(state_.text);
+    text_->setMarks(marks_);
+    text_->setVisible(!state_.text.isEmpty());
+}
+
+void ProgramEditor::gather() {
+    marks_.clear();
+    if (state_.report)
+        for (const Finding& finding : state_.report->findings)
+            marks_.push_back({static_cast<int>(finding.line), LineMark::Kind::error, findingText(finding, unit_)});
+    for (const LintMark& mark : state_.lint)
+        marks_.push_back({static_cast<int>(mark.line),
+                          mark.severity == LintSeverity::error ? LineMark::Kind::error : LineMark::Kind::warning,
+                          lintText(mark)});
+    if (state_.report) gatherNearPasses(state_.report->nearPasses);
+}
+
+/// The nearest ones: a holder may pass a wall near by on a thousand lines.
+void ProgramEditor::gatherNearPasses(std::vector<NearPass> passes) {
+    constexpr std::size_t most = 50;
+    std::ranges::stable_sort(passes, {}, &NearPass::distance);
+    if (passes.size() > most) passes.resize(most);
+    std::ranges::stable_sort(passes, {}, &NearPass::line);
+    for (const NearPass& pass : passes)
+        marks_.push_back({static_cast<int>(pass.line), LineMark::Kind::warning, nearPassText(pass, unit_)});
+}
+
+std::size_t ProgramEditor::errors() const {
+    return static_cast<std::size_t>(std::ranges::count(marks_, LineMark::Kind::error, &LineMark::kind));
+}
+
+std::vector<ListRow> ProgramEditor::rows() const {
+    std::vector<ListRow> rows;
+    for (const LineMark& mark : marks_) {
+        const bool error = mark.kind == LineMark::Kind::error;
+        ListRow row;
+        row.title = row.toolTip = mark.text;
+        row.value = tr("line %1").arg(mark.line);
+        row.icon = error ? QStringLiteral("error") : QStringLiteral("warning");
+        row.iconRole = error ? &Palette::force : &Palette::accent;
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+int ProgramEditor::line() const {
+    return text_->line();
+}
+
+void ProgramEditor::showLine(int line) {
+    text_->showLine(line);
+}
+
+void ProgramEditor::showMachineState(const QString& state) {
+    text_->showState(state);
+}
+
+void ProgramEditor::startSearch() {
+    window()->activateWindow(); // a dock may be a window of its own
+    text_->startSearch();
+}
+
+void ProgramEditor::tellTextNow() {
+    text_->tellNow();
+}
+
+} // namespace burin
