@@ -491,6 +491,14 @@
         <source>Show the other side of the section plane.</source>
         <translation>Zeigt die andere Seite der Schnittebene.</translation>
     </message>
+    <message>
+        <source>&amp;Text next to the view</source>
+        <translation>&amp;Text neben der Ansicht</translation>
+    </message>
+    <message>
+        <source>Show the program&apos;s text and findings next to the view instead of in the panel.</source>
+        <translation>Text und Befunde des Programms neben der Ansicht statt im Bedienfeld zeigen.</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -4013,6 +4021,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Start milling. Everything that is cut is recorded</source>
         <translation>Das Werkzeug folgt dem Stift; was es schneidet, wird aufgezeichnet</translation>
     </message>
+    <message>
+        <source>A stroke is being cut. Wait until it ends, or press Esc to end it.</source>
+        <translation>Ein Zug wird gerade gefräst. Warten Sie, bis er endet, oder beenden Sie ihn mit Esc.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MillPresenter</name>
@@ -4566,6 +4578,44 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::ProgramDock</name>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Make it a window of its own, or put it back next to the view</source>
+        <translation>Als eigenes Fenster zeigen oder wieder neben die Ansicht setzen</translation>
+    </message>
+    <message>
+        <source>Put text and findings back into the panel</source>
+        <translation>Text und Befunde zurück in das Bedienfeld setzen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ProgramEditor</name>
+    <message>
+        <source>Check the edited text</source>
+        <translation>Bearbeiteten Text prüfen</translation>
+    </message>
+    <message>
+        <source>Findings of the check</source>
+        <translation>Befunde der Prüfung</translation>
+    </message>
+    <message>
+        <source>Work is under way.</source>
+        <translation>Es wird noch gerechnet.</translation>
+    </message>
+    <message>
+        <source>Read the edited text back and mill it again on a fresh workpiece</source>
+        <translation>Den bearbeiteten Text zurücklesen und auf einem frischen Werkstück noch einmal fräsen</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+</context>
+<context>
     <name>burin::ProgramPanel</name>
     <message>
         <source>Program</source>
@@ -4586,10 +4636,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>A cut into the part up to this deep is let through</source>
         <translation>Schnitte ins Teil bis zu dieser Tiefe werden zugelassen</translation>
-    </message>
-    <message>
-        <source>Findings of the check</source>
-        <translation>Befunde der Prüfung</translation>
     </message>
     <message>
         <source>Deepest gouge</source>
@@ -4635,10 +4681,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         </translation>
     </message>
     <message>
-        <source>line %1</source>
-        <translation>Zeile %1</translation>
-    </message>
-    <message>
         <source>The program is being posted and checked…</source>
         <translation>Das Programm wird ausgegeben und geprüft…</translation>
     </message>
@@ -4679,10 +4721,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Einen Grund nennen, der im Kopf des Programms steht; dann lässt es sich ausgeben</translation>
     </message>
     <message>
-        <source>Check the edited text</source>
-        <translation>Bearbeiteten Text prüfen</translation>
-    </message>
-    <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
@@ -4705,10 +4743,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Its header says why it is wanted all the same.</source>
         <translation>Sein Kopf sagt, warum es trotzdem gebraucht wird.</translation>
-    </message>
-    <message>
-        <source>Read the edited text back and mill it again on a fresh workpiece</source>
-        <translation>Den bearbeiteten Text zurücklesen und auf einem frischen Werkstück noch einmal fräsen</translation>
     </message>
     <message>
         <source>mm (G21)</source>
@@ -4835,6 +4869,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Places where the text stands</source>
         <translation>Stellen, an denen der Text steht</translation>
+    </message>
+    <message>
+        <source>The text can&apos;t be changed yet: press this button to edit it</source>
+        <translation>Der Text ist noch gesperrt: Diese Schaltfläche macht ihn bearbeitbar</translation>
     </message>
 </context>
 <context>
