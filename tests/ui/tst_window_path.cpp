@@ -151,7 +151,7 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY(driver.waitFor([&] { return !isMarked(); }, 5000));
     bench.path.select(leftOut);
     QVERIFY(driver.waitFor(isMarked, 5000));
-    bench.path.select(momentOf(from));
+    bench.path.select({from.take, from.sample});
     QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.tip).toPoint());
     QVERIFY(bench.path.selection()->last > bench.path.selection()->first + 20);
     QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
