@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -63,7 +64,9 @@ private:
     /// Takes out the back-step at the last point but one. @return whether there may be another
     bool settle() {
         if (points_.size() < 3 || !stepsBackAt(points_.size() - 2)) return false;
-        return shorten() || move(points_.size() - 2) || move(points_.size() - 3) || move(points_.size() - 1);
+        const std::size_t size = points_.size();
+        if (shorten() || move(size - 2) || move(size - 3) || move(size - 1)) return true;
+        return moveTwo(size - 3) || moveTwo(size - 2) || (size > 3 && moveTwo(size - 4));
     }
 
     /// Leaves out points near the end, the fewest that take the back-step with them.
@@ -104,24 +107,56 @@ private:
         return true;
     }
 
-    /// The nearest other position of a point at which nothing steps back; where there is none it stays.
-    bool move(std::size_t index) {
-        if (isFixed(points_[index].number)) return false;
+    /// Puts a point at each position beside the one it has, no farther from its own than so much, mm, and calls
+    /// `accept` with the distance; at which of them it is left is for `accept` to note. It stands where it was after.
+    template <class Accept>
+    void atEachPosition(std::size_t index, double farthest, const Accept& accept) {
         const Point before = points_[index];
         const glm::dvec3& exact = run_[before.number].target;
-        double least = farthestInSteps * numbers_.step();
-        std::optional<StepPlace> best;
         for (int choice = 0; choice < 125; ++choice) {
             const std::array<int, 3> by{choice % 5 - 2, choice / 5 % 5 - 2, choice / 25 - 2};
             for (std::size_t axis = 0; axis < 3; ++axis) points_[index].steps[axis] = before.steps[axis] + by[axis];
             const double distance = glm::distance(placeOf(points_[index].steps), exact);
-            if (distance > least || !staysLevel(index, by) || touchesNeighbour(index)) continue;
-            if (stepsBackAt(index - 1) || stepsBackAt(index) || stepsBackAt(index + 1)) continue;
+            if (distance <= farthest && staysLevel(index, by)) accept(distance);
+        }
+        points_[index] = before;
+    }
+
+    /// The nearest other position of a point at which nothing steps back; where there is none it stays.
+    bool move(std::size_t index) {
+        if (isFixed(points_[index].number)) return false;
+        double least = farthestInSteps * numbers_.step();
+        std::optional<StepPlace> best;
+        atEachPosition(index, least, [&](double distance) {
+            if (distance > least || touchesNeighbour(index)) return;
+            if (stepsBackAt(index - 1) || stepsBackAt(index) || stepsBackAt(index + 1)) return;
             least = distance;
             best = points_[index].steps;
-        }
-        points_[index] = best ? Point{before.number, *best, true} : before;
+        });
+        if (best) points_[index] = {points_[index].number, *best, true};
         return best.has_value();
+    }
+
+    /// The same of a point and the next one together, where no one of them can help alone.
+    bool moveTwo(std::size_t index) {
+        if (index + 1 >= points_.size() || isFixed(points_[index].number) || isFixed(points_[index + 1].number))
+            return false;
+        const double farthest = farthestInSteps * numbers_.step();
+        double least = 2.0 * farthest;
+        std::optional<std::pair<StepPlace, StepPlace>> best;
+        atEachPosition(index, farthest, [&](double one) {
+            if (stepsBackAt(index - 1) || points_[index - 1].steps == points_[index].steps) return;
+            atEachPosition(index + 1, farthest, [&](double other) {
+                if (one + other > least || touchesNeighbour(index + 1)) return;
+                if (stepsBackAt(index) || stepsBackAt(index + 1) || stepsBackAt(index + 2)) return;
+                least = one + other;
+                best = {points_[index].steps, points_[index + 1].steps};
+            });
+        });
+        if (!best) return false;
+        points_[index] = {points_[index].number, best->first, true};
+        points_[index + 1] = {points_[index + 1].number, best->second, true};
+        return true;
     }
 
     bool touchesNeighbour(std::size_t index) const {
