@@ -4451,10 +4451,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Eine weitere Bearbeitung anwenden; sie kommt dorthin, wo die Reihenfolge es erlaubt</translation>
     </message>
     <message>
-        <source>Make a path of all takes of this tool, with the standard edits</source>
-        <translation>Eine Bahn aus allen Aufnahmen dieses Werkzeugs machen, mit den üblichen Bearbeitungen</translation>
-    </message>
-    <message>
         <source>Record a take with this tool first.</source>
         <translation>Nehmen Sie zuerst etwas mit diesem Werkzeug auf.</translation>
     </message>
@@ -4497,6 +4493,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>With a spindle that turns clockwise; conventional cuts are pink in the view. The rest cuts on both sides, or from above. Reverse turns strokes round</source>
         <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht rosa. Der Rest schneidet beidseitig oder von oben. „Umkehren“ dreht Züge um</translation>
+    </message>
+    <message>
+        <source>Make a path of all takes, one for each tool, with the standard edits</source>
+        <translation>Eine Bahn aus allen Aufnahmen machen, für jedes Werkzeug eine, mit den üblichen Bearbeitungen</translation>
     </message>
 </context>
 <context>

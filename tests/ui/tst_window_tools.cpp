@@ -44,6 +44,7 @@ class TestWindowTools : public QObject {
 private slots:
     void eachToolHasItsPathAndTheProgramHasThemAll();
     void aLaterToolSeesWhatAnEarlierOneLeft();
+    void oneClickMakesThePathsOfAllTools();
 };
 
 void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
@@ -116,6 +117,26 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     QVERIFY(driver.waitFor([&] { return bench.path.evaluated() && !bench.path.outdated(); }));
     QCOMPARE(bench.path.evaluated()->path.points.size(), ball->path.points.size());
     QVERIFY(driver.waitFor([&] { return driver.settle(); }));
+}
+
+/// Two tools that milled before a path was asked for: none is left out of the program, and one undo takes both back.
+void TestWindowTools::oneClickMakesThePathsOfAllTools() {
+    WindowDriver driver;
+    Workbench& bench = driver.window().workbench();
+    QVERIFY(makeReady(driver));
+    QVERIFY(recordLine(driver, {-15, -5}, {15, -5}));
+    QVERIFY(useTool(driver, "flat-10"));
+    QVERIFY(recordLine(driver, {-15, 5}, {15, 5}));
+    QVERIFY(makePath(driver));
+    QCOMPARE(bench.path.jobPaths().size(), std::size_t{2});
+    QVERIFY(bench.path.toolsWithoutPath().empty());
+    QVERIFY(postProgram(driver));
+    QCOMPARE(toolChanges(bench), (QStringList{"7", "3"}));
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY(bench.path.jobPaths().empty());
+    QCOMPARE(bench.path.toolsWithoutPath().size(), std::size_t{2});
+    driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE(bench.path.jobPaths().size(), std::size_t{2});
 }
 
 /// Two tools in one groove: the larger one is milled first, whichever was recorded first.

@@ -126,7 +126,7 @@ void PathPanel::Fields::refreshButtons() {
     const QString busy = state.busy || state.waiting ? PathPanel::tr("Work is under way.") : QString();
     new_->setVisible(!state.exists);
     enableUnless(new_, state.hasTakes ? busy : withoutTakes(),
-                 PathPanel::tr("Make a path of all takes of this tool, with the standard edits"));
+                 PathPanel::tr("Make a path of all takes, one for each tool, with the standard edits"));
     update_->setVisible(state.exists);
     const bool wanted = state.outdated || !state.problem.isEmpty();
     enableUnless(update_,

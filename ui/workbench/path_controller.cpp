@@ -35,14 +35,18 @@ Edit meantFor(Edit edit, const TakeStretch& chosen) {
     return edit;
 }
 
-/// A path of all recordings of a tool, kept by the project.
-Result<StoredPath> makeStandard(Project& project, const std::string& toolId) {
-    Result<StoredPath> path = standardPath(project, toolId);
-    if (!path) return path;
-    const Result<std::int64_t> id = project.addPath(*path);
-    if (!id) return id.error();
-    path->id = *id;
-    return path;
+/// A path of all recordings of each tool, kept by the project.
+Result<std::vector<StoredPath>> makeStandard(Project& project, const std::vector<std::string>& tools) {
+    std::vector<StoredPath> made;
+    for (const std::string& tool : tools) {
+        Result<StoredPath> path = standardPath(project, tool);
+        if (!path) return path.error();
+        const Result<std::int64_t> id = project.addPath(*path);
+        if (!id) return id.error();
+        path->id = *id;
+        made.push_back(std::move(*path));
+    }
+    return made;
 }
 
 } // namespace
@@ -218,16 +222,16 @@ void PathController::makeNew() {
         push(tr("new path"), standardEdits());
         return;
     }
-    if (!bench_.bench() || making_) return;
+    if (!bench_.bench() || making_ || !hasTakes()) return;
     making_ = true;
-    desk_.project.post([tool = tool_](Project& project) { return makeStandard(project, tool); },
-                       [this, load = loads_, tool = tool_](Result<StoredPath> path) {
+    desk_.project.post([tools = toolsWithoutPath()](Project& project) { return makeStandard(project, tools); },
+                       [this, load = loads_, tool = tool_](const Result<std::vector<StoredPath>>& paths) {
                            if (load != loads_) return; // another project
                            making_ = false;
-                           if (path) {
-                               keepNew(*path);
+                           if (paths) {
+                               keepNew(*paths);
                            } else if (tool == tool_) {
-                               notMade_ = path.error();
+                               notMade_ = paths.error();
                            }
                            emit changed();
                        });
@@ -343,23 +347,25 @@ void PathController::evaluate() {
 }
 
 /// The project has it already, whatever became of the wish for it.
-void PathController::keepNew(const StoredPath& path) {
+void PathController::keepNew(const std::vector<StoredPath>& paths) {
     notMade_.reset();
-    paths_.push_back(path);
+    paths_.insert(paths_.end(), paths.begin(), paths.end());
     desk_.undo.push(new ValueCommand<bool>(tr("new path"), -1, false, true,
-                                           [this, path](bool present) { setPresent(path, present); }));
+                                           [this, paths](bool present) { setPresent(paths, present); }));
 }
 
-/// @param path as it was made: what was edited since is undone before it goes
-void PathController::setPresent(const StoredPath& path, bool present) {
-    const auto known = std::ranges::find(paths_, path.id, &StoredPath::id);
-    if (present && known == paths_.end()) {
-        paths_.push_back(path);
-        store([path](Project& project) { return project.restorePath(path); });
-    } else if (!present && known != paths_.end()) {
-        if (path.id == inForce()) selection_.reset();
-        paths_.erase(known);
-        store([id = path.id](Project& project) { return project.removePath(id); });
+/// @param paths as they were made: what was edited since is undone before they go
+void PathController::setPresent(const std::vector<StoredPath>& paths, bool present) {
+    for (const StoredPath& path : paths) {
+        const auto known = std::ranges::find(paths_, path.id, &StoredPath::id);
+        if (present && known == paths_.end()) {
+            paths_.push_back(path);
+            store([path](Project& project) { return project.restorePath(path); });
+        } else if (!present && known != paths_.end()) {
+            if (path.id == inForce()) selection_.reset();
+            paths_.erase(known);
+            store([id = path.id](Project& project) { return project.removePath(id); });
+        }
     }
     updateJob();
     countVersion();

@@ -47,7 +47,9 @@ public:
     /// Counts changes of edits, takes and what stands around, of any path: what was posted before is out of date.
     quint64 version() const noexcept { return version_; }
 
-    void makeNew();                                       ///< the edits of the main job; an entry of the undo stack
+    /// With the edits of the main job, of the tool in force and of all others that have recordings and no path; where
+    /// the tool in force has one, its edits are these again. An entry of the undo stack.
+    void makeNew();
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
     /// Entries of the undo stack; each evaluates the path. A new edit comes as late as the order of edits allows.
     /// @return its place
@@ -90,8 +92,8 @@ private:
     bool isMilledWith(const std::string& tool) const;
     RecordedKey recordedKey(const std::string& tool) const;
     void followRecordings();
-    void keepNew(const StoredPath& path);
-    void setPresent(const StoredPath& path, bool present);
+    void keepNew(const std::vector<StoredPath>& paths);
+    void setPresent(const std::vector<StoredPath>& paths, bool present);
     void keepTakes(const StoredPath& path);
 
     BenchController& bench_;
