@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/path/added_turns.h"
 #include "core/path/apply.h"
 #include "core/path/curve_deviation.h"
 #include "core/path/penalised_spline.h"
@@ -19,6 +20,8 @@ constexpr double slackShare = 0.5, chordShare = 0.1;
 /// So often points outside of the tube get more weight.
 constexpr int tubeRounds = 16;
 constexpr double tubeAim = 0.97; // share of the tolerance
+/// Bends that stay within this share of the tolerance are none.
+constexpr double bendShare = 0.1;
 /// Weights, mm of the course: what a point that leaves the tube counts at least, and at most.
 constexpr double leastWeight = 1e-3, mostWeight = 1e6;
 
@@ -175,6 +178,8 @@ Deviation smooth(PathStroke& stroke, const SmoothShape& edit, const Progress& pr
     const double reach = edit.wavelength; // steps back of less than half of it go
     const Tube tube(recorded, edit.tolerance, reach);
     std::vector<glm::dvec3> smoothed = fitInTube(fit, tube, points.size(), progress);
+    tube.restoreOutside(smoothed, progress);
+    undoAddedTurns(points, course, {edit.wavelength, bendShare * edit.tolerance}, smoothed, progress);
     tube.restoreOutside(smoothed, progress);
     if (progress.cancelled()) return {};
     for (std::size_t i = 0; i < points.size(); ++i) points[i].tip = smoothed[i];

@@ -61,6 +61,29 @@ inline std::vector<Tick> steadyHand(std::mt19937& random) {
     return ticks;
 }
 
+/// A hand that goes straight from corner to corner, some of them sharp and some bevelled, and comes to each ever
+/// slower, as a mouse's tool that follows the pointer's trail.
+inline std::vector<Tick> corneredHand(std::mt19937& random) {
+    std::uniform_real_distribution<double> one(-1.0, 1.0);
+    std::vector<glm::dvec3> corners{{0.0, 0.0, -2.0}};
+    for (int leg = 0; leg < 6; ++leg) {
+        const glm::dvec3 way(20.0 * one(random), 20.0 * one(random), one(random));
+        if (glm::length(way) < 3.0) continue;
+        corners.push_back(corners.back() + way);
+        const glm::dvec3 bevel = 0.25 * glm::normalize(glm::dvec3(one(random), one(random), 0.0));
+        if (one(random) > 0.0) corners.push_back(corners.back() + bevel);
+    }
+    std::vector<Tick> ticks{{corners.front()}};
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        double left = glm::distance(corners[i - 1], corners[i]);
+        for (const glm::dvec3 way = (corners[i] - corners[i - 1]) / left; left > 1e-4;) {
+            left -= std::min(0.06, 0.04 * left);
+            ticks.push_back({corners[i] - left * way});
+        }
+    }
+    return ticks;
+}
+
 /// A hand that shakes at every tick and changes its direction every 60: nothing smooth about it.
 inline std::vector<Tick> jitteryHand(std::mt19937& random, int count) {
     std::uniform_real_distribution<double> one(-1.0, 1.0);

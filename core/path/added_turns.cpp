@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/added_turns.h"
+
+#include "core/base/units.h"
+#include "core/path/back_steps.h"
+#include "core/path/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+/// What two versions of one bend may differ by, as their chords begin elsewhere.
+constexpr double turnSlack = 6.0 * pi / 180.0; // rad
+/// The recorded stroke is asked over so much more than the window at either side: a bend may lie a little elsewhere.
+constexpr double marginShare = 0.25;
+constexpr int mostRounds = 12;
+
+/// The turns and back-steps of a stroke, summed up to each of its points.
+struct TurnCount {
+    std::vector<double> turns; // rad
+    std::vector<std::size_t> backSteps;
+
+    /// @param detail mm: what is left out of the moves that turns are counted at
+    TurnCount(std::span<const StrokePoint> points, double detail, const Progress& progress)
+        : turns(points.size(), 0.0), backSteps(points.size(), 0) {
+        const auto anywhere = [](const glm::dvec3&, const glm::dvec3&) { return true; };
+        const std::vector<std::size_t> kept = simplifyInGroups(points, detail, anywhere, progress);
+        for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
+            const glm::dvec3 &from = points[kept[k - 1]].tip, &at = points[kept[k]].tip, &to = points[kept[k + 1]].tip;
+            turns[kept[k]] = angleBetween(at - from, to - at);
+            backSteps[kept[k]] = isBackStep(from, at, to) ? 1 : 0;
+        }
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            turns[i] += turns[i - 1];
+            backSteps[i] += backSteps[i - 1];
+        }
+    }
+
+private:
+    static double angleBetween(const glm::dvec3& one, const glm::dvec3& other) {
+        const double lengths = glm::length(one) * glm::length(other);
+        return lengths > 0.0 ? std::acos(glm::clamp(glm::dot(one, other) / lengths, -1.0, 1.0)) : 0.0;
+    }
+};
+
+/// Stretches of a stroke, by its course.
+class Stretches {
+public:
+    explicit Stretches(std::span<const double> course) : course_(course) {}
+
+    /// The sum over the points within `half` mm of one of them.
+    template <class Sum>
+    Sum within(const std::vector<Sum>& sums, std::size_t point, double half) const {
+        const auto [first, last] = around(point, half);
+        return first == 0 ? sums[last] : sums[last] - sums[first - 1];
+    }
+    /// First and last point within `half` mm of one of them.
+    std::pair<std::size_t, std::size_t> around(std::size_t point, double half) const {
+        const auto first = std::lower_bound(course_.begin(), course_.end(), course_[point] - half);
+        const auto last = std::upper_bound(course_.begin(), course_.end(), course_[point] + half);
+        return {static_cast<std::size_t>(first - course_.begin()),
+                static_cast<std::size_t>(last - course_.begin()) - 1};
+    }
+
+private:
+    std::span<const double> course_; // mm
+};
+
+/// How much of the smoothing stays at each point.
+class Shares {
+public:
+    Shares(std::span<const double> course, double ramp) : course_(course), ramp_(ramp), shares_(course.size(), 1.0) {}
+
+    /// Nothing stays of it near any of the points, all of it one ramp farther on.
+    /// @param marked as many as points @return whether anything changed
+    bool takeFrom(const std::vector<bool>& marked, double reach) {
+        bool changed = false;
+        double last = -1e300; // the course at the last marked one
+        const auto lower = [&](std::size_t i, double distance) {
+            const double share = glm::smoothstep(reach, reach + ramp_, distance);
+            if (share >= shares_[i]) return;
+            shares_[i] = share;
+            changed = true;
+        };
+        for (std::size_t i = 0; i < shares_.size(); ++i) {
+            if (marked[i]) last = course_[i];
+            lower(i, course_[i] - last);
+        }
+        last = 1e300;
+        for (std::size_t i = shares_.size(); i-- > 0;) {
+            if (marked[i]) last = course_[i];
+            lower(i, last - course_[i]);
+        }
+        return changed;
+    }
+    double operator[](std::size_t point) const noexcept { return shares_[point]; }
+
+private:
+    std::span<const double> course_; // mm
+    double ramp_;                    // mm
+    std::vector<double> shares_;
+};
+
+} // namespace
+
+void undoAddedTurns(std::span<const StrokePoint> recorded, std::span<const double> course, const TurnLimits& limits,
+                    std::vector<glm::dvec3>& smoothed, const Progress& progress) {
+    const TurnCount before(recorded, limits.detail, progress);
+    const std::vector<glm::dvec3> wanted = smoothed;
+    std::vector<StrokePoint> blended(recorded.begin(), recorded.end());
+    const Stretches stretches(course);
+    const double half = 0.5 * limits.window, margin = marginShare * limits.window;
+    Shares shares(course, limits.window);
+    for (int round = 0; !progress.cancelled(); ++round) {
+        for (std::size_t i = 0; i < smoothed.size(); ++i)
+            blended[i].tip = smoothed[i] = glm::mix(recorded[i].tip, wanted[i], shares[i]);
+        const TurnCount after(blended, limits.detail, progress);
+        std::vector<bool> marked(smoothed.size(), false);
+        for (std::size_t i = 0; i < marked.size(); ++i)
+            marked[i] =
+                stretches.within(after.turns, i, half) > stretches.within(before.turns, i, half + margin) + turnSlack ||
+                stretches.within(after.backSteps, i, half) > stretches.within(before.backSteps, i, half + margin);
+        if (round == mostRounds) marked.assign(marked.size(), true); // nothing is smoothed rather than badly
+        if (!shares.takeFrom(marked, half)) return;
+    }
+}
+
+} // namespace burin
