@@ -4451,10 +4451,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Eine weitere Bearbeitung anwenden; sie kommt dorthin, wo die Reihenfolge es erlaubt</translation>
     </message>
     <message>
-        <source>Record a take with this tool first.</source>
-        <translation>Nehmen Sie zuerst etwas mit diesem Werkzeug auf.</translation>
-    </message>
-    <message>
         <source>Climb / conventional</source>
         <translation>Gleichlauf / Gegenlauf</translation>
     </message>
@@ -4497,6 +4493,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Make a path of all takes, one for each tool, with the standard edits</source>
         <translation>Eine Bahn aus allen Aufnahmen machen, für jedes Werkzeug eine, mit den üblichen Bearbeitungen</translation>
+    </message>
+    <message>
+        <source>Takes up the tool whose path is shown and edited, one of those that have milled</source>
+        <translation>Nimmt das Werkzeug, dessen Bahn gezeigt und bearbeitet wird; zur Wahl stehen die, die gefräst haben</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>%1 has not milled yet. Choose a tool that has, or record a take first.</source>
+        <translation>%1 hat noch nicht gefräst. Wählen Sie ein Werkzeug, das gefräst hat, oder nehmen Sie zuerst auf.</translation>
     </message>
 </context>
 <context>

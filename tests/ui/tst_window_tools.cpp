@@ -137,6 +137,23 @@ void TestWindowTools::oneClickMakesThePathsOfAllTools() {
     QCOMPARE(bench.path.toolsWithoutPath().size(), std::size_t{2});
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_COMPARE(bench.path.jobPaths().size(), std::size_t{2});
+
+    // A tool that has not milled: the panel says so, and leads to those that have.
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY(bench.path.jobPaths().empty());
+    QVERIFY(useTool(driver, "flat-3"));
+    QVERIFY(driver.step(JobStep::path));
+    QTRY_VERIFY(driver.visible<QComboBox>("pathTool") != nullptr);
+    driver.shoot("29-tool-that-has-not-milled");
+    QVERIFY(driver.clickOn("newPathButton"));
+    QTRY_COMPARE(bench.path.jobPaths().size(), std::size_t{2});
+    auto* choice = driver.visible<QComboBox>("pathTool");
+    QVERIFY(choice != nullptr);
+    QCOMPARE(choice->count(), 2);
+    choice->setFocus();
+    QTest::keyClick(choice, Qt::Key_End);
+    QTRY_COMPARE(bench.tool.current().id, std::string("flat-10"));
+    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() && !bench.path.busy(); }));
 }
 
 /// Two tools in one groove: the larger one is milled first, whichever was recorded first.

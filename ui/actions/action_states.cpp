@@ -39,7 +39,8 @@ void ActionStates::update() {
          {ActionId::clutch, ActionId::recentre, ActionId::alignHand, ActionId::finerHand, ActionId::coarserHand})
         enable(id, bench.hand.hasDevice());
     enable(ActionId::rateControl, bench.hand.canRate());
-    enable(ActionId::newPath, bench.path.hasTakes() && bench.bench.embedded());
+    enable(ActionId::newPath,
+           (bench.path.hasTakes() || !bench.path.toolsWithoutPath().empty()) && bench.bench.embedded());
     enable(ActionId::evaluatePath, bench.path.stored() != nullptr && bench.bench.embedded());
     enable(ActionId::drawStretch, bench.path.selection().has_value());
     enable(ActionId::drawEdit,

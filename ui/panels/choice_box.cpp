@@ -4,6 +4,7 @@
 
 #include <QAbstractItemView>
 #include <QHelpEvent>
+#include <QSignalBlocker>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
 #include <QToolTip>
@@ -29,12 +30,24 @@ QString ChoiceBox::elided() const {
     QStyleOptionComboBox option;
     initStyleOption(&option);
     const QRect room = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
-    return fontMetrics().elidedText(currentText(), Qt::ElideRight, room.width() - textPadding);
+    const QString text = currentIndex() < 0 ? placeholderText() : currentText();
+    return fontMetrics().elidedText(text, Qt::ElideRight, room.width() - textPadding);
 }
 
 void ChoiceBox::showPopup() {
     view()->setMinimumWidth(std::max(width(), view()->sizeHintForColumn(0) + 2 * textPadding));
     QComboBox::showPopup();
+}
+
+void ChoiceBox::offer(const QStringList& texts, const QStringList& ids, const QString& chosen) {
+    const QSignalBlocker quiet(this);
+    bool same = count() == texts.size();
+    for (int i = 0; same && i < count(); ++i) same = itemText(i) == texts[i] && itemData(i).toString() == ids[i];
+    if (!same) {
+        clear();
+        for (int i = 0; i < texts.size(); ++i) addItem(texts[i], ids[i]);
+    }
+    setCurrentIndex(findData(chosen));
 }
 
 bool ChoiceBox::event(QEvent* event) {

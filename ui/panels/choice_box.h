@@ -13,6 +13,9 @@ class ChoiceBox : public QComboBox {
 public:
     explicit ChoiceBox(QWidget* parent = nullptr);
     void showPopup() override;
+    /// Replaces what is offered only when that is something else, so that an open list stays open.
+    /// @param ids as many as texts @param chosen one of them, or none
+    void offer(const QStringList& texts, const QStringList& ids, const QString& chosen);
 
 protected:
     bool event(QEvent* event) override;

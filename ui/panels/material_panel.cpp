@@ -44,19 +44,6 @@ private:
 
 namespace {
 
-/// Replaces what a choice offers only when that is something else, so that an open list stays open.
-void offer(ChoiceBox& choice, const QStringList& texts, const QStringList& ids, const QString& chosen) {
-    const QSignalBlocker quiet(&choice);
-    bool same = choice.count() == texts.size();
-    for (int i = 0; same && i < choice.count(); ++i)
-        same = choice.itemText(i) == texts[i] && choice.itemData(i).toString() == ids[i];
-    if (!same) {
-        choice.clear();
-        for (int i = 0; i < texts.size(); ++i) choice.addItem(texts[i], ids[i]);
-    }
-    choice.setCurrentIndex(choice.findData(chosen));
-}
-
 QString numberText(double value) {
     return QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
 }
@@ -138,11 +125,11 @@ void MaterialPanel::Fields::refreshChoices() {
         bodies.append(bodyName(state.bodyNames[i]));
         places.append(QString::number(i));
     }
-    offer(*stock_, names, ids, QString::fromStdString(state.stockMaterial));
+    stock_->offer(names, ids, QString::fromStdString(state.stockMaterial));
     const int shown = std::clamp(body_->currentIndex(), 0, std::max(0, static_cast<int>(bodies.size()) - 1));
-    offer(*body_, bodies, places, QString::number(shown));
-    offer(*bodyMaterial_, QStringList(MaterialPanel::tr("Same as the stock")) + names, QStringList(QString()) + ids,
-          QString::fromStdString(bodyMaterial()));
+    body_->offer(bodies, places, QString::number(shown));
+    bodyMaterial_->offer(QStringList(MaterialPanel::tr("Same as the stock")) + names, QStringList(QString()) + ids,
+                         QString::fromStdString(bodyMaterial()));
     setEnabledKeepingFocus(stock_, !state.locked);
     setEnabledKeepingFocus(bodyMaterial_, !state.locked && !bodies.isEmpty());
     setEnabledKeepingFocus(body_, !bodies.isEmpty());

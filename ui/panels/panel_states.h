@@ -150,8 +150,14 @@ struct HandState {
 enum class DragChoice { level, x, y, z, surface };
 
 struct PathState {
-    bool hasTakes = false;      ///< of the tool in force
-    bool hasOtherTakes = false; ///< of any tool
+    struct Tool {
+        std::string id;
+        QString name;
+    };
+    std::vector<Tool> milled;     ///< the tools that have takes
+    Tool tool;                    ///< in force
+    bool hasTakes = false;        ///< of the tool in force
+    bool someWithoutPath = false; ///< of those that milled
     bool exists = false;
     StoredPath path;
     std::vector<TakeInfo> takes;       ///< all, for their names and times

@@ -6,7 +6,9 @@
 #include "ui/messages/messages.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/card_keyboard.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/edit_card.h"
+#include "ui/panels/field_row.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
@@ -34,6 +36,8 @@ public:
 
 private:
     void addHead();
+    void addToolChoice();
+    void refreshTool();
     void refreshButtons();
     void refreshFigures();
     void refreshEdits();
@@ -50,6 +54,7 @@ private:
     QVBoxLayout* column_;
     QPushButton *new_, *update_, *add_;
     QToolButton* eye_;
+    ChoiceBox* tool_;
     Notice* notice_;
     QWidget* content_;
     SelectionCard* selection_;
@@ -107,6 +112,7 @@ void PathPanel::Fields::addHead() {
     eye_->setChecked(true);
     head->addWidget(eye_);
     column_->addLayout(head);
+    addToolChoice();
     new_ = makePrimaryButton(PathPanel::tr("New path from the takes"), QStringLiteral("newPathButton"), panel_);
     update_ = makePrimaryButton(PathPanel::tr("Update path"), QStringLiteral("updatePathButton"), panel_);
     column_->addWidget(new_);
@@ -122,10 +128,33 @@ void PathPanel::Fields::addHead() {
     });
 }
 
+void PathPanel::Fields::addToolChoice() {
+    tool_ = new ChoiceBox(panel_);
+    tool_->setObjectName(QStringLiteral("pathTool"));
+    const QString toolTip =
+        PathPanel::tr("Takes up the tool whose path is shown and edited, one of those that have milled");
+    column_->addWidget(new FieldRow(PathPanel::tr("Tool"), tool_, toolTip, panel_, FieldRow::choiceWidth));
+    connect(tool_, &ChoiceBox::activated, this,
+            [this] { emit panel_->toolChosen(tool_->currentData().toString().toStdString()); });
+}
+
+/// Seen where there is more than the tool in force to choose.
+void PathPanel::Fields::refreshTool() {
+    const bool choice = state.milled.size() > 1 || (!state.milled.empty() && !state.hasTakes);
+    tool_->parentWidget()->setVisible(choice);
+    QStringList names, ids;
+    for (const PathState::Tool& tool : state.milled) {
+        names.append(tool.name);
+        ids.append(QString::fromStdString(tool.id));
+    }
+    tool_->setPlaceholderText(state.tool.name);
+    tool_->offer(names, ids, QString::fromStdString(state.tool.id));
+}
+
 void PathPanel::Fields::refreshButtons() {
     const QString busy = state.busy || state.waiting ? PathPanel::tr("Work is under way.") : QString();
     new_->setVisible(!state.exists);
-    enableUnless(new_, state.hasTakes ? busy : withoutTakes(),
+    enableUnless(new_, state.someWithoutPath ? busy : withoutTakes(),
                  PathPanel::tr("Make a path of all takes, one for each tool, with the standard edits"));
     update_->setVisible(state.exists);
     const bool wanted = state.outdated || !state.problem.isEmpty();
@@ -139,8 +168,10 @@ void PathPanel::Fields::refreshButtons() {
 }
 
 QString PathPanel::Fields::withoutTakes() const {
-    return state.hasOtherTakes ? PathPanel::tr("Record a take with this tool first.")
-                               : PathPanel::tr("Record a take first.");
+    return state.milled.empty()
+               ? PathPanel::tr("Record a take first.")
+               : PathPanel::tr("%1 has not milled yet. Choose a tool that has, or record a take first.")
+                     .arg(state.tool.name);
 }
 
 void PathPanel::Fields::tell() {
@@ -284,6 +315,7 @@ void PathPanel::Fields::refreshEdits() {
 }
 
 void PathPanel::Fields::refresh() {
+    refreshTool();
     refreshButtons();
     tell();
     content_->setVisible(state.exists);

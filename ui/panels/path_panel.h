@@ -19,6 +19,7 @@ public:
     void setState(const PathState& state); ///< never emits
 
 signals:
+    void toolChosen(const std::string& id); ///< one that milled
     void newPathRequested();
     void editChanged(std::size_t index, const burin::Edit& edit); ///< switched or a parameter changed
     void editAdded(const burin::Edit& edit);

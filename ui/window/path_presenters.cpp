@@ -54,7 +54,10 @@ QString programName(const Workbench& workbench) {
 }
 
 PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench}, parent), panel_(panel), scene_(scene) {
+    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.bench, &workbench.tool}, parent)
+    , panel_(panel)
+    , scene_(scene) {
+    connect(&panel, &PathPanel::toolChosen, &workbench.tool, &ToolController::choose);
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
     connect(&panel, &PathPanel::editAdded, &scene, &PathScenePresenter::addEdit);
@@ -77,7 +80,10 @@ void PathPresenter::present() {
     const PathController& path = workbench_.path;
     PathState state;
     state.hasTakes = path.hasTakes();
-    state.hasOtherTakes = !workbench_.mill.takes().empty();
+    for (const std::string& tool : path.toolsThatMilled())
+        state.milled.push_back({tool, toolName(workbench_.tool.tools(), tool)});
+    state.tool = {workbench_.tool.current().id, toolName(workbench_.tool.current())};
+    state.someWithoutPath = !path.toolsWithoutPath().empty();
     state.exists = path.stored() != nullptr;
     if (path.stored()) state.path = *path.stored();
     state.takes = workbench_.mill.takes();

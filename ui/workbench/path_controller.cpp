@@ -156,14 +156,19 @@ std::string PathController::toolOf(std::int64_t path) const {
     return found == paths_.end() ? std::string() : burin::toolOf(*found, recorded_);
 }
 
-std::vector<std::string> PathController::toolsWithoutPath() const {
+std::vector<std::string> PathController::toolsThatMilled() const {
     std::vector<std::string> tools;
-    for (const TakeInfo& take : standing_) {
-        const bool known = std::ranges::find(tools, take.toolId) != tools.end();
-        const bool used = std::ranges::any_of(
-            paths_, [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == take.toolId; });
-        if (!known && !used) tools.push_back(take.toolId);
-    }
+    for (const TakeInfo& take : standing_)
+        if (std::ranges::find(tools, take.toolId) == tools.end()) tools.push_back(take.toolId);
+    return tools;
+}
+
+std::vector<std::string> PathController::toolsWithoutPath() const {
+    std::vector<std::string> tools = toolsThatMilled();
+    std::erase_if(tools, [&](const std::string& tool) {
+        return std::ranges::any_of(paths_,
+                                   [&](const StoredPath& path) { return burin::toolOf(path, recorded_) == tool; });
+    });
     return tools;
 }
 
@@ -222,7 +227,7 @@ void PathController::makeNew() {
         push(tr("new path"), standardEdits());
         return;
     }
-    if (!bench_.bench() || making_ || !hasTakes()) return;
+    if (!bench_.bench() || making_ || toolsWithoutPath().empty()) return;
     making_ = true;
     desk_.project.post([tools = toolsWithoutPath()](Project& project) { return makeStandard(project, tools); },
                        [this, load = loads_, tool = tool_](const Result<std::vector<StoredPath>>& paths) {

@@ -28,6 +28,7 @@ public:
     std::string toolOf(std::int64_t path) const;
     /// Tools that have recordings and no path, by id.
     std::vector<std::string> toolsWithoutPath() const;
+    std::vector<std::string> toolsThatMilled() const; ///< by when they first did
     /// The tool in force has recordings.
     bool hasTakes() const;
     /// Of the newest evaluation that went well; null: none yet.
