@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/stall_watch.h"
 
+#include "ui/scene/viewport.h"
+
 #include <QAbstractEventDispatcher>
 #include <QMetaEnum>
 
 #include <algorithm>
-#include <optional>
+#include <ctime>
 
 namespace burin::testing {
 
@@ -14,6 +16,18 @@ namespace {
 
 double millisecondsSince(StallWatch::Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(StallWatch::Clock::now() - begin).count();
+}
+
+/// ms that this thread has computed
+double processorTime() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+/// The view's canvas draws the whole scene when it is painted.
+bool rendersView(const QObject& receiver, int event) {
+    return event == QEvent::Paint && qobject_cast<const Viewport*>(receiver.parent()) != nullptr;
 }
 
 constexpr double worthTelling = 1.0; // ms
@@ -42,25 +56,30 @@ bool StallWatch::notify(QObject* receiver, QEvent* event) {
     if (!away_) {
         away_ = true;
         left_ = begin;
+        processorLeft_ = processorTime();
+        rendering_ = 0.0;
     }
     const char* name = receiver->metaObject()->className(); // the receiver may be gone afterwards
     const int type = event->type();
+    const bool renders = rendersView(*receiver, type);
     ++depth_;
     const bool answer = QApplication::notify(receiver, event);
     --depth_;
     const double took = millisecondsSince(begin);
-    if (took >= worthTelling) handled_.push_back({depth_, name, type, took});
+    if (renders) rendering_ += took;
+    // A dialog's event was handled while its own loop looked for new ones: that is no stall.
+    if (took >= worthTelling && begin >= left_) handled_.push_back({depth_, name, type, took});
     return answer;
 }
 
 void StallWatch::cameBack() {
-    if (!away_ || depth_ > 0) return;
+    if (!away_) return;
     away_ = false;
     const double away = millisecondsSince(left_);
     all_.push_back(away);
     if (worst_.size() < kept || away > worst_.back().milliseconds) {
         const double after = std::chrono::duration<double>(left_ - phase_).count();
-        worst_.push_back({away, after, longestChain()});
+        worst_.push_back({away, rendering_, processorTime() - processorLeft_, after, longestChain()});
         std::ranges::sort(worst_, std::ranges::greater(), &Stall::milliseconds);
         worst_.resize(std::min(worst_.size(), kept));
     }
@@ -71,7 +90,8 @@ QString StallWatch::longestChain() const {
     const QMetaEnum types = QMetaEnum::fromType<QEvent::Type>();
     QStringList chain;
     auto from = handled_.begin(), to = handled_.end();
-    for (int depth = 0;; ++depth) {
+    const auto outermost = std::ranges::min_element(handled_, {}, &Handled::depth);
+    for (int depth = outermost == to ? 0 : outermost->depth;; ++depth) {
         auto longest = to;
         for (auto one = from; one != to; ++one)
             if (one->depth == depth && (longest == to || one->milliseconds > longest->milliseconds)) longest = one;

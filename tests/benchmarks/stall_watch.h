@@ -11,21 +11,24 @@
 namespace burin::testing {
 
 /// An application that measures how long its thread stays away from the event loop: from the first event that is
-/// handled to the moment when the loop looks for new ones. Everything is in it: posted events, timers, painting.
+/// handled to the moment when the loop, or that of a dialog within it, looks for new ones. Everything is in it: posted
+/// events, timers, painting.
 class StallWatch final : public QApplication {
 public:
     using Clock = std::chrono::steady_clock;
     struct Stall {
         double milliseconds = 0.0;
-        double after = 0.0; ///< s since the phase began
-        QString what;       ///< the event that took longest, and within it what it caused
+        double rendering = 0.0; ///< ms of it that rendered the view
+        double processor = 0.0; ///< ms of it that the thread itself computed: other programs take nothing of these
+        double after = 0.0;     ///< s since the phase began
+        QString what;           ///< the event that took longest, and within it what it caused
     };
 
     StallWatch(int& argc, char** argv);
 
     void beginPhase();
     const std::vector<Stall>& worst() const { return worst_; } ///< of the phase, the longest first
-    double longest() const { return worst_.empty() ? 0.0 : worst_.front().milliseconds; }
+    Stall longest() const { return worst_.empty() ? Stall{} : worst_.front(); }
     std::size_t longerThan(double milliseconds) const;
 
     bool notify(QObject* receiver, QEvent* event) override;
@@ -44,6 +47,7 @@ private:
     int depth_ = 0;
     bool away_ = false;
     Clock::time_point left_, phase_;
+    double processorLeft_ = 0.0, rendering_ = 0.0; ///< ms: when the loop was left, and since
     std::vector<Handled> handled_; ///< since the loop was left; what is handled within an event stands before it
     std::vector<double> all_;
     std::vector<Stall> worst_;

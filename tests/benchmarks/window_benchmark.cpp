@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the window keeps up while the sample part is milled with the mouse and the view orbits: one JSON list of figures
 // on standard output, in plain words on standard error. A benchmark is no test: the exit status is 0.
+#include "tests/benchmarks/event_loop.h"
 #include "tests/benchmarks/stall_watch.h"
+#include "tests/benchmarks/window_phases.h"
+#include "tests/benchmarks/window_report.h"
 #include "tests/ui/window_driver.h"
 #include "ui/scene/surface_format.h"
-
-#include <nlohmann/json.hpp>
 
 #include <QEventLoop>
 #include <QMouseEvent>
@@ -24,8 +25,7 @@
 #include <unistd.h>
 
 using namespace burin;
-using burin::testing::StallWatch;
-using burin::testing::WindowDriver;
+using namespace burin::testing;
 
 namespace {
 
@@ -33,29 +33,6 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto mouseInterval = 8ms; // 125 Hz, as mice report
-
-double secondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-/// Lets the event loop run. False: `what` did not happen in time.
-bool runUntil(const std::function<bool()>& what, Clock::duration limit = 60s) {
-    QEventLoop loop;
-    QTimer look;
-    const Clock::time_point end = Clock::now() + limit;
-    bool happened = false;
-    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
-        happened = what();
-        if (happened || Clock::now() >= end) loop.quit();
-    });
-    look.start(5ms);
-    loop.exec();
-    return happened;
-}
-
-void runFor(Clock::duration time) {
-    runUntil([] { return false; }, time);
-}
 
 /// A hand on the mouse over the viewport.
 class Hand {
@@ -200,46 +177,6 @@ private:
     int stroke_ = 0;
 };
 
-class Report {
-public:
-    void add(const char* name, double value, const char* unit, std::optional<double> limit = std::nullopt) {
-        nlohmann::json figure{{"name", name}, {"value", std::round(value * 1000.0) / 1000.0}, {"unit", unit}};
-        if (limit) figure["limit"] = *limit;
-        figures_.push_back(std::move(figure));
-        std::cerr << name << ": " << value << ' ' << unit;
-        if (limit) std::cerr << (value > *limit ? ", BEYOND its limit of " : ", limit ") << *limit << ' ' << unit;
-        std::cerr << '\n';
-    }
-    void addStalls(const char* name, const StallWatch& watch) {
-        add(name, watch.longest(), "ms", 100.0);
-        for (const StallWatch::Stall& stall : watch.worst())
-            std::cerr << "    " << stall.milliseconds << " ms after " << stall.after << " s: " << qPrintable(stall.what)
-                      << '\n';
-    }
-    void print() const { std::cout << figures_.dump(2) << std::endl; }
-
-private:
-    nlohmann::json figures_ = nlohmann::json::array();
-};
-
-bool embedSample(WindowDriver& driver) {
-    Workbench& bench = driver.window().workbench();
-    if (!driver.clickOn("samplePartButton") || !runUntil([&] { return bench.model.model() != nullptr; })) return false;
-    runFor(500ms);
-    if (!driver.step(JobStep::stock)) return false;
-    auto* voxel = driver.visible<QWidget>("voxelField");
-    if (voxel == nullptr) return false;
-    voxel->setFocus();
-    QTest::keyClick(voxel, Qt::Key_A, Qt::ControlModifier);
-    QTest::keyClicks(voxel, "0.25");
-    QTest::keyClick(voxel, Qt::Key_Return);
-    if (!runUntil([&] { return bench.setup.setup().voxel == 0.25; }, 3s) || !driver.clickOn("embedButton"))
-        return false;
-    if (!runUntil([&] { return bench.bench.ready() && bench.tasks().idle(); })) return false;
-    const Viewport& viewport = driver.window().viewport();
-    return runUntil([&] { return viewport.statistics().fullDetail && !viewport.statistics().busy; }, 10s);
-}
-
 std::string loadAverage() {
     std::string load;
     std::getline(std::ifstream("/proc/loadavg"), load);
@@ -278,12 +215,10 @@ int run(StallWatch& watch) {
     Workbench& bench = driver.window().workbench();
     Viewport& viewport = driver.window().viewport();
     Observer observer(driver.window());
-    watch.beginPhase();
-    if (!embedSample(driver)) {
+    if (!importSample(driver, watch, report) || !embedSample(driver, watch, report)) {
         std::cerr << "The sample part could not be embedded: " << qPrintable(driver.message()) << '\n';
         return 0;
     }
-    report.addStalls("gui_stall_max_embedding", watch);
 
     driver.step(JobStep::mill);
     driver.clickOn("millButton");
@@ -321,9 +256,11 @@ int run(StallWatch& watch) {
     report.add("paint_max", drawn.paintMaximum, "ms");
     report.add("frames_per_second", static_cast<double>(drawn.frames) / seconds, "1/s");
     report.add("cores_used_by_others", others.coresUsed(), "");
+    if (qEnvironmentVariableIsSet("BURIN_BENCHMARK_PICTURE")) driver.shoot("window-benchmark");
+    if (!workOn(driver, watch, report) || !openAgain(driver, watch, report))
+        std::cerr << "The rest of the job could not be done: " << qPrintable(driver.message()) << '\n';
     report.print();
     std::cerr << "load after: " << loadAverage() << '\n';
-    if (qEnvironmentVariableIsSet("BURIN_BENCHMARK_PICTURE")) driver.shoot("window-benchmark");
     return 0;
 }
 

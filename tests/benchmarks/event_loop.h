@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+namespace burin::testing {
+
+/// s
+double secondsSince(std::chrono::steady_clock::time_point begin);
+/// Lets the event loop run. False: `what` did not happen in time.
+bool runUntil(const std::function<bool()>& what, std::chrono::steady_clock::duration limit = std::chrono::seconds(60));
+void runFor(std::chrono::steady_clock::duration time);
+
+} // namespace burin::testing

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/benchmarks/stall_watch.h"
+#include "tests/benchmarks/window_report.h"
+#include "tests/ui/window_driver.h"
+
+namespace burin::testing {
+
+// What a user does before and after milling: each step a phase with the longest stall of its own. False: it did not
+// come about.
+
+bool importSample(WindowDriver& driver, StallWatch& watch, Report& report);
+bool embedSample(WindowDriver& driver, StallWatch& watch, Report& report);
+/// Undoes strokes, makes the path, posts it, chooses other preferences, saves.
+bool workOn(WindowDriver& driver, StallWatch& watch, Report& report);
+/// Opens what was saved, in a new window.
+bool openAgain(WindowDriver& driver, StallWatch& watch, Report& report);
+
+} // namespace burin::testing
