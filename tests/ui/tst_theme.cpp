@@ -16,9 +16,11 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPainter>
 #include <QRegularExpression>
 #include <QTemporaryDir>
+#include <QVBoxLayout>
 #include <QtTest>
 
 #include <algorithm>
@@ -264,6 +266,34 @@ private slots:
             const QString file = named.next().captured(1);
             QVERIFY2(QFile::exists(file), qPrintable(file));
         }
+    }
+
+    /// Hidden pages are styled later than what is seen, but never after they are.
+    void hiddenWidgetsFollowTheTheme() {
+        applyTheme(*qApp, *loadPalette(Theme::dark));
+        QWidget window;
+        QVBoxLayout layout(&window);
+        std::vector<QLabel*> labels;
+        for (int i = 0; i < 3; ++i) {
+            labels.push_back(new QLabel(QStringLiteral("████"), &window));
+            labels.back()->setProperty("look", "force");
+            layout.addWidget(labels.back());
+        }
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        labels[1]->hide();
+        labels[2]->hide();
+        const Palette light = *loadPalette(Theme::light);
+        const auto colour = [&](std::size_t label) { return labels[label]->palette().color(QPalette::WindowText); };
+        QVERIFY(colour(0) != light.force);
+        applyTheme(*qApp, light);
+        QCOMPARE(colour(0), light.force);
+        labels[1]->show();
+        QCOMPARE(colour(1), light.force);
+        QTRY_COMPARE(colour(2), light.force);
+        QLineEdit edit(&window);
+        edit.ensurePolished();
+        QCOMPARE(edit.palette().color(QPalette::Highlight), light.accent);
     }
 
     void iconsFollowTheTheme() {

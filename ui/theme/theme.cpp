@@ -5,6 +5,7 @@
 #include "core/base/json_object.h"
 #include "core/base/resource_folder.h"
 #include "ui/theme/colour.h"
+#include "ui/theme/restyling.h"
 #include "ui/theme/style_sheet.h"
 
 #include <QApplication>
@@ -140,7 +141,9 @@ void applyTheme(QApplication& application, const Palette& palette) {
         application.setFont(windowFont(QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
     }
     application.setPalette(systemPalette(palette));
-    application.setStyleSheet(styleSheet(palette));
+    static QPointer<Restyling> restyling; // it goes with the application
+    if (!restyling) restyling = new Restyling(application);
+    restyling->begin(styleSheet(palette));
 }
 
 const Palette& activePalette() {

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/deviation_presenter.h"
 
-#include <algorithm>
+#include <QCoreApplication>
+#include <QPointer>
+#include <QThreadPool>
+
+#include <utility>
 
 namespace burin {
 
@@ -44,28 +48,57 @@ void DeviationPresenter::setUnit(LengthUnit unit) {
 void DeviationPresenter::present() {
     const ProgramController& program = workbench_.program;
     const bool fits = program.program() && !program.edited() && !program.outdated() && workbench_.bench.bench();
-    const bool other = take(fits ? program.program() : nullptr);
-    const bool drawn = shown_ && on_ && map_ && !workbench_.mill.active();
+    const bool otherScale = take(fits ? program.program() : nullptr);
+    const bool other = std::exchange(otherMap_, false) || otherScale;
+    const bool drawn = shown_ && on_ && mapped_ && !workbench_.mill.active();
     if (drawn && (other || !drawn_))
-        viewport_.setDeviations({{program_, &program_->report.deviations}, tolerance_, voxel()});
+        viewport_.setDeviations({{mapped_->program, &mapped_->program->report.deviations}, tolerance_, voxel()});
     else if (!drawn && drawn_)
         viewport_.setDeviations({});
     drawn_ = drawn;
     scene_.showBarePart(drawn);
 }
 
+DeviationPresenter::Mapped::Mapped(std::shared_ptr<const CheckedProgram> of, double cell)
+    : program(std::move(of)), map(program->report.deviations, cell) {}
+
 bool DeviationPresenter::take(std::shared_ptr<const CheckedProgram> program) {
-    const DeviationTolerance tolerance = toleranceOf(workbench_);
-    if (program == program_ && tolerance == tolerance_) return false;
-    tolerance_ = tolerance;
     if (program != program_) {
-        map_.reset();
         program_ = std::move(program);
-        if (program_) map_ = std::make_unique<DeviationMap>(program_->report.deviations, voxel());
-        card_.showUnderPointer({});
+        if (program_) {
+            makeMap();
+        } else {
+            mapped_.reset();
+            card_.showUnderPointer({});
+        }
     }
-    if (map_) card_.setShares(map_->shares(tolerance_), tolerance_);
+    const DeviationTolerance tolerance = toleranceOf(workbench_);
+    if (tolerance == tolerance_) return false;
+    tolerance_ = tolerance;
+    if (mapped_) card_.setShares(mapped_->map.shares(tolerance_), tolerance_);
     return true;
+}
+
+/// It takes more than a tenth of a second: on a thread of the pool. Until then the one before it stays.
+void DeviationPresenter::makeMap() {
+    const QPointer<DeviationPresenter> self(this);
+    QThreadPool::globalInstance()->start([self, program = program_, cell = voxel()]() mutable {
+        auto made = std::make_shared<const Mapped>(std::move(program), cell);
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [self, made] {
+                if (self && self->program_ == made->program) self->adopt(made);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void DeviationPresenter::adopt(std::shared_ptr<const Mapped> made) {
+    mapped_ = std::move(made);
+    otherMap_ = true;
+    card_.showUnderPointer({});
+    card_.setShares(mapped_->map.shares(tolerance_), tolerance_);
+    present();
 }
 
 double DeviationPresenter::voxel() const {
@@ -76,8 +109,8 @@ void DeviationPresenter::pointAt(const QPointF& position) {
     if (!drawn_) return;
     const auto place = viewport_.pick(position);
     const double reach = reachInVoxels * voxel();
-    const auto sample = place ? map_->nearest(*place, reach) : std::nullopt;
-    card_.showUnderPointer(sample ? std::optional(program_->report.deviations[*sample]) : std::nullopt);
+    const auto sample = place ? mapped_->map.nearest(*place, reach) : std::nullopt;
+    card_.showUnderPointer(sample ? std::optional(mapped_->program->report.deviations[*sample]) : std::nullopt);
 }
 
 } // namespace burin

@@ -23,18 +23,27 @@ public:
 
 private:
     void present() override;
+    /// A map and the program whose samples it refers to.
+    struct Mapped {
+        Mapped(std::shared_ptr<const CheckedProgram> of, double cell);
+        std::shared_ptr<const CheckedProgram> program;
+        DeviationMap map;
+    };
     /// @return whether there is something else to draw
     bool take(std::shared_ptr<const CheckedProgram> program);
+    void makeMap();
+    void adopt(std::shared_ptr<const Mapped> made);
 
     double voxel() const; ///< mm; there is a program that fits
 
     Viewport& viewport_;
     DeviationCard& card_;
     ScenePresenter& scene_;
-    std::shared_ptr<const CheckedProgram> program_; ///< whose samples the map refers to
-    std::unique_ptr<DeviationMap> map_;
-    DeviationTolerance tolerance_; ///< that shares and bands are told in
+    std::shared_ptr<const CheckedProgram> program_; ///< whose map is asked for; null: none fits
+    std::shared_ptr<const Mapped> mapped_;          ///< the newest map that is made
+    DeviationTolerance tolerance_;                  ///< that shares and bands are told in
     bool shown_ = false, on_ = false, drawn_ = false;
+    bool otherMap_ = false; ///< than the one that is drawn
 };
 
 } // namespace burin
