@@ -247,7 +247,7 @@ private slots:
         QTRY_COMPARE(rowsSeen(), list.count());
         QVERIFY(list.count() > 10);
         page.resize(344, 400);
-        QTRY_COMPARE(rowsSeen(), 4);
+        QTRY_COMPARE(rowsSeen(), 6);
     }
 
     void aToolIsChosen() {

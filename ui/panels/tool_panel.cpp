@@ -17,7 +17,7 @@ namespace burin {
 
 namespace {
 
-constexpr int leastTools = 4, mostTools = 16; // rows that are seen at once
+constexpr int leastTools = 6, mostTools = 16; // rows that are seen at once
 
 } // namespace
 
