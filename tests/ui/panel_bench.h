@@ -5,10 +5,13 @@
 #include "ui/panels/row_list.h"
 #include "ui/panels/value_row.h"
 
+#include <QAbstractButton>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QtTest>
 
 #include <algorithm>
+#include <map>
 
 /// Panels led by real mouse and key events.
 namespace burin {
@@ -45,6 +48,20 @@ inline void type(QWidget& panel, const char* field, const char* text) {
 inline void clickRow(QWidget& panel, const char* list, int row) {
     auto& rows = child<RowList>(panel, list);
     QTest::mouseClick(rows.viewport(), Qt::LeftButton, {}, rows.visualItemRect(rows.item(row)).center());
+}
+
+/// Where all that a hand may press or type into is seen in a panel.
+inline std::map<const QWidget*, QRect> controlsOf(QWidget& panel) {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    std::map<const QWidget*, QRect> controls;
+    for (const QWidget* widget : panel.findChildren<QWidget*>()) {
+        const bool pressed = qobject_cast<const QAbstractButton*>(widget) != nullptr ||
+                             qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+                             qobject_cast<const QComboBox*>(widget) != nullptr;
+        if (pressed && widget->isVisible())
+            controls[widget] = QRect(widget->mapTo(&panel, QPoint()), widget->size());
+    }
+    return controls;
 }
 
 /// What a ValueRow shows, with plain spaces.

@@ -11,6 +11,7 @@
 #include "ui/theme/theme.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -22,6 +23,48 @@ private slots:
     void initTestCase() {
         QLocale::setDefault(QLocale(QStringLiteral("en_US")));
         applyTheme(*qApp, *loadPalette(Theme::dark));
+    }
+
+    /// Each of them comes by itself, while the hand is on its way to a button or types.
+    void noticesMoveNothing_data() {
+        QTest::addColumn<QString>("sentence");
+        QTest::newRow("short") << QStringLiteral("The machine's travel ends here.");
+        QTest::newRow("long") << QStringLiteral(
+            "There is no boundary for the tool: choose another tool, or embed again, with larger voxels where memory "
+            "was short, or end other programs that take it, or take a smaller stock, or all of these together.");
+    }
+    void noticesMoveNothing() {
+        QFETCH(QString, sentence);
+        MillPanel panel;
+        MillState quiet = examples::mill();
+        quiet.alarm = quiet.hint = quiet.lock = quiet.missing = QString();
+        quiet.recording = false;
+        panel.setState(quiet);
+        show(panel);
+        const auto before = controlsOf(panel);
+        QVERIFY(before.size() > 8);
+        auto& field = child<QDoubleSpinBox>(panel, "speedField");
+        field.setFocus(Qt::TabFocusReason);
+        field.selectAll();
+        const std::pair<QString MillState::*, const char*> notices[] = {
+            {&MillState::lock, "millLock"}, {&MillState::hint, "millHint"}, {&MillState::alarm, "millAlarm"}};
+        for (const auto& [text, name] : notices) {
+            MillState state = quiet;
+            state.*text = sentence;
+            panel.setState(state);
+            QVERIFY(controlsOf(panel) == before);
+            auto& notice = child<Notice>(panel, name);
+            QVERIFY(notice.isVisible());
+            QVERIFY(notice.sentence() == sentence && notice.geometry().bottom() < notice.parentWidget()->height());
+            auto* label = notice.findChild<QLabel*>();
+            QVERIFY(label->text().endsWith(QChar(0x2026)) ? notice.toolTip() == sentence
+                                                          : plain(label->text()).remove(QChar(0x200B)) == sentence);
+            QTest::keyClick(&field, Qt::Key_1);
+            panel.setState(quiet);
+            QVERIFY(controlsOf(panel) == before);
+        }
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(field.value(), 111.0);
     }
 
     void millingIsLedByItsButtons() {

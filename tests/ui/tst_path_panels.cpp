@@ -160,6 +160,26 @@ private slots:
         }
     }
 
+    void noticesMoveNothing() {
+        PathPanel panel;
+        PathState quiet = examples::path();
+        quiet.busy = quiet.outdated = quiet.waiting = false;
+        quiet.problem = QString();
+        panel.setState(quiet);
+        show(panel);
+        const auto before = controlsOf(panel);
+        QVERIFY(before.size() > 4);
+        PathState busy = quiet, outdated = quiet, waiting = quiet, problem = quiet;
+        busy.busy = outdated.outdated = waiting.waiting = true;
+        problem.problem = QStringLiteral("The path cuts into the part at 17 points by up to 0.31 mm; put another edit "
+                                         "behind the one that did it, or take it out.");
+        for (const PathState& state : {busy, outdated, waiting, problem}) {
+            panel.setState(state);
+            QVERIFY(child<Notice>(panel, "pathNotice").isVisible());
+            QVERIFY(controlsOf(panel) == before);
+        }
+    }
+
     void editsAreAddedMovedAndRemoved() {
         PathPanel panel;
         panel.setState(examples::path());

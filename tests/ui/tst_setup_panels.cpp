@@ -13,6 +13,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 
 using namespace burin;
@@ -209,6 +210,44 @@ private slots:
         pick("bodyMaterial", -2); // "Same as the stock" stands first
         QCOMPARE(bodies, (QStringList{"1 aluminium-6061", "1 "}));
         QCOMPARE(stock.size(), 1);
+    }
+
+    void toolsThatMilledAreMarked() {
+        ToolPanel panel;
+        ToolState state = examples::tool();
+        state.ofTakes = {"ball-6", "flat-10", "ball-6"};
+        panel.setState(state);
+        show(panel);
+        const auto& rows = child<RowList>(panel, "toolList").rows();
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::string& id = state.tools[i].id;
+            QCOMPARE(rows[i].badge, id == "ball-6" || id == "flat-10" ? QStringLiteral("milled") : QString());
+            QCOMPARE(rows[i].toolTip.contains(QStringLiteral("\n2 takes were")), id == "ball-6");
+            QCOMPARE(rows[i].toolTip.contains(QStringLiteral("\n1 take was")), id == "flat-10");
+        }
+    }
+
+    /// All tools in a high window; in a low one some, and the rest of the panel.
+    void theToolListTakesTheRoomThatThereIs() {
+        QScrollArea page;
+        auto* panel = new ToolPanel;
+        page.setWidget(panel);
+        page.setWidgetResizable(true);
+        panel->setState(examples::tool());
+        auto& list = child<RowList>(*panel, "toolList");
+        const auto rowsSeen = [&] {
+            int seen = 0;
+            for (int i = 0; i < list.count(); ++i)
+                seen += list.viewport()->rect().contains(list.visualItemRect(list.item(i))) ? 1 : 0;
+            return seen;
+        };
+        page.resize(344, 1400);
+        page.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&page));
+        QTRY_COMPARE(rowsSeen(), list.count());
+        QVERIFY(list.count() > 10);
+        page.resize(344, 400);
+        QTRY_COMPARE(rowsSeen(), 6);
     }
 
     void aToolIsChosen() {

@@ -6,10 +6,12 @@
 #include "ui/messages/messages.h"
 
 #include <QDirIterator>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 #include <QtTest>
@@ -75,6 +77,8 @@ QStringList sourcesOfFigures() {
     return sources;
 }
 
+constexpr QSize usualSize(1280, 800);
+
 } // namespace
 
 /// The window of somebody whose language is German.
@@ -83,8 +87,7 @@ class TestWindowGerman : public QObject {
 private slots:
     void initTestCase();
     void noTextOfAJobIsEnglish();
-    void noTextOfAJobIsCut_data();
-    void noTextOfAJobIsCut();
+    void numbersHaveTheDecimalComma();
 
 private:
     /// Texts that are seen now and hold an English word, each with the widget that shows it.
@@ -116,8 +119,7 @@ QStringList TestWindowGerman::englishTexts(WindowDriver& driver) const {
 }
 
 void TestWindowGerman::noTextOfAJobIsEnglish() {
-    WindowDriver driver;
-    QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
+    WindowDriver driver(usualSize, QLocale(QStringLiteral("de_DE")));
     Workbench& bench = driver.window().workbench();
     QStringList english = englishTexts(driver);
     const auto look = [&](JobStep step, const char* name) {
@@ -144,39 +146,42 @@ void TestWindowGerman::noTextOfAJobIsEnglish() {
     QVERIFY2(english.isEmpty(), qPrintable(QLatin1Char('\n') + english.join(QLatin1Char('\n'))));
 }
 
-void TestWindowGerman::noTextOfAJobIsCut_data() {
-    QTest::addColumn<QSize>("size");
-    QTest::newRow("smallest") << QSize(1024, 680);
-    QTest::newRow("usual") << QSize(1280, 800);
-    QTest::newRow("large") << QSize(1580, 960);
-}
-
-/// German words are the longer ones.
-void TestWindowGerman::noTextOfAJobIsCut() {
-    QFETCH(QSize, size);
-    WindowDriver driver(size);
-    QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
+/// In every field; a typed dot is understood as well, and what a machine reads has dots.
+void TestWindowGerman::numbersHaveTheDecimalComma() {
+    WindowDriver driver(usualSize, QLocale(QStringLiteral("de_DE")));
     Workbench& bench = driver.window().workbench();
-    QStringList cut;
-    const auto look = [&] {
-        QTest::qWait(200); // until panels have followed
-        for (const VisibleText& text : clippedTexts(driver.window()))
-            cut << text.where + QStringLiteral(": ") + text.text;
-    };
-    look();
     QVERIFY(makeReady(driver));
+    QVERIFY(driver.step(JobStep::mill));
+    auto* depth = driver.visible<QDoubleSpinBox>("depthOfCutField");
+    for (const auto& [typed, shown, value] :
+         {std::tuple{"0.25", "0,250", 0.25}, {"1,75", "1,750", 1.75}, {".5", "0,500", 0.5}}) {
+        QVERIFY(driver.enter("depthOfCutField", QLatin1String(typed)));
+        QCOMPARE(depth->cleanText(), QLatin1String(shown));
+        QCOMPARE(depth->value(), value);
+    }
+    QVERIFY(driver.enter("depthOfCutField", QStringLiteral("1.234,5"))); // means two things: nothing is entered
+    QCOMPARE(depth->value(), 0.5);
     QVERIFY(recordLine(driver, {-10, 0}, {10, 0}));
     QVERIFY(driver.settle());
     QVERIFY(driver.step(JobStep::path) && driver.clickOn("newPathButton"));
     QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
     QVERIFY(postProgram(driver));
+    QVERIFY(driver.step(JobStep::program));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    QString program = driver.visible<QPlainTextEdit>("programText")->toPlainText();
+    program.remove(QRegularExpression(QStringLiteral("\\([^)]*\\)"))); // remarks
+    QVERIFY(program.contains(QRegularExpression(QStringLiteral("X-?[0-9]+\\.[0-9]"))));
+    QVERIFY2(!program.contains(QLatin1Char(',')), qPrintable(program));
+    qsizetype fields = 0;
     for (int step = 0; step < JobLine::steps; ++step) {
-        QVERIFY(driver.step(static_cast<JobStep>(step)));
-        look();
-        driver.shoot(QStringLiteral("german-%1-%2").arg(size.width()).arg(step));
+        if (!driver.step(static_cast<JobStep>(step))) continue;
+        for (const auto* field : driver.window().findChildren<QDoubleSpinBox*>()) {
+            if (!field->isVisible()) continue;
+            ++fields;
+            QVERIFY2(!field->text().contains(QLatin1Char('.')), qPrintable(field->objectName() + field->text()));
+        }
     }
-    cut.removeDuplicates();
-    QVERIFY2(cut.isEmpty(), qPrintable(QLatin1Char('\n') + cut.join(QLatin1Char('\n'))));
+    QVERIFY(fields > 10);
 }
 
 QTEST_MAIN(TestWindowGerman)

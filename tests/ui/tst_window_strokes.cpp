@@ -366,6 +366,36 @@ private slots:
         QVERIFY(bench().mill.active()); // that Esc was the page's
     }
 
+    void aMessageLeavesTheViewCubeFree() {
+        viewport().setStandardView(StandardView::isometric);
+        QTest::qWait(400); // the view turns
+        const QString name = QStringLiteral("a name that is so long that it takes the whole width of the view.step");
+        emit bench().failed(Error{ErrorCode::fileNotReadable, name.toStdString(), "", "and a reason of its own"});
+        QVERIFY(!driver_->message().isEmpty());
+        QTest::qWait(50);
+        const QPoint cube = viewport().mapTo(&driver_->window(), QPoint(viewport().width() - 60, 60)); // its middle
+        QWidget* under = driver_->window().childAt(cube);
+        const glm::dvec3 looked = viewport().sight({1.0, 1.0}).rayDirection;
+        driver_->shoot("strokes-cube");
+        QTest::mouseMove(under, under->mapFrom(&driver_->window(), cube));
+        QTest::mouseClick(under, Qt::LeftButton, {}, under->mapFrom(&driver_->window(), cube));
+        QVERIFY(driver_->waitFor([&] { return viewport().sight({1.0, 1.0}).rayDirection != looked; }, 3000));
+    }
+
+    /// A lock comes by a key, while the hand goes on to a field.
+    void aLockMovesNoFieldOfThePanel() {
+        auto* field = driver_->visible<QAbstractSpinBox>("speedField");
+        const QPoint before = field->mapTo(&driver_->window(), QPoint());
+        viewport().setFocus();
+        driver_->key(Qt::Key_X);
+        QTRY_VERIFY(!lockSentence().isEmpty());
+        QTest::qWait(100);
+        QCOMPARE(field->mapTo(&driver_->window(), QPoint()), before);
+        driver_->key(Qt::Key_X);
+        QTRY_VERIFY(lockSentence().isEmpty());
+        QCOMPARE(field->mapTo(&driver_->window(), QPoint()), before);
+    }
+
     /// A field is disabled under the hand, and a message comes, while digits are typed: none of them turns the view,
     /// and nothing moves.
     void nothingThatComesUnderTheHandMakesAShortcutOfATypedKey() {

@@ -7,15 +7,20 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyle>
 #include <QStyleOptionButton>
+#include <QToolButton>
+#include <QToolTip>
 
 namespace burin::testing {
 
@@ -68,8 +73,73 @@ int contentsOf(const QAbstractButton& button, QStyle::SubElement element) {
     return button.style()->subElementRect(element, &option, &button).width();
 }
 
-bool fits(const QWidget& widget) {
-    if (qobject_cast<const ElidedLabel*>(&widget) != nullptr) return true;
+/// What is said while the pointer rests on a widget; empty: nothing.
+QString toolTipOf(QWidget& widget) {
+    const QPoint middle = widget.rect().center(), onScreen = widget.mapToGlobal(middle);
+    const QString before = QStringLiteral("of another widget");
+    QToolTip::showText(onScreen, before, &widget);
+    QHelpEvent rest(QEvent::ToolTip, middle, onScreen);
+    QApplication::sendEvent(&widget, &rest);
+    const QString told = QToolTip::text();
+    QToolTip::hideText();
+    return told == before ? QString() : told;
+}
+
+/// May end in "…" where the tooltip has the whole of it.
+bool isToldInWhole(QWidget& widget, const QString& text, int room) {
+    return widget.fontMetrics().horizontalAdvance(text) <= room || toolTipOf(widget).contains(text);
+}
+
+bool fits(QComboBox& box) {
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    const QRect room = box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box);
+    return isToldInWhole(box, box.currentText(), room.width());
+}
+
+/// @param index  of a row that is seen
+bool isToldInWhole(RowList& list, int index) {
+    const ListRow& row = list.rows()[static_cast<std::size_t>(index)];
+    const QRect place = list.visualItemRect(list.item(index));
+    const QPoint onScreen = list.viewport()->mapToGlobal(place.center());
+    QToolTip::hideText();
+    QHelpEvent rest(QEvent::ToolTip, place.center(), onScreen);
+    QApplication::sendEvent(list.viewport(), &rest);
+    const QString told = QToolTip::text();
+    QToolTip::hideText();
+    constexpr int leastMargins = 16;
+    const auto width = [&](const QString& text) { return list.fontMetrics().horizontalAdvance(text); };
+    const int taken = leastMargins + width(row.value) + width(row.badge);
+    return width(row.title) + taken <= place.width() || told.contains(row.title);
+}
+
+/// Sentences over several lines are as high as they need; else each row has a tooltip for what ends in "…".
+bool fits(RowList& list) {
+    for (int i = 0; i < list.count(); ++i) {
+        const QRect place = list.visualItemRect(list.item(i));
+        const bool wraps = place.height() > 3 * list.fontMetrics().lineSpacing();
+        if (!wraps && place.intersects(list.viewport()->rect()) && !isToldInWhole(list, i)) return false;
+    }
+    return true;
+}
+
+/// A field of numbers, with its unit; or of text.
+bool fits(const QLineEdit& field) {
+    constexpr int cursorRoom = 4; // pixels
+    const QString& text = field.text().isEmpty() ? field.placeholderText() : field.text();
+    const QMargins margins = field.textMargins();
+    const int room = field.contentsRect().width() - margins.left() - margins.right() - cursorRoom;
+    return field.hasFocus() || field.fontMetrics().horizontalAdvance(text) <= room;
+}
+
+bool fits(QWidget& widget) {
+    if (auto* elided = qobject_cast<ElidedLabel*>(&widget))
+        return isToldInWhole(*elided, elided->text(), elided->contentsRect().width());
+    if (auto* choice = qobject_cast<QComboBox*>(&widget)) return fits(*choice);
+    if (const auto* field = qobject_cast<const QLineEdit*>(&widget)) return fits(*field);
+    if (auto* list = qobject_cast<RowList*>(&widget)) return fits(*list);
+    if (const auto* tool = qobject_cast<const QToolButton*>(&widget))
+        return tool->width() >= tool->minimumSizeHint().width();
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) return fits(*label);
     if (const auto* button = qobject_cast<const QPushButton*>(&widget))
         return fits(*button, contentsOf(*button, QStyle::SE_PushButtonContents));
@@ -78,8 +148,9 @@ bool fits(const QWidget& widget) {
     return true;
 }
 
-/// Whether a scroll area that can't go sideways cuts it off on a side.
+/// Whether the window, or a scroll area that can't go sideways, cuts it off on a side.
 bool isCutOff(const QWidget& widget) {
+    if (widget.mapTo(widget.window(), QPoint(widget.width(), 0)).x() > widget.window()->width()) return true;
     for (const QWidget* parent = widget.parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
         const auto* area = qobject_cast<const QScrollArea*>(parent);
         if (area == nullptr || !area->viewport()->isAncestorOf(&widget)) continue;
@@ -93,11 +164,17 @@ bool isCutOff(const QWidget& widget) {
 
 std::vector<VisibleText> clippedTexts(QWidget& window) {
     std::vector<VisibleText> clipped;
-    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    for (QWidget* widget : window.findChildren<QWidget*>()) {
         if (!widget->isVisible() || (fits(*widget) && !isCutOff(*widget))) continue;
         const auto* label = qobject_cast<const QLabel*>(widget);
         const auto* button = qobject_cast<const QAbstractButton*>(widget);
-        const QString text = label != nullptr ? label->text() : button != nullptr ? button->text() : QString();
+        const auto* choice = qobject_cast<const QComboBox*>(widget);
+        const auto* field = qobject_cast<const QLineEdit*>(widget);
+        const QString text = label != nullptr    ? label->text()
+                             : button != nullptr ? button->text()
+                             : choice != nullptr ? choice->currentText()
+                             : field != nullptr  ? field->text() + field->placeholderText()
+                                                 : QString();
         clipped.push_back({nameOf(*widget), QStringLiteral("%1 (%2 px)").arg(text).arg(widget->width())});
     }
     return clipped;

@@ -18,8 +18,9 @@ struct VisibleText {
 /// tooltips, the title, and everything in its menus. Not what the user wrote, nor a program's text.
 std::vector<VisibleText> visibleTexts(QWidget& window);
 
-/// Texts that are seen now and have less room than their font needs: of labels, buttons, check boxes and choices.
-/// A label that may end in "…" is none of them, nor is what only has to be scrolled to, downwards.
+/// Texts that are seen now and have less room than their font needs: of labels, buttons, check boxes, choices and
+/// fields. What ends in "…" is none of them if its tooltip has the whole text, nor is what only has to be scrolled to,
+/// downwards.
 std::vector<VisibleText> clippedTexts(QWidget& window);
 
 } // namespace burin::testing

@@ -20,13 +20,14 @@ constexpr const char* stepButtons[] = {"stepPart",      "stepStock", "stepMateri
 
 } // namespace
 
-WindowDriver::WindowDriver(const QSize& size) : size_(size), folder_(std::make_unique<QTemporaryDir>()) {
+WindowDriver::WindowDriver(const QSize& size, const QLocale& locale)
+    : size_(size), folder_(std::make_unique<QTemporaryDir>()) {
     qputenv("XDG_DATA_HOME", folder_->filePath("data").toUtf8());
     qputenv("XDG_CONFIG_HOME", folder_->filePath("config").toUtf8());
     // QSettings reads the variable once in a process.
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_->filePath("config"));
     QCoreApplication::setApplicationName("Burin");
-    QLocale::setDefault(QLocale::c());
+    QLocale::setDefault(locale);
     open();
 }
 

@@ -4,6 +4,7 @@
 
 #include "ui/window/main_window.h"
 
+#include <QLocale>
 #include <QTemporaryDir>
 #include <QWidget>
 
@@ -15,7 +16,8 @@ namespace burin::testing {
 /// A window of its own that knows nothing of the tester's settings and projects, worked by mouse and keyboard.
 class WindowDriver {
 public:
-    explicit WindowDriver(const QSize& size = QSize(1280, 800));
+    /// @param locale  in which numbers are written, as the program sets it before there is a window
+    explicit WindowDriver(const QSize& size = QSize(1280, 800), const QLocale& locale = QLocale::c());
     ~WindowDriver();
     WindowDriver(const WindowDriver&) = delete;
     WindowDriver& operator=(const WindowDriver&) = delete;

@@ -50,7 +50,7 @@ private:
     ChoiceBox* stylus_;
     QWidget *pointerTitle_, *keysTitle_, *keys_; ///< of what only the pointer needs
     QuantityField *depthOfCut_, *press_, *speed_, *stepOver_;
-    Notice *missing_, *alarm_, *hint_, *lock_;
+    Notice *missing_, *alarm_, *hint_, *lock_, *how_;
     QLabel* noTakes_;
     TakeList* takes_;
 };
@@ -59,18 +59,13 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
     column_->addWidget(makeSectionTitle(MillPanel::tr("Mill"), panel));
     addButtons();
     addStylus();
-    missing_ = new Notice(panel);
-    missing_->setObjectName(QStringLiteral("millMissing"));
-    column_->addWidget(missing_);
-    alarm_ = new Notice(panel);
-    alarm_->setObjectName(QStringLiteral("millAlarm"));
-    column_->addWidget(alarm_);
-    hint_ = new Notice(panel);
-    hint_->setObjectName(QStringLiteral("millHint"));
-    column_->addWidget(hint_);
-    lock_ = new Notice(panel);
-    lock_->setObjectName(QStringLiteral("millLock"));
-    column_->addWidget(lock_);
+    auto* notices = new NoticePlace(panel);
+    alarm_ = notices->add("millAlarm");
+    hint_ = notices->add("millHint");
+    missing_ = notices->add("millMissing");
+    lock_ = notices->add("millLock");
+    how_ = notices->add("millHow");
+    column_->addWidget(notices);
     pointerTitle_ = makeSectionTitle(MillPanel::tr("How the tool follows the hand"), panel);
     column_->addWidget(pointerTitle_);
     addDepth();
@@ -268,6 +263,11 @@ void MillPanel::Fields::refreshButtons() {
     alarm_->tell(Notice::Kind::error, state.alarm);
     hint_->tell(Notice::Kind::warning, state.hint);
     lock_->tell(Notice::Kind::information, state.lock);
+    how_->tell(Notice::Kind::information,
+               state.stylus != 0 || !state.ready ? QString()
+               : state.active
+                   ? MillPanel::tr("Drag in the view to mill. Shift+click mills a straight line from the last end.")
+                   : MillPanel::tr("Press Mill, then drag in the view."));
     for (QPushButton* button : repeat_) setEnabledKeepingFocus(button, state.canRepeat);
 }
 

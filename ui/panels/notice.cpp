@@ -10,12 +10,15 @@
 #include <QLabel>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace burin {
 
 namespace {
 
 constexpr int noticeIconSize = 18, noticePaddingAcross = 12, noticePaddingAlong = 8, noticeGap = 8;
 constexpr double tint = 0.12, noticeCorner = 8.0;
+constexpr int keptLines = 3; // of a place for notices
 
 ColourRole roleOf(Notice::Kind kind) {
     switch (kind) {
@@ -45,6 +48,21 @@ QString iconOf(Notice::Kind kind) {
     return {};
 }
 
+/// As much of a wrapped text as fits so many lines.
+QString beginningOf(const QString& text, const QFontMetrics& font, int width, int lines) {
+    const QRect room(0, 0, width, 1 << 20);
+    const auto fits = [&](const QString& part) {
+        return font.boundingRect(room, Qt::TextWordWrap, part).height() <= lines * font.lineSpacing();
+    };
+    if (fits(text)) return text;
+    qsizetype kept = 0, tooMuch = text.size();
+    while (tooMuch - kept > 1) {
+        const qsizetype middle = (kept + tooMuch) / 2;
+        (fits(text.left(middle).trimmed() + QChar(0x2026)) ? kept : tooMuch) = middle;
+    }
+    return text.left(kept).trimmed() + QChar(0x2026);
+}
+
 } // namespace
 
 Notice::Notice(QWidget* parent) : QFrame(parent), text_(makeWrappedLabel(this)) {
@@ -57,16 +75,44 @@ Notice::Notice(QWidget* parent) : QFrame(parent), text_(makeWrappedLabel(this)) 
 }
 
 void Notice::tell(Kind kind, const QString& sentence) {
-    if (kind != kind_) update();
+    if (sentence == sentence_ && kind == kind_) return;
+    update();
     kind_ = kind;
-    setWrappedText(text_, sentence);
+    sentence_ = sentence;
+    showText();
     const QString kindName = kind == Kind::warning ? tr("Warning") : kind == Kind::error ? tr("Error") : QString();
     setAccessibleName(kindName.isEmpty() ? sentence : kindName + QStringLiteral(": ") + sentence);
     setVisible(!sentence.isEmpty());
+    emit told();
 }
 
 QString Notice::sentence() const {
-    return text_->accessibleName();
+    return sentence_;
+}
+
+void Notice::setMaximumLines(int lines) {
+    maximumLines_ = lines;
+    showText();
+}
+
+int Notice::heightOfLines(int lines) const {
+    return 2 * noticePaddingAlong + lines * text_->fontMetrics().lineSpacing();
+}
+
+void Notice::showText() {
+    if (maximumLines_ > 0) text_->clear(); // it may hold less than the whole
+    setWrappedText(text_, sentence_);
+    if (maximumLines_ == 0) return;
+    const QMargins margins = layout()->contentsMargins();
+    const int room = width() - margins.left() - margins.right();
+    const QString whole = text_->text(), shown = beginningOf(whole, text_->fontMetrics(), room, maximumLines_);
+    text_->setText(shown);
+    setToolTip(shown == whole ? QString() : sentence_);
+}
+
+void Notice::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    if (maximumLines_ > 0) showText();
 }
 
 void Notice::paintEvent(QPaintEvent*) {
@@ -77,6 +123,37 @@ void Notice::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(rect(), noticeCorner, noticeCorner);
     themedIcon(iconOf(kind_), roleOf(kind_))
         .paint(&painter, {noticePaddingAcross, noticePaddingAlong, noticeIconSize, noticeIconSize});
+}
+
+NoticePlace::NoticePlace(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+Notice* NoticePlace::add(const char* name) {
+    auto* notice = new Notice(this);
+    notice->setObjectName(QLatin1String(name));
+    notice->setMaximumLines(keptLines);
+    notices_.push_back(notice);
+    connect(notice, &Notice::told, this, &NoticePlace::showFirst);
+    return notice;
+}
+
+QSize NoticePlace::sizeHint() const {
+    return {200, notices_.empty() ? 0 : notices_.front()->heightOfLines(keptLines)};
+}
+
+void NoticePlace::showFirst() {
+    const auto first =
+        std::ranges::find_if(notices_, [](const Notice* notice) { return !notice->sentence().isEmpty(); });
+    for (auto it = notices_.begin(); it != notices_.end(); ++it) (*it)->setVisible(it == first);
+    if (first == notices_.end()) return;
+    (*first)->resize(width(), height()); // its text breaks by this
+    (*first)->resize(width(), std::min(height(), (*first)->heightForWidth(width())));
+}
+
+void NoticePlace::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showFirst();
 }
 
 } // namespace burin

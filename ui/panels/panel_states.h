@@ -76,6 +76,7 @@ struct MaterialState {
 struct ToolState {
     std::vector<Tool> tools;
     std::string current;
+    std::vector<std::string> ofTakes; ///< the tool of each take
     double feed = 0.0, plungeFeed = 0.0,
            spindleSpeed = 0.0;        ///< mm/min, mm/min, 1/min in the stock's material; 0: not known yet
     bool conditionsEstimated = false; ///< the material's figures are estimates

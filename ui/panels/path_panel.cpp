@@ -117,9 +117,9 @@ void PathPanel::Fields::addHead() {
     update_ = makePrimaryButton(PathPanel::tr("Update path"), QStringLiteral("updatePathButton"), panel_);
     column_->addWidget(new_);
     column_->addWidget(update_);
-    notice_ = new Notice(panel_);
-    notice_->setObjectName(QStringLiteral("pathNotice"));
-    column_->addWidget(notice_);
+    auto* notices = new NoticePlace(panel_);
+    notice_ = notices->add("pathNotice");
+    column_->addWidget(notices);
     connect(new_, &QPushButton::clicked, panel_, &PathPanel::newPathRequested);
     connect(update_, &QPushButton::clicked, panel_, &PathPanel::evaluateRequested);
     connect(eye_, &QToolButton::clicked, this, [this](bool shown) {

@@ -31,6 +31,12 @@ void RowList::setMaximumRows(int rows) {
     updateGeometry();
 }
 
+void RowList::setLeastRows(int rows) {
+    leastRows_ = rows;
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    followRows();
+}
+
 void RowList::setFillsHeight(bool fills) {
     setSizePolicy(QSizePolicy::Expanding, fills ? QSizePolicy::Expanding : QSizePolicy::Fixed);
 }
@@ -46,7 +52,7 @@ void RowList::resizeEvent(QResizeEvent* event) {
     QListWidget::resizeEvent(event);
     if (event->size().width() == event->oldSize().width()) return;
     scheduleDelayedItemsLayout();
-    updateGeometry();
+    followRows();
 }
 
 void RowList::setRows(const std::vector<ListRow>& rows) {
@@ -61,6 +67,11 @@ void RowList::setRows(const std::vector<ListRow>& rows) {
     }
     for (int i = 0; i < count(); ++i) RowDelegate::fill(*item(i), rows_[static_cast<std::size_t>(i)]);
     setCurrentRow(chosen < count() ? chosen : -1);
+    followRows();
+}
+
+void RowList::followRows() {
+    if (leastRows_ > 0) setMaximumHeight(heightOfRows(maximumRows_));
     updateGeometry();
 }
 
@@ -72,14 +83,19 @@ void RowList::setChosen(int row) {
     viewport()->update();
 }
 
-QSize RowList::sizeHint() const {
+int RowList::heightOfRows(int rows) const {
     int height = 2 * frameWidth();
-    for (int i = 0; i < std::min(count(), maximumRows_); ++i) height += sizeHintForRow(i);
-    return {200, std::max(height + 4, 32)};
+    for (int i = 0; i < std::min(count(), rows); ++i) height += sizeHintForRow(i);
+    return std::max(height + 4, 32);
+}
+
+QSize RowList::sizeHint() const {
+    return {200, heightOfRows(leastRows_ > 0 ? std::min(leastRows_, maximumRows_) : maximumRows_)};
 }
 
 QSize RowList::minimumSizeHint() const {
     constexpr int leastWidth = 96, leastHeight = 32; // pixels
+    if (leastRows_ > 0) return {leastWidth, sizeHint().height()};
     return {leastWidth, sizePolicy().verticalPolicy() == QSizePolicy::Fixed ? sizeHint().height() : leastHeight};
 }
 

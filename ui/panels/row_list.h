@@ -26,6 +26,8 @@ class RowList : public QListWidget {
 public:
     explicit RowList(QWidget* parent = nullptr);
     void setMaximumRows(int rows);
+    /// Rows up to the maximum are shown where there is room for them, and so many at any rate.
+    void setLeastRows(int rows);
     void setFillsHeight(bool fills); ///< takes the height that there is, however many rows it has
     void setTextsWrap(bool wrap);    ///< titles and details are whole sentences, over several lines
     /// Shows rows without a signal; nothing is done when it has them. The current row stays where it can.
@@ -46,7 +48,11 @@ protected:
 
 private:
     std::vector<ListRow> rows_;
+    int heightOfRows(int rows) const;
+    void followRows();
+
     int maximumRows_ = 6;
+    int leastRows_ = 0; ///< 0: the maximum
     int beforePress_ = -1;
 };
 

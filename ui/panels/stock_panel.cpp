@@ -63,9 +63,6 @@ StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), c
                       "sideMarginField");
     top_ = addField(StockPanel::tr("Margin, top"), StockPanel::tr("Stock above the part"), "topMarginField");
     bottom_ = addField(StockPanel::tr("Margin, bottom"), StockPanel::tr("Stock below the part"), "bottomMarginField");
-    sidesNotice_ = new Notice(panel);
-    sidesNotice_->setObjectName(QStringLiteral("sideMarginNotice"));
-    column_->addWidget(sidesNotice_);
     size_ = new ValueRow(StockPanel::tr("Stock size"), panel);
     size_->setObjectName(QStringLiteral("stockSize"));
     column_->addWidget(size_);
@@ -79,9 +76,10 @@ StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), c
     voxels_->setProperty("look", "quiet");
     column_->addWidget(voxels_);
 
-    notice_ = new Notice(panel);
-    notice_->setObjectName(QStringLiteral("stockNotice"));
-    column_->addWidget(notice_);
+    auto* notices = new NoticePlace(panel);
+    sidesNotice_ = notices->add("sideMarginNotice");
+    notice_ = notices->add("stockNotice");
+    column_->addWidget(notices);
     embed_ = makePrimaryButton(StockPanel::tr("Embed the part"), QStringLiteral("embedButton"), panel);
     column_->addWidget(embed_);
     findings_ = new Notice(panel);
@@ -150,9 +148,10 @@ void StockPanel::Fields::refreshNotices() {
     const bool equal = std::ranges::all_of(margins, [&](double margin) { return margin == margins[0]; });
     sidesNotice_->tell(
         Notice::Kind::information,
-        equal ? QString()
-              : StockPanel::tr("The margins of the sides differ: %1 to %2. An entry sets all four.")
-                    .arg(lengthText(std::ranges::min(margins), unit_), lengthText(std::ranges::max(margins), unit_)));
+        equal || !state.problem.isEmpty() || state.locked
+            ? QString() // what stands in the way comes first
+            : StockPanel::tr("The margins of the sides differ: %1 to %2. An entry sets all four.")
+                  .arg(lengthText(std::ranges::min(margins), unit_), lengthText(std::ranges::max(margins), unit_)));
     if (!state.problem.isEmpty())
         notice_->tell(Notice::Kind::error, state.problem);
     else if (!state.hasPart)

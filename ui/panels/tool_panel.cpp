@@ -15,6 +15,12 @@
 
 namespace burin {
 
+namespace {
+
+constexpr int leastTools = 6, mostTools = 16; // rows that are seen at once
+
+} // namespace
+
 class ToolPanel::Fields : public QObject {
 public:
     explicit Fields(ToolPanel* panel);
@@ -43,8 +49,9 @@ ToolPanel::Fields::Fields(ToolPanel* panel) : QObject(panel), panel_(panel), col
     tools_->setObjectName(QStringLiteral("toolList"));
     tools_->setAccessibleName(ToolPanel::tr("Tools"));
     tools_->setToolTip(ToolPanel::tr("Choose the tool to mill with"));
-    tools_->setMaximumRows(4);
-    column_->addWidget(tools_);
+    tools_->setMaximumRows(mostTools);
+    tools_->setLeastRows(leastTools);
+    column_->addWidget(tools_, 100); // before what is empty below takes any
     notice_ = new Notice(panel);
     notice_->setObjectName(QStringLiteral("toolNotice"));
     column_->addWidget(notice_);
@@ -119,6 +126,12 @@ void ToolPanel::Fields::refresh() {
         row.title = row.toolTip = toolName(tool);
         row.value = QStringLiteral("T%1").arg(tool.number);
         row.detail = toolSummary(tool, unit);
+        if (const auto takes = std::ranges::count(state.ofTakes, tool.id); takes > 0) {
+            row.badge = ToolPanel::tr("milled");
+            row.toolTip += QLatin1Char('\n') + (takes == 1 ? ToolPanel::tr("1 take was milled with this tool")
+                                                           : ToolPanel::tr("%n takes were milled with this tool",
+                                                                           nullptr, static_cast<int>(takes)));
+        }
         rows.push_back(row);
     }
     tools_->setRows(rows);

@@ -4,6 +4,7 @@
 
 #include "ui/scene/camera_view.h"
 #include "ui/scene/label.h"
+#include "ui/scene/view_cube_room.h"
 #include "ui/theme/theme.h"
 
 #include <vtkActor.h>
@@ -24,7 +25,7 @@ class ViewCube {
     Q_DECLARE_TR_FUNCTIONS(ViewCube)
 
 public:
-    static constexpr double side = 104.0, margin = 8.0; ///< device-independent pixels of its corner of the widget
+    static constexpr double side = ViewCubeRoom::side, margin = ViewCubeRoom::margin;
 
     /// @param layer of its own, over the others
     ViewCube(vtkRenderWindow& window, int layer);

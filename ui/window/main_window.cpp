@@ -7,6 +7,7 @@
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
+#include "ui/scene/view_cube_room.h"
 #include "ui/window/program_dock.h"
 
 #include <QApplication>
@@ -126,7 +127,8 @@ void MainWindow::layOut() {
 void MainWindow::followPage() {
     const bool working = pages_->currentWidget() == bench_;
     const bool leadsBack = !working && workbench_.document.isOpen();
-    message_->layOver(working ? static_cast<QWidget*>(viewport_) : welcome_);
+    constexpr int cube = static_cast<int>(ViewCubeRoom::side + 2.0 * ViewCubeRoom::margin);
+    message_->layOver(working ? static_cast<QWidget*>(viewport_) : welcome_, working ? cube : 0);
     followProgram();
     status_->setPageEscape(leadsBack ? tr("Esc: back to the project") : QString(), !working);
 }

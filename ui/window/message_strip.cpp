@@ -34,8 +34,9 @@ void MessageStrip::tell(Notice::Kind kind, const QString& sentence) {
     raise();
 }
 
-void MessageStrip::layOver(QWidget* area) {
+void MessageStrip::layOver(QWidget* area, int freeAtRight) {
     if (area_ == area) return;
+    freeAtRight_ = freeAtRight;
     if (area_ != nullptr) area_->removeEventFilter(this);
     area_ = area;
     area_->installEventFilter(this);
@@ -48,7 +49,7 @@ void MessageStrip::layOver(QWidget* area) {
 
 void MessageStrip::fit() {
     if (area_ == nullptr) return;
-    const int width = area_->width();
+    const int width = area_->width() - freeAtRight_;
     setGeometry(0, 0, width, layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height());
 }
 

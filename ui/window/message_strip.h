@@ -9,14 +9,15 @@
 namespace burin {
 
 /// One sentence over the top of what the user looks at, which may be put away. It never stops anybody's work: nothing
-/// moves for it, and it covers no field.
+/// moves for it, and it covers no field and no view cube.
 class MessageStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit MessageStrip(QWidget* parent = nullptr);
 
     /// What it lies over from now on. It outlives this.
-    void layOver(QWidget* area);
+    /// @param freeAtRight  pixels at the area's right side that it never covers
+    void layOver(QWidget* area, int freeAtRight = 0);
     void tell(Notice::Kind kind, const QString& sentence);
     void dismiss();
     QString sentence() const { return notice_->sentence(); }
@@ -28,6 +29,7 @@ private:
     void fit();
 
     QWidget* area_ = nullptr;
+    int freeAtRight_ = 0; ///< pixels
     Notice* notice_ = nullptr;
 };
 

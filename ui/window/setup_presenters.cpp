@@ -70,7 +70,8 @@ void MaterialPresenter::present() {
 }
 
 ToolPresenter::ToolPresenter(Workbench& workbench, ToolPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.tool, &workbench.setup, &workbench.bench, &workbench.target}, parent)
+    : Presenter(workbench, {&workbench.tool, &workbench.setup, &workbench.bench, &workbench.target, &workbench.mill},
+                parent)
     , panel_(panel) {
     connect(&panel, &ToolPanel::toolChosen, &workbench.tool, &ToolController::choose);
 }
@@ -87,6 +88,7 @@ void ToolPresenter::present() {
     state.current = tool.current().id;
     state.fieldBusy = workbench_.bench.fieldBusy();
     state.locked = tool.locked();
+    for (const TakeInfo& take : workbench_.mill.takes()) state.ofTakes.push_back(take.toolId);
     if (const Property* material = workbench_.setup.stockMaterial()) {
         if (const auto conditions = tool.conditionsIn(*material, workbench_.target.machine())) {
             state.feed = conditions->feed;

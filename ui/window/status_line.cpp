@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/status_line.h"
 
+#include "ui/panels/elided_label.h"
+
 #include <QFontDatabase>
 #include <QLabel>
 #include <QProgressBar>
@@ -18,9 +20,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     recording_->setProperty("look", "force");
     escape_ = add("escapeStatus", tr("Effect of the Escape key."));
     stylus_ = add("stylusStatus", tr("What leads the tool."));
-    rate_ = add("rateStatus", tr("Ticks per second of the haptic loop that were really reached, how long 999 of 1000 "
-                                 "forces let wait for the next one at most, what a tick costs at most, and ticks that "
-                                 "were skipped."));
+    rate_ = add("rateStatus", {}, new ElidedLabel({}, this)); // the first that ends in "…" where the window is narrow
     position_ = add("positionStatus", tr("Where the tip is, in the coordinates of the program."));
     size_ = add("sizeStatus", tr("Voxels of the workpiece, and the memory reserved for it."));
     saved_ = add("savedStatus", tr("Whether the project's file holds all that was done."));
@@ -46,7 +46,10 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
 }
 
 QLabel* StatusLine::add(const char* name, const QString& toolTip) {
-    auto* label = new QLabel(this);
+    return add(name, toolTip, new QLabel(this));
+}
+
+QLabel* StatusLine::add(const char* name, const QString& toolTip, QLabel* label) {
     label->setObjectName(QString::fromLatin1(name));
     label->setToolTip(toolTip);
     label->setContentsMargins(8, 0, 8, 0);
@@ -90,6 +93,10 @@ void StatusLine::showEscape() {
 
 void StatusLine::setRate(const QString& text) {
     put(rate_, text);
+    const QString explanation =
+        tr("Ticks per second of the haptic loop that were really reached, how long 999 of 1000 forces let wait for the "
+           "next one at most, what a tick costs at most, and ticks that were skipped.");
+    rate_->setToolTip(text + QLatin1Char('\n') + explanation);
 }
 
 void StatusLine::setPosition(const QString& text) {

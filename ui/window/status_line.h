@@ -36,6 +36,7 @@ signals:
 
 private:
     QLabel* add(const char* name, const QString& toolTip);
+    QLabel* add(const char* name, const QString& toolTip, QLabel* label);
 
     void showEscape();
 

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/visible_texts.h"
+#include "tests/ui/window_steps.h"
+#include "ui/messages/messages.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QPlainTextEdit>
+#include <QtTest>
+
+using namespace burin;
+using namespace burin::testing;
+
+/// Texts have the room that they need, in both languages and at every size that the window may have.
+class TestWindowRoom : public QObject {
+    Q_OBJECT
+private slots:
+    void noTextOfAJobIsCut_data();
+    void noTextOfAJobIsCut();
+
+private:
+    /// Of all that is seen now.
+    void look(WindowDriver& driver, const QString& name);
+    void lookAtSteps(WindowDriver& driver, const QString& name);
+    /// Opens each list of a choice that is seen now: its items have the room that they need.
+    void lookIntoChoices(WindowDriver& driver);
+
+    QStringList cut_;
+};
+
+void TestWindowRoom::look(WindowDriver& driver, const QString& name) {
+    QTest::qWait(200); // until panels have followed
+    QString file = QStringLiteral("room-%1-%2").arg(QLatin1String(QTest::currentDataTag()), name);
+    driver.shoot(file.replace(QLatin1String(", "), QLatin1String("-")));
+    for (const VisibleText& text : clippedTexts(driver.window()))
+        cut_ << name + QStringLiteral(": ") + text.where + QStringLiteral(": ") + text.text;
+}
+
+void TestWindowRoom::lookAtSteps(WindowDriver& driver, const QString& name) {
+    for (int step = 0; step < JobLine::steps; ++step)
+        if (driver.step(static_cast<JobStep>(step))) look(driver, QStringLiteral("%1-%2").arg(name).arg(step + 1));
+}
+
+void TestWindowRoom::lookIntoChoices(WindowDriver& driver) {
+    for (auto* choice : driver.window().findChildren<QComboBox*>()) {
+        if (!choice->isVisible() || !choice->isEnabled()) continue;
+        QTest::mouseClick(choice, Qt::LeftButton);
+        if (!driver.waitFor([&] { return choice->view()->isVisible(); }, 2000)) {
+            cut_ << choice->objectName() + QStringLiteral(" does not open");
+            continue;
+        }
+        for (int i = 0; i < choice->count(); ++i)
+            if (choice->view()->fontMetrics().horizontalAdvance(choice->itemText(i)) >
+                choice->view()->viewport()->width())
+                cut_ << choice->objectName() + QStringLiteral(", opened: ") + choice->itemText(i);
+        QTest::keyClick(choice->view(), Qt::Key_Escape);
+        QTest::qWait(50);
+    }
+}
+
+void TestWindowRoom::noTextOfAJobIsCut_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QSize>("size");
+    for (const char* language : {"en", "de"}) // a translation that is installed stays
+        for (const auto& [name, size] : {std::pair{"smallest", QSize(1024, 680)}, {"large", QSize(1580, 960)}})
+            QTest::addRow("%s, %s", language, name) << QString::fromLatin1(language) << size;
+}
+
+void TestWindowRoom::noTextOfAJobIsCut() {
+    QFETCH(QString, language);
+    QFETCH(QSize, size);
+    const bool german = language == QLatin1String("de");
+    if (german) QVERIFY(Messages::install(QLocale(language)));
+    WindowDriver driver(size, german ? QLocale(QStringLiteral("de_DE")) : QLocale::c());
+    Workbench& bench = driver.window().workbench();
+    cut_.clear();
+    look(driver, "welcome");
+    drop(driver.window(), writeBlock(driver, false)); // open, so that there are notes and findings
+    QVERIFY(driver.waitFor([&] { return bench.model.model() != nullptr; }) && driver.settle());
+    lookAtSteps(driver, "begun");
+
+    QVERIFY(makeReady(driver));
+    QVERIFY(recordLine(driver, {-10, 0}, {10, 0}) && driver.settle());
+    QVERIFY(driver.step(JobStep::path) && driver.clickOn("newPathButton"));
+    QVERIFY(driver.waitFor([&] { return bench.path.evaluated() != nullptr; }));
+    QVERIFY(postProgram(driver));
+    lookAtSteps(driver, "done");
+    lookIntoChoices(driver); // of the program, the machines among them
+
+    // A program that the check refuses, in the dock.
+    QVERIFY(driver.clickOn("editTextButton"));
+    auto* text = driver.visible<QPlainTextEdit>("programText");
+    text->setFocus();
+    QTest::keyClick(text, Qt::Key_End, Qt::ControlModifier);
+    QTest::keyClicks(text, "G1 Z-50 F100");
+    QTest::keyClick(text, Qt::Key_Return);
+    QTest::keyClicks(text, "G999");
+    QVERIFY(driver.waitFor([&] { return bench.program.edited(); }, 3000));
+    driver.key(Qt::Key_F7);
+    look(driver, "docked");
+    QVERIFY(driver.step(JobStep::mill) && driver.clickOn("millButton"));
+    QVERIFY(driver.waitFor([&] { return bench.mill.active(); }));
+    look(driver, "milling");
+    cut_.removeDuplicates();
+    QVERIFY2(cut_.isEmpty(), qPrintable(QLatin1Char('\n') + cut_.join(QLatin1Char('\n'))));
+}
+
+QTEST_MAIN(TestWindowRoom)
+#include "tst_window_room.moc"
