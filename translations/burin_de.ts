@@ -4025,6 +4025,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>A stroke is being cut. Wait until it ends, or press Esc to end it.</source>
         <translation>Ein Zug wird gerade gefräst. Warten Sie, bis er endet, oder beenden Sie ihn mit Esc.</translation>
     </message>
+    <message>
+        <source>Drag in the view to mill. Shift+click mills a straight line from the last end.</source>
+        <translation>Zum Fräsen in der Ansicht ziehen. Umschalt+Klick fräst vom letzten Ende aus gerade.</translation>
+    </message>
+    <message>
+        <source>Press Mill, then drag in the view.</source>
+        <translation>„Fräsen“ drücken, dann in der Ansicht ziehen.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MillPresenter</name>
@@ -5535,6 +5543,21 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Source of the dimensions</source>
         <translation>Quelle der Abmessungen</translation>
+    </message>
+    <message>
+        <source>milled</source>
+        <translation>gefräst</translation>
+    </message>
+    <message>
+        <source>1 take was milled with this tool</source>
+        <translation>1 Aufnahme wurde mit diesem Werkzeug gefräst</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n takes were milled with this tool</source>
+        <translation>
+            <numerusform>%n Aufnahme wurde mit diesem Werkzeug gefräst</numerusform>
+            <numerusform>%n Aufnahmen wurden mit diesem Werkzeug gefräst</numerusform>
+        </translation>
     </message>
 </context>
 <context>
