@@ -117,10 +117,15 @@ private slots:
         show(panel);
         click(panel, "newPathButton"); // no take yet
         QCOMPARE(made.size(), 0);
-        state.hasTakes = true;
+        state.milled = {{"flat-10", QStringLiteral("End mill 10 mm")}}; // another one is in force
+        state.someWithoutPath = true;
         panel.setState(state);
         click(panel, "newPathButton");
         QCOMPARE(made.size(), 1);
+        state.hasTakes = true;
+        panel.setState(state);
+        click(panel, "newPathButton");
+        QCOMPARE(made.size(), 2);
         panel.setState(examples::path());
         panel.adjustSize();
         click(panel, "updatePathButton");
