@@ -202,7 +202,8 @@ std::vector<std::uint32_t> SurfaceSimplifier::straightened(const SurfaceMesh& me
                 return distanceToSegment(mesh.points[point], mesh.points[from], mesh.points[edges[next + 1]]) <=
                        tolerance;
             });
-            if (!straight || between.size() > mostBetween) break;
+            const bool oneMaterial = mesh.properties[edges[next]] == mesh.properties[from];
+            if (!straight || !oneMaterial || between.size() > mostBetween) break;
             done[next] = true;
             to = edges[next + 1];
         }

@@ -28,7 +28,7 @@ public:
     /// triangle uses dropped.
     void join(std::span<const SurfaceMesh* const> pieces, SurfaceMesh& whole);
     /// Edges that have a triangle on one side only, two points each, in that triangle's turn; those that follow one
-    /// another as one, where the points between lie within the tolerance (mm) of it.
+    /// another as one, where they are of one material and the points between lie within the tolerance (mm) of it.
     std::vector<std::uint32_t> rim(const SurfaceMesh& mesh, double tolerance = 0.0);
 
 private:

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/progress.h"
+#include "core/volume/voxelisation.h"
+#include "tests/core/volume/shapes.h"
 #include "tests/ui/viewport_fixture.h"
 #include "ui/theme/colour.h"
 
@@ -38,6 +41,36 @@ std::shared_ptr<const Model> bossOnPlate() {
     body.box = boundingBox(body.mesh);
     model->bodies.push_back(std::move(body));
     return model;
+}
+
+/// Half sizes and heights of a bar that is turned about Z, mm.
+constexpr glm::dvec2 barHalf{14.0, 7.0};
+constexpr double barTop = 9.0, floorHeight = 3.0, barTurn = 0.3;
+
+glm::dvec3 onBar(double x, double y, double z) {
+    return {x * std::cos(barTurn) - y * std::sin(barTurn), x * std::sin(barTurn) + y * std::cos(barTurn), z};
+}
+
+TriangleMesh barMesh() {
+    return test::turned(test::boxMesh({-barHalf.x, -barHalf.y, 0.0}, {barHalf.x, barHalf.y, barTop}), barTurn,
+                        {0.0, 0.0, 1.0}, glm::dvec3(0.0));
+}
+
+/// Stock whose floor was milled around the bar, in voxels of 0.8 mm: some 10 pixels.
+RunVolume milledAroundBar() {
+    PropertyList properties;
+    Property wax, part;
+    wax.id = wax.name = "wax";
+    wax.colour = {190, 190, 190};
+    part.id = part.name = "part";
+    part.machinability = Machinability::isProtected;
+    const PropertyIndex stockIndex = *properties.add(wax), partIndex = *properties.add(part);
+    const Grid grid = *Grid::make({-24.0, -16.0, -2.0}, 0.8, {60, 40, 20});
+    RunVolume volume = *RunVolume::make(grid, properties);
+    (void)volume.fillBlock({0, 0}, {60, 40}, grid.toRunPosition(-2.0), grid.toRunPosition(floorHeight), stockIndex);
+    Progress progress;
+    (void)voxelise(barMesh(), partIndex, volume, progress);
+    return volume;
 }
 
 double lightnessOf(const QColor& colour) {
@@ -173,9 +206,47 @@ private slots:
         QVERIFY(bench_->save("viewport-scale", image));
     }
 
+    /// Not where its voxels lie, which are ten pixels wide: right up to its edges, and no farther.
+    void barePartIsDrawnWhereItLies() {
+        auto model = std::make_shared<Model>();
+        model->bodies.emplace_back();
+        model->bodies.back().mesh = barMesh();
+        model->bodies.back().box = boundingBox(model->bodies.back().mesh);
+        viewport_->setPart(model);
+        RunVolume volume = milledAroundBar();
+        viewport_->setWorkpiece(volume.snapshot());
+        viewport_->setPartVisible(false); // its own show: it is seen as far as the workpiece is bare
+        viewport_->fit();
+        bench_->settle();
+        const QImage image = viewport_->grabFramebuffer();
+        QVERIFY(bench_->save("viewport-bare-part", image));
+        const double pixel = 1.0 / (glm::distance(at(1.0), at(0.0)) * viewport_->devicePixelRatio()); // mm
+        QVERIFY(pixel < 0.15);
+        const auto isPart = [&](const glm::dvec3& place) {
+            const QColor colour = pixelAt(image, place);
+            return colour.blue() > colour.red() + 40;
+        };
+        const double line = 4.0 * pixel; // that the edge itself is as wide as, with a pixel to each side
+        for (int i = -20; i <= 20; ++i) {
+            const double x = 0.9 * barHalf.x * i / 20.0, y = 0.9 * barHalf.y * i / 20.0;
+            for (const double side : {-1.0, 1.0}) {
+                QVERIFY(isPart(onBar(x, side * (barHalf.y - line), barTop)));
+                QVERIFY(isPart(onBar(side * (barHalf.x - line), y, barTop)));
+                QVERIFY(!isPart(onBar(x, side * (barHalf.y + line), barTop)));
+                QVERIFY(!isPart(onBar(side * (barHalf.x + line), y, barTop)));
+            }
+        }
+        viewport_->setWorkpiece({});
+    }
+
     void cleanupTestCase() { bench_.reset(); }
 
 private:
+    /// On the screen, device-independent pixels.
+    glm::dvec2 at(double x) const {
+        const QPointF place = viewport_->project({x, 0.0, barTop});
+        return {place.x(), place.y()};
+    }
     QColor pixelAt(const QImage& image, const glm::dvec3& place) const {
         return image.pixelColor((viewport_->project(place) * viewport_->devicePixelRatio()).toPoint());
     }

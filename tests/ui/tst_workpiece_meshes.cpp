@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/progress.h"
 #include "core/geometry/mesh_distance.h"
 #include "core/setup/stock_shape.h"
+#include "core/volume/voxelisation.h"
+#include "tests/core/volume/shapes.h"
 #include "tests/core/volume/volumes.h"
 #include "tests/ui/offscreen_stage.h"
 #include "ui/scene/workpiece_mesher.h"
@@ -36,8 +39,10 @@ constexpr int side = 900; // pixels
 /// Triangles that are allowed while things move, so that all details are drawn, down to the coarsest.
 constexpr std::array<std::size_t, 5> movingLimits{1'000'000, 4'000, 1'500, 500, 1};
 
-Surfaces surfaces(const VolumeSnapshot& workpiece, std::size_t movingLimit, SurfaceLayer layer) {
+Surfaces surfaces(const VolumeSnapshot& workpiece, std::size_t movingLimit, SurfaceLayer layer,
+                  bool partDrawn = false) {
     WorkpieceMesher mesher({movingLimit, 10'000'000}, [] {});
+    mesher.setPartDrawn(partDrawn);
     mesher.show(workpiece, std::nullopt);
     std::map<std::size_t, vtkSmartPointer<vtkPolyData>> byGroup;
     for (bool busy = true; busy;) {
@@ -74,6 +79,27 @@ TriangleMesh meshOf(const Surfaces& pieces) {
         }
     }
     return mesh;
+}
+
+/// Where a surface goes into a sphere, triangle by triangle.
+std::vector<std::array<glm::dvec3, 2>> cutBySphere(const Surfaces& pieces, const glm::dvec3& centre, double radius) {
+    const TriangleMesh mesh = meshOf(pieces);
+    std::vector<std::array<glm::dvec3, 2>> lines;
+    for (const auto& at : mesh.triangles) {
+        std::vector<glm::dvec3> ends;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 &a = mesh.vertices[at[i]], &b = mesh.vertices[at[(i + 1) % 3]];
+            const double outA = glm::distance(a, centre) - radius, outB = glm::distance(b, centre) - radius;
+            if ((outA < 0.0) != (outB < 0.0)) ends.push_back(glm::mix(a, b, outA / (outA - outB)));
+        }
+        if (ends.size() == 2) lines.push_back({ends[0], ends[1]});
+    }
+    return lines;
+}
+
+bool isBarePart(vtkPolyData& piece, vtkIdType point) {
+    const double* colour = piece.GetPointData()->GetScalars()->GetTuple(point);
+    return std::equal(barePartColour.begin(), barePartColour.end(), colour);
 }
 
 RunVolume milled(const Box& stock, double voxel) {
@@ -142,6 +168,8 @@ private slots:
     void facesOfTheStockShadeFlat();
     void shallowCutsStay();
     void wallsShowNoNotch();
+    void stockEndsOnBarePartInALine_data();
+    void stockEndsOnBarePartInALine();
 };
 
 void WorkpieceMeshesTest::edgesOfTheStockAreSharp_data() {
@@ -243,6 +271,38 @@ void WorkpieceMeshesTest::wallsShowNoNotch() {
                     others += std::abs(qGreen(image.pixel(stage.pixelOf({x, 18.0, z}))) - qGreen(wall)) > 24 ? 1 : 0;
             QCOMPARE(others, 0);
         }
+}
+
+void WorkpieceMeshesTest::stockEndsOnBarePartInALine_data() {
+    QTest::addColumn<double>("height");
+    QTest::newRow("shallow") << 11.0;
+    QTest::newRow("oblique") << 9.6;
+    QTest::newRow("steep") << 8.1;
+    QTest::newRow("upright") << 7.1;
+}
+/// A sphere that stands out of a plane: the plane ends in a circle around it, as long as a circle is (the border of
+/// voxels would be a quarter longer), and no light shines in between.
+void WorkpieceMeshesTest::stockEndsOnBarePartInALine() {
+    QFETCH(double, height);
+    constexpr double voxel = 0.25, radius = 6.0;
+    const glm::dvec3 centre(7.03, 7.11, 7.0);
+    RunVolume volume = milled({{0.0, 0.0, 0.0}, {14.25, 14.25, 14.0}}, voxel);
+    clear(volume, {{0.0, 0.0, height}, {14.25, 14.25, 14.0}});
+    Progress progress;
+    QVERIFY(voxelise(sphereMesh(centre, radius, 400), part, volume, progress));
+    const double circle = std::sqrt(radius * radius - (height - centre.z) * (height - centre.z));
+    const Surfaces pieces = surfaces(volume.snapshot(), 1'000'000, SurfaceLayer::rest, true);
+    for (const auto& piece : pieces)
+        for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i) QVERIFY(!isBarePart(*piece, i));
+
+    double length = 0.0, farthest = 0.0; // mm, voxels
+    for (const auto& [from, to] : cutBySphere(pieces, centre, radius)) {
+        length += glm::distance(from, to);
+        farthest = std::max(farthest, std::abs(glm::length(glm::dvec2(from - centre)) - circle) / voxel);
+    }
+    const double ratio = length / (2.0 * pi * circle);
+    QVERIFY2(ratio > 0.98 && ratio < 1.1, qPrintable(QString::number(ratio)));
+    QVERIFY2(farthest < 1.0, qPrintable(QString::number(farthest)));
 }
 
 QTEST_GUILESS_MAIN(WorkpieceMeshesTest)

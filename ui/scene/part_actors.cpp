@@ -71,6 +71,12 @@ void PartActors::setVisible(bool visible) {
     refresh();
 }
 
+void PartActors::setInWorkpiece(bool drawn) {
+    if (drawn == inWorkpiece_) return;
+    inWorkpiece_ = drawn;
+    refresh();
+}
+
 void PartActors::setGhost(bool visible) {
     if (visible == ghost_) return;
     ghost_ = visible;
@@ -104,12 +110,12 @@ std::optional<glm::dvec3> PartActors::pick(const Sight& sight) const {
 
 void PartActors::refresh() {
     for (const Drawn& body : bodies_) {
-        setColour(*body.surface, body.body.colour.value_or(part_));
+        setColour(*body.surface, inWorkpiece_ ? part_ : body.body.colour.value_or(part_));
         setColour(*body.edges, edges_);
         setBlended(*body.edges, edgeOpacity);
         burin::setLineWidth(*body.edges, lineWidth_);
-        body.surface->SetVisibility(visible_ && !covered_);
-        body.edges->SetVisibility(visible_);
+        body.surface->SetVisibility(drawn() && !covered_);
+        body.edges->SetVisibility(drawn());
         setColour(*body.ghostSurface, part_);
         setColour(*body.ghostEdges, part_);
         body.ghostSurface->GetProperty()->SetOpacity(ghostOpacity);

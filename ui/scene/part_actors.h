@@ -38,6 +38,8 @@ public:
     void setBodies(std::vector<ShadedBody> bodies);
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
+    /// Drawn in the part's blue where the workpiece is bare, whether visible or not; not picked for that.
+    void setInWorkpiece(bool drawn);
     /// Draws only what a plane doesn't cut off; null: all. The plane may be moved.
     void setClip(vtkPlane* clip);
     /// Of a part with very many triangles, the edges alone.
@@ -49,13 +51,14 @@ public:
     void setDepthCue(const DepthCue& cue);
     /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
-    std::size_t triangles() const noexcept { return visible_ && !covered_ ? triangles_ : 0; }
+    std::size_t triangles() const noexcept { return drawn() && !covered_ ? triangles_ : 0; }
 
 private:
     struct Drawn {
         vtkSmartPointer<vtkActor> surface, edges, ghostSurface, ghostEdges;
         ShadedBody body;
     };
+    bool drawn() const noexcept { return visible_ || inWorkpiece_; }
     void refresh();
 
     vtkRenderer &solids_, &marks_;
@@ -64,7 +67,7 @@ private:
     QColor part_, edges_;
     double lineWidth_ = 1.0;
     std::size_t triangles_ = 0;
-    bool visible_ = true, ghost_ = false, covered_ = false;
+    bool visible_ = true, inWorkpiece_ = false, ghost_ = false, covered_ = false;
 };
 
 } // namespace burin

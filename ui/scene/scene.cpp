@@ -94,6 +94,7 @@ void Scene::setPalette(const Palette& palette) {
 }
 
 void Scene::setPart(std::vector<ShadedBody> bodies, const Box& box) {
+    workpiece_.setPartDrawn(!bodies.empty());
     part_.setBodies(std::move(bodies));
     partBox_ = box;
     refresh();
@@ -184,6 +185,7 @@ Box Scene::contentBox() const {
 }
 
 void Scene::refresh() {
+    part_.setInWorkpiece(workpieceSeen());
     part_.setVisible(partWish_.value_or(!workpieceSeen()) || (seenThrough_ && workpieceSeen()));
     stock_.setFaces(shown_.empty());
     grid_.setContent(contentBox());

@@ -261,6 +261,9 @@ bool WorkpieceActors::filmsVisible() const noexcept {
 void WorkpieceActors::setClip(vtkPlane* clip) {
     impl_->setClip(clip);
 }
+void WorkpieceActors::setPartDrawn(bool drawn) {
+    impl_->mesher().setPartDrawn(drawn);
+}
 void WorkpieceActors::setPartColour(const std::array<std::uint8_t, 3>& colour) {
     impl_->mesher().setPartColour(colour);
 }

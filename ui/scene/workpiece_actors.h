@@ -38,6 +38,8 @@ public:
     bool filmsVisible() const noexcept; ///< it is drawn by the films' renderer
     /// Draws only what a plane doesn't cut off; null: all. The plane may be moved.
     void setClip(vtkPlane* clip);
+    /// Whether the part's own mesh is drawn as well: bare part is left out then.
+    void setPartDrawn(bool drawn);
     /// sRGB of bare part; materials bring their own colours.
     void setPartColour(const std::array<std::uint8_t, 3>& colour);
     /// To be called before each paint: takes over what the worker has ready, as much as one paint can hand to OpenGL.

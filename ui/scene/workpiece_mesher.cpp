@@ -108,6 +108,17 @@ void WorkpieceMesher::setPartColour(const RgbColour& colour) {
     wake_.notify_one();
 }
 
+void WorkpieceMesher::setPartDrawn(bool drawn) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (partDrawn_ == drawn) return;
+        partDrawn_ = drawn;
+        remesh_ = true;
+        busy_.store(true, std::memory_order_release);
+    }
+    wake_.notify_one();
+}
+
 void WorkpieceMesher::setFocus(const glm::dvec3& focus) {
     const std::lock_guard lock(mutex_);
     focus_ = focus;
@@ -136,7 +147,7 @@ void WorkpieceMesher::run(const std::stop_token& stop) {
 
 void WorkpieceMesher::waitForWork() {
     std::unique_lock lock(mutex_);
-    const auto called = [this] { return newestWaits_ || recolour_; };
+    const auto called = [this] { return newestWaits_ || recolour_ || remesh_; };
     if (layer(SurfaceLayer::moving).hasStale()) return;
     const Layer& rest = layer(SurfaceLayer::rest);
     if (rest.hasStale()) {
@@ -161,7 +172,10 @@ void WorkpieceMesher::takeNewest() {
         const std::lock_guard lock(mutex_);
         if (std::exchange(recolour_, false))
             for (Layer& one : layers_) std::fill(one.staleGroups.begin(), one.staleGroups.end(), std::uint8_t{1});
+        if (std::exchange(remesh_, false))
+            for (Layer& one : layers_) one.markAll();
         colour_ = partColour_;
+        withoutPart_ = partDrawn_;
         if (!std::exchange(newestWaits_, false)) return;
         before = std::exchange(shown_, std::exchange(newest_, {}));
         if (newestCut_ && (!cut_ || *newestCut_ < *cut_)) cut_ = newestCut_;
@@ -257,6 +271,7 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
     SurfaceMesh& mesh = layer(which).tiles[place];
     extractor_.extract(shown_, tile, {wanted.level, 0.0}, mesh);
     sharpening_.sharpen(tile, wanted.level, mesh);
+    if (withoutPart_) border_.draw(shown_, tile, wanted.level, mesh);
     simplifier_.simplify(mesh, 0.5 * wanted.tolerance * edge, // the other half is for the whole group
                          edge * (1 << wanted.level), sharpening_.faces());
     giveBackUnused(mesh);
@@ -281,7 +296,8 @@ SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, 
     const double edge = shown_.grid().edge(), cell = edge * (1 << wanted.level);
     if (!mixed) simplifier_.simplify(joined_, 0.5 * wanted.tolerance * edge, cell, sharpening_.faces());
     const double deepest = skirtCells * edge * (1 << detail(SurfaceLayer::moving).level);
-    const std::vector<std::uint32_t> rim = simplifier_.rim(joined_, rimTolerance * edge);
+    std::vector<std::uint32_t> rim = simplifier_.rim(joined_, rimTolerance * edge);
+    if (withoutPart_) leaveOutBarePart(joined_, rim, shown_.properties());
     const std::vector<float> skirt = skirtDepths(shown_, joined_, rim, static_cast<float>(deepest));
     SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size()};
     update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirt);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/volume/surface_simplification.h"
+#include "ui/scene/bare_part.h"
 #include "ui/scene/stock_sharpening.h"
 #include "ui/scene/workpiece_groups.h"
 #include "ui/scene/workpiece_polydata.h"
@@ -62,6 +63,8 @@ public:
     /// @param workpiece empty: nothing is to be shown
     void show(const VolumeSnapshot& workpiece, std::optional<CutTime> oldestCut);
     void setPartColour(const RgbColour& colour);
+    /// Whether the part's own mesh is drawn as well: bare part is left out then.
+    void setPartDrawn(bool drawn);
     /// Groups near this place come first, mm.
     void setFocus(const glm::dvec3& focus);
     SurfaceDelivery take();
@@ -110,12 +113,13 @@ private:
     const Limits limits_;
     const std::function<void()> ready_;
 
-    std::mutex mutex_; ///< guards the next eight
+    std::mutex mutex_; ///< guards the next ten
     std::condition_variable_any wake_;
-    bool newestWaits_ = false, recolour_ = false;
+    bool newestWaits_ = false, recolour_ = false, remesh_ = false;
     VolumeSnapshot newest_;
     std::optional<CutTime> newestCut_;
     RgbColour partColour_ = barePartColour;
+    bool partDrawn_ = false;
     glm::dvec3 focus_{0.0};
     SurfaceDelivery delivery_;
     std::atomic<bool> busy_ = false;
@@ -125,6 +129,7 @@ private:
     VolumeSnapshot shown_;
     std::optional<CutTime> cut_; ///< in what is shown, not delivered yet
     RgbColour colour_ = barePartColour;
+    bool withoutPart_ = false; ///< bare part is left out
     WorkpieceGroups groups_;
     std::array<Layer, 2> layers_;
     std::vector<Moment> changed_;  ///< when each group changed last
@@ -132,6 +137,7 @@ private:
     double fullTileSeconds_ = 0.0; ///< that a tile at full detail takes, running mean
     SurfaceExtractor extractor_;
     StockSharpening sharpening_;
+    BareBorder border_;
     SurfaceSimplifier simplifier_;
     SurfaceMesh joined_;
 
