@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>The guide takes the next level above, or ends the pass.</source>
-        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Bahn.</translation>
+        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Zeile.</translation>
     </message>
     <message>
         <source>Level &amp;below</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>The guide takes the next level below, or ends the pass.</source>
-        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Bahn.</translation>
+        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Zeile.</translation>
     </message>
     <message>
         <source>&amp;Clutch</source>
@@ -425,7 +425,7 @@
     </message>
     <message>
         <source>Start or stop milling. Everything that is cut is recorded.</source>
-        <translation>Das Werkzeug in die Hand nehmen: was es schneidet, wird aufgezeichnet. Esc legt es weg.</translation>
+        <translation>Beginnt oder beendet das Fräsen. Alles, was geschnitten wird, wird aufgezeichnet.</translation>
     </message>
     <message>
         <source>Ras&amp;ter</source>
@@ -433,7 +433,7 @@
     </message>
     <message>
         <source>Drag a rectangle; it is milled in rows at the step-over.</source>
-        <translation>Ein Zug spannt ein Rechteck auf, das in Zeilen im Zeilenabstand gefräst wird.</translation>
+        <translation>Ein Rechteck aufziehen; es wird in Zeilen im Zeilenabstand gefräst.</translation>
     </message>
     <message>
         <source>Repeat &amp;lower</source>
@@ -441,7 +441,7 @@
     </message>
     <message>
         <source>Repeat the last stroke, lower by the depth of cut.</source>
-        <translation>Den letzten Zug noch einmal fräsen, um die Schnitttiefe tiefer.</translation>
+        <translation>Den letzten Zug noch einmal fräsen, um die Zustellung tiefer.</translation>
     </message>
     <message>
         <source>Repeat beside, le&amp;ft</source>
@@ -512,7 +512,7 @@
     </message>
     <message>
         <source>The cap sets the speed</source>
-        <translation>Die Kappe gibt die Geschwindigkeit vor</translation>
+        <translation>Die Kappe gibt das Tempo vor</translation>
     </message>
     <message>
         <source>The cap sets the position</source>
@@ -630,7 +630,7 @@
     </message>
     <message>
         <source>Join</source>
-        <translation>Verbinden</translation>
+        <translation>Zusammenfügen</translation>
     </message>
     <message>
         <source>Reorder</source>
@@ -840,7 +840,7 @@
     </message>
     <message>
         <source>Ends no farther apart than this are joined</source>
-        <translation>Enden, die nicht weiter auseinanderliegen, werden verbunden</translation>
+        <translation>Enden, die nicht weiter auseinanderliegen, werden zusammengefügt</translation>
     </message>
     <message>
         <source>Stroke</source>
@@ -1216,7 +1216,7 @@
     </message>
     <message>
         <source>Spindle speed</source>
-        <translation>Drehzahl</translation>
+        <translation>Spindeldrehzahl</translation>
     </message>
     <message>
         <source>Share of the table value; feeds change with it, the chip load stays</source>
@@ -1848,7 +1848,7 @@
     </message>
     <message>
         <source>There is no room to lean the tool as the hand does: its axis stays where it is.</source>
-        <translation>Für die Neigung der Hand ist kein Platz: Die Achse des Werkzeugs bleibt, wie sie ist.</translation>
+        <translation>Für die Neigung der Hand ist kein Platz: Die Werkzeugachse bleibt, wie sie ist.</translation>
     </message>
     <message>
         <source>There is force while button %1 is held.</source>
@@ -2873,11 +2873,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>From the part&apos;s surface</source>
-        <translation>Von der Fläche des Teils</translation>
+        <translation>Von der Oberfläche des Teils</translation>
     </message>
     <message>
         <source>Lead and tilt start from the part&apos;s surface, else from the Z axis</source>
-        <translation>Vorlauf und Neigung gehen von der Fläche des Teils aus, sonst von der Z-Achse</translation>
+        <translation>Vorlauf und Neigung gehen von der Oberfläche des Teils aus, sonst von der Z-Achse</translation>
     </message>
     <message>
         <source>active on level %1</source>
@@ -2971,7 +2971,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>No guide has levels or passes.</source>
-        <translation>Keine Führung hat Ebenen oder Bahnen.</translation>
+        <translation>Keine Führung hat Ebenen oder Zeilen.</translation>
     </message>
     <message>
         <source>Press Mill first.</source>
@@ -2979,11 +2979,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>The guide takes the next level above, or ends the pass</source>
-        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Bahn</translation>
+        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Zeile</translation>
     </message>
     <message>
         <source>The guide takes the next level below, or ends the pass</source>
-        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Bahn</translation>
+        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Zeile</translation>
     </message>
 </context>
 <context>
@@ -3129,7 +3129,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Cuts a stroke, or draws the rectangle of a raster.</source>
-        <translation>Schneidet einen Zug oder spannt ein Raster auf.</translation>
+        <translation>Schneidet einen Zug oder zieht das Rechteck eines Rasters auf.</translation>
     </message>
     <message>
         <source>Cuts a straight line from the end of the last stroke.</source>
@@ -3141,7 +3141,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Locks strokes to X or to Y; again to unlock.</source>
-        <translation>Züge gehen nur entlang X oder Y, bis zum nächsten Druck.</translation>
+        <translation>Legt Züge auf X oder Y fest; noch einmal gibt sie frei.</translation>
     </message>
     <message>
         <source>D</source>
@@ -3149,11 +3149,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Locks strokes to their direction; again to unlock.</source>
-        <translation>Züge halten ihre Richtung, bis zum nächsten Druck.</translation>
+        <translation>Legt Züge auf ihre Richtung fest; noch einmal gibt sie frei.</translation>
     </message>
     <message>
         <source>Fine motion of a stroke and of the wheel.</source>
-        <translation>Macht Zug und Rad fein.</translation>
+        <translation>Feine Bewegung von Zug und Rad.</translation>
     </message>
     <message>
         <source>Ends the stroke, then stops milling.</source>
@@ -3474,11 +3474,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Peak %1 N</source>
-        <translation>Höchstens %1 N</translation>
+        <translation>Spitze %1 N</translation>
     </message>
     <message>
         <source>Force, peak %1 N</source>
-        <translation>Kraft, höchstens %1 N</translation>
+        <translation>Kraft, Spitze %1 N</translation>
     </message>
     <message>
         <source>Cutting force over the machining time without tool changes, which are dotted lines; click to go to the line that is cut at that time</source>
@@ -3533,7 +3533,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Export a program that was refused?</source>
-        <translation>Ein abgelehntes Programm ausgeben?</translation>
+        <translation>Ein abgelehntes Programm exportieren?</translation>
     </message>
     <message>
         <source>Its check found 1 problem that can damage a tool, the part or the machine.</source>
@@ -3802,11 +3802,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Show the values of the haptic loop</source>
-        <translation>Auch die Werte der haptischen Schleife zeigen</translation>
+        <translation>Die Werte der Haptikschleife zeigen</translation>
     </message>
     <message>
         <source>Hide the values of the haptic loop</source>
-        <translation>Die Werte der haptischen Schleife verbergen</translation>
+        <translation>Die Werte der Haptikschleife verbergen</translation>
     </message>
 </context>
 <context>
@@ -3955,7 +3955,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Dragging cuts along the pointer&apos;s trail</source>
-        <translation>Ein Zug mit der Maus schneidet, wo der Zeiger geht</translation>
+        <translation>Ziehen schneidet entlang der Spur des Zeigers</translation>
     </message>
     <message>
         <source>Raster</source>
@@ -3963,7 +3963,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Drag a rectangle; it is milled in rows at the step-over (T)</source>
-        <translation>Ein Zug mit der Maus spannt ein Rechteck auf, das in Zeilen im Zeilenabstand gefräst wird (T)</translation>
+        <translation>Ein Rechteck aufziehen; es wird in Zeilen im Zeilenabstand gefräst (T)</translation>
     </message>
     <message>
         <source>Step-over</source>
@@ -3979,7 +3979,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Repeat the last stroke, lower by the depth of cut (L)</source>
-        <translation>Den letzten Zug noch einmal fräsen, um die Schnitttiefe tiefer (L)</translation>
+        <translation>Den letzten Zug noch einmal fräsen, um die Zustellung tiefer (L)</translation>
     </message>
     <message>
         <source>Left</source>
@@ -4011,7 +4011,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Start milling. Everything that is cut is recorded</source>
-        <translation>Das Werkzeug folgt dem Stift; was es schneidet, wird aufgezeichnet</translation>
+        <translation>Mit dem Fräsen beginnen. Alles, was geschnitten wird, wird aufgezeichnet</translation>
     </message>
     <message>
         <source>A stroke is being cut. Wait until it ends, or press Esc to end it.</source>
@@ -4058,26 +4058,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Strokes are locked to X. Press X to unlock.</source>
-        <translation>Züge gehen nur entlang X; X gibt sie frei.</translation>
+        <translation>Züge sind auf X festgelegt. X gibt sie frei.</translation>
     </message>
     <message>
         <source>Strokes are locked to Y. Press Y to unlock.</source>
-        <translation>Züge gehen nur entlang Y; Y gibt sie frei.</translation>
+        <translation>Züge sind auf Y festgelegt. Y gibt sie frei.</translation>
     </message>
     <message>
         <source>Strokes are locked to their direction. Press D to unlock.</source>
-        <translation>Züge halten ihre Richtung; D gibt sie frei.</translation>
+        <translation>Züge sind auf ihre Richtung festgelegt. D gibt sie frei.</translation>
     </message>
 </context>
 <context>
     <name>burin::MillTool</name>
     <message>
         <source>Esc: cancel the line</source>
-        <translation>Esc: keine Gerade</translation>
+        <translation>Esc: Gerade abbrechen</translation>
     </message>
     <message>
         <source>Esc: cancel the raster</source>
-        <translation>Esc: kein Raster</translation>
+        <translation>Esc: Raster abbrechen</translation>
     </message>
     <message>
         <source>Esc: end the stroke here</source>
@@ -4089,23 +4089,23 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>No direction to lock yet. Draw at least 1 mm of a stroke first.</source>
-        <translation>Es gibt noch keine Richtung zu halten: Ziehen Sie erst ein Stück.</translation>
+        <translation>Noch gibt es keine Richtung zum Festlegen. Ziehen Sie zuerst mindestens 1 mm eines Zuges.</translation>
     </message>
     <message>
         <source>The raster needs more than a million points along the part. Increase the step-over or draw a smaller rectangle.</source>
-        <translation>Das sind mehr als eine Million Stellen, an denen dem Teil zu folgen ist. Nehmen Sie einen größeren Zeilenabstand oder ein kleineres Rechteck.</translation>
+        <translation>Das Raster braucht mehr als eine Million Punkte am Teil entlang. Vergrößern Sie den Zeilenabstand oder ziehen Sie ein kleineres Rechteck auf.</translation>
     </message>
     <message>
         <source>A stroke along the part cannot be repeated lower: the part limits its depth.</source>
-        <translation>Am Teil entlang geht es nicht tiefer: Das Teil hält das Werkzeug.</translation>
+        <translation>Ein Zug am Teil entlang lässt sich nicht tiefer wiederholen: Das Teil begrenzt seine Tiefe.</translation>
     </message>
     <message>
         <source>The depth of cut is zero. Enter a depth to repeat the stroke lower.</source>
-        <translation>Die Schnitttiefe ist null; tiefer wäre dasselbe noch einmal.</translation>
+        <translation>Die Zustellung ist null. Geben Sie eine Zustellung ein, um den Zug tiefer zu wiederholen.</translation>
     </message>
     <message>
         <source>The last stroke is vertical, so it cannot be repeated beside itself.</source>
-        <translation>Der letzte Zug geht nur nach unten: Er hat keine Seite.</translation>
+        <translation>Der letzte Zug ist senkrecht und lässt sich deshalb nicht daneben wiederholen.</translation>
     </message>
 </context>
 <context>
@@ -4130,7 +4130,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <name>burin::ObstacleCard</name>
     <message>
         <source>waits until the tool is out</source>
-        <translation>wartet, bis es frei ist</translation>
+        <translation>wartet, bis das Werkzeug frei ist</translation>
     </message>
     <message>
         <source>holds the tool</source>
@@ -4361,15 +4361,15 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <name>burin::PathHand</name>
     <message>
         <source>Esc: cancel</source>
-        <translation>Esc: aufgeben</translation>
+        <translation>Esc: abbrechen</translation>
     </message>
     <message>
         <source>Esc: cancel drawing</source>
-        <translation>Esc: nichts zeichnen</translation>
+        <translation>Esc: Zeichnen abbrechen</translation>
     </message>
     <message>
         <source>Esc: clear the selection</source>
-        <translation>Esc: nichts auswählen</translation>
+        <translation>Esc: Auswahl aufheben</translation>
     </message>
 </context>
 <context>
@@ -4440,7 +4440,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>The workpiece is being made; then the edits are applied…</source>
-        <translation>Das Werkstück entsteht; danach werden die Bearbeitungen angewandt…</translation>
+        <translation>Das Werkstück entsteht; danach werden die Bearbeitungen angewendet…</translation>
     </message>
     <message>
         <source>Add an edit</source>
@@ -4460,7 +4460,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Strokes</source>
-        <translation>Striche</translation>
+        <translation>Züge</translation>
     </message>
     <message>
         <source>Order and position</source>
@@ -4504,7 +4504,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>%1 has not milled yet. Choose a tool that has, or record a take first.</source>
-        <translation>%1 hat noch nicht gefräst. Wählen Sie ein Werkzeug, das gefräst hat, oder nehmen Sie zuerst auf.</translation>
+        <translation>%1 hat noch nicht gefräst. Wählen Sie ein Werkzeug, das gefräst hat, oder zeichnen Sie zuerst eine Aufnahme auf.</translation>
     </message>
 </context>
 <context>
@@ -4726,7 +4726,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Give a reason that goes into the program&apos;s header; then it can be exported</source>
-        <translation>Einen Grund nennen, der im Kopf des Programms steht; dann lässt es sich ausgeben</translation>
+        <translation>Einen Grund nennen, der im Kopf des Programms steht; dann lässt es sich exportieren</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -4930,7 +4930,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>No part of the path is selected</source>
-        <translation>Von der Bahn ist nichts gewählt</translation>
+        <translation>Von der Bahn ist nichts ausgewählt</translation>
     </message>
     <message>
         <source>Select part of the path in the view first.</source>
@@ -5027,7 +5027,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Effect of the Escape key.</source>
-        <translation>Was die Esc-Taste jetzt tut.</translation>
+        <translation>Wirkung der Esc-Taste.</translation>
     </message>
 </context>
 <context>
@@ -5073,7 +5073,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>%1 Hz · p99.9 %2 ms, work %3 µs · %4 missed</source>
-        <translation>%1 Hz · p99,9 %2 ms, Arbeit %3 µs · %4 ausgelassen</translation>
+        <translation>%1 Hz · p99,9 %2 ms, Arbeit %3 µs · %4 verpasst</translation>
     </message>
     <message>
         <source>battery %1</source>
@@ -5560,11 +5560,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Transparency of the workpiece.</source>
-        <translation>Wie weit das Teil durch das Werkstück zu sehen ist.</translation>
+        <translation>Transparenz des Werkstücks.</translation>
     </message>
     <message>
         <source>Normal of the section plane</source>
-        <translation>Achse der Schnittebene</translation>
+        <translation>Normale der Schnittebene</translation>
     </message>
     <message>
         <source>Axis perpendicular to the section plane.</source>
@@ -5572,7 +5572,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Moves the section plane along its normal.</source>
-        <translation>Verschiebt die Schnittebene entlang ihrer Achse.</translation>
+        <translation>Verschiebt die Schnittebene entlang ihrer Normalen.</translation>
     </message>
     <message>
         <source>Position of the section plane</source>
@@ -5580,7 +5580,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Position of the section plane along its normal.</source>
-        <translation>Wo die Schnittebene auf ihrer Achse steht.</translation>
+        <translation>Position der Schnittebene entlang ihrer Normalen.</translation>
     </message>
 </context>
 <context>
@@ -5714,7 +5714,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Return to the project (Esc)</source>
-        <translation>Dort weitermachen, wo Sie waren (Esc)</translation>
+        <translation>Zurück zum Projekt (Esc)</translation>
     </message>
     <message>
         <source>Back to %1</source>
