@@ -598,7 +598,7 @@
     </message>
     <message>
         <source>Keep out of the part</source>
-        <translation>Aus dem Teil heraushalten</translation>
+        <translation>Vom Teil fernhalten</translation>
     </message>
     <message>
         <source>Simplify</source>
@@ -610,7 +610,7 @@
     </message>
     <message>
         <source>Set feed and speed</source>
-        <translation>Vorschub und Drehzahl setzen</translation>
+        <translation>Schnittwerte setzen</translation>
     </message>
     <message>
         <source>Smooth by a spline in time (earlier version)</source>
@@ -618,7 +618,7 @@
     </message>
     <message>
         <source>Delete part of the path</source>
-        <translation>Abschnitt der Bahn löschen</translation>
+        <translation>Bahnabschnitt löschen</translation>
     </message>
     <message>
         <source>Trim</source>
@@ -658,15 +658,15 @@
     </message>
     <message>
         <source>Replace part of the path</source>
-        <translation>Abschnitt der Bahn ersetzen</translation>
+        <translation>Bahnabschnitt ersetzen</translation>
     </message>
     <message>
         <source>Delete in an area</source>
-        <translation>In einem Bereich löschen</translation>
+        <translation>Im Bereich löschen</translation>
     </message>
     <message>
         <source>Retract in an area</source>
-        <translation>In einem Bereich anheben</translation>
+        <translation>Im Bereich anheben</translation>
     </message>
     <message>
         <source>Project onto the part</source>
@@ -761,7 +761,7 @@
     </message>
     <message>
         <source>Distance between the points at which the path is kept out of the part</source>
-        <translation>Abstand der Punkte, an denen die Bahn aus dem Teil herausgehalten wird</translation>
+        <translation>Abstand der Punkte, an denen die Bahn vom Teil ferngehalten wird</translation>
     </message>
     <message>
         <source>Largest deviation of the points that are left out</source>
@@ -1718,7 +1718,7 @@
     </message>
     <message>
         <source>The path &quot;%1&quot; cuts into the part (%2); keep it out of the part before it is posted.</source>
-        <translation>Die Bahn „%1“ schneidet in das Teil (%2); halten Sie sie aus dem Teil heraus, bevor Sie sie ausgeben.</translation>
+        <translation>Die Bahn „%1“ schneidet in das Teil (%2); halten Sie sie vom Teil fern, bevor Sie sie ausgeben.</translation>
     </message>
     <message>
         <source>No dialect is called &quot;%1&quot;; choose one of these: %2.</source>
