@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
         std::cerr << "Burin ran out of memory. Choose a larger voxel.\n";
         return static_cast<int>(burin::ErrorClass::outOfSpaceOrRights);
     } catch (const std::exception& fault) {
-        std::cerr << "Burin came upon a fault of its own: " << fault.what() << "\n";
+        std::cerr << "Internal error in Burin; report this: " << fault.what() << "\n";
         return static_cast<int>(burin::ErrorClass::badInput);
     }
 }

@@ -117,7 +117,7 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance) {
     const VerifyReport& report = program.report;
     std::ostringstream text;
     text << (program.passed() ? "passed" : "refused") << ": gouge " << formatFixed(report.gougeMax, 4)
-         << " mm (tolerance " << formatFixed(gougeTolerance, 3) << " mm, " << report.samples << " places, "
+         << " mm (tolerance " << formatFixed(gougeTolerance, 3) << " mm, " << report.samples << " points, "
          << report.exactSamples << " of them on exact geometry)\n"
          << "  excess   " << formatFixed(report.excessMax, 3)
          << (report.excessMax < longestExcess ? " mm at most, " : " mm or more, ") << formatFixed(report.excessMean, 3)
@@ -128,8 +128,8 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance) {
         const StatedPathMode& mode = report.pathModes[i];
         if (mode.mode == PathMode::machine) continue;
         text << "\n  corners  from line " << mode.line << " as the program says: "
-             << (mode.mode == PathMode::exactStop   ? "at rest after every block"
-                 : mode.mode == PathMode::exactPath ? "at rest where the way bends"
+             << (mode.mode == PathMode::exactStop   ? "exact stop after every block"
+                 : mode.mode == PathMode::exactPath ? "exact path, stops at corners"
                  : mode.tolerance > 0.0             ? "blended within " + formatFixed(mode.tolerance, 3) + " mm"
                                                     : std::string("blended without limit"));
     }

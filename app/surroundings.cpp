@@ -102,12 +102,14 @@ void addSurroundings(CLI::App& command, SurroundingsArguments& arguments) {
         .add_option("--keep-out", arguments.keepOuts,
                     "Box that the tool must not enter, X0,Y0,Z0,X1,Y1,Z1 in the part's frame, mm; may be repeated")
         ->allow_extra_args(false);
-    command.add_option("--clearance", arguments.clearance, "That the tool keeps from what is added, mm")
+    command
+        .add_option("--clearance", arguments.clearance,
+                    "Clearance between the tool and the added fixtures and keep-out volumes, mm")
         ->check(CLI::Range(0.0, 100.0))
         ->capture_default_str();
     addAxis(command, arguments.axis);
     command.add_option("--travel", arguments.travel,
-                       "Where program zero stands in the machine's travel: X,Y,Z from its low end for the tip, mm; "
+                       "Position of program zero in the machine's travel: X,Y,Z of the tip from its low end, mm; "
                        "middle (of X and Y, Z up to the tool change height); or off");
 }
 

@@ -48,7 +48,7 @@
         <translation>Speichern &amp;unter…</translation>
     </message>
     <message>
-        <source>Save the project under another name and go on there.</source>
+        <source>Save the project under another name and continue with it.</source>
         <translation>Speichert das Projekt unter anderem Namen und arbeitet dort weiter.</translation>
     </message>
     <message>
@@ -64,16 +64,16 @@
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Take the last change back.</source>
-        <translation>Nimmt die letzte Änderung zurück.</translation>
+        <source>Undo the last change.</source>
+        <translation>Macht die letzte Änderung rückgängig.</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
         <translation>Wieder&amp;herstellen</translation>
     </message>
     <message>
-        <source>Put back what was taken back.</source>
-        <translation>Stellt wieder her, was zurückgenommen wurde.</translation>
+        <source>Redo the change that was undone last.</source>
+        <translation>Stellt die zuletzt rückgängig gemachte Änderung wieder her.</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -156,8 +156,8 @@
         <translation>&amp;Teil</translation>
     </message>
     <message>
-        <source>Draw the part beside the workpiece.</source>
-        <translation>Zeichnet neben dem Werkstück auch das Teil.</translation>
+        <source>Draw the part together with the workpiece.</source>
+        <translation>Zeichnet zusammen mit dem Werkstück auch das Teil.</translation>
     </message>
     <message>
         <source>&amp;Workpiece</source>
@@ -204,8 +204,8 @@
         <translation>Teil &amp;einbetten</translation>
     </message>
     <message>
-        <source>Put the part into its stock: the workpiece is made.</source>
-        <translation>Setzt das Teil in sein Rohteil: das Werkstück entsteht.</translation>
+        <source>Embed the part in its stock; this makes the workpiece.</source>
+        <translation>Bettet das Teil in sein Rohteil ein; so entsteht das Werkstück.</translation>
     </message>
     <message>
         <source>&amp;Show me</source>
@@ -220,24 +220,24 @@
         <translation>Virtuellen Bediener an&amp;halten</translation>
     </message>
     <message>
-        <source>Stop; what was recorded stays.</source>
-        <translation>Hält an; das Aufgezeichnete bleibt.</translation>
+        <source>Stop; the recording is kept.</source>
+        <translation>Hält an; das Aufgezeichnete bleibt erhalten.</translation>
     </message>
     <message>
         <source>&amp;New path</source>
         <translation>&amp;Neue Bahn</translation>
     </message>
     <message>
-        <source>Make a path of the recordings, with the edits of the main job.</source>
-        <translation>Macht aus den Aufzeichnungen eine Bahn mit den üblichen Bearbeitungen.</translation>
+        <source>Make a path from the takes, with the standard edits.</source>
+        <translation>Macht aus den Aufnahmen eine Bahn mit den üblichen Bearbeitungen.</translation>
     </message>
     <message>
-        <source>&amp;Evaluate</source>
-        <translation>Neu &amp;berechnen</translation>
+        <source>&amp;Update path</source>
+        <translation>Bahn &amp;aktualisieren</translation>
     </message>
     <message>
-        <source>Apply the edits to the recordings again.</source>
-        <translation>Wendet die Bearbeitungen neu auf die Aufzeichnungen an.</translation>
+        <source>Apply the edits to the takes again.</source>
+        <translation>Wendet die Bearbeitungen neu auf die Aufnahmen an.</translation>
     </message>
     <message>
         <source>&amp;Post and check</source>
@@ -268,8 +268,8 @@
         <translation>Beendet Burin.</translation>
     </message>
     <message>
-        <source>&amp;Guides hold</source>
-        <translation>&amp;Führungen halten</translation>
+        <source>&amp;Guides on</source>
+        <translation>&amp;Führungen ein</translation>
     </message>
     <message>
         <source>Switch all guides of the hand on or off.</source>
@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>The guide takes the next level above, or ends the pass.</source>
-        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Bahn.</translation>
+        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Zeile.</translation>
     </message>
     <message>
         <source>Level &amp;below</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>The guide takes the next level below, or ends the pass.</source>
-        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Bahn.</translation>
+        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Zeile.</translation>
     </message>
     <message>
         <source>&amp;Clutch</source>
@@ -312,16 +312,16 @@
         <translation>&amp;Zentrieren</translation>
     </message>
     <message>
-        <source>As the hand works on, it comes back to the middle of the device&apos;s reach.</source>
-        <translation>Während die Hand weiterarbeitet, kommt sie in die Mitte der Reichweite des Geräts zurück.</translation>
+        <source>Brings the hand back to the centre of the device&apos;s workspace while you work.</source>
+        <translation>Bringt die Hand während der Arbeit in die Mitte des Arbeitsraums des Geräts zurück.</translation>
     </message>
     <message>
         <source>A&amp;lign the hand with the view</source>
         <translation>Hand an der Ansicht a&amp;usrichten</translation>
     </message>
     <message>
-        <source>What goes to the right of the picture follows a hand that goes to the right.</source>
-        <translation>Geht die Hand nach rechts, so geht auch das Werkzeug im Bild nach rechts.</translation>
+        <source>A hand movement to the right moves the tool to the right in the view.</source>
+        <translation>Eine Handbewegung nach rechts bewegt das Werkzeug in der Ansicht nach rechts.</translation>
     </message>
     <message>
         <source>G&amp;uides</source>
@@ -336,48 +336,48 @@
         <translation>Vorrichtung aus einer &amp;Datei…</translation>
     </message>
     <message>
-        <source>Read a fixture that the tool keeps out of, as it lies in the part&apos;s frame.</source>
-        <translation>Liest eine Vorrichtung, in die das Werkzeug nicht eindringt, so wie sie zum Teil liegt.</translation>
+        <source>Import a fixture in the coordinates of the part; the tool keeps clear of it.</source>
+        <translation>Importiert eine Vorrichtung in den Koordinaten des Teils; das Werkzeug hält Abstand von ihr.</translation>
     </message>
     <message>
-        <source>A&amp;xis as the view looks</source>
-        <translation>A&amp;chse in Blickrichtung</translation>
+        <source>Tool a&amp;xis along the view</source>
+        <translation>Werkzeuga&amp;chse in Blickrichtung</translation>
     </message>
     <message>
-        <source>The tool stands along the line from the eye, as a 3+2 machine holds it.</source>
-        <translation>Das Werkzeug steht in Blickrichtung, wie es eine 3+2-Maschine hält.</translation>
+        <source>Sets the tool axis to the view direction (3+2 milling).</source>
+        <translation>Setzt die Werkzeugachse in die Blickrichtung (3+2-Fräsen).</translation>
     </message>
     <message>
         <source>Fi&amp;ner hand</source>
         <translation>Fei&amp;nere Hand</translation>
     </message>
     <message>
-        <source>The tool goes less far for the hand&apos;s way.</source>
-        <translation>Das Werkzeug geht für den Weg der Hand weniger weit.</translation>
+        <source>Smaller tool movement for the same hand movement.</source>
+        <translation>Kleinere Bewegung des Werkzeugs bei gleicher Bewegung der Hand.</translation>
     </message>
     <message>
         <source>C&amp;oarser hand</source>
         <translation>&amp;Gröbere Hand</translation>
     </message>
     <message>
-        <source>The tool goes farther for the hand&apos;s way.</source>
-        <translation>Das Werkzeug geht für den Weg der Hand weiter.</translation>
+        <source>Larger tool movement for the same hand movement.</source>
+        <translation>Größere Bewegung des Werkzeugs bei gleicher Bewegung der Hand.</translation>
     </message>
     <message>
         <source>The hand sets the spee&amp;d</source>
         <translation>Die Hand gibt das &amp;Tempo vor</translation>
     </message>
     <message>
-        <source>A stylus without motors sets the tool&apos;s speed, not its place.</source>
-        <translation>Ein Stift ohne Motoren gibt das Tempo des Werkzeugs vor, nicht seinen Ort.</translation>
+        <source>A stylus without motors sets the tool&apos;s speed, not its position.</source>
+        <translation>Ein Stift ohne Motoren gibt das Tempo des Werkzeugs vor, nicht seine Position.</translation>
     </message>
     <message>
         <source>&amp;Draw instead</source>
         <translation>Stattdessen &amp;zeichnen</translation>
     </message>
     <message>
-        <source>Draw a stroke in the view that replaces what is chosen of the path.</source>
-        <translation>In der Ansicht einen Zug zeichnen, der das Gewählte der Bahn ersetzt.</translation>
+        <source>Draw a stroke in the view that replaces the selected part of the path.</source>
+        <translation>Einen Zug in der Ansicht zeichnen, der den ausgewählten Abschnitt der Bahn ersetzt.</translation>
     </message>
     <message>
         <source>&amp;Find in the program</source>
@@ -392,32 +392,32 @@
         <translation>Prüfung ü&amp;bergehen…</translation>
     </message>
     <message>
-        <source>Give the reason why a program is wanted that its check refused.</source>
-        <translation>Begründen, warum ein Programm gebraucht wird, das seine Prüfung abgelehnt hat.</translation>
+        <source>Export a program that failed its check; you must state a reason.</source>
+        <translation>Ein Programm exportieren, das seine Prüfung nicht bestanden hat; dafür ist ein Grund anzugeben.</translation>
     </message>
     <message>
         <source>Paths of other tool&amp;s</source>
         <translation>Bahnen anderer &amp;Werkzeuge</translation>
     </message>
     <message>
-        <source>Draw what the job mills with other tools.</source>
-        <translation>Zeichnet, was der Auftrag mit anderen Werkzeugen fräst.</translation>
+        <source>Draw the paths of the job&apos;s other tools.</source>
+        <translation>Zeichnet die Bahnen der anderen Werkzeuge des Auftrags.</translation>
     </message>
     <message>
-        <source>Draw for an e&amp;dit</source>
-        <translation>Für eine Bearbeitung &amp;zeichnen</translation>
+        <source>Draw for an ed&amp;it</source>
+        <translation>Für eine Bearbeitung zei&amp;chnen</translation>
     </message>
     <message>
-        <source>Draw the area, the guide or the mirror&apos;s plane of the last edit that has one.</source>
-        <translation>Zeichnet die Fläche, die Leitlinie oder die Spiegelebene der letzten Bearbeitung, die eine hat.</translation>
+        <source>Draw the area, the guide or the mirror plane of the last edit that has one.</source>
+        <translation>Zeichnet den Bereich, die Führung oder die Spiegelebene der letzten Bearbeitung, die so etwas hat.</translation>
     </message>
     <message>
         <source>&amp;Keys and mouse</source>
         <translation>&amp;Tasten und Maus</translation>
     </message>
     <message>
-        <source>All shortcuts, and what the mouse does.</source>
-        <translation>Alle Tastenkürzel und was die Maus tut.</translation>
+        <source>All keyboard shortcuts and mouse actions.</source>
+        <translation>Alle Tastenkürzel und Mausaktionen.</translation>
     </message>
     <message>
         <source>&amp;Mill</source>
@@ -425,7 +425,7 @@
     </message>
     <message>
         <source>Start or stop milling. Everything that is cut is recorded.</source>
-        <translation>Das Werkzeug in die Hand nehmen: was es schneidet, wird aufgezeichnet. Esc legt es weg.</translation>
+        <translation>Beginnt oder beendet das Fräsen. Alles, was geschnitten wird, wird aufgezeichnet.</translation>
     </message>
     <message>
         <source>Ras&amp;ter</source>
@@ -433,7 +433,7 @@
     </message>
     <message>
         <source>Drag a rectangle; it is milled in rows at the step-over.</source>
-        <translation>Ein Zug spannt ein Rechteck auf, das in Zeilen im Zeilenabstand gefräst wird.</translation>
+        <translation>Ein Rechteck aufziehen; es wird in Zeilen im Zeilenabstand gefräst.</translation>
     </message>
     <message>
         <source>Repeat &amp;lower</source>
@@ -441,7 +441,7 @@
     </message>
     <message>
         <source>Repeat the last stroke, lower by the depth of cut.</source>
-        <translation>Den letzten Zug noch einmal fräsen, um die Schnitttiefe tiefer.</translation>
+        <translation>Den letzten Zug noch einmal fräsen, um die Zustellung tiefer.</translation>
     </message>
     <message>
         <source>Repeat beside, le&amp;ft</source>
@@ -507,16 +507,16 @@
         <translation>Maus</translation>
     </message>
     <message>
-        <source>simulated: no force is felt; figures of a 3D Systems Touch (CHAI3D device table) scale the force that is shown</source>
+        <source>simulated: no force is felt; values of a 3D Systems Touch (CHAI3D device table) scale the force that is shown</source>
         <translation>simuliert: keine Kraft ist zu spüren; die angezeigte Kraft folgt den Kennwerten eines 3D Systems Touch (Gerätetabelle von CHAI3D)</translation>
     </message>
     <message>
         <source>The cap sets the speed</source>
-        <translation>Die Kappe gibt die Geschwindigkeit vor</translation>
+        <translation>Die Kappe gibt das Tempo vor</translation>
     </message>
     <message>
-        <source>The cap sets the place</source>
-        <translation>Die Kappe gibt den Ort vor</translation>
+        <source>The cap sets the position</source>
+        <translation>Die Kappe gibt die Position vor</translation>
     </message>
 </context>
 <context>
@@ -566,7 +566,7 @@
         <translation>ein Sensor oder ein Antrieb ist ausgefallen</translation>
     </message>
     <message>
-        <source>it does not say who it is</source>
+        <source>it does not identify itself</source>
         <translation>es gibt sich nicht zu erkennen</translation>
     </message>
     <message>
@@ -597,8 +597,8 @@
         <translation>Glätten</translation>
     </message>
     <message>
-        <source>Hold out of the part</source>
-        <translation>Aus dem Teil halten</translation>
+        <source>Keep out of the part</source>
+        <translation>Vom Teil fernhalten</translation>
     </message>
     <message>
         <source>Simplify</source>
@@ -610,15 +610,15 @@
     </message>
     <message>
         <source>Set feed and speed</source>
-        <translation>Vorschub und Drehzahl setzen</translation>
+        <translation>Schnittwerte setzen</translation>
     </message>
     <message>
         <source>Smooth by a spline in time (earlier version)</source>
         <translation>Mit einem Spline über der Zeit glätten (frühere Fassung)</translation>
     </message>
     <message>
-        <source>Cut out</source>
-        <translation>Ausschneiden</translation>
+        <source>Delete part of the path</source>
+        <translation>Bahnabschnitt löschen</translation>
     </message>
     <message>
         <source>Trim</source>
@@ -630,7 +630,7 @@
     </message>
     <message>
         <source>Join</source>
-        <translation>Verbinden</translation>
+        <translation>Zusammenfügen</translation>
     </message>
     <message>
         <source>Reorder</source>
@@ -657,20 +657,20 @@
         <translation>Punkte verschieben</translation>
     </message>
     <message>
-        <source>Replace a stretch</source>
-        <translation>Ein Stück ersetzen</translation>
+        <source>Replace part of the path</source>
+        <translation>Bahnabschnitt ersetzen</translation>
     </message>
     <message>
-        <source>Remove from an area</source>
-        <translation>Aus einem Bereich entfernen</translation>
+        <source>Delete in an area</source>
+        <translation>Im Bereich löschen</translation>
     </message>
     <message>
-        <source>Lift in an area</source>
-        <translation>In einem Bereich anheben</translation>
+        <source>Retract in an area</source>
+        <translation>Im Bereich anheben</translation>
     </message>
     <message>
-        <source>Lay on the part</source>
-        <translation>Auf das Teil legen</translation>
+        <source>Project onto the part</source>
+        <translation>Auf das Teil projizieren</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -716,23 +716,23 @@
         <translation>Mindestlänge</translation>
     </message>
     <message>
-        <source>A shorter stretch through air stays</source>
-        <translation>Kürzere Strecken durch die Luft bleiben</translation>
+        <source>Shorter air cuts are kept</source>
+        <translation>Kürzere Luftschnitte bleiben</translation>
     </message>
     <message>
         <source>Slower than</source>
         <translation>Langsamer als</translation>
     </message>
     <message>
-        <source>A tip slower than this dwells</source>
-        <translation>Eine langsamere Spitze verweilt</translation>
+        <source>Tool speed below which the hand counts as resting</source>
+        <translation>Geschwindigkeit des Werkzeugs, unter der die Hand als ruhend gilt</translation>
     </message>
     <message>
         <source>Longer than</source>
         <translation>Länger als</translation>
     </message>
     <message>
-        <source>A shorter rest stays</source>
+        <source>Shorter dwells are kept</source>
         <translation>Kürzeres Verweilen bleibt</translation>
     </message>
     <message>
@@ -752,20 +752,20 @@
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>Kept from the part beyond the allowance</source>
-        <translation>Wird über das Aufmaß hinaus vom Teil eingehalten</translation>
+        <source>Distance from the part, in addition to the allowance</source>
+        <translation>Abstand vom Teil, zusätzlich zum Aufmaß</translation>
     </message>
     <message>
         <source>Sampling</source>
         <translation>Abtastung</translation>
     </message>
     <message>
-        <source>How densely the path is held against the part</source>
-        <translation>Wie dicht die Bahn gegen das Teil gehalten wird</translation>
+        <source>Distance between the points at which the path is kept out of the part</source>
+        <translation>Abstand der Punkte, an denen die Bahn vom Teil ferngehalten wird</translation>
     </message>
     <message>
-        <source>No point that is left out lies farther off than this</source>
-        <translation>Kein weggelassener Punkt liegt weiter entfernt</translation>
+        <source>Largest deviation of the points that are left out</source>
+        <translation>Größte Abweichung der weggelassenen Punkte</translation>
     </message>
     <message>
         <source>Clearance above</source>
@@ -776,39 +776,39 @@
         <translation>Anfahrweg</translation>
     </message>
     <message>
-        <source>How far above the stock&apos;s top rapid moves run</source>
+        <source>Height of rapid moves above the top of the stock</source>
         <translation>Höhe des Eilgangs über der Oberkante des Rohteils</translation>
     </message>
     <message>
-        <source>How far above what is left the plunge begins</source>
-        <translation>Höhe über dem Restmaterial, in der das Eintauchen beginnt</translation>
+        <source>Height above the remaining stock at which the plunge begins</source>
+        <translation>Höhe über dem verbliebenen Material, in der das Eintauchen beginnt</translation>
     </message>
     <message numerus="yes">
-        <source>%n places</source>
+        <source>%n points</source>
         <translation>
-            <numerusform>%n Ort</numerusform>
-            <numerusform>%n Orte</numerusform>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
         </translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Was</translation>
+        <source>Applies to</source>
+        <translation>Gilt für</translation>
     </message>
     <message>
-        <source>The strokes that it is meant for; choose them in the view before adding the edit</source>
-        <translation>Die Züge, für die sie gilt; vor dem Hinzufügen in der Ansicht wählen</translation>
+        <source>Strokes to edit. Select them in the view first</source>
+        <translation>Züge, die bearbeitet werden. Zuerst in der Ansicht auswählen</translation>
     </message>
     <message>
-        <source>The stretch that is left out; choose it in the view before adding the edit</source>
-        <translation>Das Stück, das wegfällt; vor dem Hinzufügen in der Ansicht wählen</translation>
+        <source>Part of the path to delete. Select it in the view first</source>
+        <translation>Abschnitt der Bahn, der gelöscht wird. Zuerst in der Ansicht auswählen</translation>
     </message>
     <message>
-        <source>The places that are moved</source>
-        <translation>Die Orte, die verschoben werden</translation>
+        <source>Points that are moved</source>
+        <translation>Punkte, die verschoben werden</translation>
     </message>
     <message>
-        <source>The stretch that the drawn stroke replaces</source>
-        <translation>Das Stück, das der gezeichnete Zug ersetzt</translation>
+        <source>Part of the path that the drawn stroke replaces</source>
+        <translation>Abschnitt der Bahn, den der gezeichnete Zug ersetzt</translation>
     </message>
     <message>
         <source>From the start</source>
@@ -827,20 +827,20 @@
         <translation>Wird am Ende jedes Zuges abgeschnitten</translation>
     </message>
     <message>
-        <source>Where</source>
-        <translation>Wo</translation>
+        <source>Position</source>
+        <translation>Position</translation>
     </message>
     <message>
-        <source>The stroke is parted here</source>
+        <source>The stroke is split here</source>
         <translation>Hier wird der Zug geteilt</translation>
     </message>
     <message>
-        <source>Farthest</source>
-        <translation>Höchstens</translation>
+        <source>Largest gap</source>
+        <translation>Größte Lücke</translation>
     </message>
     <message>
         <source>Ends no farther apart than this are joined</source>
-        <translation>Enden, die nicht weiter auseinanderliegen, werden verbunden</translation>
+        <translation>Enden, die nicht weiter auseinanderliegen, werden zusammengefügt</translation>
     </message>
     <message>
         <source>Stroke</source>
@@ -863,8 +863,8 @@
         <translation>Quer zu</translation>
     </message>
     <message>
-        <source>The axis that the mirror&apos;s plane stands across</source>
-        <translation>Die Achse, zu der die Spiegelebene quer steht</translation>
+        <source>Axis perpendicular to the mirror plane</source>
+        <translation>Achse, zu der die Spiegelebene senkrecht steht</translation>
     </message>
     <message>
         <source>Plane at</source>
@@ -899,7 +899,7 @@
         <translation>Von jeder Kopie zur nächsten</translation>
     </message>
     <message>
-        <source>Turn</source>
+        <source>Rotation</source>
         <translation>Drehung</translation>
     </message>
     <message>
@@ -919,16 +919,16 @@
         <translation>Um</translation>
     </message>
     <message>
-        <source>How far the places are moved</source>
-        <translation>Wie weit die Orte verschoben werden</translation>
+        <source>How far the points are moved</source>
+        <translation>Wie weit die Punkte verschoben werden</translation>
     </message>
     <message>
         <source>Falloff</source>
         <translation>Auslauf</translation>
     </message>
     <message>
-        <source>Places along the stroke up to this far follow, ever less</source>
-        <translation>So weit den Zug entlang gehen Orte mit, immer weniger</translation>
+        <source>Points along the stroke within this distance follow by less and less</source>
+        <translation>Punkte entlang des Zuges bis zu diesem Abstand folgen, immer weniger</translation>
     </message>
     <message>
         <source>Along</source>
@@ -939,19 +939,19 @@
         <translation>Frei, oder an der Oberfläche des Teils entlang mit gleichem Abstand</translation>
     </message>
     <message>
-        <source>Places</source>
-        <translation>Orte</translation>
+        <source>Points</source>
+        <translation>Punkte</translation>
     </message>
     <message>
-        <source>Of the stroke that was drawn instead</source>
-        <translation>Des Zuges, der stattdessen gezeichnet wurde</translation>
+        <source>Points of the drawn stroke</source>
+        <translation>Punkte des gezeichneten Zuges</translation>
     </message>
     <message>
         <source>Outline</source>
         <translation>Umriss</translation>
     </message>
     <message>
-        <source>Corners of the area in plan</source>
+        <source>Corners of the area, seen from above</source>
         <translation>Ecken des Bereichs von oben</translation>
     </message>
     <message>
@@ -963,12 +963,12 @@
         <translation>Bis</translation>
     </message>
     <message>
-        <source>Lift</source>
-        <translation>Hub</translation>
+        <source>Retract</source>
+        <translation>Rückzug</translation>
     </message>
     <message>
-        <source>How far the path is lifted inside the area</source>
-        <translation>Wie weit die Bahn im Bereich angehoben wird</translation>
+        <source>How far the tool retracts inside the area</source>
+        <translation>Wie weit das Werkzeug im Bereich angehoben wird</translation>
     </message>
     <message>
         <source>Factor</source>
@@ -983,12 +983,12 @@
         <translation>Aufmaß</translation>
     </message>
     <message>
-        <source>Stock that is left on the part</source>
-        <translation>Rohteil, das auf dem Teil stehen bleibt</translation>
+        <source>Stock left on the part</source>
+        <translation>Material, das auf dem Teil stehen bleibt</translation>
     </message>
     <message>
-        <source>How densely places are laid on the part</source>
-        <translation>Wie dicht Orte auf das Teil gelegt werden</translation>
+        <source>Distance between the points that are projected onto the part</source>
+        <translation>Abstand der Punkte, die auf das Teil projiziert werden</translation>
     </message>
     <message>
         <source>Down the tool&apos;s axis, or along the part&apos;s normal</source>
@@ -1007,8 +1007,8 @@
         <translation>Führung</translation>
     </message>
     <message>
-        <source>Places of a guide that was drawn; none: the strokes that are chosen</source>
-        <translation>Orte einer gezeichneten Führung; keine: die gewählten Züge</translation>
+        <source>Points of a drawn guide; none: the selected strokes</source>
+        <translation>Punkte einer gezeichneten Führung; keine: die ausgewählten Züge</translation>
     </message>
     <message>
         <source>Step-over</source>
@@ -1031,16 +1031,16 @@
         <translation>Zeilen rechts</translation>
     </message>
     <message>
-        <source>No arc leaves the path farther than this</source>
-        <translation>Kein Bogen weicht weiter von der Bahn ab</translation>
+        <source>Largest deviation of an arc from the path</source>
+        <translation>Größte Abweichung eines Bogens von der Bahn</translation>
     </message>
     <message>
         <source>Largest sweep</source>
         <translation>Größter Winkel</translation>
     </message>
     <message>
-        <source>An arc that turns by more becomes several</source>
-        <translation>Ein Bogen, der weiter dreht, wird zu mehreren</translation>
+        <source>Arcs of a larger angle are split</source>
+        <translation>Bögen mit größerem Winkel werden geteilt</translation>
     </message>
     <message>
         <source>Smallest radius</source>
@@ -1063,12 +1063,12 @@
         <translation>Radiusabweichung</translation>
     </message>
     <message>
-        <source>How far the radii at both ends may differ once figures are rounded</source>
-        <translation>Wie weit die Radien beider Enden nach dem Runden der Zahlen auseinanderliegen dürfen</translation>
+        <source>How far the radii at both ends may differ once values are rounded</source>
+        <translation>Wie weit die Radien beider Enden nach dem Runden der Werte auseinanderliegen dürfen</translation>
     </message>
     <message>
-        <source>How far a rounded corner may leave the sharp one</source>
-        <translation>Wie weit eine gerundete Ecke von der scharfen abweichen darf</translation>
+        <source>Largest deviation of a rounded corner from the sharp one</source>
+        <translation>Größte Abweichung einer gerundeten Ecke von der scharfen</translation>
     </message>
     <message>
         <source>Smallest turn</source>
@@ -1079,8 +1079,8 @@
         <translation>Ecken mit kleinerem Knick bleiben</translation>
     </message>
     <message>
-        <source>The strokes that get one; choose them in the view before adding the edit</source>
-        <translation>Die Züge, die es bekommen; vor dem Hinzufügen in der Ansicht wählen</translation>
+        <source>Strokes that get a lead-in. Select them in the view first</source>
+        <translation>Züge, die eine Anfahrt bekommen. Zuerst in der Ansicht auswählen</translation>
     </message>
     <message>
         <source>Form</source>
@@ -1107,24 +1107,20 @@
         <translation>Wie weit eine Rampe oder Helix hinabgeht</translation>
     </message>
     <message>
-        <source>No helix goes down more steeply</source>
-        <translation>Steiler geht keine Helix hinab</translation>
+        <source>Largest descent angle of a helix</source>
+        <translation>Größter Winkel, in dem eine Helix hinabgeht</translation>
     </message>
     <message>
         <source>Length of a line, radius of an arc</source>
         <translation>Länge einer Geraden, Radius eines Bogens</translation>
     </message>
     <message>
-        <source>Travel</source>
-        <translation>Eilgang</translation>
-    </message>
-    <message>
         <source>Level</source>
         <translation>Ausgleichen</translation>
     </message>
     <message>
-        <source>What is to stay the same: the force, or the removal rate</source>
-        <translation>Was gleich bleiben soll: die Kraft oder das Zeitspanvolumen</translation>
+        <source>Value to keep constant: the force or the removal rate</source>
+        <translation>Wert, der gleich bleiben soll: die Kraft oder das Zeitspanvolumen</translation>
     </message>
     <message>
         <source>Target</source>
@@ -1151,12 +1147,12 @@
         <translation>Kleinste Änderung</translation>
     </message>
     <message>
-        <source>Of the feed; smaller ones are left out</source>
-        <translation>Des Vorschubs; kleinere entfallen</translation>
+        <source>Change of the feed; smaller changes are left out</source>
+        <translation>Änderung des Vorschubs; kleinere entfallen</translation>
     </message>
     <message>
-        <source>How densely moves are looked at</source>
-        <translation>Wie dicht Bewegungen betrachtet werden</translation>
+        <source>Distance between the points at which moves are evaluated</source>
+        <translation>Abstand der Punkte, an denen Bewegungen ausgewertet werden</translation>
     </message>
     <message>
         <source>a straight line</source>
@@ -1203,12 +1199,12 @@
         <translation>die Flächennormale</translation>
     </message>
     <message>
-        <source>above everything</source>
-        <translation>über allem</translation>
+        <source>full height</source>
+        <translation>volle Höhe</translation>
     </message>
     <message>
-        <source>as low as is safe</source>
-        <translation>so tief wie sicher</translation>
+        <source>lowest safe height</source>
+        <translation>tiefste sichere Höhe</translation>
     </message>
     <message>
         <source>the force</source>
@@ -1220,27 +1216,27 @@
     </message>
     <message>
         <source>Spindle speed</source>
-        <translation>Drehzahl</translation>
+        <translation>Spindeldrehzahl</translation>
     </message>
     <message>
-        <source>Of what the tables say; feeds go with it, the chip load stays</source>
-        <translation>Anteil am Tabellenwert; Vorschübe gehen mit, der Zahnvorschub bleibt</translation>
+        <source>Share of the table value; feeds change with it, the chip load stays</source>
+        <translation>Anteil am Tabellenwert; Vorschübe ändern sich mit, der Zahnvorschub bleibt</translation>
     </message>
     <message>
         <source>Chip load</source>
         <translation>Zahnvorschub</translation>
     </message>
     <message>
-        <source>Of what the tables say; feeds go with it</source>
-        <translation>Anteil am Tabellenwert; Vorschübe gehen mit</translation>
+        <source>Share of the table value; feeds change with it</source>
+        <translation>Anteil am Tabellenwert; Vorschübe ändern sich mit</translation>
     </message>
     <message>
         <source>Coolant</source>
         <translation>Kühlung</translation>
     </message>
     <message>
-        <source>As the material advises where the machine has it, or as you say</source>
-        <translation>Wie der Werkstoff rät, wo die Maschine es hat, oder wie Sie es sagen</translation>
+        <source>As advised for the material if the machine has it, or as chosen here</source>
+        <translation>Wie für den Werkstoff geraten, wenn die Maschine es hat, oder wie hier gewählt</translation>
     </message>
     <message>
         <source>as advised</source>
@@ -1259,32 +1255,32 @@
         <translation>Schwall (M8)</translation>
     </message>
     <message>
-        <source>Above everything, as low as what is left allows, or also round what stands in the way</source>
-        <translation>Über allem, so tief, wie das Verbliebene erlaubt, oder auch um das herum, was im Weg steht</translation>
+        <source>Retract: full height, lowest safe height, or around obstacles</source>
+        <translation>Rückzug: volle Höhe, tiefste sichere Höhe oder um Hindernisse herum</translation>
     </message>
     <message>
         <source>Rounding</source>
         <translation>Rundung</translation>
     </message>
     <message>
-        <source>How much of either move the rounded corner of a link may take; none: sharp corners</source>
-        <translation>Wie viel jeder der beiden Bewegungen die gerundete Ecke einer Verbindung nehmen darf; nichts: scharfe Ecken</translation>
+        <source>Largest length of either move that a rounded corner of a link may replace; none: sharp corners</source>
+        <translation>Größte Länge, die eine gerundete Ecke einer Verbindung von jeder der beiden Bewegungen ersetzen darf; keine: scharfe Ecken</translation>
     </message>
     <message>
-        <source>low, and round what stands there</source>
-        <translation>tief, und um Hindernisse herum</translation>
+        <source>around obstacles</source>
+        <translation>um Hindernisse herum</translation>
     </message>
     <message>
-        <source>0: the mean that the path has where it cuts</source>
-        <translation>0: das Mittel der Bahn, wo sie schneidet</translation>
+        <source>0: the mean of the path&apos;s cutting moves</source>
+        <translation>0: der Mittelwert der Schnittbewegungen der Bahn</translation>
     </message>
     <message>
-        <source>Where the mirror&apos;s plane stands, from program zero; it can be drawn in the view, as a line</source>
-        <translation>Wo die Spiegelebene steht, vom Programmnullpunkt aus; sie lässt sich in der Ansicht als Linie zeichnen</translation>
+        <source>Position of the mirror plane, from program zero; it can be drawn in the view, as a line</source>
+        <translation>Position der Spiegelebene, vom Programmnullpunkt aus; sie lässt sich in der Ansicht als Linie zeichnen</translation>
     </message>
     <message>
-        <source>Place of the upright axis that it turns about, from program zero</source>
-        <translation>Ort der senkrechten Achse, um die gedreht wird, vom Programmnullpunkt aus</translation>
+        <source>Position of the vertical axis of rotation, from program zero</source>
+        <translation>Position der senkrechten Drehachse, vom Programmnullpunkt aus</translation>
     </message>
     <message>
         <source>Lowest height of the area, from program zero</source>
@@ -1327,7 +1323,7 @@
         <translation>Die Oberfläche von „%1“ ist offen (Kanten: %2), aber keine Abtastlinie trifft eine Lücke.</translation>
     </message>
     <message>
-        <source>Faces of “%1” do not agree on what is outside, so every second stretch between them was filled (%2); make their normals agree in the CAD program.</source>
+        <source>Faces of “%1” do not agree on which side is outside, so every second interval between them was filled (%2); make their normals agree in the CAD program.</source>
         <translation>Flächen von „%1“ sind sich nicht einig, was außen ist; jeder zweite Abschnitt zwischen ihnen wurde gefüllt (%2). Richten Sie ihre Normalen im CAD-Programm gleich aus.</translation>
     </message>
     <message>
@@ -1335,8 +1331,8 @@
         <translation>Eine Schale von „%1“ ist nach innen gewendet und wurde ebenfalls gefüllt (%2); ist sie als Hohlraum gemeint, muss sie in einer anderen Schale liegen.</translation>
     </message>
     <message>
-        <source>Shells of “%1” overlap, so whatever any of them holds was filled (%2).</source>
-        <translation>Schalen von „%1“ überlappen sich; gefüllt wurde, was in irgendeiner von ihnen liegt (%2).</translation>
+        <source>Shells of “%1” overlap, so everything inside any of them was filled (%2).</source>
+        <translation>Schalen von „%1“ überlappen sich; gefüllt wurde alles, was in einer von ihnen liegt (%2).</translation>
     </message>
     <message>
         <source>Triangles of “%1” that are there twice were counted once (%2).</source>
@@ -1347,8 +1343,8 @@
         <translation>„%1“ ist zu klein für die Voxel, nichts davon ist geschützt; wählen Sie kleinere Voxel.</translation>
     </message>
     <message>
-        <source>“%1” overlaps “%2” in %3, where the later body has the place.</source>
-        <translation>„%1“ überlappt „%2“ in %3; dort hat der spätere Körper den Platz.</translation>
+        <source>“%1” overlaps “%2” in %3; there the later body counts.</source>
+        <translation>„%1“ überlappt „%2“ in %3; dort gilt der spätere Körper.</translation>
     </message>
 </context>
 <context>
@@ -1543,8 +1539,8 @@
         <translation>%1 besteht aus %2 Stücken, die nicht verbunden sind. Wo sie sich überlappen, zählt das Volumen doppelt.</translation>
     </message>
     <message>
-        <source>What follows behind the last triangle was left out.</source>
-        <translation>Was hinter dem letzten Dreieck folgt, wurde weggelassen.</translation>
+        <source>Data after the last triangle was left out.</source>
+        <translation>Daten nach dem letzten Dreieck wurden weggelassen.</translation>
     </message>
     <message>
         <source>Body %1</source>
@@ -1577,23 +1573,23 @@
         <translation>Näheres ist nicht bekannt</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was stopped as asked; start it again to finish it.</source>
-        <translation>„%1“ wurde wie gewünscht abgebrochen; starten Sie es erneut, um es abzuschließen.</translation>
+        <source>&quot;%1&quot; was cancelled; start it again to finish it.</source>
+        <translation>„%1“ wurde abgebrochen; starten Sie es erneut, um es abzuschließen.</translation>
     </message>
     <message>
         <source>There is not enough memory for &quot;%1&quot;; close other programs or choose larger voxels.</source>
         <translation>Der Arbeitsspeicher reicht nicht für „%1“; schließen Sie andere Programme oder wählen Sie größere Voxel.</translation>
     </message>
     <message>
-        <source>Burin broke a rule of its own in &quot;%1&quot; (%2); save your work under another name and report this.</source>
-        <translation>Burin hat in „%1“ eine eigene Regel verletzt (%2); speichern Sie Ihre Arbeit unter anderem Namen und melden Sie dies.</translation>
+        <source>Internal error in &quot;%1&quot; (%2); save your work under another name and report this.</source>
+        <translation>Interner Fehler in „%1“ (%2); speichern Sie Ihre Arbeit unter anderem Namen und melden Sie dies.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; does not exist; check its name and its folder.</source>
         <translation>„%1“ gibt es nicht; prüfen Sie Namen und Ordner.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; can&apos;t be written (%2); check the rights of the file and its folder or choose another place.</source>
+        <source>&quot;%1&quot; can&apos;t be written (%2); check the permissions of the file and its folder or choose another location.</source>
         <translation>„%1“ lässt sich nicht schreiben (%2); prüfen Sie die Zugriffsrechte von Datei und Ordner oder wählen Sie einen anderen Ort.</translation>
     </message>
     <message>
@@ -1653,7 +1649,7 @@
         <translation>Der CAD-Leser ist an „%1“ gescheitert (%2); exportieren Sie das Modell noch einmal, möglichst als STEP.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; holds no solid, but: %2; export a closed solid.</source>
+        <source>&quot;%1&quot; contains no solid, but: %2; export a closed solid.</source>
         <translation>„%1“ enthält keinen Volumenkörper, sondern: %2; exportieren Sie einen geschlossenen Körper.</translation>
     </message>
     <message>
@@ -1717,12 +1713,12 @@
         <translation>Der Datenträger kam nicht nach, die Aufzeichnung endete deshalb nach %1 Messpunkten; verwenden Sie einen schnelleren.</translation>
     </message>
     <message>
-        <source>The path &quot;%1&quot; holds no move; add a take that cuts, or switch off the edit that drops everything.</source>
+        <source>The path &quot;%1&quot; contains no move; add a take that cuts, or switch off the edit that drops everything.</source>
         <translation>Die Bahn „%1“ enthält keine Bewegung; fügen Sie eine Aufnahme hinzu, die schneidet, oder schalten Sie die Bearbeitung ab, die alles entfernt.</translation>
     </message>
     <message>
-        <source>The path &quot;%1&quot; cuts into the part (%2); hold it out of the part before it is posted.</source>
-        <translation>Die Bahn „%1“ schneidet in das Teil (%2); halten Sie sie aus dem Teil heraus, bevor Sie sie ausgeben.</translation>
+        <source>The path &quot;%1&quot; cuts into the part (%2); keep it out of the part before it is posted.</source>
+        <translation>Die Bahn „%1“ schneidet in das Teil (%2); halten Sie sie vom Teil fern, bevor Sie sie ausgeben.</translation>
     </message>
     <message>
         <source>No dialect is called &quot;%1&quot;; choose one of these: %2.</source>
@@ -1741,8 +1737,8 @@
         <translation>Das Programm „%1“ ist bei %2 nicht verständlich (%3); berichtigen Sie es dort.</translation>
     </message>
     <message>
-        <source>The machine&apos;s limit of &quot;%1&quot; is broken (%2); change the path or choose another machine.</source>
-        <translation>Die Grenze der Maschine für „%1“ wird verletzt (%2); ändern Sie die Bahn oder wählen Sie eine andere Maschine.</translation>
+        <source>The machine&apos;s limit of &quot;%1&quot; is exceeded (%2); change the path or choose another machine.</source>
+        <translation>Die Grenze der Maschine für „%1“ wird überschritten (%2); ändern Sie die Bahn oder wählen Sie eine andere Maschine.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; did not pass the check (%2); correct the path and check it again.</source>
@@ -1761,7 +1757,7 @@
         <translation>Das Gerät „%1“ hat seine Kräfte vorerst aus (%2); sie setzen sanft wieder ein, wenn das vorbei ist.</translation>
     </message>
     <message>
-        <source>You have no right to use the device &quot;%1&quot; (%2); install Burin&apos;s udev rule and plug it in again.</source>
+        <source>You have no permission to use the device &quot;%1&quot; (%2); install Burin&apos;s udev rule and plug it in again.</source>
         <translation>Sie dürfen das Gerät „%1“ nicht benutzen (%2); richten Sie Burins udev-Regel ein und schließen Sie es neu an.</translation>
     </message>
     <message>
@@ -1769,8 +1765,8 @@
         <translation>Das Gerät „%1“ spricht Version %2 seines Protokolls, dieses Burin braucht aber %3; bringen Sie seine Firmware auf den neuesten Stand.</translation>
     </message>
     <message>
-        <source> (what led to it is in &quot;%1&quot;).</source>
-        <translation> (was dazu führte, steht in „%1“).</translation>
+        <source> (details are in &quot;%1&quot;).</source>
+        <translation> (Einzelheiten stehen in „%1“).</translation>
     </message>
     <message>
         <source>The motors of &quot;%1&quot; are hot, so its forces go down to half; press less until they have cooled.</source>
@@ -1781,8 +1777,8 @@
         <translation>„%1“ muss in der Liste vor „%2“ stehen; verschieben Sie es dorthin.</translation>
     </message>
     <message>
-        <source>A path has one &quot;%1&quot; alone; remove the other one.</source>
-        <translation>Eine Bahn hat „%1“ nur einmal; entfernen Sie das andere.</translation>
+        <source>A path can have only one &quot;%1&quot;; delete the other one.</source>
+        <translation>Eine Bahn kann „%1“ nur einmal haben; löschen Sie die andere Bearbeitung.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; may lead the tool into the part; put &quot;%2&quot; between it and &quot;%3&quot;.</source>
@@ -1797,19 +1793,19 @@
         <translation>„%1“ reicht %2 vom Ursprung weg, und ein Teil darf %3 weit reichen; wählen Sie seine Einheit oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; can&apos;t be read (%2); check that it is what you meant and that you may read it.</source>
-        <translation>„%1“ lässt sich nicht lesen (%2); prüfen Sie, ob es das Gemeinte ist und ob Sie es lesen dürfen.</translation>
+        <source>&quot;%1&quot; can&apos;t be read (%2); check that it is the right one and that you have permission to read it.</source>
+        <translation>„%1“ lässt sich nicht lesen (%2); prüfen Sie, ob es das Richtige ist und ob Sie es lesen dürfen.</translation>
     </message>
 </context>
 <context>
     <name>Migration</name>
     <message>
-        <source>Strokes of a recording can be taken back.</source>
-        <translation>Züge einer Aufzeichnung lassen sich zurücknehmen.</translation>
+        <source>Strokes of a take can be undone.</source>
+        <translation>Züge einer Aufnahme lassen sich rückgängig machen.</translation>
     </message>
     <message>
-        <source>Fixtures, the tool&apos;s axis and guides are kept.</source>
-        <translation>Vorrichtungen, die Achse des Werkzeugs und Führungen werden mit gespeichert.</translation>
+        <source>Fixtures, the tool axis and guides are kept.</source>
+        <translation>Vorrichtungen, Werkzeugachse und Führungen werden mit gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -1847,12 +1843,12 @@
         <translation>Der Speicher für das Werkstück ist voll, darum wird nichts abgetragen; speichern Sie und arbeiten Sie mit größeren Voxeln weiter.</translation>
     </message>
     <message>
-        <source>The stylus gives no readings: the tool stands, and there is no force.</source>
+        <source>The stylus gives no readings: the tool does not move, and there is no force.</source>
         <translation>Der Stift liefert keine Werte: Das Werkzeug steht, und es gibt keine Kraft.</translation>
     </message>
     <message>
         <source>There is no room to lean the tool as the hand does: its axis stays where it is.</source>
-        <translation>Für die Neigung der Hand ist kein Platz: Die Achse des Werkzeugs bleibt, wie sie ist.</translation>
+        <translation>Für die Neigung der Hand ist kein Platz: Die Werkzeugachse bleibt, wie sie ist.</translation>
     </message>
     <message>
         <source>There is force while button %1 is held.</source>
@@ -1863,8 +1859,8 @@
         <translation>Die Kräfte setzen ein, sobald das Werkzeug vom Teil frei ist.</translation>
     </message>
     <message>
-        <source>The device gives all the force that it may.</source>
-        <translation>Das Gerät gibt so viel Kraft, wie es darf.</translation>
+        <source>The force is at the device&apos;s limit.</source>
+        <translation>Die Kraft ist an der Grenze des Geräts.</translation>
     </message>
     <message>
         <source>The motors are hot: forces go down until they have cooled.</source>
@@ -1941,7 +1937,7 @@
         <translation>Drehzahl %1 1/min</translation>
     </message>
     <message>
-        <source>Cuts from an unknown place</source>
+        <source>Cuts from an unknown position</source>
         <translation>Schnitt ab unbekannter Position</translation>
     </message>
     <message>
@@ -2080,8 +2076,8 @@
         <translation>Wörter hinter dem Programmende</translation>
     </message>
     <message>
-        <source>the program makes more moves than are kept of it (20 million)</source>
-        <translation>das Programm macht mehr Bewegungen, als davon behalten werden (20 Millionen)</translation>
+        <source>the program has more moves than can be kept (20 million)</source>
+        <translation>das Programm hat mehr Bewegungen, als behalten werden können (20 Millionen)</translation>
     </message>
     <message>
         <source>cutter radius compensation is not read: program the centre of the tool</source>
@@ -2104,8 +2100,8 @@
         <translation>Längenkorrektur fehlt</translation>
     </message>
     <message>
-        <source>feed beside a change of units</source>
-        <translation>Vorschub neben einem Wechsel der Einheit</translation>
+        <source>feed together with a change of units</source>
+        <translation>Vorschub zusammen mit einem Wechsel der Einheit</translation>
     </message>
     <message>
         <source>feed is missing</source>
@@ -2204,7 +2200,7 @@
         <translation>Q muss größer als 0 sein und groß genug für die Tiefe</translation>
     </message>
     <message>
-        <source>canned cycle with a spindle that stands still, or turns the other way</source>
+        <source>canned cycle with a spindle that stands still, or turns in the wrong direction</source>
         <translation>Festzyklus bei stehender oder falsch drehender Spindel</translation>
     </message>
     <message>
@@ -2629,11 +2625,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Näher kommt das Werkzeug dem Teil nicht. Lassen Sie beim Schruppen etwas Aufmaß stehen; mit 0 darf der Fräser das Teil berühren und es schlichten.</translation>
     </message>
     <message>
-        <source>A recording runs: the allowance stays.</source>
-        <translation>Eine Aufzeichnung läuft: Das Aufmaß bleibt.</translation>
+        <source>The allowance can&apos;t be changed while recording.</source>
+        <translation>Während der Aufzeichnung lässt sich das Aufmaß nicht ändern.</translation>
     </message>
     <message>
-        <source>How far the boundary stands off the part</source>
+        <source>Distance of the boundary from the part</source>
         <translation>Abstand der Grenzfläche vom Teil</translation>
     </message>
 </context>
@@ -2651,12 +2647,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::BoundsPanel</name>
     <message>
-        <source>What keeps the tool out</source>
-        <translation>Was das Werkzeug fernhält</translation>
+        <source>Fixtures and limits</source>
+        <translation>Vorrichtungen und Grenzen</translation>
     </message>
     <message>
-        <source>Whether it keeps the tool out; one that the tool is inside of waits until it is clear</source>
-        <translation>Ob es das Werkzeug fernhält; steckt das Werkzeug darin, wartet es, bis es frei ist</translation>
+        <source>Whether it keeps the tool out. If the tool is inside, it waits until the tool is clear</source>
+        <translation>Ob es das Werkzeug fernhält. Steckt das Werkzeug darin, wartet es, bis das Werkzeug frei ist</translation>
     </message>
     <message>
         <source>Machine&apos;s travel</source>
@@ -2751,8 +2747,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>„%1“ aus der Liste der zuletzt benutzten Dateien entfernen?</translation>
     </message>
     <message>
-        <source>It is not where it was: it was moved, renamed or deleted, or its drive is not connected.</source>
-        <translation>Die Datei ist nicht mehr dort: sie wurde verschoben, umbenannt oder gelöscht, oder ihr Laufwerk ist nicht verbunden.</translation>
+        <source>The file was moved, renamed or deleted, or its drive is not connected.</source>
+        <translation>Die Datei wurde verschoben, umbenannt oder gelöscht, oder ihr Laufwerk ist nicht verbunden.</translation>
     </message>
     <message>
         <source>Take it off the list</source>
@@ -2770,7 +2766,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>%1 → %2 Punkte</translation>
     </message>
     <message>
-        <source>off by %1</source>
+        <source>error %1</source>
         <translation>Abweichung %1</translation>
     </message>
     <message>
@@ -2782,8 +2778,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Diese Bearbeitung später anwenden</translation>
     </message>
     <message>
-        <source>Remove this edit</source>
-        <translation>Diese Bearbeitung entfernen</translation>
+        <source>Delete this edit</source>
+        <translation>Diese Bearbeitung löschen</translation>
     </message>
     <message>
         <source>Update this edit to its current version; its result changes</source>
@@ -2812,8 +2808,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Diese Führung ein- oder ausschalten</translation>
     </message>
     <message>
-        <source>Remove this guide</source>
-        <translation>Diese Führung entfernen</translation>
+        <source>Delete this guide</source>
+        <translation>Diese Führung löschen</translation>
     </message>
     <message>
         <source>Along which axis of the setup</source>
@@ -2828,7 +2824,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wo die Ebene liegt</translation>
     </message>
     <message>
-        <source>Apart</source>
+        <source>Spacing</source>
         <translation>Abstand</translation>
     </message>
     <message>
@@ -2852,44 +2848,44 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>How far the cutter keeps from the part</source>
-        <translation>Wie weit der Fräser vom Teil wegbleibt</translation>
+        <source>Distance of the cutter from the part</source>
+        <translation>Abstand des Fräsers vom Teil</translation>
     </message>
     <message>
-        <source>How far the next pass keeps from the last one</source>
-        <translation>Wie weit die nächste Bahn von der letzten entfernt ist</translation>
+        <source>Distance of the next pass from the last one</source>
+        <translation>Abstand der nächsten Zeile von der letzten</translation>
     </message>
     <message>
         <source>Lead</source>
         <translation>Vorlauf</translation>
     </message>
     <message>
-        <source>How far the tool leans to where it goes</source>
-        <translation>Wie weit sich das Werkzeug in Fahrtrichtung neigt</translation>
+        <source>How far the tool leans in the direction of motion</source>
+        <translation>Wie weit sich das Werkzeug in Bewegungsrichtung neigt</translation>
     </message>
     <message>
         <source>Tilt</source>
         <translation>Neigung</translation>
     </message>
     <message>
-        <source>How far the tool leans to the left of where it goes</source>
-        <translation>Wie weit sich das Werkzeug nach links der Fahrtrichtung neigt</translation>
+        <source>How far the tool leans to the left of the direction of motion</source>
+        <translation>Wie weit sich das Werkzeug nach links der Bewegungsrichtung neigt</translation>
     </message>
     <message>
         <source>From the part&apos;s surface</source>
-        <translation>Von der Fläche des Teils</translation>
+        <translation>Von der Oberfläche des Teils</translation>
     </message>
     <message>
         <source>Lead and tilt start from the part&apos;s surface, else from the Z axis</source>
-        <translation>Vorlauf und Neigung gehen von der Fläche des Teils aus, sonst von der Z-Achse</translation>
+        <translation>Vorlauf und Neigung gehen von der Oberfläche des Teils aus, sonst von der Z-Achse</translation>
     </message>
     <message>
-        <source>holds level %1</source>
-        <translation>hält Ebene %1</translation>
+        <source>active on level %1</source>
+        <translation>aktiv auf Ebene %1</translation>
     </message>
     <message>
-        <source>holds</source>
-        <translation>hält</translation>
+        <source>active</source>
+        <translation>aktiv</translation>
     </message>
     <message>
         <source>waits for another</source>
@@ -2915,8 +2911,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Führung</translation>
     </message>
     <message>
-        <source>guide removed</source>
-        <translation>Führung entfernt</translation>
+        <source>guide deleted</source>
+        <translation>Führung gelöscht</translation>
     </message>
 </context>
 <context>
@@ -2926,12 +2922,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Führungen</translation>
     </message>
     <message>
-        <source>Nothing leads the hand. A guide takes the tool when it comes near, and lets go when it is pushed off.</source>
-        <translation>Nichts führt die Hand. Eine Führung nimmt das Werkzeug, wenn es in die Nähe kommt, und lässt es los, wenn es weggedrückt wird.</translation>
+        <source>There is no guide yet. A guide attracts the tool nearby, and releases it when it is pushed away.</source>
+        <translation>Noch gibt es keine Führung. Eine Führung zieht das Werkzeug in ihrer Nähe an und gibt es frei, wenn es weggedrückt wird.</translation>
     </message>
     <message>
-        <source>Guides hold</source>
-        <translation>Führungen halten</translation>
+        <source>Guides on</source>
+        <translation>Führungen ein</translation>
     </message>
     <message>
         <source>Switch all guides on or off</source>
@@ -2942,8 +2938,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Art der Führung</translation>
     </message>
     <message>
-        <source>What the next guide shall be</source>
-        <translation>Was die nächste Führung sein soll</translation>
+        <source>Kind of guide to add</source>
+        <translation>Art der Führung, die hinzukommt</translation>
     </message>
     <message>
         <source>Add</source>
@@ -2958,8 +2954,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ebene darunter</translation>
     </message>
     <message>
-        <source>There are as many guides as can be.</source>
-        <translation>Mehr Führungen sind nicht möglich.</translation>
+        <source>No more guides can be added. Delete one first.</source>
+        <translation>Mehr Führungen sind nicht möglich. Löschen Sie zuerst eine.</translation>
     </message>
     <message>
         <source>This part is a mesh, which has no edges to follow.</source>
@@ -2970,24 +2966,24 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Eine Führung an der Kante des Teils, die dem Werkzeug am nächsten ist</translation>
     </message>
     <message>
-        <source>One more guide; of those that contradict, the upper one holds</source>
-        <translation>Eine weitere Führung; widersprechen sich zwei, so hält die obere</translation>
+        <source>Adds a guide. If guides contradict each other, the upper one applies</source>
+        <translation>Fügt eine Führung hinzu. Widersprechen sich Führungen, so gilt die obere</translation>
     </message>
     <message>
         <source>No guide has levels or passes.</source>
-        <translation>Keine Führung hat Ebenen oder Bahnen.</translation>
+        <translation>Keine Führung hat Ebenen oder Zeilen.</translation>
     </message>
     <message>
-        <source>Take the tool in hand first.</source>
-        <translation>Zuerst das Werkzeug in die Hand nehmen.</translation>
+        <source>Press Mill first.</source>
+        <translation>Drücken Sie zuerst „Fräsen“.</translation>
     </message>
     <message>
         <source>The guide takes the next level above, or ends the pass</source>
-        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Bahn</translation>
+        <translation>Die Führung nimmt die nächste Ebene darüber oder beendet die Zeile</translation>
     </message>
     <message>
         <source>The guide takes the next level below, or ends the pass</source>
-        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Bahn</translation>
+        <translation>Die Führung nimmt die nächste Ebene darunter oder beendet die Zeile</translation>
     </message>
 </context>
 <context>
@@ -3024,8 +3020,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Bewegen</translation>
     </message>
     <message>
-        <source>The tool floats over the workpiece.</source>
-        <translation>Das Werkzeug schwebt über dem Werkstück.</translation>
+        <source>Moves the tool above the workpiece.</source>
+        <translation>Bewegt das Werkzeug über dem Werkstück.</translation>
     </message>
     <message>
         <source>Left drag</source>
@@ -3048,7 +3044,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Rechts ziehen</translation>
     </message>
     <message>
-        <source>Turns the view.</source>
+        <source>Rotates the view.</source>
         <translation>Dreht die Ansicht.</translation>
     </message>
     <message>
@@ -3072,7 +3068,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Leertaste</translation>
     </message>
     <message>
-        <source>Holds the spindle on.</source>
+        <source>Keeps the spindle on.</source>
         <translation>Lässt die Spindel laufen.</translation>
     </message>
     <message>
@@ -3084,44 +3080,44 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Klick</translation>
     </message>
     <message>
-        <source>Chooses a place of the path, or a move of the program.</source>
-        <translation>Wählt eine Stelle der Bahn oder eine Bewegung des Programms.</translation>
+        <source>Selects a point of the path, or a move of the program.</source>
+        <translation>Wählt einen Punkt der Bahn oder eine Bewegung des Programms aus.</translation>
     </message>
     <message>
         <source>Shift and click</source>
         <translation>Umschalt und Klick</translation>
     </message>
     <message>
-        <source>Chooses all from the place chosen before to this one.</source>
-        <translation>Wählt alles von der zuvor gewählten Stelle bis zu dieser.</translation>
+        <source>Selects everything from the last selected point to this one.</source>
+        <translation>Wählt alles vom zuletzt ausgewählten Punkt bis zu diesem aus.</translation>
     </message>
     <message>
-        <source>Moves the place; while something is drawn, draws it.</source>
-        <translation>Verschiebt die Stelle; wird gerade gezeichnet, zeichnet es.</translation>
+        <source>Moves the point; while something is drawn, draws it.</source>
+        <translation>Verschiebt den Punkt; wird gerade gezeichnet, zeichnet es.</translation>
     </message>
     <message>
-        <source>Gives up what is under way, else what is chosen.</source>
-        <translation>Bricht ab, was im Gange ist, sonst die Auswahl.</translation>
+        <source>Cancels the current action, else clears the selection.</source>
+        <translation>Bricht ab, was im Gange ist, oder hebt die Auswahl auf.</translation>
     </message>
     <message>
         <source>Right or middle drag</source>
         <translation>Rechts oder Mitte ziehen</translation>
     </message>
     <message>
-        <source>Turns the view about the place under the pointer.</source>
-        <translation>Dreht die Ansicht um die Stelle unter dem Zeiger.</translation>
+        <source>Rotates the view about the point under the pointer.</source>
+        <translation>Dreht die Ansicht um den Punkt unter dem Zeiger.</translation>
     </message>
     <message>
         <source>Shift and middle drag</source>
         <translation>Umschalt und Mitte ziehen</translation>
     </message>
     <message>
-        <source>Shifts the view; so does a drag with both buttons.</source>
+        <source>Pans the view; so does a drag with both buttons.</source>
         <translation>Verschiebt die Ansicht; Ziehen mit beiden Tasten auch.</translation>
     </message>
     <message>
-        <source>Brings the place under the pointer nearer.</source>
-        <translation>Holt die Stelle unter dem Zeiger näher.</translation>
+        <source>Zooms in on the point under the pointer.</source>
+        <translation>Holt den Punkt unter dem Zeiger näher.</translation>
     </message>
     <message>
         <source>Click on the cube</source>
@@ -3133,7 +3129,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Cuts a stroke, or draws the rectangle of a raster.</source>
-        <translation>Schneidet einen Zug oder spannt ein Raster auf.</translation>
+        <translation>Schneidet einen Zug oder zieht das Rechteck eines Rasters auf.</translation>
     </message>
     <message>
         <source>Cuts a straight line from the end of the last stroke.</source>
@@ -3145,7 +3141,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Locks strokes to X or to Y; again to unlock.</source>
-        <translation>Züge gehen nur entlang X oder Y, bis zum nächsten Druck.</translation>
+        <translation>Legt Züge auf X oder Y fest; noch einmal gibt sie frei.</translation>
     </message>
     <message>
         <source>D</source>
@@ -3153,11 +3149,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Locks strokes to their direction; again to unlock.</source>
-        <translation>Züge halten ihre Richtung, bis zum nächsten Druck.</translation>
+        <translation>Legt Züge auf ihre Richtung fest; noch einmal gibt sie frei.</translation>
     </message>
     <message>
         <source>Fine motion of a stroke and of the wheel.</source>
-        <translation>Macht Zug und Rad fein.</translation>
+        <translation>Feine Bewegung von Zug und Rad.</translation>
     </message>
     <message>
         <source>Ends the stroke, then stops milling.</source>
@@ -3203,16 +3199,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wärme der Motoren</translation>
     </message>
     <message>
-        <source>Of what they bear, as the device tells it</source>
-        <translation>Anteil dessen, was sie aushalten, nach Angabe des Geräts</translation>
+        <source>Share of the motors&apos; limit, as the device reports it</source>
+        <translation>Anteil an der Grenze der Motoren, wie das Gerät ihn meldet</translation>
     </message>
     <message>
         <source>Scale</source>
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>How far the tool goes for the hand&apos;s way</source>
-        <translation>Wie weit das Werkzeug für den Weg der Hand geht</translation>
+        <source>Tool movement divided by hand movement</source>
+        <translation>Bewegung des Werkzeugs geteilt durch die Bewegung der Hand</translation>
     </message>
     <message>
         <source>Clutch</source>
@@ -3227,20 +3223,20 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>An der Ansicht ausrichten</translation>
     </message>
     <message>
-        <source>By place</source>
-        <translation>Nach Ort</translation>
+        <source>By position</source>
+        <translation>Nach Position</translation>
     </message>
     <message>
-        <source>The tool is where the hand is</source>
-        <translation>Das Werkzeug ist, wo die Hand ist</translation>
+        <source>The tool follows the position of the hand</source>
+        <translation>Das Werkzeug folgt der Position der Hand</translation>
     </message>
     <message>
         <source>By speed</source>
         <translation>Nach Tempo</translation>
     </message>
     <message>
-        <source>The farther the stylus leaves its middle, the faster the tool goes</source>
-        <translation>Je weiter der Stift aus seiner Mitte geht, desto schneller läuft das Werkzeug</translation>
+        <source>The farther the stylus is from its centre, the faster the tool moves</source>
+        <translation>Je weiter der Stift von seiner Mitte entfernt ist, desto schneller bewegt sich das Werkzeug</translation>
     </message>
     <message>
         <source>while button %1 is held (spindle)</source>
@@ -3255,12 +3251,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Die Hand bewegt sich, das Werkzeug bleibt stehen</translation>
     </message>
     <message>
-        <source>What goes to the right of the picture follows a hand that goes to the right</source>
-        <translation>Geht die Hand nach rechts, so geht auch das Werkzeug im Bild nach rechts</translation>
+        <source>A hand movement to the right moves the tool to the right in the view</source>
+        <translation>Eine Handbewegung nach rechts bewegt das Werkzeug in der Ansicht nach rechts</translation>
     </message>
     <message>
-        <source>As the hand works on, it comes back to the middle of the device&apos;s reach</source>
-        <translation>Während die Hand weiterarbeitet, kommt sie in die Mitte der Reichweite des Geräts zurück</translation>
+        <source>Brings the hand back to the centre of the device&apos;s workspace while you work</source>
+        <translation>Bringt die Hand während der Arbeit in die Mitte des Arbeitsraums des Geräts zurück</translation>
     </message>
     <message>
         <source>none</source>
@@ -3279,8 +3275,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>%1, lädt</translation>
     </message>
     <message>
-        <source>The mouse points at the bench itself. With a device in hand, its movements are scaled here.</source>
-        <translation>Die Maus zeigt direkt auf die Werkbank. Mit einem Gerät in der Hand werden dessen Bewegungen hier skaliert.</translation>
+        <source>The mouse points into the view directly. The movements of a device are scaled here.</source>
+        <translation>Die Maus zeigt direkt in die Ansicht. Die Bewegungen eines Geräts werden hier skaliert.</translation>
     </message>
 </context>
 <context>
@@ -3450,11 +3446,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Tasten und Maus</translation>
     </message>
     <message>
-        <source>Look for a key or for what it does</source>
+        <source>Search for a key or its effect</source>
         <translation>Nach einer Taste oder ihrer Wirkung suchen</translation>
     </message>
     <message>
-        <source>Only lines that hold this text are shown.</source>
+        <source>Only lines that contain this text are shown.</source>
         <translation>Nur Zeilen mit diesem Text werden gezeigt.</translation>
     </message>
     <message>
@@ -3478,14 +3474,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Peak %1 N</source>
-        <translation>Höchstens %1 N</translation>
+        <translation>Spitze %1 N</translation>
     </message>
     <message>
         <source>Force, peak %1 N</source>
-        <translation>Kraft, höchstens %1 N</translation>
+        <translation>Kraft, Spitze %1 N</translation>
     </message>
     <message>
-        <source>Cutting force over the machining time without tool changes, which are dotted lines; click for the line that is cut then</source>
+        <source>Cutting force over the machining time without tool changes, which are dotted lines; click to go to the line that is cut at that time</source>
         <translation>Schnittkraft über der Bearbeitungszeit ohne Werkzeugwechsel, die gepunktete Linien sind; ein Klick führt zur Zeile, die dann gefräst wird</translation>
     </message>
 </context>
@@ -3496,8 +3492,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Diese Arbeit löschen?</translation>
     </message>
     <message>
-        <source>It was never saved, and no undo brings it back.</source>
-        <translation>Sie wurde nie gespeichert und lässt sich nicht wiederherstellen.</translation>
+        <source>It was never saved. This can&apos;t be undone.</source>
+        <translation>Sie wurde nie gespeichert. Das lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -3512,16 +3508,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Burin</translation>
     </message>
     <message>
-        <source>Remove “%1”?</source>
-        <translation>„%1“ entfernen?</translation>
+        <source>Delete “%1”?</source>
+        <translation>„%1“ löschen?</translation>
     </message>
     <message>
-        <source>The workpiece is made anew without it; no undo brings it back.</source>
-        <translation>Das Werkstück wird ohne sie neu gefräst; das lässt sich nicht rückgängig machen.</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
+        <source>The workpiece is milled again without it. This can&apos;t be undone.</source>
+        <translation>Das Werkstück wird ohne sie neu gefräst. Das lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
         <source>The program was written to “%1”.</source>
@@ -3541,26 +3533,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Export a program that was refused?</source>
-        <translation>Ein abgelehntes Programm ausgeben?</translation>
+        <translation>Ein abgelehntes Programm exportieren?</translation>
     </message>
     <message>
-        <source>Its check found 1 thing that can break a tool, the part or the machine.</source>
-        <translation>Die Prüfung fand 1 Stelle, die Werkzeug, Teil oder Maschine beschädigen kann.</translation>
+        <source>Its check found 1 problem that can damage a tool, the part or the machine.</source>
+        <translation>Die Prüfung fand 1 Fehler, der Werkzeug, Teil oder Maschine beschädigen kann.</translation>
     </message>
     <message numerus="yes">
-        <source>Its check found %n things that can break a tool, the part or the machine.</source>
+        <source>Its check found %n problems that can damage a tool, the part or the machine.</source>
         <translation>
-            <numerusform>Die Prüfung fand %n Stelle, die Werkzeug, Teil oder Maschine beschädigen kann.</numerusform>
-            <numerusform>Die Prüfung fand %n Stellen, die Werkzeug, Teil oder Maschine beschädigen können.</numerusform>
+            <numerusform>Die Prüfung fand %n Fehler, der Werkzeug, Teil oder Maschine beschädigen kann.</numerusform>
+            <numerusform>Die Prüfung fand %n Fehler, die Werkzeug, Teil oder Maschine beschädigen können.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Your reason. It goes into the program&apos;s header with what was found.</source>
-        <translation>Ihr Grund. Er steht mit dem Gefundenen im Kopf des Programms.</translation>
+        <source>Your reason. It goes into the program&apos;s header together with the findings.</source>
+        <translation>Ihr Grund. Er steht mit den Befunden im Kopf des Programms.</translation>
     </message>
     <message>
-        <source>Burin ended before this work was saved; all that was entered and recorded is here again.</source>
-        <translation>Burin endete, bevor diese Arbeit gespeichert war; was eingegeben und aufgezeichnet wurde, ist alles wieder da.</translation>
+        <source>Burin ended before this work was saved; everything that was entered and recorded is restored.</source>
+        <translation>Burin endete, bevor diese Arbeit gespeichert war; alles, was eingegeben und aufgezeichnet wurde, ist wiederhergestellt.</translation>
     </message>
     <message>
         <source>Mouse in the view</source>
@@ -3614,27 +3606,27 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Woraus dieser Körper besteht</translation>
     </message>
     <message>
-        <source>Figures of the material</source>
+        <source>Values of the material</source>
         <translation>Kennwerte des Werkstoffs</translation>
     </message>
     <message>
-        <source>Source of the chosen figure</source>
-        <translation>Quelle des gewählten Kennwerts</translation>
+        <source>Source of the selected value</source>
+        <translation>Quelle des ausgewählten Kennwerts</translation>
     </message>
     <message>
-        <source>There are recordings: stock and material stay as they are.</source>
-        <translation>Es gibt Aufzeichnungen: Rohteil und Werkstoff bleiben, wie sie sind.</translation>
+        <source>Stock and material can&apos;t be changed once there are takes.</source>
+        <translation>Sobald es Aufnahmen gibt, lassen sich Rohteil und Werkstoff nicht mehr ändern.</translation>
     </message>
     <message>
-        <source>Until the first recording the material can be changed; the workpiece stays.</source>
-        <translation>Bis zur ersten Aufzeichnung kann der Werkstoff geändert werden; das Werkstück bleibt erhalten.</translation>
+        <source>The material can be changed until the first take; the workpiece is kept.</source>
+        <translation>Bis zur ersten Aufnahme kann der Werkstoff geändert werden; das Werkstück bleibt erhalten.</translation>
     </message>
     <message>
-        <source>Figures of %1</source>
+        <source>Values of %1</source>
         <translation>Kennwerte: %1</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Values</source>
         <translation>Kennwerte</translation>
     </message>
     <message>
@@ -3642,11 +3634,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Schätzwert</translation>
     </message>
     <message>
-        <source>1 figure is an estimate: calibrate it before you trust what depends on it.</source>
+        <source>1 value is an estimate: calibrate it before you rely on results that depend on it.</source>
         <translation>1 Kennwert ist geschätzt: Kalibrieren Sie ihn, bevor Sie sich auf davon abhängige Werte verlassen.</translation>
     </message>
     <message numerus="yes">
-        <source>%n figures are estimates: calibrate them before you trust what depends on them.</source>
+        <source>%n values are estimates: calibrate them before you rely on results that depend on them.</source>
         <translation>
             <numerusform>%n Kennwert ist geschätzt: Kalibrieren Sie ihn, bevor Sie sich auf davon abhängige Werte verlassen.</numerusform>
             <numerusform>%n Kennwerte sind geschätzt: Kalibrieren Sie sie, bevor Sie sich auf davon abhängige Werte verlassen.</numerusform>
@@ -3695,7 +3687,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::MessageStrip</name>
     <message>
-        <source>Put this message away.</source>
+        <source>Close this message.</source>
         <translation>Schließt diese Meldung.</translation>
     </message>
 </context>
@@ -3745,8 +3737,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Stift</translation>
     </message>
     <message>
-        <source>What leads the tool</source>
-        <translation>Was das Werkzeug führt</translation>
+        <source>Stylus that moves the tool</source>
+        <translation>Stift, der das Werkzeug bewegt</translation>
     </message>
     <message>
         <source>%1 N of %2</source>
@@ -3757,7 +3749,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Werkzeugspitze ab Programmnullpunkt, in %1</translation>
     </message>
     <message>
-        <source>Cutting force, not scaled; beside it the highest so far</source>
+        <source>Cutting force, not scaled; next to it the highest so far</source>
         <translation>Schnittkraft, unskaliert; daneben die bisher höchste</translation>
     </message>
     <message>
@@ -3810,11 +3802,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Show the values of the haptic loop</source>
-        <translation>Auch die Werte der haptischen Schleife zeigen</translation>
+        <translation>Die Werte der Haptikschleife zeigen</translation>
     </message>
     <message>
         <source>Hide the values of the haptic loop</source>
-        <translation>Die Werte der haptischen Schleife verbergen</translation>
+        <translation>Die Werte der Haptikschleife verbergen</translation>
     </message>
 </context>
 <context>
@@ -3859,27 +3851,27 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>There is no stroke to take back.</source>
-        <translation>Es gibt keinen Zug, der zurückgenommen werden kann.</translation>
+        <source>There is no stroke to undo.</source>
+        <translation>Es gibt keinen Zug, der rückgängig gemacht werden kann.</translation>
     </message>
     <message>
-        <source>Strokes from before the project was opened can&apos;t be taken back; remove their take instead.</source>
-        <translation>Züge aus der Zeit vor dem Öffnen des Projekts lassen sich nicht zurücknehmen; entfernen Sie stattdessen ihre Aufnahme.</translation>
+        <source>Strokes from before the project was opened can&apos;t be undone; delete their take instead.</source>
+        <translation>Züge aus der Zeit vor dem Öffnen des Projekts lassen sich nicht rückgängig machen; löschen Sie stattdessen ihre Aufnahme.</translation>
     </message>
     <message>
-        <source>Take the newest stroke back; no other one can be taken back</source>
-        <translation>Den letzten Zug zurücknehmen; weitere lassen sich nicht zurücknehmen</translation>
+        <source>Undo the last stroke; no other one can be undone</source>
+        <translation>Den letzten Zug rückgängig machen; bei weiteren geht es nicht</translation>
     </message>
     <message numerus="yes">
-        <source>Take the newest stroke back; the last %n strokes can be taken back</source>
+        <source>Undo the last stroke; the last %n strokes can be undone</source>
         <translation>
-            <numerusform>Den letzten Zug zurücknehmen; %n Zug lässt sich zurücknehmen</numerusform>
-            <numerusform>Den letzten Zug zurücknehmen; die letzten %n Züge lassen sich zurücknehmen</numerusform>
+            <numerusform>Den letzten Zug rückgängig machen; bei %n Zug ist es möglich</numerusform>
+            <numerusform>Den letzten Zug rückgängig machen; bei den letzten %n Zügen ist es möglich</numerusform>
         </translation>
     </message>
     <message>
-        <source>Put the stroke back that was taken back last</source>
-        <translation>Den zuletzt zurückgenommenen Zug wiederherstellen</translation>
+        <source>Redo the stroke that was undone last</source>
+        <translation>Den zuletzt rückgängig gemachten Zug wiederherstellen</translation>
     </message>
     <message>
         <source>Level</source>
@@ -3898,8 +3890,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Zustellung</translation>
     </message>
     <message>
-        <source>How deep the tip goes below what is under the pointer</source>
-        <translation>Wie tief die Spitze unter die Stelle am Zeiger geht</translation>
+        <source>How deep the tip goes below the surface under the pointer</source>
+        <translation>Wie tief die Spitze unter die Oberfläche am Zeiger geht</translation>
     </message>
     <message>
         <source>Press</source>
@@ -3930,7 +3922,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
     </message>
     <message>
-        <source>End what the virtual operator does</source>
+        <source>Stop the virtual operator</source>
         <translation>Den virtuellen Bediener anhalten</translation>
     </message>
     <message>
@@ -3942,7 +3934,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Vorführung beenden</translation>
     </message>
     <message>
-        <source>A stroke stays at the height of its first place, less the depth of cut</source>
+        <source>A stroke stays at the height of its first point, less the depth of cut</source>
         <translation>Ein Zug bleibt auf der Höhe seines Anfangs, abzüglich der Zustellung</translation>
     </message>
     <message>
@@ -3950,8 +3942,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Stift</translation>
     </message>
     <message>
-        <source>What leads the tool</source>
-        <translation>Was das Werkzeug führt</translation>
+        <source>Stylus that moves the tool</source>
+        <translation>Stift, der das Werkzeug bewegt</translation>
     </message>
     <message>
         <source>Nothing is recorded yet. Everything that you mill will be; Show me demonstrates it.</source>
@@ -3963,7 +3955,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Dragging cuts along the pointer&apos;s trail</source>
-        <translation>Ein Zug mit der Maus schneidet, wo der Zeiger geht</translation>
+        <translation>Ziehen schneidet entlang der Spur des Zeigers</translation>
     </message>
     <message>
         <source>Raster</source>
@@ -3971,7 +3963,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Drag a rectangle; it is milled in rows at the step-over (T)</source>
-        <translation>Ein Zug mit der Maus spannt ein Rechteck auf, das in Zeilen im Zeilenabstand gefräst wird (T)</translation>
+        <translation>Ein Rechteck aufziehen; es wird in Zeilen im Zeilenabstand gefräst (T)</translation>
     </message>
     <message>
         <source>Step-over</source>
@@ -3987,7 +3979,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Repeat the last stroke, lower by the depth of cut (L)</source>
-        <translation>Den letzten Zug noch einmal fräsen, um die Schnitttiefe tiefer (L)</translation>
+        <translation>Den letzten Zug noch einmal fräsen, um die Zustellung tiefer (L)</translation>
     </message>
     <message>
         <source>Left</source>
@@ -4019,7 +4011,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Start milling. Everything that is cut is recorded</source>
-        <translation>Das Werkzeug folgt dem Stift; was es schneidet, wird aufgezeichnet</translation>
+        <translation>Mit dem Fräsen beginnen. Alles, was geschnitten wird, wird aufgezeichnet</translation>
     </message>
     <message>
         <source>A stroke is being cut. Wait until it ends, or press Esc to end it.</source>
@@ -4053,8 +4045,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Die Grenzfläche für das Werkzeug wird berechnet.</translation>
     </message>
     <message>
-        <source>The virtual operator has the tool; stop it to mill yourself.</source>
-        <translation>Der virtuelle Bediener führt das Werkzeug; zum Selbstfräsen beenden.</translation>
+        <source>The virtual operator is milling; stop it to mill yourself.</source>
+        <translation>Der virtuelle Bediener fräst; halten Sie ihn an, um selbst zu fräsen.</translation>
     </message>
     <message>
         <source>%1 (not plugged in)</source>
@@ -4066,26 +4058,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Strokes are locked to X. Press X to unlock.</source>
-        <translation>Züge gehen nur entlang X; X gibt sie frei.</translation>
+        <translation>Züge sind auf X festgelegt. X gibt sie frei.</translation>
     </message>
     <message>
         <source>Strokes are locked to Y. Press Y to unlock.</source>
-        <translation>Züge gehen nur entlang Y; Y gibt sie frei.</translation>
+        <translation>Züge sind auf Y festgelegt. Y gibt sie frei.</translation>
     </message>
     <message>
         <source>Strokes are locked to their direction. Press D to unlock.</source>
-        <translation>Züge halten ihre Richtung; D gibt sie frei.</translation>
+        <translation>Züge sind auf ihre Richtung festgelegt. D gibt sie frei.</translation>
     </message>
 </context>
 <context>
     <name>burin::MillTool</name>
     <message>
         <source>Esc: cancel the line</source>
-        <translation>Esc: keine Gerade</translation>
+        <translation>Esc: Gerade abbrechen</translation>
     </message>
     <message>
         <source>Esc: cancel the raster</source>
-        <translation>Esc: kein Raster</translation>
+        <translation>Esc: Raster abbrechen</translation>
     </message>
     <message>
         <source>Esc: end the stroke here</source>
@@ -4097,23 +4089,23 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>No direction to lock yet. Draw at least 1 mm of a stroke first.</source>
-        <translation>Es gibt noch keine Richtung zu halten: Ziehen Sie erst ein Stück.</translation>
+        <translation>Noch gibt es keine Richtung zum Festlegen. Ziehen Sie zuerst mindestens 1 mm eines Zuges.</translation>
     </message>
     <message>
         <source>The raster needs more than a million points along the part. Increase the step-over or draw a smaller rectangle.</source>
-        <translation>Das sind mehr als eine Million Stellen, an denen dem Teil zu folgen ist. Nehmen Sie einen größeren Zeilenabstand oder ein kleineres Rechteck.</translation>
+        <translation>Das Raster braucht mehr als eine Million Punkte am Teil entlang. Vergrößern Sie den Zeilenabstand oder ziehen Sie ein kleineres Rechteck auf.</translation>
     </message>
     <message>
         <source>A stroke along the part cannot be repeated lower: the part limits its depth.</source>
-        <translation>Am Teil entlang geht es nicht tiefer: Das Teil hält das Werkzeug.</translation>
+        <translation>Ein Zug am Teil entlang lässt sich nicht tiefer wiederholen: Das Teil begrenzt seine Tiefe.</translation>
     </message>
     <message>
         <source>The depth of cut is zero. Enter a depth to repeat the stroke lower.</source>
-        <translation>Die Schnitttiefe ist null; tiefer wäre dasselbe noch einmal.</translation>
+        <translation>Die Zustellung ist null. Geben Sie eine Zustellung ein, um den Zug tiefer zu wiederholen.</translation>
     </message>
     <message>
         <source>The last stroke is vertical, so it cannot be repeated beside itself.</source>
-        <translation>Der letzte Zug geht nur nach unten: Er hat keine Seite.</translation>
+        <translation>Der letzte Zug ist senkrecht und lässt sich deshalb nicht daneben wiederholen.</translation>
     </message>
 </context>
 <context>
@@ -4138,27 +4130,27 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <name>burin::ObstacleCard</name>
     <message>
         <source>waits until the tool is out</source>
-        <translation>wartet, bis es frei ist</translation>
+        <translation>wartet, bis das Werkzeug frei ist</translation>
     </message>
     <message>
         <source>holds the tool</source>
         <translation>hält das Werkzeug</translation>
     </message>
     <message>
-        <source>Margin</source>
+        <source>Clearance</source>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>How far every point of the tool keeps from it</source>
-        <translation>Wie weit jeder Punkt des Werkzeugs davon wegbleibt</translation>
+        <source>Distance that every point of the tool keeps from it</source>
+        <translation>Abstand, den jeder Punkt des Werkzeugs davon hält</translation>
     </message>
     <message>
         <source>Whether it keeps the tool out</source>
         <translation>Ob es das Werkzeug fernhält</translation>
     </message>
     <message>
-        <source>Remove it</source>
-        <translation>Entfernen</translation>
+        <source>Delete it</source>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Fixture</source>
@@ -4193,8 +4185,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Länge der Kanten</translation>
     </message>
     <message>
-        <source>Foot</source>
-        <translation>Fuß</translation>
+        <source>Base</source>
+        <translation>Grundfläche</translation>
     </message>
     <message>
         <source>The middle of its lower face, from program zero</source>
@@ -4213,7 +4205,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Höhe</translation>
     </message>
     <message>
-        <source>As it lies in its file, %1 triangles</source>
+        <source>As in its file, %1 triangles</source>
         <translation>Wie in der Datei, %1 Dreiecke</translation>
     </message>
     <message>
@@ -4314,8 +4306,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Einheit der Datei</translation>
     </message>
     <message>
-        <source>An STL file states no unit. Another one reads the file again.</source>
-        <translation>Eine STL-Datei nennt keine Einheit. Eine andere liest die Datei noch einmal.</translation>
+        <source>An STL file states no unit. Choosing another one reads the file again.</source>
+        <translation>Eine STL-Datei nennt keine Einheit. Bei Wahl einer anderen wird die Datei noch einmal gelesen.</translation>
     </message>
     <message>
         <source>mm</source>
@@ -4345,16 +4337,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>neue Bearbeitung</translation>
     </message>
     <message>
-        <source>place of the path</source>
-        <translation>Ort der Bahn</translation>
+        <source>point of the path</source>
+        <translation>Punkt der Bahn</translation>
     </message>
     <message>
         <source>drawn stroke</source>
         <translation>gezeichneter Zug</translation>
     </message>
     <message>
-        <source>removal of an edit</source>
-        <translation>Entfernen einer Bearbeitung</translation>
+        <source>deletion of an edit</source>
+        <translation>Löschen einer Bearbeitung</translation>
     </message>
     <message>
         <source>order of edits</source>
@@ -4369,15 +4361,15 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <name>burin::PathHand</name>
     <message>
         <source>Esc: cancel</source>
-        <translation>Esc: aufgeben</translation>
+        <translation>Esc: abbrechen</translation>
     </message>
     <message>
         <source>Esc: cancel drawing</source>
-        <translation>Esc: nichts zeichnen</translation>
+        <translation>Esc: Zeichnen abbrechen</translation>
     </message>
     <message>
         <source>Esc: clear the selection</source>
-        <translation>Esc: nichts auswählen</translation>
+        <translation>Esc: Auswahl aufheben</translation>
     </message>
 </context>
 <context>
@@ -4443,35 +4435,35 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Aufnahmen oder Bearbeitungen haben sich geändert: Aktualisieren Sie die Bahn.</translation>
     </message>
     <message>
-        <source>The path is at most this far from what the hand did</source>
-        <translation>Größte Abweichung der Bahn von der Handbewegung</translation>
+        <source>Largest deviation of the path from the recording</source>
+        <translation>Größte Abweichung der Bahn von der Aufnahme</translation>
     </message>
     <message>
         <source>The workpiece is being made; then the edits are applied…</source>
-        <translation>Das Werkstück entsteht; danach werden die Bearbeitungen angewandt…</translation>
+        <translation>Das Werkstück entsteht; danach werden die Bearbeitungen angewendet…</translation>
     </message>
     <message>
         <source>Add an edit</source>
         <translation>Bearbeitung hinzufügen</translation>
     </message>
     <message>
-        <source>Apply one more edit; it comes where the order allows it</source>
-        <translation>Eine weitere Bearbeitung anwenden; sie kommt dorthin, wo die Reihenfolge es erlaubt</translation>
+        <source>Adds an edit, at the position that the order of edits allows</source>
+        <translation>Fügt eine Bearbeitung an der Stelle hinzu, die die Reihenfolge erlaubt</translation>
     </message>
     <message>
         <source>Climb / conventional</source>
         <translation>Gleichlauf / Gegenlauf</translation>
     </message>
     <message>
-        <source>The path of %1, which is milled before, can&apos;t be made. Here its stock counts as standing; take up that tool to see why.</source>
-        <translation>Die Bahn von %1, die vorher gefräst wird, lässt sich nicht erstellen. Hier gilt ihr Rohmaterial als noch vorhanden; nehmen Sie dieses Werkzeug auf, um den Grund zu sehen.</translation>
+        <source>The path of %1, which is milled before, can&apos;t be made. Its stock counts as not removed here; load that tool to see why.</source>
+        <translation>Die Bahn von %1, die vorher gefräst wird, lässt sich nicht erstellen. Hier gilt ihr Material als noch vorhanden; wechseln Sie dieses Werkzeug ein, um den Grund zu sehen.</translation>
     </message>
     <message>
         <source>Strokes</source>
-        <translation>Striche</translation>
+        <translation>Züge</translation>
     </message>
     <message>
-        <source>Order and place</source>
+        <source>Order and position</source>
         <translation>Reihenfolge und Lage</translation>
     </message>
     <message>
@@ -4495,16 +4487,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Vorschübe und Drehzahl</translation>
     </message>
     <message>
-        <source>With a spindle that turns clockwise; conventional cuts are pink in the view. The rest cuts on both sides, or from above. Reverse turns strokes round</source>
-        <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht rosa. Der Rest schneidet beidseitig oder von oben. „Umkehren“ dreht Züge um</translation>
+        <source>With a spindle that turns clockwise; conventional cuts are pink in the view. Other moves cut on both sides, or from above. Reverse changes the direction of strokes</source>
+        <translation>Bei rechtsdrehender Spindel; Gegenlauf ist in der Ansicht rosa. Andere Bewegungen schneiden beidseitig oder von oben. „Umkehren“ ändert die Richtung von Zügen</translation>
     </message>
     <message>
         <source>Make a path of all takes, one for each tool, with the standard edits</source>
         <translation>Eine Bahn aus allen Aufnahmen machen, für jedes Werkzeug eine, mit den üblichen Bearbeitungen</translation>
     </message>
     <message>
-        <source>Takes up the tool whose path is shown and edited, one of those that have milled</source>
-        <translation>Nimmt das Werkzeug, dessen Bahn gezeigt und bearbeitet wird; zur Wahl stehen die, die gefräst haben</translation>
+        <source>Loads the tool whose path is shown and edited, one of those that have milled</source>
+        <translation>Wechselt das Werkzeug ein, dessen Bahn gezeigt und bearbeitet wird; zur Wahl stehen die, die gefräst haben</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -4512,7 +4504,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>%1 has not milled yet. Choose a tool that has, or record a take first.</source>
-        <translation>%1 hat noch nicht gefräst. Wählen Sie ein Werkzeug, das gefräst hat, oder nehmen Sie zuerst auf.</translation>
+        <translation>%1 hat noch nicht gefräst. Wählen Sie ein Werkzeug, das gefräst hat, oder zeichnen Sie zuerst eine Aufnahme auf.</translation>
     </message>
 </context>
 <context>
@@ -4554,11 +4546,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>In force from the next start on.</source>
+        <source>Takes effect at the next start.</source>
         <translation>Gilt ab dem nächsten Start.</translation>
     </message>
     <message>
-        <source>Another language is in force from the next start on.</source>
+        <source>A new language takes effect at the next start.</source>
         <translation>Eine andere Sprache gilt ab dem nächsten Start.</translation>
     </message>
     <message>
@@ -4650,8 +4642,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Toleranz am Teil</translation>
     </message>
     <message>
-        <source>A cut into the part up to this deep is let through</source>
-        <translation>Schnitte ins Teil bis zu dieser Tiefe werden zugelassen</translation>
+        <source>Deepest gouge that passes the check</source>
+        <translation>Tiefste Konturverletzung, die noch zugelassen wird</translation>
     </message>
     <message>
         <source>Deepest gouge</source>
@@ -4709,8 +4701,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Bestanden: Konturverletzung %1 (Grenze %2), keine Kollision, alle Grenzen eingehalten.</translation>
     </message>
     <message>
-        <source>Judged on the exact surfaces at the worst places</source>
-        <translation>An den schlechtesten Stellen auf den genauen Flächen beurteilt</translation>
+        <source>Judged on the exact surfaces at the worst points</source>
+        <translation>An den schlechtesten Punkten auf den genauen Flächen beurteilt</translation>
     </message>
     <message>
         <source>Judged on the fine mesh</source>
@@ -4734,31 +4726,31 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Give a reason that goes into the program&apos;s header; then it can be exported</source>
-        <translation>Einen Grund nennen, der im Kopf des Programms steht; dann lässt es sich ausgeben</translation>
+        <translation>Einen Grund nennen, der im Kopf des Programms steht; dann lässt es sich exportieren</translation>
     </message>
     <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
     <message>
-        <source>Its feeds, speeds and travel bound the program</source>
-        <translation>Ihre Vorschübe, Drehzahlen und Wege begrenzen das Programm</translation>
+        <source>Its feeds, speeds and travel limit the program</source>
+        <translation>Ihre Vorschübe, Drehzahlen und Verfahrwege begrenzen das Programm</translation>
     </message>
     <message>
         <source>Dialect</source>
         <translation>Dialekt</translation>
     </message>
     <message>
-        <source>What the machine&apos;s control reads</source>
-        <translation>Was die Steuerung der Maschine liest</translation>
+        <source>NC dialect that the machine&apos;s control reads</source>
+        <translation>NC-Dialekt, den die Steuerung der Maschine liest</translation>
     </message>
     <message>
         <source>The text was edited: check it first.</source>
         <translation>Der Text wurde bearbeitet: Prüfen Sie ihn zuerst.</translation>
     </message>
     <message>
-        <source>Its header says why it is wanted all the same.</source>
-        <translation>Sein Kopf sagt, warum es trotzdem gebraucht wird.</translation>
+        <source>The reason for exporting it is stated in its header.</source>
+        <translation>Der Grund für den Export steht in seinem Kopf.</translation>
     </message>
     <message>
         <source>mm (G21)</source>
@@ -4781,12 +4773,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Werkzeuge des Programms</translation>
     </message>
     <message>
-        <source>What was milled with this tool belongs into the program</source>
-        <translation>Was mit diesem Werkzeug gefräst wurde, gehört ins Programm</translation>
+        <source>Whether the program contains the path of this tool</source>
+        <translation>Ob das Programm die Bahn dieses Werkzeugs enthält</translation>
     </message>
     <message>
-        <source>What was milled with %1 has no path and is not in the program.</source>
-        <translation>Was mit %1 gefräst wurde, hat keine Bahn und ist nicht im Programm.</translation>
+        <source>The takes of %1 have no path and are not in the program. Make a new path to include them.</source>
+        <translation>Die Aufnahmen von %1 haben keine Bahn und sind nicht im Programm. Machen Sie eine neue Bahn, damit sie hineinkommen.</translation>
     </message>
     <message>
         <source>Takes or edits changed: update the path first.</source>
@@ -4859,20 +4851,20 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Den Text des Programms bearbeiten</translation>
     </message>
     <message>
-        <source>Previous place (Shift+Enter)</source>
-        <translation>Vorige Stelle (Umschalt+Eingabe)</translation>
+        <source>Previous match (Shift+Enter)</source>
+        <translation>Voriger Treffer (Umschalt+Eingabe)</translation>
     </message>
     <message>
-        <source>Next place (Enter)</source>
-        <translation>Nächste Stelle (Eingabe)</translation>
+        <source>Next match (Enter)</source>
+        <translation>Nächster Treffer (Eingabe)</translation>
     </message>
     <message>
         <source>Find in the program</source>
         <translation>Im Programm suchen</translation>
     </message>
     <message>
-        <source>Text to find, upper or lower case; Enter goes to the next place, Shift+Enter to the one before</source>
-        <translation>Text, groß oder klein; Eingabe geht zur nächsten Stelle, Umschalt+Eingabe zur vorigen</translation>
+        <source>Text to find, upper or lower case; Enter goes to the next match, Shift+Enter to the previous one</source>
+        <translation>Text, groß oder klein; Eingabe geht zum nächsten Treffer, Umschalt+Eingabe zum vorigen</translation>
     </message>
     <message>
         <source>Text of the program</source>
@@ -4883,8 +4875,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>keine</translation>
     </message>
     <message>
-        <source>Places where the text stands</source>
-        <translation>Stellen, an denen der Text steht</translation>
+        <source>Number of matches</source>
+        <translation>Anzahl der Treffer</translation>
     </message>
     <message>
         <source>The text can&apos;t be changed yet: press this button to edit it</source>
@@ -4901,16 +4893,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::SelectionCard</name>
     <message>
-        <source>Choose nothing (Esc in the view)</source>
-        <translation>Nichts wählen (Esc in der Ansicht)</translation>
+        <source>Clear the selection (Esc in the view)</source>
+        <translation>Auswahl aufheben (Esc in der Ansicht)</translation>
     </message>
     <message>
         <source>Draw instead</source>
         <translation>Stattdessen zeichnen</translation>
     </message>
     <message>
-        <source>Click a place of the path in the view; with Shift, everything up to there</source>
-        <translation>Einen Ort der Bahn in der Ansicht anklicken; mit Umschalt alles bis dorthin</translation>
+        <source>Click a point of the path in the view to select it; Shift+click selects everything up to it</source>
+        <translation>Einen Punkt der Bahn in der Ansicht anklicken, um ihn auszuwählen; Umschalt+Klick wählt alles bis dorthin aus</translation>
     </message>
     <message>
         <source>on its level</source>
@@ -4929,24 +4921,24 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ziehen entlang</translation>
     </message>
     <message>
-        <source>Where a place of the path goes that is dragged</source>
-        <translation>Wohin ein gezogener Ort der Bahn geht</translation>
+        <source>How a dragged point of the path moves</source>
+        <translation>Wie sich ein gezogener Punkt der Bahn bewegt</translation>
     </message>
     <message>
-        <source>Chosen: %1</source>
-        <translation>Gewählt: %1</translation>
+        <source>Selected: %1</source>
+        <translation>Ausgewählt: %1</translation>
     </message>
     <message>
         <source>No part of the path is selected</source>
-        <translation>Von der Bahn ist nichts gewählt</translation>
+        <translation>Von der Bahn ist nichts ausgewählt</translation>
     </message>
     <message>
-        <source>Choose a stretch of the path in the view first.</source>
-        <translation>Wählen Sie zuerst ein Stück der Bahn in der Ansicht.</translation>
+        <source>Select part of the path in the view first.</source>
+        <translation>Wählen Sie zuerst einen Abschnitt der Bahn in der Ansicht aus.</translation>
     </message>
     <message>
-        <source>Draw a stroke in the view that replaces what is chosen, on its height</source>
-        <translation>In der Ansicht einen Zug zeichnen, der das Gewählte ersetzt, auf seiner Höhe</translation>
+        <source>Draw a stroke in the view that replaces the selected part of the path, at its height</source>
+        <translation>Einen Zug in der Ansicht zeichnen, der den ausgewählten Abschnitt der Bahn auf seiner Höhe ersetzt</translation>
     </message>
     <message>
         <source>climb</source>
@@ -4957,8 +4949,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Gegenlauf</translation>
     </message>
     <message>
-        <source>Draw it in the view; Esc gives it up</source>
-        <translation>Zeichnen Sie ihn in der Ansicht; Esc gibt auf</translation>
+        <source>Draw it in the view; Esc cancels</source>
+        <translation>Zeichnen Sie ihn in der Ansicht; Esc bricht ab</translation>
     </message>
 </context>
 <context>
@@ -4990,28 +4982,28 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::StatusLine</name>
     <message>
-        <source>What leads the tool.</source>
-        <translation>Was das Werkzeug führt.</translation>
+        <source>Stylus that moves the tool.</source>
+        <translation>Stift, der das Werkzeug bewegt.</translation>
     </message>
     <message>
-        <source>Where the tip is, in the coordinates of the program.</source>
-        <translation>Wo die Spitze ist, in den Koordinaten des Programms.</translation>
+        <source>Position of the tool tip, in the coordinates of the program.</source>
+        <translation>Position der Werkzeugspitze, in den Koordinaten des Programms.</translation>
     </message>
     <message>
         <source>Voxels of the workpiece, and the memory reserved for it.</source>
         <translation>Voxel des Werkstücks und der dafür reservierte Speicher.</translation>
     </message>
     <message>
-        <source>Whether the project&apos;s file holds all that was done.</source>
-        <translation>Ob die Projektdatei alles enthält, was getan wurde.</translation>
+        <source>Whether all changes are saved in the project file.</source>
+        <translation>Ob alle Änderungen in der Projektdatei gespeichert sind.</translation>
     </message>
     <message>
         <source>Work in the background.</source>
         <translation>Arbeit im Hintergrund.</translation>
     </message>
     <message>
-        <source>How far the work in the background is.</source>
-        <translation>Wie weit die Arbeit im Hintergrund ist.</translation>
+        <source>Progress of the work in the background.</source>
+        <translation>Fortschritt der Arbeit im Hintergrund.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -5026,8 +5018,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wird abgebrochen</translation>
     </message>
     <message>
-        <source>Ticks per second of the haptic loop that were really reached, how long 999 of 1000 forces let wait for the next one at most, what a tick costs at most, and ticks that were skipped.</source>
-        <translation>Tatsächlich erreichte Takte je Sekunde der Haptikschleife, wie lange 999 von 1000 Kräften höchstens auf die nächste warten lassen, was ein Takt höchstens kostet, und ausgelassene Takte.</translation>
+        <source>Haptic loop: ticks per second; interval between two forces and computing time of a tick, neither of which 999 of 1000 exceed; ticks missed.</source>
+        <translation>Haptikschleife: Takte je Sekunde; Abstand zweier Kräfte und Rechenzeit eines Takts, die 999 von 1000 nicht überschreiten; verpasste Takte.</translation>
     </message>
     <message>
         <source>Everything that is cut is recorded in this take.</source>
@@ -5035,7 +5027,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Effect of the Escape key.</source>
-        <translation>Was die Esc-Taste jetzt tut.</translation>
+        <translation>Wirkung der Esc-Taste.</translation>
     </message>
 </context>
 <context>
@@ -5081,7 +5073,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>%1 Hz · p99.9 %2 ms, work %3 µs · %4 missed</source>
-        <translation>%1 Hz · p99,9 %2 ms, Arbeit %3 µs · %4 ausgelassen</translation>
+        <translation>%1 Hz · p99,9 %2 ms, Arbeit %3 µs · %4 verpasst</translation>
     </message>
     <message>
         <source>battery %1</source>
@@ -5115,7 +5107,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>noch nicht</translation>
     </message>
     <message>
-        <source>objected to</source>
+        <source>has a problem</source>
         <translation>beanstandet</translation>
     </message>
 </context>
@@ -5186,8 +5178,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Es wird noch gerechnet.</translation>
     </message>
     <message>
-        <source>There are recordings: stock and material stay as they are.</source>
-        <translation>Es gibt Aufzeichnungen: Rohteil und Werkstoff bleiben, wie sie sind.</translation>
+        <source>Stock and material can&apos;t be changed once there are takes.</source>
+        <translation>Sobald es Aufnahmen gibt, lassen sich Rohteil und Werkstoff nicht mehr ändern.</translation>
     </message>
     <message>
         <source>The margins of the sides differ: %1 to %2. An entry sets all four.</source>
@@ -5198,8 +5190,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Eingebettet</translation>
     </message>
     <message>
-        <source>Fill a workpiece with stock and part</source>
-        <translation>Ein Werkstück mit Rohteil und Teil füllen</translation>
+        <source>Embed the part in its stock; this makes the workpiece</source>
+        <translation>Das Teil in sein Rohteil einbetten; so entsteht das Werkstück</translation>
     </message>
     <message>
         <source>The workpiece matches these settings.</source>
@@ -5248,8 +5240,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Vorrichtung</translation>
     </message>
     <message>
-        <source>fixture removed</source>
-        <translation>Vorrichtung entfernt</translation>
+        <source>fixture deleted</source>
+        <translation>Vorrichtung gelöscht</translation>
     </message>
     <message>
         <source>fixture on</source>
@@ -5260,8 +5252,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Vorrichtung aus</translation>
     </message>
     <message>
-        <source>axis of the tool</source>
-        <translation>Achse des Werkzeugs</translation>
+        <source>tool axis</source>
+        <translation>Werkzeugachse</translation>
     </message>
     <message>
         <source>machine&apos;s travel</source>
@@ -5275,8 +5267,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Vorrichtungen und Sperrräume</translation>
     </message>
     <message>
-        <source>Nothing stands around the stock. The tool keeps out of what is added here, and the hand feels it.</source>
-        <translation>Um das Rohteil steht nichts. In das, was hier hinzukommt, dringt das Werkzeug nicht ein, und die Hand fühlt es.</translation>
+        <source>There is no fixture yet. The tool keeps clear of fixtures and keep-out volumes, and the hand feels them.</source>
+        <translation>Noch gibt es keine Vorrichtung. Das Werkzeug hält Abstand von Vorrichtungen und Sperrräumen, und die Hand fühlt sie.</translation>
     </message>
     <message>
         <source>Machine&apos;s travel</source>
@@ -5287,8 +5279,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Was hinzukommt</translation>
     </message>
     <message>
-        <source>What shall stand around the stock</source>
-        <translation>Was um das Rohteil stehen soll</translation>
+        <source>Kind of fixture or keep-out volume to add</source>
+        <translation>Art der Vorrichtung oder des Sperrraums, der hinzukommt</translation>
     </message>
     <message>
         <source>Fixture: box</source>
@@ -5315,8 +5307,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Axis of the tool</source>
-        <translation>Achse des Werkzeugs</translation>
+        <source>Tool axis</source>
+        <translation>Werkzeugachse</translation>
     </message>
     <message>
         <source>fixed, Z</source>
@@ -5335,16 +5327,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Achse</translation>
     </message>
     <message>
-        <source>Whether the tool stands, and how</source>
-        <translation>Ob das Werkzeug fest steht, und wie</translation>
+        <source>Whether the tool axis is fixed, chosen or free</source>
+        <translation>Ob die Werkzeugachse fest, gewählt oder frei ist</translation>
     </message>
     <message>
         <source>Lean</source>
         <translation>Neigung</translation>
     </message>
     <message>
-        <source>Angle between the tool&apos;s axis and Z</source>
-        <translation>Winkel zwischen der Achse des Werkzeugs und Z</translation>
+        <source>Angle between the tool axis and Z</source>
+        <translation>Winkel zwischen Werkzeugachse und Z</translation>
     </message>
     <message>
         <source>Towards</source>
@@ -5355,7 +5347,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Wohin sich der Halter neigt: 0° ist X, 90° ist Y</translation>
     </message>
     <message>
-        <source>As the view looks</source>
+        <source>Along the view</source>
         <translation>In Blickrichtung</translation>
     </message>
     <message>
@@ -5363,8 +5355,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
     </message>
     <message>
-        <source>The tool stands along the line from the eye</source>
-        <translation>Das Werkzeug steht in Blickrichtung</translation>
+        <source>Sets the tool axis to the view direction (3+2 milling)</source>
+        <translation>Setzt die Werkzeugachse in die Blickrichtung (3+2-Fräsen)</translation>
     </message>
     <message>
         <source>Import a part first.</source>
@@ -5375,16 +5367,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Es wird noch gerechnet.</translation>
     </message>
     <message>
-        <source>The travel bounds an upright tool alone.</source>
+        <source>The machine&apos;s travel limits a vertical tool only.</source>
         <translation>Der Verfahrweg begrenzt nur ein senkrechtes Werkzeug.</translation>
     </message>
     <message>
-        <source>The tip stays within what the machine&apos;s axes reach</source>
-        <translation>Die Spitze bleibt dort, wo die Achsen der Maschine hinkommen</translation>
+        <source>The tool tip stays within the travel of the machine&apos;s axes</source>
+        <translation>Die Werkzeugspitze bleibt im Verfahrweg der Achsen der Maschine</translation>
     </message>
     <message>
-        <source>Put it beside the stock, or where its file says. An STL file has the unit of the part&apos;s, else mm.</source>
-        <translation>Stellt es neben den Rohling oder dorthin, wo seine Datei es sagt. Eine STL-Datei hat die Einheit des Teils, sonst mm.</translation>
+        <source>Puts it next to the stock, or at the coordinates of its file. An STL file has the unit of the part&apos;s STL file, else mm.</source>
+        <translation>Stellt es neben das Rohteil oder an die Koordinaten seiner Datei. Eine STL-Datei hat die Einheit der STL-Datei des Teils, sonst mm.</translation>
     </message>
 </context>
 <context>
@@ -5417,8 +5409,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>wird aufgenommen</translation>
     </message>
     <message>
-        <source>Remove this take</source>
-        <translation>Diese Aufnahme entfernen</translation>
+        <source>Delete this take</source>
+        <translation>Diese Aufnahme löschen</translation>
     </message>
     <message>
         <source>damaged</source>
@@ -5529,12 +5521,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>1/min</translation>
     </message>
     <message>
-        <source>Feed and speed come from figures that are estimates.</source>
+        <source>Feed and speed come from values that are estimates.</source>
         <translation>Vorschub und Drehzahl beruhen auf geschätzten Kennwerten.</translation>
     </message>
     <message>
-        <source>A recording runs: the tool stays.</source>
-        <translation>Eine Aufzeichnung läuft: Das Werkzeug bleibt.</translation>
+        <source>The tool can&apos;t be changed while recording.</source>
+        <translation>Während der Aufzeichnung lässt sich das Werkzeug nicht wechseln.</translation>
     </message>
     <message>
         <source>The boundary for this tool is being computed…</source>
@@ -5568,11 +5560,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Transparency of the workpiece.</source>
-        <translation>Wie weit das Teil durch das Werkstück zu sehen ist.</translation>
+        <translation>Transparenz des Werkstücks.</translation>
     </message>
     <message>
         <source>Normal of the section plane</source>
-        <translation>Achse der Schnittebene</translation>
+        <translation>Normale der Schnittebene</translation>
     </message>
     <message>
         <source>Axis perpendicular to the section plane.</source>
@@ -5580,7 +5572,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Moves the section plane along its normal.</source>
-        <translation>Verschiebt die Schnittebene entlang ihrer Achse.</translation>
+        <translation>Verschiebt die Schnittebene entlang ihrer Normalen.</translation>
     </message>
     <message>
         <source>Position of the section plane</source>
@@ -5588,7 +5580,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Position of the section plane along its normal.</source>
-        <translation>Wo die Schnittebene auf ihrer Achse steht.</translation>
+        <translation>Position der Schnittebene entlang ihrer Normalen.</translation>
     </message>
 </context>
 <context>
@@ -5722,7 +5714,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Return to the project (Esc)</source>
-        <translation>Dort weitermachen, wo Sie waren (Esc)</translation>
+        <translation>Zurück zum Projekt (Esc)</translation>
     </message>
     <message>
         <source>Back to %1</source>

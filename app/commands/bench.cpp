@@ -23,9 +23,9 @@ struct Benchmark {
 };
 constexpr std::array benchmarks{
     Benchmark{"volume", "burin-bench-volume",
-              "the S-RLE engine and cutting beside the paper's way, dense grids, OpenVDB and VTK"},
+              "the S-RLE engine and cutting, compared with the paper's method, dense grids, OpenVDB and VTK"},
     Benchmark{"verify", "burin-bench-verify",
-              "reading programs back and judging them beside CAMotics, and where the time goes"},
+              "reading programs back and judging them, compared with CAMotics, and where the time goes"},
     Benchmark{"haptics", "burin-bench-haptics", "the haptic loop: cost of a tick, push-back, stability, guards"},
 };
 
@@ -96,10 +96,10 @@ int runBench(const BenchArguments& arguments, CommandContext& context) {
 
 void registerBench(CLI::App& program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<BenchArguments>();
-    CLI::App* command = program.add_subcommand("bench", "Measure Burin beside what else there is");
-    command->add_option("NAME", arguments->name, "What to measure; without it, what there is");
+    CLI::App* command = program.add_subcommand("bench", "Run Burin's benchmarks");
+    command->add_option("NAME", arguments->name, "Benchmark to run; without it, the list of benchmarks");
     command->add_option("--only", arguments->only, "Only figures whose names begin with this");
-    command->add_option("--rounds", arguments->rounds, "So often all is measured, one round after the other")
+    command->add_option("--rounds", arguments->rounds, "Number of rounds in which everything is measured")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     addJsonFlag(*command, context);

@@ -201,8 +201,8 @@ void registerCalibrate(CLI::App& program, CommandContext& context, int& status) 
         ->capture_default_str();
     command->add_flag("--on-workpiece", arguments->onWorkpiece, "The forces are those on the workpiece");
     command->add_option("--like", arguments->like, "Material that gives a new one its other values");
-    command->add_flag("--replace", arguments->replace, "Put it in the place of a material of that name");
-    command->add_flag("--dry-run", arguments->dryRun, "Fit and tell, but write nothing");
+    command->add_flag("--replace", arguments->replace, "Replace a material of that name");
+    command->add_flag("--dry-run", arguments->dryRun, "Fit and report, but write nothing");
     command->footer(columnHelp());
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runCalibrate(*arguments, context); });

@@ -86,7 +86,7 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     context.stage("Embedding");
     Result<Bench> bench = makeBench(project, tool, arguments.machine, context.progress());
     if (!bench) return std::move(bench).error();
-    context.stage("Building the tool's field");
+    context.stage("Computing the tool's boundary");
     OperatorRequest request;
     request.timeLimit = arguments.seconds;
     // The paper's model wax takes deep, wide cuts; what is left of the steps the fine finishing passes take.
@@ -256,7 +256,7 @@ void registerDemo(CLI::App& program, CommandContext& context, int& status) {
         ->check(CLI::Range(0.0, 1e6));
     command->add_option("--margin", arguments->margin, "Stock around the part, mm")->capture_default_str();
     command->add_option("--material", arguments->material, "Material of the stock")->capture_default_str();
-    command->add_option("--seed", arguments->seed, "Of the operator's tremor")->capture_default_str();
+    command->add_option("--seed", arguments->seed, "Seed of the operator's random tremor")->capture_default_str();
     command->add_option("--output", arguments->output, "Folder for project, program, picture and report")
         ->capture_default_str();
     addJsonFlag(*command, context);

@@ -33,7 +33,7 @@ std::vector<Limit> limitsOf(const StylusDescription& stylus) {
     return {limit("rate_hz", "rate", stylus.rate),
             limit("delay_s", "delay", stylus.delay),
             limit("force_max_n", "greatest force", stylus.maximumForce),
-            limit("force_continuous_n", "lasting force", stylus.continuousForce),
+            limit("force_continuous_n", "continuous force", stylus.continuousForce),
             limit("torque_max_n_mm", "greatest torque", stylus.maximumTorque),
             limit("stiffness_max_n_per_m", "greatest stiffness", stylus.maximumStiffness),
             limit("damping_max_n_s_per_m", "greatest damping", stylus.maximumDamping),

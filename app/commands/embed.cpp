@@ -146,7 +146,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
 
 void registerEmbed(CLI::App& program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<EmbedArguments>();
-    CLI::App* command = program.add_subcommand("embed", "Put a CAD model into stock and make a project of it");
+    CLI::App* command = program.add_subcommand("embed", "Embed a CAD model in stock and make a project of it");
     command->add_option("MODEL", arguments->model, "STEP, IGES, BREP or STL file")->required();
     command->add_option("-o,--output", arguments->output, "Project file to write (.burin)")->required();
     command->add_flag("--replace", arguments->replace, "Replace a project that holds recordings");

@@ -47,7 +47,7 @@ json verdictOf(const ReopenedProgram& kept) {
 }
 
 std::string verdictText(const ReopenedProgram& kept) {
-    if (!kept.upToDate) return "out of date: what the program was checked with has changed; post it again";
+    if (!kept.upToDate) return "out of date: inputs of the program's check have changed; post it again";
     const std::size_t errors = kept.program->errorCount();
     return std::string(stateOf(kept)) + ": gouge " + formatFixed(kept.program->report.gougeMax, 4) + " mm (tolerance " +
            formatFixed(kept.kept.gougeTolerance, 3) + " mm), " + std::to_string(errors) +
@@ -94,7 +94,7 @@ int runInfo(const std::string& file, CommandContext& context) {
                                     {"work_offset_mm", burin::jsonOf(setup->workOffset)}};
     std::uint64_t samples = 0;
     std::ostringstream text;
-    text << file << (project->recovered() ? " (taken up where an earlier run was ended)" : "");
+    text << file << (project->recovered() ? " (recovered from a run that was interrupted)" : "");
     if (model) text << "\n" << textOf(*model);
     if (setup) text << "\n  stock    " << setup->stockMaterial << ", voxel " << formatShortest(setup->voxel) << " mm";
     if (setup) text << "\n  axis     " << textOf(around->axis);
@@ -104,7 +104,7 @@ int runInfo(const std::string& file, CommandContext& context) {
         answer["takes"].push_back(jsonOf(take));
         text << "\n  take     " << take.id << " " << take.name << ": " << take.sampleCount << " samples, "
              << (take.seconds ? formatFixed(*take.seconds, 3) + " s" : "damaged") << ", tool " << take.toolId
-             << (take.complete ? "" : ", not ended properly");
+             << (take.complete ? "" : ", incomplete");
     }
     answer["samples"] = samples;
     for (const StoredPath& path : *paths) {

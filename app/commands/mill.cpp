@@ -117,9 +117,9 @@ FeltCutting feltWithout(const std::string& file, const MillWork& work) {
     tellFelt(felt, work.arguments.felt ? "argument" : "assumed", work.answer);
     if (!work.arguments.felt)
         work.context.message("\"" + file +
-                             "\" does not say how much of the cutting was felt: " + formatShortest(felt.gain) +
-                             " of it is assumed, as for the virtual operator. --felt says it; places and what is cut "
-                             "don't depend on it, forces do.");
+                             "\" does not state how much of the cutting force was felt: " + formatShortest(felt.gain) +
+                             " of it is assumed, as for the virtual operator. Set it with --felt; positions and the "
+                             "removed material don't depend on it, forces do.");
     return felt;
 }
 
@@ -141,7 +141,7 @@ Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequ
     request.forceButtons = trace.began->forceButtons;
     if (work.arguments.felt)
         return Error{ErrorCode::argumentInvalid, "--stylus", work.arguments.stylus,
-                     "with --felt, a trace that does not say how much of the cutting was felt"};
+                     "with --felt, a trace that does not state how much of the cutting force was felt"};
     request.felt = trace.began->felt;
     tellFelt(request.felt, "trace", work.answer);
     request.allowance = work.arguments.allowance.value_or(trace.began->allowance);
@@ -183,9 +183,7 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
     const Result<FoundDevice> device = registry.find(name);
     for (const Error& fault : registry.takeFaults()) work.context.message(Messages::sentence(fault).toStdString());
     if (!device) return device.error();
-    if (work.arguments.fast)
-        return Error{ErrorCode::argumentInvalid, "--fast", device->id,
-                     "--realtime with a device, whose hand has its own time"};
+    if (work.arguments.fast) return Error{ErrorCode::argumentInvalid, "--fast", device->id, "--realtime with a device"};
     const Result<AnyStylus> stylus = registry.make(device->id, work.arguments.mode);
     if (!stylus) return stylus.error();
     const StylusHandle handle(*stylus);
@@ -204,7 +202,7 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     if (stylus.starts_with(tracePrefix)) return millWithTrace(stylus.substr(tracePrefix.size()), work);
     if (work.arguments.felt)
         return Error{ErrorCode::argumentInvalid, "--stylus", stylus,
-                     "with --felt, a trace that does not say how much of the cutting was felt"};
+                     "with --felt, a trace that does not state how much of the cutting force was felt"};
     if (stylus.starts_with(device)) return millWithDevice(stylus.substr(device.size()), work);
     if (stylus != "operator")
         return Error{ErrorCode::nameUnknown, "stylus", stylus, "operator, trace:FILE, device:NAME"};
@@ -245,7 +243,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
         return context.fail(replayed.error());
 
-    context.stage("Building the tool's field");
+    context.stage("Computing the tool's boundary");
     const Result<ToolBounds> bounds = boundsFor(*project, *bench, arguments, context.progress());
     if (!bounds) return context.fail(bounds.error());
 
@@ -278,11 +276,12 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
 }
 
 void addOperator(CLI::App& command, MillArguments& arguments) {
-    command.add_option("--seed", arguments.hand.seed, "Of the operator's tremor and whims")->capture_default_str();
+    command.add_option("--seed", arguments.hand.seed, "Seed of the operator's random tremor and motion")
+        ->capture_default_str();
     command.add_option("--grip", arguments.grip, "How firmly the operator holds the stylus")
         ->check(CLI::IsMember({"light", "middle", "firm"}))
         ->capture_default_str();
-    command.add_option("--intent", arguments.intent, "What the operator is after")
+    command.add_option("--intent", arguments.intent, "What kind of strokes the operator makes")
         ->check(CLI::IsMember(intents))
         ->capture_default_str();
 }
@@ -295,7 +294,9 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
     command->add_option("--stylus", arguments->stylus, "operator, trace:FILE or device:NAME")->capture_default_str();
     command->add_option("--mode", arguments->mode, "One of a device's modes, as \"burin devices\" lists them");
-    command->add_option("--rate", arguments->rate, "Ticks a second, Hz; a device that keeps its own time has its own")
+    command
+        ->add_option("--rate", arguments->rate,
+                     "Ticks per second, Hz; a device that keeps its own time sets its own rate")
         ->check(CLI::Range(1000.0, 4000.0))
         ->capture_default_str();
     command
@@ -303,28 +304,31 @@ void registerMill(CLI::App& program, CommandContext& context, int& status) {
                      "Forces only while this button of the device is held, counted from 1; 0: always")
         ->check(CLI::Range(0, 32))
         ->capture_default_str();
-    command->add_option("--trace", arguments->trace, "Also write what a trace or device did, to be played again");
+    command->add_option("--trace", arguments->trace,
+                        "Also write the motion of the trace or device to this file, which --stylus trace:FILE replays");
     command->add_option("--tool", arguments->tool, "Tool")->capture_default_str();
     command->add_option("--machine", arguments->machine,
                         "Machine, for the spindle speed and its travel; without it the project's");
-    CLI::Option* realtime = command->add_flag("--realtime", arguments->realtime, "One tick a millisecond of the clock");
-    command->add_flag("--fast", arguments->fast, "As fast as the machine can (the default)")->excludes(realtime);
+    CLI::Option* realtime = command->add_flag("--realtime", arguments->realtime, "Run in real time");
+    command->add_flag("--fast", arguments->fast, "Run as fast as the computer can (the default)")->excludes(realtime);
     command->add_option("--seconds", arguments->seconds, "Length of the session, s; 0: as long as the job takes")
         ->check(CLI::Range(0.0, 1e6));
     command
         ->add_option("--allowance", arguments->allowance,
-                     "Stock left on the part, mm; the operator roughs with it (0.5)")
+                     "Stock to leave on the part, mm; the operator roughs with it (0.5)")
         ->check(CLI::Range(0.0, 10.0));
     command
         ->add_option("--press", arguments->hand.press, "How far the operator presses into the part when finishing, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
     command
-        ->add_option("--step-over", arguments->hand.finishingStepOver, "Between finishing passes, mm; 0: by the tool")
+        ->add_option("--step-over", arguments->hand.finishingStepOver,
+                     "Distance between finishing passes, mm; 0: chosen for the tool")
         ->check(CLI::Range(0.0, 100.0));
     command
         ->add_option("--felt", arguments->felt,
-                     "How much of the cutting was felt while a trace was recorded that does not say it, 0 to 1")
+                     "Share of the cutting force that was felt while the trace was recorded, 0 to 1; for traces that "
+                     "do not state it")
         ->check(CLI::Range(0.0, 1.0));
     addAxis(*command, arguments->axis);
     addOperator(*command, *arguments);

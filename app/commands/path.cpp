@@ -249,9 +249,9 @@ void registerPath(CLI::App& program, CommandContext& context, int& status) {
         if (command->get_subcommands().empty()) status = list(*arguments, context);
     });
     add("list", "The paths and their edits", list);
-    CLI::App* make = add("new", "Make a path of takes with the edits of the main job", create);
+    CLI::App* make = add("new", "Make a path from takes, with the standard edits", create);
     make->add_option("--takes", arguments->takes,
-                     "Takes in order, of one tool; without it all of the last one that milled")
+                     "Takes in order, of one tool; without it all takes of the last tool that milled")
         ->delimiter(',');
     make->add_option("--name", arguments->name, "Its name")->capture_default_str();
     CLI::App* evaluateOne = withPath(add("show", "Evaluate a path and report what each edit did", show));
@@ -263,22 +263,23 @@ void registerPath(CLI::App& program, CommandContext& context, int& status) {
         }));
     apply->add_option("--edit", arguments->edit, "The edit as JSON, as \"burin path P list --json\" shows them")
         ->required();
-    apply->add_option("--place", arguments->place, "Before which edit, from 0")->required();
+    apply->add_option("--place", arguments->place, "Position in the list of edits, from 0")->required();
     CLI::App* undo =
-        withPath(add("undo", "Take an edit out of a path", [](const PathArguments& given, CommandContext& where) {
+        withPath(add("undo", "Delete an edit from a path", [](const PathArguments& given, CommandContext& where) {
             return change(given, where, [&](StoredPath& path) { return removeEdit(path, given); });
         }));
-    undo->add_option("--place", arguments->place, "Which edit, from 0")->required();
+    undo->add_option("--place", arguments->place, "Position of the edit in the list, from 0")->required();
     CLI::App* update =
         withPath(add("update", "Bring an edit of an earlier version up to date",
                      [](const PathArguments& given, CommandContext& where) {
                          return change(given, where, [&](StoredPath& path) { return updateEdit(path, given); });
                      }));
-    update->add_option("--place", arguments->place, "Which edit, from 0")->required();
+    update->add_option("--place", arguments->place, "Position of the edit in the list, from 0")->required();
     for (const bool asTrace : {false, true}) {
         CLI::App* part = add(
             asTrace ? "trace" : "take",
-            asTrace ? "Write a take's stylus as a trace that \"burin mill\" plays" : "Write a take as CSV",
+            asTrace ? "Write the stylus motion of a take as a trace that \"burin mill\" replays"
+                    : "Write a take as CSV",
             [asTrace](const PathArguments& given, CommandContext& where) { return exportTake(given, asTrace, where); });
         part->add_option("TAKE", arguments->take, "Number of the take")->required();
         part->add_option("-o,--output", arguments->output, "File to write")->required();

@@ -42,7 +42,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     std::error_code absent;
     if (std::filesystem::equivalent(arguments.project, arguments.output, absent))
         return context.fail(
-            {ErrorCode::argumentInvalid, "--output", arguments.output, "another file than the project"});
+            {ErrorCode::argumentInvalid, "--output", arguments.output, "a file other than the project"});
     context.stage("Opening");
     Result<Project> project = Project::open(arguments.project);
     if (!project) return context.fail(project.error());
@@ -89,8 +89,8 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     if (!program->released()) {
         context.answer(answer, verdict);
         context.message("\"" + arguments.output +
-                        "\" was not written: the program is refused. With --override and a reason it is written, and "
-                        "its header says so.");
+                        "\" was not written: the program failed its check. To write it all the same, state a reason "
+                        "with --override; its header shows the reason.");
         return static_cast<int>(ErrorClass::checkFailed);
     }
     if (const Result<void> written = writeFileAtomically(arguments.output, program->text); !written)
@@ -123,16 +123,16 @@ void registerPost(CLI::App& program, CommandContext& context, int& status) {
     command
         ->add_option(
             "--path", arguments->paths,
-            "Paths of one program, with a tool each if they like; without it the first of each tool that milled")
+            "Paths of the program, which may have different tools; without it the first path of each tool that milled")
         ->delimiter(',');
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
     command
         ->add_option("--override", arguments->overrideReason,
-                     "Why the program is wanted even where its check refuses it; stands in its header")
+                     "Write the program even if its check refuses it; states this reason in its header")
         ->check([](const std::string& reason) {
-            return reason.find_first_not_of(" \t\n") == std::string::npos ? "give a reason in words" : std::string();
+            return reason.find_first_not_of(" \t\n") == std::string::npos ? "state a reason" : std::string();
         });
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runPost(*arguments, context); });

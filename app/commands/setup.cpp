@@ -123,15 +123,16 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
 void registerSetup(CLI::App& program, CommandContext& context, int& status) {
     auto arguments = std::make_shared<SetupArguments>();
     CLI::App* command = program.add_subcommand(
-        "setup", "Fixtures, keep-out volumes, tool axis, machine and travel of a project; shows them");
+        "setup", "Show and change the fixtures, keep-out volumes, tool axis, machine and travel of a project");
     command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
     addSurroundings(*command, arguments->around);
     const auto addNames = [&](const char* option, std::vector<std::string>& names, const char* help) {
         command->add_option(option, names, help)->allow_extra_args(false);
     };
-    addNames("--remove", arguments->remove, "Takes a fixture or keep-out volume away, by its name; may be repeated");
-    addNames("--switch-off", arguments->switchOff, "It stays in the project, but holds nothing; may be repeated");
-    addNames("--switch-on", arguments->switchOn, "It holds the tool again; may be repeated");
+    addNames("--remove", arguments->remove, "Name of a fixture or keep-out volume to delete; may be repeated");
+    addNames("--switch-off", arguments->switchOff,
+             "Name of one to switch off; it stays in the project; may be repeated");
+    addNames("--switch-on", arguments->switchOn, "Name of one to switch on again; may be repeated");
     command->add_option("--stl-unit", arguments->stlUnit, "Millimetres per unit of an STL file")
         ->check(CLI::Range(1e-6, 1e6))
         ->capture_default_str();

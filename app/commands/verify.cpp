@@ -95,14 +95,14 @@ void registerVerify(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--project", arguments->project, "Project file (.burin)")->required();
     command->add_option(
         "--tool", arguments->tool,
-        "Tool of the whole program; without it the project's by their numbers, or that of the first take");
+        "Tool of the whole program; without it the project's tools by their numbers, or the tool of the first take");
     command->add_option("--machine", arguments->machine, "Machine; without it the project's");
     command->add_option("--dialect", arguments->dialect,
-                        "Dialect that it is read in; without it the project's, or the machine's");
+                        "Dialect of the program; without it the project's, or the machine's");
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
-    command->add_option("--exact", arguments->exactSamples, "Worst places that are judged on exact geometry")
+    command->add_option("--exact", arguments->exactSamples, "Number of worst points that are judged on exact geometry")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     command->add_option("--map", arguments->map,

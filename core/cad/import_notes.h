@@ -45,7 +45,7 @@ inline constexpr TextId stlOpen =
     BURIN_TEXT("ImportNote", "%1 is not closed: %2 open edges. Its inside and volume are not certain.");
 inline constexpr TextId piecesApart = BURIN_TEXT("ImportNote", "%1 consists of %2 pieces that are not connected. Where "
                                                                "they overlap, its volume counts twice.");
-inline constexpr TextId restLeftOut = BURIN_TEXT("ImportNote", "What follows behind the last triangle was left out.");
+inline constexpr TextId restLeftOut = BURIN_TEXT("ImportNote", "Data after the last triangle was left out.");
 
 inline constexpr std::array all{
     unitConverted,     unitsMixed, brepWithoutUnit, stlWithoutUnit, sizeDoubtful, repaired,      notRepaired, solidOpen,

@@ -230,7 +230,7 @@ void ForceFit::report(MaterialCalibration& result) const {
             continue;
         }
         result.leftOut.push_back({o.line, "far off: " + formatFixed(residual.tangential, 3) + " N tangential, " +
-                                              formatFixed(residual.radial, 3) + " N radial beside the fit; " +
+                                              formatFixed(residual.radial, 3) + " N radial deviation from the fit; " +
                                               formatFixed(limit() * tangentialScale_ * o.gain, 3) + " N and " +
                                               formatFixed(limit() * radialScale_ * o.gain, 3) + " N would count"});
     }

@@ -64,10 +64,10 @@ std::size_t SimulatedStylus::targetsAhead() noexcept {
 StylusDescription SimulatedStylus::description() const {
     StylusDescription stylus;
     stylus.name = BURIN_TEXT("Device", "Mouse").text;
-    const std::string touch = BURIN_TEXT("Device", "simulated: no force is felt; figures of a 3D Systems Touch (CHAI3D "
+    const std::string touch = BURIN_TEXT("Device", "simulated: no force is felt; values of a 3D Systems Touch (CHAI3D "
                                                    "device table) scale the force that is shown")
                                   .text;
-    const std::string own = "simulated: the whole bench, its positions are the setup's own";
+    const std::string own = "simulated: its positions are those of the setup";
     stylus.simulated = true;
     stylus.actuated = {3, 0};
     stylus.buttons = 1;

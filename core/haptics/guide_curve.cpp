@@ -20,7 +20,7 @@ Result<GuideCurve> GuideCurve::make(std::vector<glm::dvec3> points, std::vector<
         return invalid(points.size(), "two points or more, each with a tangent");
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!isFinite(points[i]) || !isFinite(tangents[i])) return invalid(i, "finite coordinates");
-        if (i > 0 && points[i] == points[i - 1]) return invalid(i, "a place other than the point before");
+        if (i > 0 && points[i] == points[i - 1]) return invalid(i, "a point other than the one before");
         const double length = glm::length(tangents[i]);
         if (!(length > 1e-9)) return invalid(i, "a tangent");
         if (std::abs(length - 1.0) > unitRounding) tangents[i] /= length;

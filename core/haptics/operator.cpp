@@ -59,7 +59,7 @@ Result<void> VirtualOperator::open() {
         if (glm::length(way[i].tip) > settings_.stylus.workspaceRadius.value)
             return Error{ErrorCode::argumentInvalid, "intent point " + std::to_string(i + 1),
                          formatFixed(glm::length(way[i].tip), 1) + " mm",
-                         "a place within the device's workspace of " +
+                         "a position within the device's workspace of " +
                              formatFixed(settings_.stylus.workspaceRadius.value, 1) + " mm"};
     }
     Result<IntentMotion> motion = IntentMotion::make(way, settings_.motion);

@@ -148,8 +148,8 @@ private:
         StepPlace steps{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (target[axis] && !(std::abs(*target[axis]) <= largestCoordinate))
-                return Error{ErrorCode::programLimit, std::string(1, axisLetters[axis]), "coordinate is not a place",
-                             ""};
+                return Error{ErrorCode::programLimit, std::string(1, axisLetters[axis]),
+                             "coordinate is not a valid position", ""};
             steps[axis] = target[axis] ? numbers_.stepsOf(*target[axis]) : place_[axis].value_or(0);
         }
         return steps;
@@ -187,7 +187,8 @@ private:
         if (const Result<StepPlace> sound = stepsOf({move.target.x, move.target.y, move.target.z}); !sound)
             return sound.error();
         const double reach = glm::length(arc.centre - arc.from);
-        if (!(reach <= largestCoordinate)) return Error{ErrorCode::programLimit, "arc", "centre is not a place", ""};
+        if (!(reach <= largestCoordinate))
+            return Error{ErrorCode::programLimit, "arc", "centre is not a valid position", ""};
         for (const StepMove& step : arcSteps(arc, from, numbers_, arcs_)) {
             Result<void> done = step.arc ? arcBlock(step, arc, move.feed)
                                          : line(NcMoveKind::line, step.to, {true, true, true}, move.feed);

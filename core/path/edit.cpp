@@ -38,7 +38,7 @@ struct CheckField {
         const auto size = static_cast<double>(value.size());
         if (!value.empty() && (size < field.low || size > field.high))
             return invalid(field, formatShortest(size),
-                           formatShortest(field.low) + " to " + formatShortest(field.high) + " places");
+                           formatShortest(field.low) + " to " + formatShortest(field.high) + " points");
         const auto isPlace = [](const glm::dvec3& place) { return isWithin(place, -farthestPlace, farthestPlace); };
         if (std::ranges::all_of(value, isPlace)) return {};
         return invalid(field, "", "coordinates up to " + formatShortest(farthestPlace));

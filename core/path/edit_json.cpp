@@ -93,10 +93,10 @@ struct Read {
         return {};
     }
     Refusal operator()(const std::vector<glm::dvec3>&) const {
-        if (!json.is_array()) return "a list of places, three numbers each";
+        if (!json.is_array()) return "a list of points, three numbers each";
         std::vector<glm::dvec3> places(json.size());
         for (std::size_t i = 0; i < places.size(); ++i)
-            if (!readPlace(json[i], places[i])) return "a list of places, three numbers each";
+            if (!readPlace(json[i], places[i])) return "a list of points, three numbers each";
         value = std::move(places);
         return {};
     }

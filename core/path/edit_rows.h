@@ -65,7 +65,7 @@ struct EditRow<SmoothSpline> {
 };
 template <>
 struct EditRow<CutOut> {
-    static constexpr EditTraits traits{.id = "cut-out", .title = BURIN_TEXT("Edit", "Cut out")};
+    static constexpr EditTraits traits{.id = "cut-out", .title = BURIN_TEXT("Edit", "Delete part of the path")};
     static constexpr std::tuple fields{stretch("stretch", &CutOut::stretch)};
 };
 template <>
@@ -134,7 +134,7 @@ struct EditRow<MovePoints> {
 template <>
 struct EditRow<ReplaceStretch> {
     static constexpr EditTraits traits{.id = "replace-stretch",
-                                       .title = BURIN_TEXT("Edit", "Replace a stretch"),
+                                       .title = BURIN_TEXT("Edit", "Replace part of the path"),
                                        .group = EditGroup::places,
                                        .mayEnter = true};
     static constexpr std::tuple fields{stretch("stretch", &ReplaceStretch::stretch),
@@ -143,13 +143,13 @@ struct EditRow<ReplaceStretch> {
 template <>
 struct EditRow<RemoveArea> {
     static constexpr EditTraits traits{
-        .id = "remove-area", .title = BURIN_TEXT("Edit", "Remove from an area"), .group = EditGroup::places};
+        .id = "remove-area", .title = BURIN_TEXT("Edit", "Delete in an area"), .group = EditGroup::places};
     static constexpr std::tuple fields = areaFields;
 };
 template <>
 struct EditRow<LiftArea> {
     static constexpr EditTraits traits{.id = "lift-area",
-                                       .title = BURIN_TEXT("Edit", "Lift in an area"),
+                                       .title = BURIN_TEXT("Edit", "Retract in an area"),
                                        .group = EditGroup::places,
                                        .mayEnter = true};
     static constexpr std::tuple fields =
@@ -158,7 +158,7 @@ struct EditRow<LiftArea> {
 template <>
 struct EditRow<HoldOut> {
     static constexpr EditTraits traits{.id = "hold-out",
-                                       .title = BURIN_TEXT("Edit", "Hold out of the part"),
+                                       .title = BURIN_TEXT("Edit", "Keep out of the part"),
                                        .group = EditGroup::surface,
                                        .step = EditStep::surface,
                                        .approximates = true,
@@ -169,7 +169,7 @@ struct EditRow<HoldOut> {
 template <>
 struct EditRow<LayOnPart> {
     static constexpr EditTraits traits{.id = "project",
-                                       .title = BURIN_TEXT("Edit", "Lay on the part"),
+                                       .title = BURIN_TEXT("Edit", "Project onto the part"),
                                        .group = EditGroup::surface,
                                        .step = EditStep::surface,
                                        .holdsOut = true};

@@ -383,7 +383,7 @@ Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContex
             const StrokePoint& point = stroke.points.front();
             return Error{ErrorCode::pathGouges, "take " + std::to_string(stroke.take),
                          "sample " + std::to_string(point.sample),
-                         "no way from above leads there without entering the part"};
+                         "no motion from above leads there without entering the part"};
         }
         linker.add(stroke, accesses[i]);
     }

@@ -24,8 +24,8 @@ struct Migration {
 Result<void> addUndoneStretches(Database& file); // schema.cpp
 Result<void> addSurroundings(Database& file);
 inline constexpr std::array projectMigrations{
-    Migration{1, BURIN_TEXT("Migration", "Strokes of a recording can be taken back."), addUndoneStretches},
-    Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool's axis and guides are kept."), addSurroundings},
+    Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneStretches},
+    Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool axis and guides are kept."), addSurroundings},
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 

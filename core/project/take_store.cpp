@@ -83,7 +83,7 @@ Result<void> loadUndone(Database& database, std::int64_t id, std::uint64_t sampl
     return forEachRow(*rows, [&]() -> Result<void> {
         const std::int64_t first = rows->integer(0), count = rows->integer(1);
         if (count <= 0 || count > mostSamples || first > mostSamples || std::cmp_less(first, end))
-            return damaged(database, "take " + std::to_string(id) + ", undone stretch");
+            return damaged(database, "take " + std::to_string(id) + ", undone samples");
         end = static_cast<std::uint64_t>(first + count);
         const auto from = static_cast<std::uint64_t>(first);
         if (from < samples) undone.push_back({from, std::min(end, samples) - from});
@@ -195,7 +195,7 @@ Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRang
     if (*erased == 0)
         return Error{ErrorCode::argumentInvalid, "stretch",
                      std::to_string(stretch.first) + " + " + std::to_string(stretch.count),
-                     "a stretch of take " + std::to_string(take) + " that was taken back"};
+                     "samples of take " + std::to_string(take) + " that are undone"};
     return {};
 }
 

@@ -96,7 +96,7 @@ ShapeFault faultOf(const Box& box) {
 }
 
 ShapeFault faultOf(const CylinderShape& cylinder) {
-    if (!isFinite(cylinder.base)) return {"base", "a finite place"};
+    if (!isFinite(cylinder.base)) return {"base", "a finite position"};
     if (!(std::abs(glm::length(cylinder.axis) - 1.0) < 1e-6)) return {"axis", "a direction of unit length"};
     if (!(std::isfinite(cylinder.radius) && cylinder.radius > 0.0)) return {"radius", "a finite length above 0 mm"};
     if (!(std::isfinite(cylinder.height) && cylinder.height > 0.0)) return {"height", "a finite length above 0 mm"};

@@ -120,7 +120,7 @@ Result<void> validateProfile(const Cutter& cutter) {
                 key + ".height_mm", element.height,
                 "at least the height at which the element begins: profiles never fall, so a cupped tip can't be drawn");
         if (to == from)
-            return invalid(key + ".radius_mm", element.radius, "another place than the element's beginning");
+            return invalid(key + ".radius_mm", element.radius, "a point other than the element's beginning");
         if (element.arcRadius != 0.0)
             if (Result<void> arc = validateArc(element, from, key); !arc) return arc;
         from = to;

@@ -78,7 +78,7 @@ Result<std::vector<LatticeVertex>> projectVertices(const TriangleMesh& mesh, con
         return Error{ErrorCode::argumentInvalid, "vertex",
                      formatShortest(point->x) + ", " + formatShortest(point->y) + ", " + formatShortest(point->z) +
                          " mm",
-                     "a finite place not beyond reach of the grid"};
+                     "a finite position within reach of the grid"};
     return vertices;
 }
 

@@ -114,7 +114,7 @@ private slots:
         state.news[0] = {GuideNews::Is::holding, -2, 0.1};
         state.news[1] = {GuideNews::Is::overruled, 0, 0.0};
         panel.setState(state);
-        QCOMPARE(child<QLabel>(panel, "guide0News").text(), QStringLiteral("holds level -2"));
+        QCOMPARE(child<QLabel>(panel, "guide0News").text(), QStringLiteral("active on level -2"));
         QCOMPARE(child<QLabel>(panel, "guide1News").text(), QStringLiteral("waits for another"));
         QSignalSpy stepped(&panel, &GuidePanel::levelStepped);
         click(panel, "levelBelowButton");

@@ -118,7 +118,7 @@ private slots:
         };
         QVERIFY(refuses([](StockState& s) { s.hasPart = false; }, "Import"));
         QVERIFY(refuses([](StockState& s) { s.busy = true; }, "under way"));
-        QVERIFY(refuses([](StockState& s) { s.locked = true; }, "recordings"));
+        QVERIFY(refuses([](StockState& s) { s.locked = true; }, "takes"));
         QVERIFY(refuses([](StockState& s) { s.embedded = true; }, "matches"));
         QVERIFY(refuses([](StockState& s) { s.problem = QStringLiteral("Too large."); }, "Too large."));
         QCOMPARE(child<Notice>(panel, "stockNotice").sentence(), QStringLiteral("Too large."));

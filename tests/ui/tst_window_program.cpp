@@ -437,7 +437,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     driver.shoot("22-wanted-all-the-same");
     // A reason makes no check pass.
     const QString spoken = driver.visible<QWidget>("stepProgram")->accessibleDescription();
-    QVERIFY2(spoken.startsWith("objected to"), qPrintable(spoken));
+    QVERIFY2(spoken.startsWith("has a problem"), qPrintable(spoken));
 }
 
 QTEST_MAIN(TestWindowProgram)

@@ -131,7 +131,7 @@ void TestWindowReopen::whatCanBeUndoneIsSaid() {
     QVERIFY(driver.restart());
     QVERIFY(reopen(driver));
     QVERIFY(driver.waitFor([&] { return undo() != nullptr && !undo()->isEnabled(); }, 5000));
-    QVERIFY2(undo()->toolTip().contains(QStringLiteral("remove their take")), qPrintable(undo()->toolTip()));
+    QVERIFY2(undo()->toolTip().contains(QStringLiteral("delete their take")), qPrintable(undo()->toolTip()));
 }
 
 void TestWindowReopen::aProgramThatPassedIsPassedAgain() {

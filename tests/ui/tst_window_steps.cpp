@@ -66,7 +66,7 @@ void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
     QVERIFY(driver.clickOn("embedButton"));
     QVERIFY(driver.waitFor([&] { return bench.bench.ready(); }) && driver.settle());
     driver.shoot("small-04-doubtful");
-    QVERIFY2(progress().startsWith(QStringLiteral("objected to")), qPrintable(progress()));
+    QVERIFY2(progress().startsWith(QStringLiteral("has a problem")), qPrintable(progress()));
     auto* const notice = driver.visible<Notice>("findingsNotice");
     QVERIFY(notice != nullptr);
     QVERIFY(notice->sentence().contains(QStringLiteral("is open (edges: 4, rims: 1)")));

@@ -36,7 +36,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     theme_ = add(tr("Theme"), "themeChoice", tr("Colours of the window."));
     theme_->addItem(tr("Dark"), static_cast<int>(Theme::dark));
     theme_->addItem(tr("Light"), static_cast<int>(Theme::light));
-    language_ = add(tr("Language"), "languageChoice", tr("In force from the next start on."));
+    language_ = add(tr("Language"), "languageChoice", tr("Takes effect at the next start."));
     language_->addItem(tr("Same as the system"), QString());
     language_->addItem(QStringLiteral("English"), QStringLiteral("en"));
     language_->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
@@ -48,7 +48,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
         connect(choice, &QComboBox::currentIndexChanged, this,
                 [this] { emit preferencesChanged(this->preferences()); });
 
-    auto* note = new QLabel(tr("Another language is in force from the next start on."), this);
+    auto* note = new QLabel(tr("A new language takes effect at the next start."), this);
     note->setObjectName(QStringLiteral("languageNote"));
     note->setProperty("look", "quiet");
     note->setWordWrap(true);

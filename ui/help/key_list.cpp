@@ -30,8 +30,8 @@ KeyList::KeyList(const std::vector<KeySection>& sections, QWidget* parent) : QDi
     layout->setSpacing(16);
     auto* search = new QLineEdit(this);
     search->setObjectName(QStringLiteral("keySearch"));
-    search->setPlaceholderText(tr("Look for a key or for what it does"));
-    search->setToolTip(tr("Only lines that hold this text are shown."));
+    search->setPlaceholderText(tr("Search for a key or its effect"));
+    search->setToolTip(tr("Only lines that contain this text are shown."));
     search->setClearButtonEnabled(true);
     connect(search, &QLineEdit::textChanged, this, &KeyList::showOnly);
     layout->addWidget(search);

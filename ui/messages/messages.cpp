@@ -24,7 +24,7 @@ QString editTitle(const std::string& title) {
 
 QString Messages::withRecord(const QString& sentence, const Error& error) {
     if (error.place.empty()) return sentence;
-    return sentence.chopped(1) + tr(" (what led to it is in \"%1\").").arg(QString::fromStdString(error.place));
+    return sentence.chopped(1) + tr(" (details are in \"%1\").").arg(QString::fromStdString(error.place));
 }
 
 // No default: the compiler names every code that has no sentence yet.
@@ -34,7 +34,7 @@ QString Messages::sentence(const Error& error) {
     const QString place = given(error.place), detail = given(error.detail);
     switch (error.code) {
     case ErrorCode::cancelled:
-        return tr("\"%1\" was stopped as asked; start it again to finish it.").arg(subject);
+        return tr("\"%1\" was cancelled; start it again to finish it.").arg(subject);
     case ErrorCode::outOfMemory:
         return error.place.empty()
                    ? tr("There is not enough memory for \"%1\"; close other programs or choose larger voxels.")
@@ -43,15 +43,16 @@ QString Messages::sentence(const Error& error) {
                         "larger voxels.")
                          .arg(subject, place);
     case ErrorCode::internalFault:
-        return tr("Burin broke a rule of its own in \"%1\" (%2); save your work under another name and report this.")
+        return tr("Internal error in \"%1\" (%2); save your work under another name and report this.")
             .arg(subject, detail);
     case ErrorCode::fileNotFound:
         return tr("\"%1\" does not exist; check its name and its folder.").arg(file);
     case ErrorCode::fileNotReadable:
-        return tr("\"%1\" can't be read (%2); check that it is what you meant and that you may read it.")
+        return tr("\"%1\" can't be read (%2); check that it is the right one and that you have permission to read it.")
             .arg(file, detail);
     case ErrorCode::fileNotWritable:
-        return tr("\"%1\" can't be written (%2); check the rights of the file and its folder or choose another place.")
+        return tr("\"%1\" can't be written (%2); check the permissions of the file and its folder or choose another "
+                  "location.")
             .arg(file, detail);
     case ErrorCode::diskFull:
         return tr("The disk is full, so \"%1\" was not written; make room and try again.").arg(file);
@@ -81,7 +82,7 @@ QString Messages::sentence(const Error& error) {
         return tr("The CAD reader failed on \"%1\" (%2); export the model again, if possible as STEP.")
             .arg(file, detail);
     case ErrorCode::modelHasNoSolid:
-        return tr("\"%1\" holds no solid, but: %2; export a closed solid.").arg(file, place);
+        return tr("\"%1\" contains no solid, but: %2; export a closed solid.").arg(file, place);
     case ErrorCode::modelNotWatertight:
         return tr("The surface of \"%1\" is open (%2); close it in your CAD program and export it again.")
             .arg(file, place);
@@ -121,7 +122,8 @@ QString Messages::sentence(const Error& error) {
         return tr("The motors of \"%1\" are hot, so its forces go down to half; press less until they have cooled.")
             .arg(subject);
     case ErrorCode::deviceNotAllowed:
-        return tr("You have no right to use the device \"%1\" (%2); install Burin's udev rule and plug it in again.")
+        return tr("You have no permission to use the device \"%1\" (%2); install Burin's udev rule and plug it in "
+                  "again.")
             .arg(subject, place);
     case ErrorCode::deviceIncompatible:
         return tr("The device \"%1\" speaks version %2 of its protocol, but this Burin needs %3; update its firmware.")
@@ -140,18 +142,19 @@ QString Messages::sentence(const Error& error) {
         return tr("The disk could not keep up, so the recording ended after %1 samples; use a faster disk.")
             .arg(subject);
     case ErrorCode::pathEmpty:
-        return tr("The path \"%1\" holds no move; add a take that cuts, or switch off the edit that drops everything.")
+        return tr("The path \"%1\" contains no move; add a take that cuts, or switch off the edit that drops "
+                  "everything.")
             .arg(subject);
     case ErrorCode::editMisplaced:
         return tr("\"%1\" has to come before \"%2\" in the list of edits; move it there.")
             .arg(editTitle(error.subject), editTitle(error.place));
     case ErrorCode::editRepeated:
-        return tr("A path has one \"%1\" alone; remove the other one.").arg(editTitle(error.subject));
+        return tr("A path can have only one \"%1\"; delete the other one.").arg(editTitle(error.subject));
     case ErrorCode::editUnguarded:
         return tr("\"%1\" may lead the tool into the part; put \"%2\" between it and \"%3\".")
             .arg(editTitle(error.subject), editTitle(error.detail), editTitle(error.place));
     case ErrorCode::pathGouges:
-        return tr("The path \"%1\" cuts into the part (%2); hold it out of the part before it is posted.")
+        return tr("The path \"%1\" cuts into the part (%2); keep it out of the part before it is posted.")
             .arg(subject, place);
     case ErrorCode::dialectNotFound:
         return tr("No dialect is called \"%1\"; choose one of these: %2.").arg(subject, detail);
@@ -163,7 +166,7 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::programSyntax:
         return tr("The program \"%1\" can't be understood at %2 (%3); correct it there.").arg(file, place, detail);
     case ErrorCode::programLimit:
-        return tr("The machine's limit of \"%1\" is broken (%2); change the path or choose another machine.")
+        return tr("The machine's limit of \"%1\" is exceeded (%2); change the path or choose another machine.")
             .arg(subject, place);
     case ErrorCode::checkFailed:
         return tr("\"%1\" did not pass the check (%2); correct the path and check it again.").arg(file, place);

@@ -24,7 +24,7 @@ AllowancePanel::Fields::Fields(AllowancePanel* panel) : QObject(panel) {
     allowance = new LengthField(panel);
     allowance->setObjectName(QStringLiteral("allowanceField"));
     column->addWidget(new FieldRow(AllowancePanel::tr("Stock to leave"), allowance,
-                                   AllowancePanel::tr("How far the boundary stands off the part"), panel));
+                                   AllowancePanel::tr("Distance of the boundary from the part"), panel));
     locked = new Notice(panel);
     column->addWidget(locked);
     meaning = makeWrappedLabel(panel);
@@ -50,7 +50,8 @@ void AllowancePanel::setState(const AllowanceState& state) {
     fields_->allowance->showValue(state.allowance);
     setEnabledKeepingFocus(fields_->allowance, !state.locked);
     fields_->locked->tell(Notice::Kind::information,
-                          state.locked ? AllowancePanel::tr("A recording runs: the allowance stays.") : QString());
+                          state.locked ? AllowancePanel::tr("The allowance can't be changed while recording.")
+                                       : QString());
 }
 
 } // namespace burin

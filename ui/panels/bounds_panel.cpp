@@ -25,7 +25,7 @@ private:
 };
 
 BoundsPanel::Fields::Fields(BoundsPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
-    column_->addWidget(makeSectionTitle(BoundsPanel::tr("What keeps the tool out"), panel));
+    column_->addWidget(makeSectionTitle(BoundsPanel::tr("Fixtures and limits"), panel));
     list_ = new QVBoxLayout;
     list_->setSpacing(4);
     column_->addLayout(list_);
@@ -35,7 +35,7 @@ BoundsPanel::Fields::Fields(BoundsPanel* panel) : QObject(panel), panel_(panel),
 
 NamedSwitch* BoundsPanel::Fields::addSwitch(QVBoxLayout* column, const QString& name) {
     auto* made = new NamedSwitch(
-        name, BoundsPanel::tr("Whether it keeps the tool out; one that the tool is inside of waits until it is clear"),
+        name, BoundsPanel::tr("Whether it keeps the tool out. If the tool is inside, it waits until the tool is clear"),
         panel_);
     column->addWidget(made);
     return made;

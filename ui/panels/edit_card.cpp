@@ -45,7 +45,7 @@ void EditCard::addHead(const QString& name) {
     };
     earlier_ = button("previous", tr("Apply this edit earlier"), "Earlier");
     later_ = button("next", tr("Apply this edit later"), "Later");
-    auto* remove = button("remove", tr("Remove this edit"), "Remove");
+    auto* remove = button("remove", tr("Delete this edit"), "Remove");
     connect(earlier_, &QToolButton::clicked, this, [this] { emit moveRequested(-1); });
     connect(later_, &QToolButton::clicked, this, [this] { emit moveRequested(1); });
     connect(remove, &QToolButton::clicked, this, &EditCard::removalRequested);
@@ -107,7 +107,7 @@ void EditCard::showReport(const EditReport* report, LengthUnit unit) {
     if (report == nullptr) return;
     QString text = tr("%1 → %2 points").arg(countText(report->pointsBefore), countText(report->pointsAfter));
     if (report->largestDeviation > 0.0)
-        text += QStringLiteral(" · ") + tr("off by %1").arg(lengthText(report->largestDeviation, unit));
+        text += QStringLiteral(" · ") + tr("error %1").arg(lengthText(report->largestDeviation, unit));
     if (report_->text() != text) report_->setText(text);
 }
 

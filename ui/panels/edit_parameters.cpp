@@ -67,7 +67,7 @@ struct ValueTexts {
     QString operator()(const Moment& moment) const { return momentText(takes, moment); }
     QString operator()(const TakeStretch& stretch) const { return stretchText(takes, stretch); }
     QString operator()(const std::vector<glm::dvec3>& places) const {
-        return EditParameterTexts::tr("%n places", nullptr, static_cast<int>(places.size()));
+        return EditParameterTexts::tr("%n points", nullptr, static_cast<int>(places.size()));
     }
     QString operator()(const auto&) const { return {}; }
 };

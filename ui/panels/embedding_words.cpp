@@ -43,15 +43,15 @@ QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit) {
         return EmbeddingWords::tr("The surface of “%1” is open (edges: %2), but no scanline meets a gap.")
             .arg(body, countText(finding.openEdges));
     case Kind::turnedFaces:
-        return EmbeddingWords::tr("Faces of “%1” do not agree on what is outside, so every second stretch between "
-                                  "them was filled (%2); make their normals agree in the CAD program.")
+        return EmbeddingWords::tr("Faces of “%1” do not agree on which side is outside, so every second interval "
+                                  "between them was filled (%2); make their normals agree in the CAD program.")
             .arg(body, whereText(finding, unit));
     case Kind::insideOut:
         return EmbeddingWords::tr("A shell of “%1” is turned inside out and was filled as well (%2); if it is meant "
                                   "to be a hollow, it has to lie within another shell.")
             .arg(body, whereText(finding, unit));
     case Kind::overlappingShells:
-        return EmbeddingWords::tr("Shells of “%1” overlap, so whatever any of them holds was filled (%2).")
+        return EmbeddingWords::tr("Shells of “%1” overlap, so everything inside any of them was filled (%2).")
             .arg(body, whereText(finding, unit));
     case Kind::duplicateTriangles:
         return EmbeddingWords::tr("Triangles of “%1” that are there twice were counted once (%2).")
@@ -61,7 +61,7 @@ QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit) {
                                   "voxels.")
             .arg(body);
     case Kind::overlappingBodies:
-        return EmbeddingWords::tr("“%1” overlaps “%2” in %3, where the later body has the place.")
+        return EmbeddingWords::tr("“%1” overlaps “%2” in %3; there the later body counts.")
             .arg(body, bodyName(finding.otherBody), volumeText(finding.volume, unit));
     }
     return {};

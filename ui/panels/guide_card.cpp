@@ -45,7 +45,7 @@ void GuideCard::addHead(const QString& name) {
         emit edited(guide_);
     });
     auto* remove =
-        makeIconButton(QStringLiteral("remove"), tr("Remove this guide"), name + QStringLiteral("Remove"), this);
+        makeIconButton(QStringLiteral("remove"), tr("Delete this guide"), name + QStringLiteral("Remove"), this);
     connect(remove, &QToolButton::clicked, this, &GuideCard::removalRequested);
     auto* head = new QHBoxLayout;
     head->addWidget(switch_, 1);
@@ -104,7 +104,7 @@ void GuideCard::addFigures(const QString& name) {
         break;
     case GuideKind::levels:
         addDirection(name, tr("Across"));
-        distance(tr("Apart"), tr("From one level to the next"), smallestDistance);
+        distance(tr("Spacing"), tr("From one level to the next"), smallestDistance);
         places(tr("Where one of the levels is"));
         break;
     case GuideKind::line:
@@ -112,16 +112,17 @@ void GuideCard::addFigures(const QString& name) {
         places(tr("Where the line is"));
         break;
     case GuideKind::surface:
-        distance(tr("Distance"), tr("How far the cutter keeps from the part"), 0.0);
+        distance(tr("Distance"), tr("Distance of the cutter from the part"), 0.0);
         break;
     case GuideKind::stepOver:
-        distance(tr("Step-over"), tr("How far the next pass keeps from the last one"), smallestDistance);
+        distance(tr("Step-over"), tr("Distance of the next pass from the last one"), smallestDistance);
         break;
     case GuideKind::axis:
-        addField(name + QStringLiteral("Lead"), tr("Lead"), tr("How far the tool leans to where it goes"),
+        addField(name + QStringLiteral("Lead"), tr("Lead"), tr("How far the tool leans in the direction of motion"),
                  new QuantityField(Quantity::angle, this), [](Guide& guide) -> double& { return guide.lead; })
             ->limit(-steepest, steepest);
-        addField(name + QStringLiteral("Tilt"), tr("Tilt"), tr("How far the tool leans to the left of where it goes"),
+        addField(name + QStringLiteral("Tilt"), tr("Tilt"),
+                 tr("How far the tool leans to the left of the direction of motion"),
                  new QuantityField(Quantity::angle, this), [](Guide& guide) -> double& { return guide.tilt; })
             ->limit(-steepest, steepest);
         onSurface_ = new QCheckBox(tr("From the part's surface"), this);
@@ -157,7 +158,7 @@ void GuideCard::showGuide(const Guide& guide, const glm::dvec3& zero) {
 void GuideCard::showNews(const GuideNews* news, LengthUnit unit) {
     news_.clear();
     if (news != nullptr && news->is == GuideNews::Is::holding)
-        news_ = guide_.kind == GuideKind::levels ? tr("holds level %1").arg(news->level) : tr("holds");
+        news_ = guide_.kind == GuideKind::levels ? tr("active on level %1").arg(news->level) : tr("active");
     if (news != nullptr && news->is == GuideNews::Is::overruled) news_ = tr("waits for another");
     if (news != nullptr && news->is == GuideNews::Is::away && guide_.kind != GuideKind::axis)
         news_ = tr("%1 off").arg(lengthText(news->distance, unit));

@@ -49,8 +49,9 @@ GuidePanel::Fields::Fields(GuidePanel* panel) : QObject(panel), panel_(panel), c
     addHead();
     none_ = makeWrappedLabel(panel);
     none_->setProperty("look", "quiet");
-    setWrappedText(none_, GuidePanel::tr("Nothing leads the hand. A guide takes the tool when it comes near, and lets "
-                                         "go when it is pushed off."));
+    setWrappedText(
+        none_, GuidePanel::tr(
+                   "There is no guide yet. A guide attracts the tool nearby, and releases it when it is pushed away."));
     column_->addWidget(none_);
     list_ = new QVBoxLayout;
     list_->setSpacing(8);
@@ -59,7 +60,7 @@ GuidePanel::Fields::Fields(GuidePanel* panel) : QObject(panel), panel_(panel), c
 }
 
 void GuidePanel::Fields::addHead() {
-    on_ = new QCheckBox(GuidePanel::tr("Guides hold"), panel_);
+    on_ = new QCheckBox(GuidePanel::tr("Guides on"), panel_);
     on_->setObjectName(QStringLiteral("guidesSwitch"));
     on_->setToolTip(GuidePanel::tr("Switch all guides on or off"));
     column_->addWidget(on_);
@@ -67,7 +68,7 @@ void GuidePanel::Fields::addHead() {
     kind_ = new ChoiceBox(panel_);
     kind_->setObjectName(QStringLiteral("guideKind"));
     kind_->setAccessibleName(GuidePanel::tr("Kind of guide"));
-    kind_->setToolTip(GuidePanel::tr("What the next guide shall be"));
+    kind_->setToolTip(GuidePanel::tr("Kind of guide to add"));
     for (const GuideKind kind : offered) kind_->addItem(guideName(kind));
     add_ = makeButton(GuidePanel::tr("Add"), QStringLiteral("add"), QStringLiteral("addGuideButton"), panel_);
     connect(kind_, &QComboBox::currentIndexChanged, this, [this] { refreshAdd(); });
@@ -107,12 +108,12 @@ void GuidePanel::Fields::rebuildCards() {
 
 void GuidePanel::Fields::refreshAdd() {
     const bool edge = wanted() == GuideKind::curve;
-    const QString reason = state.full             ? GuidePanel::tr("There are as many guides as can be.")
+    const QString reason = state.full             ? GuidePanel::tr("No more guides can be added. Delete one first.")
                            : edge && !state.edges ? GuidePanel::tr("This part is a mesh, which has no edges to follow.")
                                                   : QString();
     enableUnless(add_, reason,
                  edge ? GuidePanel::tr("A guide along the edge of the part that is nearest to the tool")
-                      : GuidePanel::tr("One more guide; of those that contradict, the upper one holds"));
+                      : GuidePanel::tr("Adds a guide. If guides contradict each other, the upper one applies"));
 }
 
 void GuidePanel::Fields::refresh() {
@@ -129,7 +130,7 @@ void GuidePanel::Fields::refresh() {
     none_->setVisible(state.guides.empty());
     refreshAdd();
     const QString noLevel = !steps        ? GuidePanel::tr("No guide has levels or passes.")
-                            : !state.live ? GuidePanel::tr("Take the tool in hand first.")
+                            : !state.live ? GuidePanel::tr("Press Mill first.")
                                           : QString();
     enableUnless(above_, noLevel, GuidePanel::tr("The guide takes the next level above, or ends the pass"));
     enableUnless(below_, noLevel, GuidePanel::tr("The guide takes the next level below, or ends the pass"));

@@ -67,7 +67,7 @@ HandPanel::Fields::Fields(HandPanel* panel) : QObject(panel), panel_(panel), col
     battery_->setObjectName(QStringLiteral("batteryRow"));
     heat_ = new ValueRow(HandPanel::tr("Heat of the motors"), panel);
     heat_->setObjectName(QStringLiteral("heatRow"));
-    heat_->setToolTip(HandPanel::tr("Of what they bear, as the device tells it"));
+    heat_->setToolTip(HandPanel::tr("Share of the motors' limit, as the device reports it"));
     column_->addWidget(battery_);
     column_->addWidget(heat_);
     mouse_ = new Notice(panel);
@@ -80,8 +80,8 @@ void HandPanel::Fields::addMovement() {
     scale_ = new QuantityField(Quantity::ratio, panel_);
     scale_->setObjectName(QStringLiteral("workspaceScaleField"));
     scale_->limit(smallestScale, largestScale);
-    column_->addWidget(new FieldRow(HandPanel::tr("Scale"), scale_,
-                                    HandPanel::tr("How far the tool goes for the hand's way"), panel_));
+    column_->addWidget(
+        new FieldRow(HandPanel::tr("Scale"), scale_, HandPanel::tr("Tool movement divided by hand movement"), panel_));
     connect(scale_, &QuantityField::valueEdited, panel_, &HandPanel::scaleEdited);
     clutch_ = makeButton(HandPanel::tr("Clutch"), {}, QStringLiteral("clutchButton"), panel_);
     clutch_->setCheckable(true);
@@ -107,10 +107,10 @@ void HandPanel::Fields::addControl() {
     auto* row = new QHBoxLayout(control_);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    place_ = makeChoiceButton(HandPanel::tr("By place"), HandPanel::tr("The tool is where the hand is"),
+    place_ = makeChoiceButton(HandPanel::tr("By position"), HandPanel::tr("The tool follows the position of the hand"),
                               QStringLiteral("placeControlButton"), control_);
     speed_ = makeChoiceButton(HandPanel::tr("By speed"),
-                              HandPanel::tr("The farther the stylus leaves its middle, the faster the tool goes"),
+                              HandPanel::tr("The farther the stylus is from its centre, the faster the tool moves"),
                               QStringLiteral("rateControlButton"), control_);
     row->addWidget(place_, 1);
     row->addWidget(speed_, 1);
@@ -152,9 +152,9 @@ void HandPanel::Fields::refreshMovement(const QString& noDevice) {
     clutch_->setChecked(state.clutched);
     enableUnless(clutch_, noDevice, HandPanel::tr("The hand moves, the tool stays"));
     enableUnless(align_, noDevice,
-                 HandPanel::tr("What goes to the right of the picture follows a hand that goes to the right"));
+                 HandPanel::tr("A hand movement to the right moves the tool to the right in the view"));
     enableUnless(recentre_, noDevice,
-                 HandPanel::tr("As the hand works on, it comes back to the middle of the device's reach"));
+                 HandPanel::tr("Brings the hand back to the centre of the device's workspace while you work"));
 }
 
 void HandPanel::Fields::refreshControl() {
@@ -185,9 +185,9 @@ void HandPanel::Fields::refreshHealth() {
 
 void HandPanel::Fields::refresh() {
     const QString noDevice =
-        state.hasDevice ? QString()
-                        : HandPanel::tr("The mouse points at the bench itself. With a device in hand, its movements "
-                                        "are scaled here.");
+        state.hasDevice
+            ? QString()
+            : HandPanel::tr("The mouse points into the view directly. The movements of a device are scaled here.");
     refreshMovement(noDevice);
     refreshControl();
     refreshButtons();

@@ -55,35 +55,35 @@ void KeyLines::setKeyWidth(int pixels) {
 
 std::vector<KeyLine> HandKeys::inMillMode() {
     return {
-        {tr("Move"), tr("The tool floats over the workpiece.")},
+        {tr("Move"), tr("Moves the tool above the workpiece.")},
         {tr("Left drag"), tr("Cuts a stroke, or draws the rectangle of a raster.")},
         {tr("Shift and click"), tr("Cuts a straight line from the end of the last stroke.")},
         {tr("X, Y"), tr("Locks strokes to X or to Y; again to unlock.")},
         {tr("D"), tr("Locks strokes to their direction; again to unlock.")},
         {tr("Wheel"), tr("Raises and lowers the tool.")},
         {tr("Shift"), tr("Fine motion of a stroke and of the wheel.")},
-        {tr("Right drag"), tr("Turns the view.")},
+        {tr("Right drag"), tr("Rotates the view.")},
         {tr("Arrows"), tr("Move the tool by a voxel.")},
         {tr("Page up, down"), tr("Raise and lower the tool.")},
-        {tr("Space"), tr("Holds the spindle on.")},
+        {tr("Space"), tr("Keeps the spindle on.")},
         {tr("Esc"), tr("Ends the stroke, then stops milling.")},
     };
 }
 
 std::vector<KeyLine> HandKeys::onThePath() {
     return {
-        {tr("Click"), tr("Chooses a place of the path, or a move of the program.")},
-        {tr("Shift and click"), tr("Chooses all from the place chosen before to this one.")},
-        {tr("Left drag"), tr("Moves the place; while something is drawn, draws it.")},
-        {tr("Esc"), tr("Gives up what is under way, else what is chosen.")},
+        {tr("Click"), tr("Selects a point of the path, or a move of the program.")},
+        {tr("Shift and click"), tr("Selects everything from the last selected point to this one.")},
+        {tr("Left drag"), tr("Moves the point; while something is drawn, draws it.")},
+        {tr("Esc"), tr("Cancels the current action, else clears the selection.")},
     };
 }
 
 std::vector<KeyLine> HandKeys::ofTheView() {
     return {
-        {tr("Right or middle drag"), tr("Turns the view about the place under the pointer.")},
-        {tr("Shift and middle drag"), tr("Shifts the view; so does a drag with both buttons.")},
-        {tr("Wheel"), tr("Brings the place under the pointer nearer.")},
+        {tr("Right or middle drag"), tr("Rotates the view about the point under the pointer.")},
+        {tr("Shift and middle drag"), tr("Pans the view; so does a drag with both buttons.")},
+        {tr("Wheel"), tr("Zooms in on the point under the pointer.")},
         {tr("Click on the cube"), tr("Looks at that side.")},
     };
 }

@@ -26,8 +26,8 @@ constexpr double shortestPause = 1e-3; // s between two motions
 LoadChart::LoadChart(QWidget* parent) : QWidget(parent) {
     setFixedHeight(chartHeight);
     setCursor(Qt::PointingHandCursor);
-    setToolTip(tr("Cutting force over the machining time without tool changes, which are dotted lines; click for the "
-                  "line that is cut then"));
+    setToolTip(tr("Cutting force over the machining time without tool changes, which are dotted lines; click to go to "
+                  "the line that is cut at that time"));
     setAccessibleName(tr("Cutting force over the machining time"));
 }
 

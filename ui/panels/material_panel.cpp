@@ -62,13 +62,13 @@ MaterialPanel::Fields::Fields(MaterialPanel* panel) : QObject(panel), panel_(pan
     column_->addWidget(figuresTitle_);
     values_ = new RowList(panel);
     values_->setObjectName(QStringLiteral("materialValues"));
-    values_->setAccessibleName(MaterialPanel::tr("Figures of the material"));
+    values_->setAccessibleName(MaterialPanel::tr("Values of the material"));
     values_->setMaximumRows(8);
     column_->addWidget(values_);
     estimate_ = new Notice(panel);
     estimate_->setObjectName(QStringLiteral("estimateNotice"));
     column_->addWidget(estimate_);
-    column_->addWidget(makeSectionTitle(MaterialPanel::tr("Source of the chosen figure"), panel));
+    column_->addWidget(makeSectionTitle(MaterialPanel::tr("Source of the selected value"), panel));
     source_ = makeWrappedLabel(panel);
     source_->setObjectName(QStringLiteral("valueSource"));
     source_->setProperty("look", "quiet");
@@ -134,16 +134,16 @@ void MaterialPanel::Fields::refreshChoices() {
     setEnabledKeepingFocus(bodyMaterial_, !state.locked && !bodies.isEmpty());
     setEnabledKeepingFocus(body_, !bodies.isEmpty());
     locked_->tell(Notice::Kind::information,
-                  state.locked ? MaterialPanel::tr("There are recordings: stock and material stay as they are.")
-                               : MaterialPanel::tr(
-                                     "Until the first recording the material can be changed; the workpiece stays."));
+                  state.locked
+                      ? MaterialPanel::tr("Stock and material can't be changed once there are takes.")
+                      : MaterialPanel::tr("The material can be changed until the first take; the workpiece is kept."));
 }
 
 void MaterialPanel::Fields::refreshValues() {
     const std::string ofBody = bodyMaterial();
     const Property* shown = material(showsBody_ && !ofBody.empty() ? ofBody : state.stockMaterial);
-    figuresTitle_->setText(shown != nullptr ? MaterialPanel::tr("Figures of %1").arg(materialName(*shown)).toUpper()
-                                            : MaterialPanel::tr("Figures").toUpper());
+    figuresTitle_->setText(shown != nullptr ? MaterialPanel::tr("Values of %1").arg(materialName(*shown)).toUpper()
+                                            : MaterialPanel::tr("Values").toUpper());
     std::vector<ListRow> rows;
     int estimates = 0;
     if (shown != nullptr) {
@@ -164,10 +164,10 @@ void MaterialPanel::Fields::refreshValues() {
         Notice::Kind::warning,
         estimates == 0 ? QString()
         : estimates == 1
-            ? MaterialPanel::tr("1 figure is an estimate: calibrate it before you trust what depends on it.")
-            : MaterialPanel::tr("%n figures are estimates: calibrate them before you trust what depends on "
-                                "them.",
-                                nullptr, estimates));
+            ? MaterialPanel::tr("1 value is an estimate: calibrate it before you rely on results that depend on it.")
+            : MaterialPanel::tr(
+                  "%n values are estimates: calibrate them before you rely on results that depend on them.", nullptr,
+                  estimates));
     showSource(values_->currentRow());
 }
 

@@ -58,7 +58,7 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     column_->setSpacing(4);
     addTitle();
     force_ = addRow(Meters::tr("Force"), "forceMeter",
-                    Meters::tr("Cutting force, not scaled; beside it the highest so far"));
+                    Meters::tr("Cutting force, not scaled; next to it the highest so far"));
     forceBar_ = addBar(&Palette::force);
     removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed per second"));
     removalBar_ = addBar(&Palette::accent);
@@ -74,7 +74,7 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     scheduling_ = addRow(Meters::tr("Priority"), "schedulingMeter",
                          Meters::tr("What the system grants the haptic loop; the limits in force (rtprio) or "
                                     "RealtimeKit give real time"));
-    stylus_ = addRow(Meters::tr("Stylus"), "stylusName", Meters::tr("What leads the tool"));
+    stylus_ = addRow(Meters::tr("Stylus"), "stylusName", Meters::tr("Stylus that moves the tool"));
     fold(true);
 }
 

@@ -98,7 +98,7 @@ void MillPanel::Fields::addButtons() {
     mill_->setFont(numberFont(mill_->font()));
     undo_ = makeButton(MillPanel::tr("Undo"), QStringLiteral("undo"), QStringLiteral("undoStrokeButton"), panel_);
     redo_ = makeButton(MillPanel::tr("Redo"), QStringLiteral("redo"), QStringLiteral("redoStrokeButton"), panel_);
-    redo_->setToolTip(MillPanel::tr("Put the stroke back that was taken back last"));
+    redo_->setToolTip(MillPanel::tr("Redo the stroke that was undone last"));
     auto* second = new QHBoxLayout;
     second->setSpacing(8);
     second->addWidget(undo_, 1);
@@ -117,14 +117,14 @@ void MillPanel::Fields::addButtons() {
 void MillPanel::Fields::addStylus() {
     stylus_ = new ChoiceBox(panel_);
     stylus_->setObjectName(QStringLiteral("stylusChoice"));
-    column_->addWidget(new FieldRow(MillPanel::tr("Stylus"), stylus_, MillPanel::tr("What leads the tool"), panel_,
-                                    FieldRow::choiceWidth));
+    column_->addWidget(new FieldRow(MillPanel::tr("Stylus"), stylus_, MillPanel::tr("Stylus that moves the tool"),
+                                    panel_, FieldRow::choiceWidth));
     connect(stylus_, &QComboBox::activated, panel_, &MillPanel::stylusChosen);
 }
 
 void MillPanel::Fields::addDepth() {
     level_ = makeChoiceButton(MillPanel::tr("Level"),
-                              MillPanel::tr("A stroke stays at the height of its first place, less the depth of cut"),
+                              MillPanel::tr("A stroke stays at the height of its first point, less the depth of cut"),
                               QStringLiteral("levelButton"), panel_);
     part_ = makeChoiceButton(MillPanel::tr("Along the part"),
                              MillPanel::tr("A stroke presses onto the part, whose push-back leads the tool along it"),
@@ -137,8 +137,8 @@ void MillPanel::Fields::addDepth() {
     connect(level_, &QPushButton::clicked, this, [this] { chooseRule(DepthChoice::level); });
     connect(part_, &QPushButton::clicked, this, [this] { chooseRule(DepthChoice::part); });
     depthOfCut_ = addField(new LengthField(panel_), MillPanel::tr("Depth of cut"),
-                           MillPanel::tr("How deep the tip goes below what is under the pointer"), "depthOfCutField",
-                           0.0, 100.0, &MillPanel::depthOfCutEdited);
+                           MillPanel::tr("How deep the tip goes below the surface under the pointer"),
+                           "depthOfCutField", 0.0, 100.0, &MillPanel::depthOfCutEdited);
     press_ = addField(new LengthField(panel_), MillPanel::tr("Press"),
                       MillPanel::tr("How far the hand goes into the part, against its push-back"), "pressField", 0.0,
                       20.0, &MillPanel::pressEdited);
@@ -224,16 +224,14 @@ void MillPanel::Fields::chooseRaster(bool on) {
 QString MillPanel::Fields::reasonAgainstUndo() const {
     if (state.cutting) return MillPanel::tr("A stroke is being cut. Wait until it ends, or press Esc to end it.");
     if (state.canUndoStroke) return {};
-    if (state.takes.empty() || state.recording || state.showing)
-        return MillPanel::tr("There is no stroke to take back.");
-    return MillPanel::tr("Strokes from before the project was opened can't be taken back; remove their take instead.");
+    if (state.takes.empty() || state.recording || state.showing) return MillPanel::tr("There is no stroke to undo.");
+    return MillPanel::tr("Strokes from before the project was opened can't be undone; delete their take instead.");
 }
 
 QString MillPanel::Fields::undoText() const {
-    return state.undoableStrokes == 1
-               ? MillPanel::tr("Take the newest stroke back; no other one can be taken back")
-               : MillPanel::tr("Take the newest stroke back; the last %n strokes can be taken back", nullptr,
-                               static_cast<int>(state.undoableStrokes));
+    return state.undoableStrokes == 1 ? MillPanel::tr("Undo the last stroke; no other one can be undone")
+                                      : MillPanel::tr("Undo the last stroke; the last %n strokes can be undone",
+                                                      nullptr, static_cast<int>(state.undoableStrokes));
 }
 
 void MillPanel::Fields::refreshButtons() {
@@ -256,7 +254,7 @@ void MillPanel::Fields::refreshButtons() {
                  state.showing     ? QString()
                  : state.recording ? MillPanel::tr("Stop the recording first.")
                                    : reason,
-                 state.showing ? MillPanel::tr("End what the virtual operator does")
+                 state.showing ? MillPanel::tr("Stop the virtual operator")
                                : MillPanel::tr("The virtual operator mills the part before your eyes"));
     show_->setText(state.showing ? MillPanel::tr("Stop showing") : MillPanel::tr("Show me"));
     missing_->tell(Notice::Kind::information, reason);

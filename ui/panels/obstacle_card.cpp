@@ -59,9 +59,9 @@ ObstacleCard::ObstacleCard(std::size_t place, const Obstacle& obstacle, QWidget*
     inner->setSpacing(4);
     column->addWidget(figures_);
     addShape();
-    addRow(tr("Margin"), tr("How far every point of the tool keeps from it"),
+    addRow(tr("Clearance"), tr("Distance that every point of the tool keeps from it"),
            addField(
-               QStringLiteral("Margin"), tr("Margin"), -1, [](const Obstacle& of) { return of.margin; },
+               QStringLiteral("Margin"), tr("Clearance"), -1, [](const Obstacle& of) { return of.margin; },
                [](Obstacle& of, double value) { of.margin = value; }));
     fields_.back().field->limit(0.0, widestMargin);
     setUnit(LengthUnit::millimetre);
@@ -70,7 +70,7 @@ ObstacleCard::ObstacleCard(std::size_t place, const Obstacle& obstacle, QWidget*
 void ObstacleCard::addHead() {
     switch_ = new NamedSwitch(name_, tr("Whether it keeps the tool out"), this);
     connect(switch_, &NamedSwitch::switched, this, &ObstacleCard::switched);
-    remove_ = makeIconButton(QStringLiteral("remove"), tr("Remove it"), name_ + QStringLiteral("Remove"), this);
+    remove_ = makeIconButton(QStringLiteral("remove"), tr("Delete it"), name_ + QStringLiteral("Remove"), this);
     connect(remove_, &QToolButton::clicked, this, &ObstacleCard::removalRequested);
     auto* head = new QHBoxLayout;
     head->addWidget(switch_, 1);
@@ -148,7 +148,7 @@ void ObstacleCard::addShape() {
             });
     } else if (std::holds_alternative<CylinderShape>(obstacle_.shape)) {
         addTriple(
-            QStringLiteral("Place"), tr("Foot"), tr("The middle of its lower face, from program zero"), true,
+            QStringLiteral("Place"), tr("Base"), tr("The middle of its lower face, from program zero"), true,
             [](int axis) -> Get { return [axis](const Obstacle& of) { return cylinderOf(of).base[axis]; }; },
             [](int axis) -> Set { return [axis](Obstacle& of, double value) { cylinderOf(of).base[axis] = value; }; });
         addRow(tr("Diameter"), tr("Of the cylinder"),
@@ -165,7 +165,7 @@ void ObstacleCard::addShape() {
     } else {
         QLabel* count = makeWrappedLabel(figures_);
         count->setProperty("look", "small");
-        setWrappedText(count, tr("As it lies in its file, %1 triangles")
+        setWrappedText(count, tr("As in its file, %1 triangles")
                                   .arg(countText(std::get<TriangleMesh>(obstacle_.shape).triangles.size())));
         figures_->layout()->addWidget(count);
     }
@@ -181,7 +181,7 @@ void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool 
         field.field->showValue(field.axis < 0 ? value : value - zero[field.axis]);
     }
     setEnabledKeepingFocus(figures_, !locked);
-    enableUnless(remove_, locked ? tr("Stop the recording first.") : QString(), tr("Remove it"));
+    enableUnless(remove_, locked ? tr("Stop the recording first.") : QString(), tr("Delete it"));
 }
 
 void ObstacleCard::setUnit(LengthUnit unit) {

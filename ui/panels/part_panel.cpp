@@ -106,8 +106,8 @@ void PartPanel::Fields::makeStlUnit(PartPanel* panel) {
     stlUnit_->setObjectName(QStringLiteral("stlUnit"));
     for (const auto& [millimetres, name] : stlUnits) stlUnit_->addItem(PartPanel::tr(name), millimetres);
     stlUnitRow_ = new FieldRow(PartPanel::tr("Unit of the file"), stlUnit_,
-                               PartPanel::tr("An STL file states no unit. Another one reads the file again."), content_,
-                               FieldRow::choiceWidth);
+                               PartPanel::tr("An STL file states no unit. Choosing another one reads the file again."),
+                               content_, FieldRow::choiceWidth);
     connect(stlUnit_, &QComboBox::activated, panel, [this, panel](int index) {
         const double millimetres = stlUnit_->itemData(index).toDouble();
         if (!state.model || millimetres == state.model->unitScale) return;

@@ -84,9 +84,10 @@ PathPanel::Fields::Fields(PathPanel* panel)
         (*row)->setObjectName(QLatin1String(name));
         inner->addWidget(*row);
     }
-    sides_->setToolTip(PathPanel::tr("With a spindle that turns clockwise; conventional cuts are pink in the view. "
-                                     "The rest cuts on both sides, or from above. Reverse turns strokes round"));
-    budget_->setToolTip(PathPanel::tr("The path is at most this far from what the hand did"));
+    sides_->setToolTip(
+        PathPanel::tr("With a spindle that turns clockwise; conventional cuts are pink in the view. Other moves cut on "
+                      "both sides, or from above. Reverse changes the direction of strokes"));
+    budget_->setToolTip(PathPanel::tr("Largest deviation of the path from the recording"));
     selection_ = new SelectionCard(content_);
     connect(selection_, &SelectionCard::dragChosen, panel, &PathPanel::dragChosen);
     connect(selection_, &SelectionCard::drawingWanted, panel, &PathPanel::drawingWanted);
@@ -132,7 +133,7 @@ void PathPanel::Fields::addToolChoice() {
     tool_ = new ChoiceBox(panel_);
     tool_->setObjectName(QStringLiteral("pathTool"));
     const QString toolTip =
-        PathPanel::tr("Takes up the tool whose path is shown and edited, one of those that have milled");
+        PathPanel::tr("Loads the tool whose path is shown and edited, one of those that have milled");
     column_->addWidget(new FieldRow(PathPanel::tr("Tool"), tool_, toolTip, panel_, FieldRow::choiceWidth));
     connect(tool_, &ChoiceBox::activated, this,
             [this] { emit panel_->toolChosen(tool_->currentData().toString().toStdString()); });
@@ -163,7 +164,7 @@ void PathPanel::Fields::refreshButtons() {
                  : wanted        ? QString()
                                  : PathPanel::tr("The path is up to date."),
                  PathPanel::tr("Apply the edits again"));
-    enableUnless(add_, busy, PathPanel::tr("Apply one more edit; it comes where the order allows it"));
+    enableUnless(add_, busy, PathPanel::tr("Adds an edit, at the position that the order of edits allows"));
     setEnabledKeepingFocus(eye_, state.exists);
 }
 
@@ -188,8 +189,8 @@ void PathPanel::Fields::tell() {
         notice_->tell(Notice::Kind::warning, PathPanel::tr("Takes or edits changed: update the path."));
     else if (!state.missingBefore.isEmpty())
         notice_->tell(Notice::Kind::warning,
-                      PathPanel::tr("The path of %1, which is milled before, can't be made. Here its stock counts as "
-                                    "standing; take up that tool to see why.")
+                      PathPanel::tr("The path of %1, which is milled before, can't be made. Its stock counts as not "
+                                    "removed here; load that tool to see why.")
                           .arg(state.missingBefore));
     else
         notice_->clear();
@@ -261,7 +262,7 @@ QMenu* PathPanel::Fields::editMenu() {
         QString title;
     };
     const std::array groups{Group{EditGroup::strokes, PathPanel::tr("Strokes")},
-                            Group{EditGroup::arrangement, PathPanel::tr("Order and place")},
+                            Group{EditGroup::arrangement, PathPanel::tr("Order and position")},
                             Group{EditGroup::places, PathPanel::tr("Drawn by hand")},
                             Group{EditGroup::smoothing, PathPanel::tr("Smoother, fewer moves")},
                             Group{EditGroup::surface, PathPanel::tr("Against the part")},

@@ -94,7 +94,7 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     tolerance_->setObjectName(QStringLiteral("gougeToleranceField"));
     tolerance_->limit(smallestTolerance, largestTolerance);
     column_->addWidget(new FieldRow(ProgramPanel::tr("Gouge tolerance"), tolerance_,
-                                    ProgramPanel::tr("A cut into the part up to this deep is let through"), panel));
+                                    ProgramPanel::tr("Deepest gouge that passes the check"), panel));
     notice_ = new Notice(panel);
     notice_->setObjectName(QStringLiteral("programNotice"));
     column_->addWidget(notice_);
@@ -139,12 +139,12 @@ void ProgramPanel::Fields::addTarget() {
     machine_ = new ChoiceBox(panel_);
     machine_->setObjectName(QStringLiteral("machineChoice"));
     column_->addWidget(new FieldRow(ProgramPanel::tr("Machine"), machine_,
-                                    ProgramPanel::tr("Its feeds, speeds and travel bound the program"), panel_,
+                                    ProgramPanel::tr("Its feeds, speeds and travel limit the program"), panel_,
                                     FieldRow::wholeWidth));
     dialect_ = new ChoiceBox(panel_);
     dialect_->setObjectName(QStringLiteral("dialectChoice"));
     column_->addWidget(new FieldRow(ProgramPanel::tr("Dialect"), dialect_,
-                                    ProgramPanel::tr("What the machine's control reads"), panel_,
+                                    ProgramPanel::tr("NC dialect that the machine's control reads"), panel_,
                                     FieldRow::choiceWidth));
     units_ = new ChoiceBox(panel_);
     units_->setObjectName(QStringLiteral("programUnits"));
@@ -176,9 +176,8 @@ void ProgramPanel::Fields::addPaths() {
 void ProgramPanel::Fields::refreshPaths() {
     while (pathSwitches_.size() < state.paths.size()) {
         const std::size_t place = pathSwitches_.size();
-        auto* path =
-            new NamedSwitch(QStringLiteral("programPath%1").arg(place),
-                            ProgramPanel::tr("What was milled with this tool belongs into the program"), paths_);
+        auto* path = new NamedSwitch(QStringLiteral("programPath%1").arg(place),
+                                     ProgramPanel::tr("Whether the program contains the path of this tool"), paths_);
         connect(path, &NamedSwitch::switched, this,
                 [this, place](bool on) { emit panel_->pathIncluded(state.paths[place].id, on); });
         paths_->layout()->addWidget(path);
@@ -194,7 +193,9 @@ void ProgramPanel::Fields::refreshPaths() {
     else
         withoutPath_->tell(
             Notice::Kind::warning,
-            ProgramPanel::tr("What was milled with %1 has no path and is not in the program.").arg(state.withoutPath));
+            ProgramPanel::tr(
+                "The takes of %1 have no path and are not in the program. Make a new path to include them.")
+                .arg(state.withoutPath));
 }
 
 QString ProgramPanel::Fields::reasonAgainstPosting() const {
@@ -270,8 +271,9 @@ void ProgramPanel::Fields::refreshVerdict() {
                        ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")
                            .arg(lengthText(state.report->gougeMax, unit_), lengthText(state.judgedTolerance, unit_)));
     else if (state.released)
-        verdict_->tell(Notice::Kind::warning, failure() + QLatin1Char(' ') +
-                                                  ProgramPanel::tr("Its header says why it is wanted all the same."));
+        verdict_->tell(Notice::Kind::warning,
+                       failure() + QLatin1Char(' ') +
+                           ProgramPanel::tr("The reason for exporting it is stated in its header."));
     else
         verdict_->tell(Notice::Kind::error, failure());
     override_->setVisible(state.report && !state.released && !state.outdated && !state.busy);
@@ -282,7 +284,7 @@ void ProgramPanel::Fields::refreshFigures() {
     if (!state.report) return;
     const VerifyReport& report = *state.report;
     gouge_->setValue(lengthText(report.gougeMax, unit_));
-    gouge_->setToolTip(report.exactSamples > 0 ? ProgramPanel::tr("Judged on the exact surfaces at the worst places")
+    gouge_->setToolTip(report.exactSamples > 0 ? ProgramPanel::tr("Judged on the exact surfaces at the worst points")
                                                : ProgramPanel::tr("Judged on the fine mesh"));
     // What is longer was not measured.
     const QString atLeast = report.excessMax < longestExcess ? QString() : QStringLiteral("≥ ");

@@ -25,17 +25,17 @@ ProgramText::ProgramText(QWidget* parent)
     , wanted_(new QLineEdit(this))
     , edit_(
           makeIconButton(QStringLiteral("edit"), tr("Edit the program's text"), QStringLiteral("editTextButton"), this))
-    , previous_(makeIconButton(QStringLiteral("previous"), tr("Previous place (Shift+Enter)"),
+    , previous_(makeIconButton(QStringLiteral("previous"), tr("Previous match (Shift+Enter)"),
                                QStringLiteral("searchPreviousButton"), this))
-    , next_(makeIconButton(QStringLiteral("next"), tr("Next place (Enter)"), QStringLiteral("searchNextButton"), this))
+    , next_(makeIconButton(QStringLiteral("next"), tr("Next match (Enter)"), QStringLiteral("searchNextButton"), this))
     , found_(new QLabel(this))
     , state_(makeWrappedLabel(this))
     , view_(new ProgramView(this)) {
     wanted_->setObjectName(QStringLiteral("programSearch"));
     wanted_->setPlaceholderText(tr("Find in the program"));
     wanted_->setAccessibleName(wanted_->placeholderText());
-    wanted_->setToolTip(tr("Text to find, upper or lower case; Enter goes to the next place, Shift+Enter to the one "
-                           "before"));
+    wanted_->setToolTip(
+        tr("Text to find, upper or lower case; Enter goes to the next match, Shift+Enter to the previous one"));
     wanted_->setClearButtonEnabled(true);
     found_->setObjectName(QStringLiteral("searchFound"));
     found_->setProperty("look", "small");
@@ -165,7 +165,7 @@ void ProgramText::told() {
     const bool wanted = !wanted_->text().isEmpty();
     const auto count = view_->occurrences(wanted_->text());
     found_->setText(!wanted ? QString() : count == 0 ? tr("none") : QLocale().toString(count));
-    found_->setToolTip(tr("Places where the text stands"));
+    found_->setToolTip(tr("Number of matches"));
     setEnabledKeepingFocus(previous_, count > 0);
     setEnabledKeepingFocus(next_, count > 0);
 }

@@ -17,7 +17,7 @@ namespace burin {
 SelectionCard::SelectionCard(QWidget* parent)
     : QFrame(parent)
     , chosen_(new ElidedLabel({}, this))
-    , clear_(makeIconButton(QStringLiteral("cancel"), tr("Choose nothing (Esc in the view)"),
+    , clear_(makeIconButton(QStringLiteral("cancel"), tr("Clear the selection (Esc in the view)"),
                             QStringLiteral("clearSelectionButton"), this))
     , drag_(new ChoiceBox(this))
     , draw_(makeButton(tr("Draw instead"), QStringLiteral("path"), QStringLiteral("drawStretchButton"), this)) {
@@ -26,7 +26,8 @@ SelectionCard::SelectionCard(QWidget* parent)
     column->setContentsMargins(10, 6, 8, 8);
     column->setSpacing(4);
     chosen_->setObjectName(QStringLiteral("pathSelection"));
-    chosen_->setToolTip(tr("Click a place of the path in the view; with Shift, everything up to there"));
+    chosen_->setToolTip(
+        tr("Click a point of the path in the view to select it; Shift+click selects everything up to it"));
     auto* head = new QHBoxLayout;
     head->addWidget(chosen_, 1);
     head->addWidget(clear_);
@@ -34,7 +35,7 @@ SelectionCard::SelectionCard(QWidget* parent)
     drag_->setObjectName(QStringLiteral("dragChoice"));
     drag_->addItems({tr("on its level"), QStringLiteral("X"), QStringLiteral("Y"), tr("Z, the tool's axis"),
                      tr("the part's surface")});
-    column->addWidget(new FieldRow(tr("Drag along"), drag_, tr("Where a place of the path goes that is dragged"), this,
+    column->addWidget(new FieldRow(tr("Drag along"), drag_, tr("How a dragged point of the path moves"), this,
                                    FieldRow::choiceWidth));
     draw_->setCheckable(true);
     draw_->setProperty("look", "choice");
@@ -45,17 +46,17 @@ SelectionCard::SelectionCard(QWidget* parent)
 }
 
 void SelectionCard::setState(const PathState& state) {
-    QString chosen = state.selection ? tr("Chosen: %1").arg(stretchText(state.takes, *state.selection))
+    QString chosen = state.selection ? tr("Selected: %1").arg(stretchText(state.takes, *state.selection))
                                      : tr("No part of the path is selected");
     if (state.selectedSide == MillingSide::climb) chosen += QStringLiteral(" · ") + tr("climb");
     if (state.selectedSide == MillingSide::conventional) chosen += QStringLiteral(" · ") + tr("conventional");
-    if (state.drawing) chosen = tr("Draw it in the view; Esc gives it up");
+    if (state.drawing) chosen = tr("Draw it in the view; Esc cancels");
     chosen_->setText(chosen);
     setEnabledKeepingFocus(clear_, state.selection.has_value());
     drag_->setCurrentIndex(static_cast<int>(state.drag));
     draw_->setChecked(state.drawing);
-    enableUnless(draw_, state.selection ? QString() : tr("Choose a stretch of the path in the view first."),
-                 tr("Draw a stroke in the view that replaces what is chosen, on its height"));
+    enableUnless(draw_, state.selection ? QString() : tr("Select part of the path in the view first."),
+                 tr("Draw a stroke in the view that replaces the selected part of the path, at its height"));
 }
 
 } // namespace burin

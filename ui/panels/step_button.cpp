@@ -42,7 +42,7 @@ QString wordOf(StepProgress progress) {
     case StepProgress::current:
         return StepButton::tr("under way");
     case StepProgress::objected:
-        return StepButton::tr("objected to");
+        return StepButton::tr("has a problem");
     case StepProgress::done:
         return StepButton::tr("done");
     }

@@ -137,7 +137,7 @@ QString StockPanel::Fields::voxelText() const {
 QString StockPanel::Fields::reasonAgainstEmbedding() const {
     if (!state.hasPart) return StockPanel::tr("Import a part first.");
     if (state.busy) return StockPanel::tr("Work is under way.");
-    if (state.locked) return StockPanel::tr("There are recordings: stock and material stay as they are.");
+    if (state.locked) return StockPanel::tr("Stock and material can't be changed once there are takes.");
     if (!state.problem.isEmpty()) return state.problem;
     if (state.embedded) return StockPanel::tr("The workpiece matches these settings.");
     return {};
@@ -158,7 +158,7 @@ void StockPanel::Fields::refreshNotices() {
         notice_->tell(Notice::Kind::information, StockPanel::tr("Import a part first."));
     else if (state.locked)
         notice_->tell(Notice::Kind::information,
-                      StockPanel::tr("There are recordings: stock and material stay as they are."));
+                      StockPanel::tr("Stock and material can't be changed once there are takes."));
     else if (state.embedded)
         notice_->tell(Notice::Kind::passed,
                       StockPanel::tr("The workpiece matches these settings; after a change of stock or voxels "
@@ -193,7 +193,8 @@ void StockPanel::Fields::refresh() {
     setWrappedText(voxels_, voxelText());
     voxels_->setVisible(state.size.has_value());
     embed_->setText(state.embedded ? StockPanel::tr("Embedded") : StockPanel::tr("Embed the part"));
-    enableUnless(embed_, reasonAgainstEmbedding(), StockPanel::tr("Fill a workpiece with stock and part"));
+    enableUnless(embed_, reasonAgainstEmbedding(),
+                 StockPanel::tr("Embed the part in its stock; this makes the workpiece"));
     refreshNotices();
 }
 

@@ -65,8 +65,8 @@ SurroundingsPanel::Fields::Fields(SurroundingsPanel* panel)
     addAddition();
     none_ = makeWrappedLabel(panel);
     none_->setProperty("look", "quiet");
-    setWrappedText(none_, SurroundingsPanel::tr("Nothing stands around the stock. The tool keeps out of what is added "
-                                                "here, and the hand feels it."));
+    setWrappedText(none_, SurroundingsPanel::tr("There is no fixture yet. The tool keeps clear of fixtures and "
+                                                "keep-out volumes, and the hand feels them."));
     column_->addWidget(none_);
     list_ = new QVBoxLayout;
     list_->setSpacing(8);
@@ -83,7 +83,7 @@ void SurroundingsPanel::Fields::addAddition() {
     addition_ = new ChoiceBox(panel_);
     addition_->setObjectName(QStringLiteral("obstacleAddition"));
     addition_->setAccessibleName(SurroundingsPanel::tr("What to add"));
-    addition_->setToolTip(SurroundingsPanel::tr("What shall stand around the stock"));
+    addition_->setToolTip(SurroundingsPanel::tr("Kind of fixture or keep-out volume to add"));
     addition_->addItems({SurroundingsPanel::tr("Fixture: box"), SurroundingsPanel::tr("Fixture: cylinder"),
                          SurroundingsPanel::tr("Fixture from a file…"), SurroundingsPanel::tr("Keep out: box"),
                          SurroundingsPanel::tr("Keep out: cylinder")}); // in the order of Addition
@@ -98,13 +98,13 @@ void SurroundingsPanel::Fields::addAddition() {
 }
 
 void SurroundingsPanel::Fields::addAxis() {
-    column_->addWidget(makeSectionTitle(SurroundingsPanel::tr("Axis of the tool"), panel_));
+    column_->addWidget(makeSectionTitle(SurroundingsPanel::tr("Tool axis"), panel_));
     axis_ = new ChoiceBox(panel_);
     axis_->setObjectName(QStringLiteral("axisChoice"));
     axis_->addItems({SurroundingsPanel::tr("fixed, Z"), SurroundingsPanel::tr("chosen, 3+2"),
                      SurroundingsPanel::tr("free, with the hand")}); // in the order of AxisChoice
     column_->addWidget(new FieldRow(SurroundingsPanel::tr("Axis"), axis_,
-                                    SurroundingsPanel::tr("Whether the tool stands, and how"), panel_,
+                                    SurroundingsPanel::tr("Whether the tool axis is fixed, chosen or free"), panel_,
                                     FieldRow::choiceWidth));
     connect(axis_, &QComboBox::activated, this, [this](int choice) {
         choosing_ = choice == chosenAxis;
@@ -118,7 +118,7 @@ void SurroundingsPanel::Fields::addAxis() {
     lean_->setObjectName(QStringLiteral("axisLeanField"));
     lean_->limit(0.0, 0.5 * pi);
     column_->addWidget(new FieldRow(SurroundingsPanel::tr("Lean"), lean_,
-                                    SurroundingsPanel::tr("Angle between the tool's axis and Z"), panel_));
+                                    SurroundingsPanel::tr("Angle between the tool axis and Z"), panel_));
     heading_ = new QuantityField(Quantity::angle, panel_);
     heading_->setObjectName(QStringLiteral("axisHeadingField"));
     heading_->limit(-pi, pi);
@@ -128,7 +128,7 @@ void SurroundingsPanel::Fields::addAxis() {
             [this](double lean) { leanTo(lean, headingOf(state.axis.direction)); });
     connect(heading_, &QuantityField::valueEdited, this,
             [this](double heading) { leanTo(leanOf(state.axis.direction), heading); });
-    ofView_ = makeButton(SurroundingsPanel::tr("As the view looks"), {}, QStringLiteral("axisOfViewButton"), panel_);
+    ofView_ = makeButton(SurroundingsPanel::tr("Along the view"), {}, QStringLiteral("axisOfViewButton"), panel_);
     column_->addWidget(ofView_);
     connect(ofView_, &QPushButton::clicked, panel_, &SurroundingsPanel::axisOfViewRequested);
 }
@@ -167,8 +167,8 @@ void SurroundingsPanel::Fields::refreshAxis() {
     lean_->showValue(leanOf(state.axis.direction));
     heading_->showValue(headingOf(state.axis.direction));
     const QString locked = state.locked ? SurroundingsPanel::tr("Stop the recording first.") : QString();
-    enableUnless(axis_, locked, SurroundingsPanel::tr("Whether the tool stands, and how"));
-    enableUnless(ofView_, locked, SurroundingsPanel::tr("The tool stands along the line from the eye"));
+    enableUnless(axis_, locked, SurroundingsPanel::tr("Whether the tool axis is fixed, chosen or free"));
+    enableUnless(ofView_, locked, SurroundingsPanel::tr("Sets the tool axis to the view direction (3+2 milling)"));
     for (QuantityField* field : {lean_, heading_}) setEnabledKeepingFocus(field, !state.locked);
 }
 
@@ -181,18 +181,18 @@ void SurroundingsPanel::Fields::refresh() {
     if (!same) rebuildCards();
     for (std::size_t i = 0; i < cards_.size(); ++i) cards_[i]->showRow(state.obstacles[i], state.zero, state.locked);
     none_->setVisible(state.obstacles.empty());
-    enableUnless(
-        add_,
-        !state.hasPart ? SurroundingsPanel::tr("Import a part first.")
-        : state.locked ? SurroundingsPanel::tr("Stop the recording first.")
-        : state.busy   ? SurroundingsPanel::tr("Work is under way.")
-                       : QString(),
-        SurroundingsPanel::tr(
-            "Put it beside the stock, or where its file says. An STL file has the unit of the part's, else mm."));
+    enableUnless(add_,
+                 !state.hasPart ? SurroundingsPanel::tr("Import a part first.")
+                 : state.locked ? SurroundingsPanel::tr("Stop the recording first.")
+                 : state.busy   ? SurroundingsPanel::tr("Work is under way.")
+                                : QString(),
+                 SurroundingsPanel::tr("Puts it next to the stock, or at the coordinates of its file. An STL file has "
+                                       "the unit of the part's STL file, else mm."));
     travel_->setChecked(state.travelOn);
     const bool stands = !state.axis.free && state.axis.direction == upright;
-    enableUnless(travel_, stands ? QString() : SurroundingsPanel::tr("The travel bounds an upright tool alone."),
-                 SurroundingsPanel::tr("The tip stays within what the machine's axes reach"));
+    enableUnless(travel_,
+                 stands ? QString() : SurroundingsPanel::tr("The machine's travel limits a vertical tool only."),
+                 SurroundingsPanel::tr("The tool tip stays within the travel of the machine's axes"));
     refreshAxis();
 }
 

@@ -92,7 +92,7 @@ TakeList::Row TakeList::makeRow(std::int64_t take) {
     row.detail = new ElidedLabel({}, frame);
     row.detail->setProperty("look", "small");
     grid->addWidget(row.detail, 1, 0, 1, 2);
-    QToolButton* remove = makeIconButton(QStringLiteral("remove"), tr("Remove this take"),
+    QToolButton* remove = makeIconButton(QStringLiteral("remove"), tr("Delete this take"),
                                          QStringLiteral("removeTake%1").arg(take), frame);
     setEnabledKeepingFocus(remove, removable_);
     connect(remove, &QToolButton::clicked, this, [this, take] { emit removalRequested(take); });

@@ -197,7 +197,7 @@ QString findingText(const Finding& finding, LengthUnit unit) {
     case FindingKind::spindleLimit:
         return PanelTexts::tr("Spindle at %1 rpm").arg(QLocale().toString(finding.amount, 'f', 0));
     case FindingKind::unknownStart:
-        return PanelTexts::tr("Cuts from an unknown place");
+        return PanelTexts::tr("Cuts from an unknown position");
     case FindingKind::obstacleCollision:
         return PanelTexts::tr("In a fixture by %1").arg(length);
     }

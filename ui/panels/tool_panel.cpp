@@ -113,7 +113,7 @@ void ToolPanel::Fields::showConditions() {
                          ? QLocale().toString(state.spindleSpeed, 'f', 0) + QChar(QChar::Nbsp) + ToolPanel::tr("rpm")
                          : QStringLiteral("–"));
     estimate_->tell(Notice::Kind::warning, state.conditionsEstimated && state.feed > 0.0
-                                               ? ToolPanel::tr("Feed and speed come from figures that are estimates.")
+                                               ? ToolPanel::tr("Feed and speed come from values that are estimates.")
                                                : QString());
 }
 
@@ -138,7 +138,7 @@ void ToolPanel::Fields::refresh() {
     tools_->setChosen(chosen);
     setEnabledKeepingFocus(tools_, !state.locked);
     if (state.locked)
-        notice_->tell(Notice::Kind::information, ToolPanel::tr("A recording runs: the tool stays."));
+        notice_->tell(Notice::Kind::information, ToolPanel::tr("The tool can't be changed while recording."));
     else if (state.fieldBusy)
         notice_->tell(Notice::Kind::information, ToolPanel::tr("The boundary for this tool is being computed…"));
     else

@@ -95,7 +95,7 @@ void DocumentFlow::refuse(const QString& file, const Error& error) {
         return;
     }
     if (!confirm(&window_, tr("Take “%1” off the list of recent files?").arg(QFileInfo(file).fileName()),
-                 tr("It is not where it was: it was moved, renamed or deleted, or its drive is not connected."),
+                 tr("The file was moved, renamed or deleted, or its drive is not connected."),
                  tr("Take it off the list")))
         return;
     settings_.removeRecentFile(file);

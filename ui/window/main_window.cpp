@@ -298,8 +298,7 @@ void MainWindow::connectWelcome() {
     connect(welcome_, &WelcomePage::recentChosen, &flow_, &DocumentFlow::openAny);
     connect(welcome_, &WelcomePage::leftWorkChosen, &flow_, &DocumentFlow::openAny);
     connect(welcome_, &WelcomePage::leftWorkForgotten, this, [this](const QString& file) {
-        if (!confirm(this, tr("Delete this work?"), tr("It was never saved, and no undo brings it back."),
-                     tr("Delete")))
+        if (!confirm(this, tr("Delete this work?"), tr("It was never saved. This can't be undone."), tr("Delete")))
             return;
         DocumentController::forget({file.toStdString(), {}});
         showWelcome();
@@ -408,8 +407,9 @@ void MainWindow::tellAboutOpened() {
                        tr("The folder can't be written, so this project is open for reading only; save it elsewhere to "
                           "change it."));
     else if (document.recovered())
-        message_->tell(Notice::Kind::information,
-                       tr("Burin ended before this work was saved; all that was entered and recorded is here again."));
+        message_->tell(
+            Notice::Kind::information,
+            tr("Burin ended before this work was saved; everything that was entered and recorded is restored."));
 }
 
 void MainWindow::tellAboutBattery(double share) {
@@ -476,8 +476,8 @@ void MainWindow::removeTake(qint64 take) {
     const auto& takes = workbench_.mill.takes();
     const auto found = std::ranges::find(takes, take, &TakeInfo::id);
     if (found == takes.end()) return;
-    if (confirm(this, tr("Remove “%1”?").arg(takeName(found->name)),
-                tr("The workpiece is made anew without it; no undo brings it back."), tr("Remove")))
+    if (confirm(this, tr("Delete “%1”?").arg(takeName(found->name)),
+                tr("The workpiece is milled again without it. This can't be undone."), tr("Delete")))
         workbench_.mill.removeTake(take);
 }
 
@@ -486,9 +486,9 @@ void MainWindow::overrideCheck() {
     const auto count = static_cast<int>(workbench_.program.program()->errorCount());
     const QString reason = askReason(
         this, tr("Export a program that was refused?"),
-        count == 1 ? tr("Its check found 1 thing that can break a tool, the part or the machine.")
-                   : tr("Its check found %n things that can break a tool, the part or the machine.", nullptr, count),
-        tr("Your reason. It goes into the program's header with what was found."));
+        count == 1 ? tr("Its check found 1 problem that can damage a tool, the part or the machine.")
+                   : tr("Its check found %n problems that can damage a tool, the part or the machine.", nullptr, count),
+        tr("Your reason. It goes into the program's header together with the findings."));
     if (!reason.isEmpty()) workbench_.program.overrideCheck(programName(workbench_), reason);
 }
 

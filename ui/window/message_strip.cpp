@@ -20,7 +20,7 @@ MessageStrip::MessageStrip(QWidget* parent) : QWidget(parent), notice_(new Notic
     close->setObjectName(QStringLiteral("dismissMessageButton"));
     close->setProperty("look", "flat");
     close->setIcon(themedIcon(QStringLiteral("cancel"), &Palette::quietText));
-    close->setToolTip(tr("Put this message away."));
+    close->setToolTip(tr("Close this message."));
     connect(close, &QToolButton::clicked, this, &MessageStrip::dismiss);
     layout->addWidget(notice_, 1);
     layout->addWidget(close);

@@ -115,7 +115,7 @@ QString MillPresenter::lockText() const {
 
 QString MillPresenter::missing() const {
     const BenchController& bench = workbench_.bench;
-    if (workbench_.showMe.showing()) return tr("The virtual operator has the tool; stop it to mill yourself.");
+    if (workbench_.showMe.showing()) return tr("The virtual operator is milling; stop it to mill yourself.");
     if (!workbench_.setup.hasPart()) return tr("Import a part first.");
     if (bench.embedding()) return tr("The part is being embedded.");
     if (!bench.embedded()) return tr("Embed the part in its stock first.");

@@ -55,7 +55,7 @@ QString hintSentence(const SessionState& state, const ToolBounds& bounds, const 
     if (const QString holding = boundSentence(state, bounds); !holding.isEmpty()) return holding;
     if (stylus == nullptr) return {};
     if ((flags & sampleStylusInvalid) != 0)
-        return MillTexts::tr("The stylus gives no readings: the tool stands, and there is no force.");
+        return MillTexts::tr("The stylus gives no readings: the tool does not move, and there is no force.");
     if ((flags & sampleAxisHeld) != 0)
         return MillTexts::tr("There is no room to lean the tool as the hand does: its axis stays where it is.");
     if (!stylus->hasMotors()) return {};
@@ -64,7 +64,7 @@ QString hintSentence(const SessionState& state, const ToolBounds& bounds, const 
     if ((flags & sampleForcesOff) != 0) return MillTexts::tr("Forces fade in, once the tool is clear of the part.");
     if ((flags & sampleMotorsHot) != 0)
         return MillTexts::tr("The motors are hot: forces go down until they have cooled.");
-    if ((flags & sampleForceSaturated) != 0) return MillTexts::tr("The device gives all the force that it may.");
+    if ((flags & sampleForceSaturated) != 0) return MillTexts::tr("The force is at the device's limit.");
     return {};
 }
 

@@ -19,11 +19,11 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     recording_ = add("recordingStatus", tr("Everything that is cut is recorded in this take."));
     recording_->setProperty("look", "force");
     escape_ = add("escapeStatus", tr("Effect of the Escape key."));
-    stylus_ = add("stylusStatus", tr("What leads the tool."));
+    stylus_ = add("stylusStatus", tr("Stylus that moves the tool."));
     rate_ = add("rateStatus", {}, new ElidedLabel({}, this)); // the first that ends in "…" where the window is narrow
-    position_ = add("positionStatus", tr("Where the tip is, in the coordinates of the program."));
+    position_ = add("positionStatus", tr("Position of the tool tip, in the coordinates of the program."));
     size_ = add("sizeStatus", tr("Voxels of the workpiece, and the memory reserved for it."));
-    saved_ = add("savedStatus", tr("Whether the project's file holds all that was done."));
+    saved_ = add("savedStatus", tr("Whether all changes are saved in the project file."));
     task_ = new QLabel(this);
     task_->setObjectName(QStringLiteral("taskStatus"));
     task_->setToolTip(tr("Work in the background."));
@@ -32,7 +32,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     progress_->setRange(0, 1000);
     progress_->setTextVisible(false);
     progress_->setFixedSize(112, 8);
-    progress_->setToolTip(tr("How far the work in the background is."));
+    progress_->setToolTip(tr("Progress of the work in the background."));
     cancel_ = new QToolButton(this);
     cancel_->setObjectName(QStringLiteral("cancelTaskButton"));
     cancel_->setText(tr("Cancel"));
@@ -93,9 +93,8 @@ void StatusLine::showEscape() {
 
 void StatusLine::setRate(const QString& text) {
     put(rate_, text);
-    const QString explanation =
-        tr("Ticks per second of the haptic loop that were really reached, how long 999 of 1000 forces let wait for the "
-           "next one at most, what a tick costs at most, and ticks that were skipped.");
+    const QString explanation = tr("Haptic loop: ticks per second; interval between two forces and computing time of a "
+                                   "tick, neither of which 999 of 1000 exceed; ticks missed.");
     rate_->setToolTip(text + QLatin1Char('\n') + explanation);
 }
 

@@ -113,7 +113,7 @@ void GuideController::remove(std::size_t place) {
     if (place >= guides_.size()) return;
     std::vector<Guide> guides = guides_;
     guides.erase(guides.begin() + static_cast<std::ptrdiff_t>(place));
-    set(tr("guide removed"), std::move(guides));
+    set(tr("guide deleted"), std::move(guides));
 }
 
 void GuideController::set(const QString& title, std::vector<Guide> guides, int kind) {

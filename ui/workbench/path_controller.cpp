@@ -299,7 +299,7 @@ void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MoveP
         moves.along = along;
         edits = withEdit(edits, placeFor(edits, {moves}), {moves});
     }
-    push(tr("place of the path"), std::move(edits));
+    push(tr("point of the path"), std::move(edits));
 }
 
 void PathController::replaceSelection(const std::vector<glm::dvec3>& places) {
@@ -316,7 +316,7 @@ void PathController::removeEdit(std::size_t index) {
     if (path == nullptr || index >= path->edits.size()) return;
     std::vector<Edit> edits = path->edits;
     edits.erase(edits.begin() + static_cast<std::ptrdiff_t>(index));
-    push(tr("removal of an edit"), std::move(edits));
+    push(tr("deletion of an edit"), std::move(edits));
 }
 
 void PathController::moveEdit(std::size_t from, std::size_t to) {

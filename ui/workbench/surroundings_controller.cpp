@@ -120,7 +120,7 @@ void SurroundingsController::remove(std::size_t place) {
     if (locked() || place >= wanted_.obstacles.size()) return;
     std::vector<PlacedObstacle> obstacles = wanted_.obstacles;
     obstacles.erase(obstacles.begin() + static_cast<std::ptrdiff_t>(place));
-    setObstacles(tr("fixture removed"), std::move(obstacles));
+    setObstacles(tr("fixture deleted"), std::move(obstacles));
 }
 
 void SurroundingsController::setOn(std::size_t place, bool on) {
@@ -149,8 +149,8 @@ void SurroundingsController::setAxis(const AxisMode& axis) {
     AxisMode wanted{axis.free, axis.direction / length};
     if (wanted.direction.z > 1.0 - sameAxis) wanted.direction = {0.0, 0.0, 1.0}; // a view from above means just that
     if (wanted.free == wanted_.axis.free && wanted.direction == wanted_.axis.direction) return;
-    desk_.undo.push(new ValueCommand<AxisMode>(
-        tr("axis of the tool"), axisValue, wanted_.axis, wanted, [this](const AxisMode& value) {
+    desk_.undo.push(
+        new ValueCommand<AxisMode>(tr("tool axis"), axisValue, wanted_.axis, wanted, [this](const AxisMode& value) {
             wanted_.axis = value;
             store([value](Project& project) { return project.setAxisMode(value); });
             emit changed();

@@ -54,7 +54,7 @@ Result<Identity> identify(hid::Port& port, const std::string& name) {
         return Error{ErrorCode::deviceIncompatible, name, std::to_string(identity.major),
                      std::to_string(protocolMajor)};
     case IdentityFault::foreign:
-        return Error{ErrorCode::deviceFault, name, {}, BURIN_TEXT("DeviceReason", "it does not say who it is").text};
+        return Error{ErrorCode::deviceFault, name, {}, BURIN_TEXT("DeviceReason", "it does not identify itself").text};
     case IdentityFault::damaged:
         break;
     case IdentityFault::outOfRange:

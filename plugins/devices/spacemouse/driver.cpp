@@ -33,7 +33,7 @@ public:
             found.push_back({hid::idOf(device, devices),
                              nameOf(device),
                              {{"rate", BURIN_TEXT("Device", "The cap sets the speed")},
-                              {"position", BURIN_TEXT("Device", "The cap sets the place")}}});
+                              {"position", BURIN_TEXT("Device", "The cap sets the position")}}});
         return found;
     }
 

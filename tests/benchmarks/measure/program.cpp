@@ -34,7 +34,7 @@ int run(const Program& program, int argc, char** argv) {
     int rounds = 1;
     commandLine.add_flag("--json", json, "Print a list of JSON objects on standard output");
     commandLine.add_option("--only", only, "Only figures whose names begin with this");
-    commandLine.add_option("--rounds", rounds, "So often all is measured, one round after the other")
+    commandLine.add_option("--rounds", rounds, "Number of rounds in which everything is measured")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     try {
