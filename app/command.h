@@ -56,6 +56,7 @@ void registerInfo(CLI::App& program, CommandContext& context, int& status);
 void registerDevices(CLI::App& program, CommandContext& context, int& status);
 void registerCalibrate(CLI::App& program, CommandContext& context, int& status);
 void registerDemo(CLI::App& program, CommandContext& context, int& status);
+void registerPicture(CLI::App& program, CommandContext& context, int& status);
 void registerBench(CLI::App& program, CommandContext& context, int& status);
 
 /// Declares --json for a subcommand.

@@ -6,21 +6,24 @@
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
+#include <QGuiApplication>
 #include <QLocale>
 
 #include <algorithm>
 #include <array>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace {
 
-constexpr std::array commands{burin::registerImport, burin::registerEmbed, burin::registerSetup,
-                              burin::registerMill,   burin::registerPath,  burin::registerPost,
-                              burin::registerVerify, burin::registerInfo,  burin::registerCalibrate,
-                              burin::registerDemo,   burin::registerBench, burin::registerDevices};
+constexpr std::array commands{
+    burin::registerImport, burin::registerEmbed,   burin::registerSetup,  burin::registerMill,      burin::registerPath,
+    burin::registerPost,   burin::registerVerify,  burin::registerInfo,   burin::registerCalibrate, burin::registerDemo,
+    burin::registerBench,  burin::registerDevices, burin::registerPicture};
 
 /// CLI11 would only say that a command is missing.
 std::optional<burin::Error> unknownCommand(const CLI::App& program, int argc, char** argv) {
@@ -43,9 +46,21 @@ bool isCommand(const std::string& word) {
                                [&](const CLI::App* command) { return command->get_name() == word; });
 }
 
+/// Translations need an application; the letters in a picture Qt's fonts as well, but no display.
+std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
+    const std::string_view command = argc > 1 ? argv[1] : "";
+    if (command != "demo" && command != "picture") return std::make_unique<QCoreApplication>(argc, argv);
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    // What Qt misses without a desktop (a folder for the session) is nothing to trouble a user of commands with.
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+        if (type == QtCriticalMsg || type == QtFatalMsg) std::cerr << text.toStdString() << "\n";
+    });
+    return std::make_unique<QGuiApplication>(argc, argv);
+}
+
 int run(int argc, char** argv) {
     if (burin::asksForWindow(argc, argv, isCommand)) return burin::runWorkstation(argc, argv);
-    QCoreApplication application(argc, argv); // translations need it
+    const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
     QCoreApplication::setApplicationName("Burin");
     burin::Messages::install(QLocale::system());
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/picture_options.h"
 #include "app/report.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
@@ -27,6 +28,7 @@ struct DemoArguments {
     double seconds = 0.0, voxel = 0.0, margin = 5.0, tolerance = 0.02;
     std::uint64_t seed = 1;
     bool block = false;
+    PictureOptions picture;
 };
 
 /// What the demo leaves behind, for the answer and the report.
@@ -161,15 +163,6 @@ json jsonOf(const DemoResult& result) {
     return answer;
 }
 
-/// The path without the strokes of earlier takes: roughing would hide what finishing did.
-Path lastTakeOnly(Path path) {
-    std::int64_t last = 0;
-    for (const PathPoint& point : path.points) last = std::max(last, point.take);
-    for (PathPoint& point : path.points)
-        if (point.kind == MoveKind::cut && point.take != last) point.kind = MoveKind::rapid;
-    return path;
-}
-
 /// Where the tool stands in the picture: on a place that it cut, near the viewer and high up.
 glm::dvec3 placeToShow(const Path& path) {
     constexpr glm::dvec3 towardsViewer(0.3, -0.4, 1.0);
@@ -184,18 +177,19 @@ glm::dvec3 placeToShow(const Path& path) {
     return best;
 }
 
-Result<void> drawResult(const DemoResult& result, const fs::path& file) {
+/// Without the path, whose fine passes would hide what they made.
+Result<void> drawResult(const DemoResult& result, const PictureOptions& options, const fs::path& file) {
     PictureContent content;
     content.workpiece = result.program.machined;
+    content.part = result.bench.model;
     content.tool = result.bench.tool;
-    content.path = lastTakeOnly(result.path.path);
-    content.tip = placeToShow(content.path);
-    const Result<std::string> png = drawPicture(content);
-    if (!png) return png.error();
-    return writeFileAtomically(file, *png);
+    content.pose.tip = placeToShow(result.path.path);
+    return writePicture(std::move(content), options, file.string());
 }
 
 int runDemo(const DemoArguments& arguments, CommandContext& context) {
+    if (const Result<void> readable = checkPictureOptions(arguments.picture); !readable)
+        return context.fail(readable.error());
     std::error_code failed;
     fs::create_directories(arguments.output, failed);
     if (failed) return context.fail(writeError(arguments.output, failed.value()));
@@ -227,7 +221,8 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
             return context.fail(stored.error());
     }
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
-    if (const Result<void> drawn = drawResult(*result, folder / "demo.png"); !drawn) return context.fail(drawn.error());
+    if (const Result<void> drawn = drawResult(*result, arguments.picture, folder / "demo.png"); !drawn)
+        return context.fail(drawn.error());
     answer["picture"] = (folder / "demo.png").string();
     answer["report"] = (folder / "demo.json").string();
     if (const Result<void> written = writeFileAtomically(folder / "demo.json", answer.dump(2) + "\n"); !written)
@@ -259,6 +254,7 @@ void registerDemo(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--seed", arguments->seed, "Seed of the operator's random tremor")->capture_default_str();
     command->add_option("--output", arguments->output, "Folder for project, program, picture and report")
         ->capture_default_str();
+    addPictureOptions(*command, arguments->picture);
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runDemo(*arguments, context); });
 }

@@ -6,10 +6,12 @@
 
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <csignal>
 #include <sys/resource.h>
 
@@ -40,6 +42,8 @@ private slots:
     void statusTellsWhatWentWrong_data();
     void statusTellsWhatWentWrong();
     void jsonStaysJsonWhenItFails();
+    void aPictureIsCutOpen_data();
+    void aPictureIsCutOpen();
     void fullDiskKeepsTheOldProject();
     void fullDiskLeavesNothingOfANewProject();
     void stopsWhenAsked();
@@ -71,7 +75,7 @@ void CommandLineTest::initTestCase() {
 void CommandLineTest::helpsWithEachCommand_data() {
     QTest::addColumn<QString>("command");
     for (const char* command : {"import", "embed", "setup", "mill", "path", "post", "verify", "info", "calibrate",
-                                "demo", "devices", "bench"})
+                                "demo", "devices", "bench", "picture"})
         QTest::newRow(command) << QString(command);
 }
 
@@ -123,6 +127,11 @@ void CommandLineTest::statusTellsWhatWentWrong_data() {
     row("axis without a meaning", {"mill", "@/cube.burin", "--axis", "sideways"}, 2, "sideways");
     row("travel without a meaning", {"setup", "@/cube.burin", "--travel", "far"}, 2, "middle");
     row("obstacle that is not there", {"setup", "@/cube.burin", "--remove", "vise"}, 2, "vise");
+    row("section of no axis", {"picture", "@/cube.burin", "-o", "@/x.png", "--section", "W=3"}, 2, "W=3");
+    row("section without a number", {"picture", "@/cube.burin", "-o", "@/x.png", "--section", "X=half"}, 2, "X=half");
+    row("section beside the stock", {"picture", "@/cube.burin", "-o", "@/x.png", "--section", "X=500"}, 2, "X=500");
+    row("demo cut at no axis", {"demo", "--output", "@/out", "--section", "5"}, 2, "--section");
+    row("picture of no path", {"picture", "@/cube.burin", "-o", "@/x.png", "--path", "9"}, 2, "path");
     row("nothing recorded yet", {"post", "@/cube.burin", "-o", "@/x.ngc"}, 2, "burin mill");
     row("word that no control knows", {"verify", "@/wrong.ngc", "--project", "@/cube.burin", "--tool", "ball-6"}, 3,
         "wrong.ngc");
@@ -146,6 +155,52 @@ void CommandLineTest::jsonStaysJsonWhenItFails() {
     const ProgramRun run = runBurin({"import", folder_.filePath("empty.step"), "--json"});
     QCOMPARE(run.status, 3);
     QVERIFY(run.json()["error"].toObject()["sentence"].toString().contains("empty.step"));
+}
+
+void CommandLineTest::aPictureIsCutOpen_data() {
+    QTest::addColumn<QString>("axis");
+    QTest::addColumn<QString>("view");
+    for (const char* view : {"left", "right"}) QTest::newRow(view) << "X" << view;
+    for (const char* view : {"front", "back"}) QTest::newRow(view) << "Y" << view;
+    QTest::newRow("top") << "Z"
+                         << "top";
+}
+
+/// The cube in the middle of its stock: seen straight, the face that is cut shows both as large as they are.
+void CommandLineTest::aPictureIsCutOpen() {
+    QFETCH(QString, axis);
+    QFETCH(QString, view);
+    const QJsonArray box =
+        runBurin({"import", folder_.filePath("cube.brep"), "--json"}).json()["bounding_box_mm"].toArray();
+    const int number = axis[0].toLatin1() - 'X';
+    const double low = box[0].toArray()[number].toDouble(), high = box[1].toArray()[number].toDouble();
+    const double edge = high - low, stock = edge + 2.0 * 5.0; // the margin that embed has by itself
+    const QString file = folder_.filePath("cube.png");
+    const auto picture = [&](const QStringList& more) {
+        const ProgramRun run =
+            runBurin(QStringList{"picture", folder_.filePath("cube.burin"), "-o", file, "--view", view} + more);
+        if (run.status != 0 || !run.messages.isEmpty()) qWarning("%s", run.messages.constData());
+        return run.status == 0 && run.messages.isEmpty() ? QImage(file, "PNG") : QImage();
+    };
+    /// Columns of the middle row that show the part, and that show part or stock: not background, nor the plane's
+    /// outline.
+    const auto widths = [](const QImage& image) {
+        int part = 0, all = 0;
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor colour = image.pixelColor(x, image.height() / 2);
+            if (colour.blue() > colour.red() + 60) ++part;
+            if (colour.lightness() >= 75 && colour.red() < colour.green() + 15) ++all;
+        }
+        return std::pair(part, all);
+    };
+    const QImage closed = picture({});
+    QVERIFY(!closed.isNull());
+    QCOMPARE(widths(closed).first, 0);
+    const QImage open = picture({"--section", axis + "=" + QString::number(0.5 * (low + high))});
+    QVERIFY(!open.isNull());
+    const auto [part, all] = widths(open);
+    QVERIFY2(std::abs(part - all * edge / stock) < 0.01 * all,
+             qPrintable(QString("%1 of %2, %3 / %4").arg(part).arg(all).arg(edge).arg(stock)));
 }
 
 void CommandLineTest::fullDiskKeepsTheOldProject() {

@@ -198,6 +198,67 @@ private slots:
         viewport_->setStandardView(StandardView::isometric);
     }
 
+    /// A clamp over the work: solid while nothing is cut under it; where it lies between the eye and the cut, or the
+    /// place that a press would cut, the work is seen through it, nearly as without.
+    void aFixtureFadesWhereItHidesTheCut() {
+        volume_ = std::make_unique<RunVolume>(fixture::milledBlock(stock, 0.25, radii));
+        viewport_->setWorkpiece(volume_->snapshot());
+        viewport_->setStandardView(StandardView::top);
+        const glm::dvec3 under(-9.0, -7.0, 12.4), aside(24.0, 16.0, 30.0);
+        Obstacle clamp;
+        clamp.name = "clamp";
+        clamp.shape = Box{{under.x - 8.0, under.y - 8.0, 22.0}, {under.x + 8.0, under.y + 8.0, 30.0}};
+        const std::vector<ObstacleMark> clamped{{std::make_shared<const Obstacle>(clamp), true, false}};
+        const double ratio = viewport_->devicePixelRatio();
+        const auto pictureOf = [&](const glm::dvec3& tip, const std::vector<ObstacleMark>& obstacles) {
+            viewport_->setToolMarks(marksAt(tip));
+            viewport_->setObstacles(obstacles);
+            bench_->settle();
+            return viewport_->grabFramebuffer();
+        };
+        // Two rows beside the flutes, within the clamp.
+        const auto colours = [&](const QImage& image) {
+            std::vector<QColor> found;
+            for (int i = -6; i <= 6; i += 2)
+                for (const glm::dvec2 at : {glm::dvec2(i, -6.5), glm::dvec2(i, 6.5)})
+                    found.push_back(image.pixelColor(
+                        (viewport_->project({under.x + at.x, under.y + at.y, 30.0}) * ratio).toPoint()));
+            return found;
+        };
+        const auto seenThrough = [&](const QImage& image, const QImage& bare) {
+            const std::vector<QColor> now = colours(image), without = colours(bare);
+            for (std::size_t i = 0; i < now.size(); ++i)
+                if (!alike(now[i], without[i], 40) || now[i] == without[i]) return false; // it is not gone either
+            return true;
+        };
+        const auto solid = [&](const QImage& image) {
+            const std::vector<QColor> now = colours(image);
+            return std::ranges::all_of(now, [&](const QColor& colour) {
+                return alike(colour, now.front(), 6) && std::abs(colour.red() - colour.blue()) < 60 &&
+                       alike(colour, fixture::palette().holder, 60);
+            });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(solid(pictureOf(aside, clamped)), 5000); // its mesh is made on another thread
+        QVERIFY(bench_->save("viewport-solid-fixture"));
+        const QImage bare = pictureOf(under, {}), bareAside = pictureOf(aside, {});
+        QTRY_VERIFY_WITH_TIMEOUT(seenThrough(pictureOf(under, clamped), bare), 5000);
+        QVERIFY(bench_->save("viewport-faded-fixture"));
+        QVERIFY(solid(pictureOf(aside, clamped))); // it comes back
+        viewport_->setPressMark(PressMark{under, {0.0, 0.0, 1.0}, 3.0, 1.0, std::nullopt});
+        QVERIFY(seenThrough(viewport_->grabFramebuffer(), bareAside));
+        viewport_->setPressMark({});
+        QVERIFY(solid(viewport_->grabFramebuffer()));
+        // Beside the cut it stays: seen from the front it stands behind the tool.
+        viewport_->setToolMarks(marksAt({under.x, -24.0, 24.0}));
+        viewport_->setStandardView(StandardView::front);
+        bench_->settle();
+        const QColor front = viewport_->grabFramebuffer().pixelColor(
+            (viewport_->project({under.x - 7.0, under.y - 8.0, 26.0}) * ratio).toPoint());
+        QVERIFY(alike(front, fixture::palette().holder, 60));
+        viewport_->setObstacles({});
+        viewport_->setStandardView(StandardView::isometric);
+    }
+
     void anAlarmFlashesAndCarriesAnOutline() {
         ToolMarks marks = marksAt({-9.0, -7.0, 12.4});
         marks.alarm = true;

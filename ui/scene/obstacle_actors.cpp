@@ -13,6 +13,7 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace burin {
@@ -25,12 +26,22 @@ void setData(vtkActor& actor, vtkPolyData* data) {
     vtkPolyDataMapper::SafeDownCast(actor.GetMapper())->SetInputData(data);
 }
 
+bool isKeptOut(const Obstacle& obstacle) {
+    return obstacle.kind == ObstacleKind::keepOut;
+}
+
+/// A fixture is like glass where it hides the cut.
+vtkSmartPointer<vtkActor> seenThrough(const Obstacle& obstacle) {
+    const vtkNew<vtkPolyData> nothing;
+    return isKeptOut(obstacle) ? filmActor(nothing) : glassActor(nothing);
+}
+
 } // namespace
 
 /// One obstacle on the screen; empty until its mesh is there.
 struct ObstacleActors::Drawn {
     Drawn(vtkRenderer& solidRenderer, vtkRenderer& filmRenderer, ObstacleMark wanted)
-        : solids(solidRenderer), films(filmRenderer), mark(std::move(wanted)) {
+        : solids(solidRenderer), films(filmRenderer), mark(std::move(wanted)), film(seenThrough(*mark.obstacle)) {
         solids.AddActor(solid);
         solids.AddActor(edges);
         films.AddActor(film);
@@ -45,12 +56,14 @@ struct ObstacleActors::Drawn {
 
     vtkRenderer &solids, &films;
     ObstacleMark mark;
+    std::shared_ptr<const ObstacleSurface> surface; ///< null until it is made
+    double opacity = 1.0;                           ///< of a fixture
     vtkSmartPointer<vtkActor> solid = surfaceActor(vtkNew<vtkPolyData>()),
-                              edges = raisedLineActor(vtkNew<vtkPolyData>()), film = filmActor(vtkNew<vtkPolyData>());
+                              edges = raisedLineActor(vtkNew<vtkPolyData>()), film;
 };
 
-ObstacleActors::ObstacleActors(vtkRenderer& solids, vtkRenderer& films, Shader shader)
-    : solids_(solids), films_(films), shader_(std::move(shader)) {}
+ObstacleActors::ObstacleActors(vtkRenderer& solids, vtkRenderer& films, SurfaceMaker maker)
+    : solids_(solids), films_(films), maker_(std::move(maker)) {}
 
 ObstacleActors::~ObstacleActors() = default;
 
@@ -64,19 +77,19 @@ void ObstacleActors::set(std::vector<ObstacleMark> marks) {
             drawn_.back()->mark = std::move(mark);
         } else {
             drawn_.push_back(std::make_unique<Drawn>(solids_, films_, std::move(mark)));
-            shader_(drawn_.back()->mark.obstacle,
-                    [this, obstacle = drawn_.back()->mark.obstacle](const std::shared_ptr<const ShadedMesh>& mesh) {
-                        give(obstacle, *mesh);
-                    });
+            maker_(drawn_.back()->mark.obstacle,
+                   [this, obstacle = drawn_.back()->mark.obstacle](const auto& surface) { give(obstacle, surface); });
         }
         dress(*drawn_.back());
     }
 }
 
-void ObstacleActors::give(const std::shared_ptr<const Obstacle>& obstacle, const ShadedMesh& mesh) {
-    const ShadedPolyData data = polyDataOf(mesh);
+void ObstacleActors::give(const std::shared_ptr<const Obstacle>& obstacle,
+                          const std::shared_ptr<const ObstacleSurface>& surface) {
+    const ShadedPolyData data = polyDataOf(surface->drawn);
     for (const auto& drawn : drawn_) {
         if (drawn->mark.obstacle != obstacle) continue;
+        drawn->surface = surface;
         setData(*drawn->solid, data.surface);
         setData(*drawn->film, data.surface);
         setData(*drawn->edges, data.creases);
@@ -93,14 +106,24 @@ void ObstacleActors::setLineWidth(double screenPixels) {
     for (const auto& drawn : drawn_) dress(*drawn);
 }
 
+void ObstacleActors::place(std::span<const CutPlace> cuts, const CameraView& view) {
+    for (const auto& drawn : drawn_) {
+        if (!drawn->mark.on || !drawn->surface || isKeptOut(*drawn->mark.obstacle)) continue;
+        double covered = 0.0;
+        for (const CutPlace& cut : cuts) covered = std::max(covered, coveredShare(drawn->surface->solid, cut, view));
+        if (std::exchange(drawn->opacity, opacityOver(covered)) != drawn->opacity) dress(*drawn);
+    }
+}
+
 void ObstacleActors::dress(const Drawn& drawn) const {
     const auto& [obstacle, on, holds] = drawn.mark;
-    const bool keepOut = obstacle->kind == ObstacleKind::keepOut;
-    drawn.solid->SetVisibility(on && !keepOut);
-    drawn.film->SetVisibility(on && keepOut);
-    setColour(*drawn.solid, holds ? mixed(palette_.holder, palette_.force, holdingShare) : palette_.holder);
-    setColour(*drawn.film, palette_.force);
-    drawn.film->GetProperty()->SetOpacity(holds ? holdingObstacleOpacity : obstacleOpacity);
+    const bool keepOut = isKeptOut(*obstacle), faded = drawn.opacity < 1.0;
+    const QColor solid = holds ? mixed(palette_.holder, palette_.force, holdingShare) : palette_.holder;
+    drawn.solid->SetVisibility(on && !keepOut && !faded);
+    drawn.film->SetVisibility(on && (keepOut || faded));
+    setColour(*drawn.solid, solid);
+    setColour(*drawn.film, keepOut ? palette_.force : solid);
+    drawn.film->GetProperty()->SetOpacity(!keepOut ? drawn.opacity : holds ? holdingObstacleOpacity : obstacleOpacity);
     setColour(*drawn.edges, keepOut || holds ? palette_.force : palette_.quietText);
     setBlended(*drawn.edges, on ? 1.0 : offOpacity);
     burin::setLineWidth(*drawn.edges, lineWidth_ * (holds ? boldLine : thinLine));
@@ -117,8 +140,11 @@ Box ObstacleActors::box() const {
     return box;
 }
 
-ShadedMesh shadedObstacle(const Obstacle& obstacle) {
-    return shaded(meshOf(obstacle), creaseAngle);
+ObstacleSurface surfaceOf(const Obstacle& obstacle) {
+    const TriangleMesh mesh = meshOf(obstacle);
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return {shaded(mesh, creaseAngle), TriangleTree(mesh, all)};
 }
 
 } // namespace burin

@@ -3,27 +3,45 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/path/path.h"
+#include "core/cad/model.h"
+#include "core/geometry/pose.h"
+#include "core/path/evaluate.h"
+#include "core/setup/obstacle.h"
 #include "core/tool/tool.h"
 #include "core/volume/run_volume.h"
+#include "ui/scene/viewport.h"
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace burin {
 
+/// Where a picture is cut open; the side that is nearer to the eye comes off.
+struct PictureSection {
+    int axis = 0;          ///< 0, 1, 2 for x, y, z: the plane is square to it
+    double position = 0.0; ///< mm along it, setup frame
+};
+
 /// What a picture of the bench shows, setup frame, mm.
 struct PictureContent {
-    VolumeSnapshot workpiece;
-    std::optional<Tool> tool; ///< standing at `tip`
-    glm::dvec3 tip{0.0};
-    Path path;                       ///< drawn where it cuts; empty: none
+    VolumeSnapshot workpiece;          ///< not empty
+    std::shared_ptr<const Model> part; ///< seen where the workpiece is seen through. Null: none
+    std::vector<Obstacle> obstacles;   ///< those that are on are drawn as such
+    std::optional<Tool> tool;          ///< standing at `pose`
+    ToolPose pose;
+    std::vector<std::shared_ptr<const EvaluatedPath>> paths; ///< none is null; the first in the colours of its moves
+    StandardView view = StandardView::isometric;
+    double opacity = 1.0; ///< of the workpiece, 0 … 1
+    std::optional<PictureSection> section;
     int width = 1600, height = 1000; ///< pixels
 };
 
-/// Draws the workpiece in its materials' colours, the tool and the path, from the front right and above, with VTK.
-/// Needs no display: an EGL context without a surface (Mesa) is made for it.
-/// @return PNG. Errors: notSupported (no EGL with OpenGL 3.2), outOfMemory.
+/// Draws what the window shows of it, in the colours of the dark theme, in full detail. Needs no display, but a
+/// QGuiApplication for its letters (on the "offscreen" platform): an EGL context without a surface (Mesa) is made for
+/// it. The thread of that application; some seconds.
+/// @return PNG. Errors: notSupported (no EGL with OpenGL 3.2), those of loadPalette.
 Result<std::string> drawPicture(const PictureContent& content);
 
 } // namespace burin

@@ -31,7 +31,7 @@ Box boundsOf(vtkRenderer& renderer) {
 } // namespace
 
 Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
-             ObstacleActors::Shader obstacles)
+             ObstacleActors::SurfaceMaker obstacles)
     : part_(*bench_, *marks_)
     , workpiece_(*bench_, *films_, std::move(workpieceReady))
     , tool_(*bench_, *films_)
@@ -203,6 +203,13 @@ std::optional<glm::dvec3> Scene::pick(const Sight& sight) const {
     return nearest;
 }
 
+std::vector<CutPlace> Scene::cuts() const {
+    std::vector<CutPlace> places;
+    if (const std::optional<CutPlace> cut = tool_.cut()) places.push_back(*cut);
+    if (const auto& press = touch_.mark()) places.push_back({{press->tip, press->axis}, press->radius});
+    return places;
+}
+
 void Scene::setLineWidths(double ratio) {
     if (ratio == lineRatio_) return;
     lineRatio_ = ratio;
@@ -229,6 +236,7 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     workpiece_.update(moving, toolMarks_.proxy.tip);
     stock_.drawLast();
     tool_.place(view);
+    obstacles_.place(cuts(), view);
     scaleBar_.place(view, size, ratio);
     force_.place(view, size, ratio);
     guides_.place(view, size, ratio);

@@ -37,9 +37,9 @@ namespace burin {
 class Scene {
 public:
     /// @param workpieceReady called on a worker's thread when there is more of the workpiece to draw
-    /// @param surfaces makes the surfaces of guides, @param obstacles the meshes of obstacles
+    /// @param surfaces makes the surfaces of guides, @param obstacles those of obstacles
     Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
-          ObstacleActors::Shader obstacles);
+          ObstacleActors::SurfaceMaker obstacles);
 
     void setPalette(const Palette& palette);
     void setLengthUnit(LengthUnit unit) {
@@ -92,6 +92,7 @@ private:
     void setLineWidths(double ratio);
     void aimCamera(const CameraView& view);
     void cueDepth();
+    std::vector<CutPlace> cuts() const; ///< those that nothing may hide
 
     vtkNew<vtkRenderer> bench_, films_, marks_;
     PartActors part_;

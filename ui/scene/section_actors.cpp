@@ -18,11 +18,11 @@
 namespace burin {
 namespace {
 
-constexpr double faceShade = 0.82;      // of a material's colour: the cut is told from what is lit
-constexpr double arrowLength = 34.0;    // device-independent pixels to either side
-constexpr double gripReach = 14.0;      // device-independent pixels from the middle of the handle
-constexpr double gripWidth = 5.5;       // widths of a line
-constexpr double beyondContent = 0.03;  // of the content's diagonal: the outline stands out of it
+constexpr double faceShade = 0.82;     // of a material's colour: the cut is told from what is lit
+constexpr double arrowLength = 34.0;   // device-independent pixels to either side
+constexpr double gripReach = 14.0;     // device-independent pixels from the middle of the handle
+constexpr double gripWidth = 5.5;      // widths of a line
+constexpr double beyondContent = 0.03; // of the content's diagonal: the outline stands out of it
 
 void showData(vtkActor& actor, vtkPolyData* data) {
     vtkPolyDataMapper::SafeDownCast(actor.GetMapper())->SetInputData(data);
@@ -48,8 +48,8 @@ vtkSmartPointer<vtkPolyData> faceData(const std::vector<SectionPatch>& patches, 
         const bool bare = properties.isProtected(patch.property);
         const auto& colour = bare ? partColour : properties[patch.property].colour;
         const vtkIdType first = points->GetNumberOfPoints();
-        for (const glm::dvec2& corner : {patch.low, glm::dvec2(patch.high.x, patch.low.y), patch.high,
-                                         glm::dvec2(patch.low.x, patch.high.y)}) {
+        for (const glm::dvec2& corner :
+             {patch.low, glm::dvec2(patch.high.x, patch.low.y), patch.high, glm::dvec2(patch.low.x, patch.high.y)}) {
             const glm::dvec3 place = placeOn(plane, corner);
             points->InsertNextPoint(place.x, place.y, place.z);
             colours->InsertNextTuple3(colour[0] * faceShade, colour[1] * faceShade, colour[2] * faceShade);
@@ -89,13 +89,19 @@ void SectionActors::setPalette(const Palette& palette) {
 void SectionActors::set(const std::optional<SectionPlane>& plane) {
     plane_ = plane;
     stale_ = true;
-    for (const auto& actor : {face_, outline_, arrow_, grip_}) actor->SetVisibility(plane.has_value());
+    for (const auto& actor : {face_, outline_}) actor->SetVisibility(plane.has_value());
+    setHandle(handle_);
     if (!plane) return showData(*face_, vtkNew<vtkPolyData>());
     glm::dvec3 kept(0.0), place(0.0);
     kept[plane->axis] = plane->keepsLow ? -1.0 : 1.0;
     place[plane->axis] = plane->position;
     clip_->SetNormal(kept.x, kept.y, kept.z);
     clip_->SetOrigin(place.x, place.y, place.z);
+}
+
+void SectionActors::setHandle(bool visible) {
+    handle_ = visible;
+    for (const auto& actor : {arrow_, grip_}) actor->SetVisibility(handle_ && plane_.has_value());
 }
 
 void SectionActors::setLineWidth(double screenPixels) {
@@ -107,7 +113,7 @@ void SectionActors::drawFace(const VolumeSnapshot& workpiece) {
     stale_ = false;
     if (workpiece.empty()) return showData(*face_, vtkNew<vtkPolyData>());
     showData(*face_, faceData(sectionOf(workpiece, plane_->axis, plane_->position), *plane_, workpiece.properties(),
-                          partColour_));
+                              partColour_));
 }
 
 void SectionActors::place(const VolumeSnapshot& workpiece, const Box& content, const CameraView& view,
@@ -124,9 +130,7 @@ void SectionActors::place(const VolumeSnapshot& workpiece, const Box& content, c
     showData(*outline_, lineData(lines));
     // At the corner that is nearest to the eye; an upright plane is held at its upper edge.
     const glm::dvec3 back = axesOf(view).back;
-    const auto nearest = [&](int axis) {
-        return axis != 2 && back[axis] < 0.0 ? around.low[axis] : around.high[axis];
-    };
+    const auto nearest = [&](int axis) { return axis != 2 && back[axis] < 0.0 ? around.low[axis] : around.high[axis]; };
     gripPlace_ = placeOn(*plane_, {nearest(first), nearest(second)});
     glm::dvec3 along(0.0);
     along[plane_->axis] = arrowLength * pixelAt(view, size, gripPlace_);
@@ -147,7 +151,8 @@ bool SectionActors::gripAt(const CameraView& view, const QSizeF& size, const QPo
     return std::hypot(way.x(), way.y()) <= gripReach;
 }
 
-double SectionActors::dragged(const CameraView& view, const QSizeF& size, const QPointF& from, const QPointF& to) const {
+double SectionActors::dragged(const CameraView& view, const QSizeF& size, const QPointF& from,
+                              const QPointF& to) const {
     glm::dvec3 axis(0.0);
     axis[plane_->axis] = 1.0;
     const auto began = alongAxis(sightThrough(view, size, from), gripPlace_, axis);

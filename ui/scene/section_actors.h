@@ -28,6 +28,8 @@ public:
 
     void setPalette(const Palette& palette);
     void set(const std::optional<SectionPlane>& plane);
+    /// Without it the plane can't be moved with the pointer: for a picture that nobody will touch.
+    void setHandle(bool visible);
     const std::optional<SectionPlane>& plane() const noexcept { return plane_; }
     /// Cuts off what `plane` doesn't keep from what is drawn with it.
     vtkPlane& clip() const noexcept { return *clip_; }
@@ -47,6 +49,7 @@ private:
     vtkSmartPointer<vtkActor> face_, outline_, arrow_, grip_;
     std::optional<SectionPlane> plane_;
     std::array<std::uint8_t, 3> partColour_{};
+    bool handle_ = true;
     bool stale_ = true; ///< another face is to be drawn
     glm::dvec3 gripPlace_{0.0};
 };

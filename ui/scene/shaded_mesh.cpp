@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/shaded_mesh.h"
 
+#include "core/geometry/triangle_ray.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -117,29 +119,13 @@ private:
 
 } // namespace
 
-namespace {
-
-/// Möller & Trumbore, Fast, minimum storage ray/triangle intersection, Journal of Graphics Tools 2 (1997).
-std::optional<double> meet(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& origin,
-                           const glm::dvec3& direction) {
-    const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
-    const double determinant = glm::dot(ab, p);
-    if (determinant == 0.0) return std::nullopt;
-    const glm::dvec3 fromA = origin - a, q = glm::cross(fromA, ab);
-    const double u = glm::dot(fromA, p) / determinant, v = glm::dot(direction, q) / determinant;
-    const double distance = glm::dot(ac, q) / determinant;
-    if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance >= 0.0)) return std::nullopt;
-    return distance;
-}
-
-} // namespace
-
 std::optional<double> distanceAlong(const ShadedMesh& mesh, const glm::dvec3& origin, const glm::dvec3& direction) {
     std::optional<double> nearest;
     for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-        const std::optional<double> distance = meet(mesh.points[mesh.triangles[i]], mesh.points[mesh.triangles[i + 1]],
-                                                    mesh.points[mesh.triangles[i + 2]], origin, direction);
-        if (distance && (!nearest || *distance < *nearest)) nearest = distance;
+        const Triangle triangle{mesh.points[mesh.triangles[i]], mesh.points[mesh.triangles[i + 1]],
+                                mesh.points[mesh.triangles[i + 2]]};
+        const std::optional<TriangleHit> hit = hitOf({origin, direction}, triangle);
+        if (hit && (!nearest || hit->distance < *nearest)) nearest = hit->distance;
     }
     return nearest;
 }

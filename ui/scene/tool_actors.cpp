@@ -6,7 +6,6 @@
 #include "ui/scene/across.h"
 #include "ui/scene/actors.h"
 #include "ui/scene/film_actor.h"
-#include "ui/scene/tool_cover.h"
 #include "ui/scene/tool_surface.h"
 
 #include <vtkPolyDataMapper.h>
@@ -20,15 +19,6 @@ namespace burin {
 namespace {
 
 constexpr double helixAngle = 30.0 * pi / 180.0; // usual for end mills; drawn, not reckoned with
-
-constexpr double fadedOpacity = 0.1;               // each of three or four pieces one behind the other
-constexpr double fadesFrom = 0.1, fadedFrom = 0.5; // share of the tip's surroundings that is hidden
-
-/// Of a shank or holder that hides a share of what lies round the tip.
-double opacityFor(double hidden) {
-    const double share = std::clamp((hidden - fadesFrom) / (fadedFrom - fadesFrom), 0.0, 1.0);
-    return 1.0 - share * (1.0 - fadedOpacity);
-}
 
 /// Radius of the flutes at a height over the tip, mm.
 double fluteRadius(std::span<const RevolvedPiece> flutes, double height) {
@@ -129,9 +119,14 @@ void ToolActors::setTool(const std::optional<Tool>& tool) {
     refresh();
 }
 
+std::optional<CutPlace> ToolActors::cut() const {
+    if (!cutter_ || !visible_) return std::nullopt;
+    return CutPlace{pose_, cutter_->radius()};
+}
+
 void ToolActors::place(const CameraView& view) {
     const bool mayFade = cutter_ && visible_ && !alarm_;
-    const double opacity = mayFade ? opacityFor(coveredShare(*cutter_, pose_, view)) : 1.0;
+    const double opacity = mayFade ? opacityOver(coveredShare(*cutter_, pose_, view)) : 1.0;
     if (opacity == opacity_) return;
     opacity_ = opacity;
     refresh();

@@ -5,6 +5,7 @@
 #include "core/geometry/pose.h"
 #include "core/tool/tool.h"
 #include "ui/scene/camera_view.h"
+#include "ui/scene/cut_cover.h"
 #include "ui/theme/theme.h"
 
 #include <vtkActor.h>
@@ -38,6 +39,8 @@ public:
     void setLineWidth(double screenPixels);
     /// Before each paint.
     void place(const CameraView& view);
+    /// Where it cuts, if it is to be seen.
+    std::optional<CutPlace> cut() const;
     bool filmsVisible() const noexcept; ///< there is something in the films' renderer
     std::size_t triangles() const;
 

@@ -25,6 +25,7 @@ public:
     void setPalette(const Palette& palette);
     void setUnit(LengthUnit unit) { unit_ = unit; }
     void set(const std::optional<PressMark>& mark);
+    const std::optional<PressMark>& mark() const noexcept { return mark_; }
     bool visible() const noexcept { return mark_.has_value(); }
     void setLineWidth(double screenPixels);
     /// Before each paint. @param size of the widget, device-independent pixels

@@ -34,8 +34,8 @@ Viewport::Impl::Impl(Viewport& viewport)
           [this](const GuideMarks& of, double distance, GuideActors::Shaped then) {
               makeSurface(of, distance, std::move(then));
           },
-          [this](std::shared_ptr<const Obstacle> obstacle, ObstacleActors::Shaded then) {
-              onPool([obstacle] { return shadedObstacle(*obstacle); }, std::move(then));
+          [this](std::shared_ptr<const Obstacle> obstacle, ObstacleActors::Made then) {
+              onPool([obstacle] { return surfaceOf(*obstacle); }, std::move(then));
           }) {
     rest.setSingleShot(true);
     breath.setSingleShot(true);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/view_options.h"
 
+#include "ui/scene/section_side.h"
+
 #include <algorithm>
 
 namespace burin {
@@ -63,14 +65,9 @@ void ViewOptions::openSection(bool open) {
 /// Through the middle; the half that is nearer to the eye comes off.
 void ViewOptions::chooseAxis(int axis) {
     const Box content = viewport_.contentBox();
-    section_ = SectionPlane{axis, content.empty() ? 0.0 : content.centre()[axis], eyeIsHigh(axis)};
-    showSection();
-}
-
-bool ViewOptions::eyeIsHigh(int axis) const {
     const glm::dvec3 along = viewport_.sight(QRectF(viewport_.rect()).center()).rayDirection;
-    constexpr double straight = 0.05; // of a direction: the eye is on neither side
-    return axis == 1 ? along.y < -straight : along[axis] < straight;
+    section_ = SectionPlane{axis, content.empty() ? 0.0 : content.centre()[axis], keepsLowBefore(along, axis)};
+    showSection();
 }
 
 void ViewOptions::moveSection(double position) {

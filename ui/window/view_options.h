@@ -27,7 +27,6 @@ private:
     void chooseAxis(int axis);
     void moveSection(double position);
     void showSection();
-    bool eyeIsHigh(int axis) const;
 
     Viewport& viewport_;
     ViewBar& bar_;

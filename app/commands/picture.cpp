@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/picture.h"
+#include "app/command.h"
+#include "app/picture_options.h"
+#include "core/project/job_paths.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace burin {
+
+namespace {
+
+struct ProjectPictureArguments {
+    std::string project, output;
+    std::vector<std::int64_t> paths;
+    PictureOptions options;
+};
+
+/// A workpiece is made with some tool: that of the first take, or the one that `mill` takes by itself.
+Result<Tool> anyTool(const Project& project) {
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    return toolFor(project, takes->empty() ? "ball-6" : takes->front().toolId);
+}
+
+/// Errors: nameUnknown (a path), those of evaluateInJob.
+Result<std::vector<std::shared_ptr<const EvaluatedPath>>> evaluatedPaths(const Project& project, const Bench& bench,
+                                                                         const std::vector<std::int64_t>& wanted,
+                                                                         Progress& progress) {
+    const Result<std::vector<StoredPath>> paths = project.paths();
+    if (!paths) return paths.error();
+    std::string known;
+    for (const StoredPath& path : *paths) known += (known.empty() ? "" : ", ") + std::to_string(path.id);
+    std::vector<std::shared_ptr<const EvaluatedPath>> evaluated;
+    for (const std::int64_t id : wanted) {
+        const auto found = std::ranges::find(*paths, id, &StoredPath::id);
+        if (found == paths->end()) return Error{ErrorCode::nameUnknown, "path", std::to_string(id), known};
+        Result<EvaluatedPath> path = evaluateInJob(project, bench, *found, progress);
+        if (!path) return std::move(path).error();
+        evaluated.push_back(std::make_shared<const EvaluatedPath>(std::move(*path)));
+    }
+    return evaluated;
+}
+
+/// The workpiece as the takes left it, with what stands around it.
+Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, CommandContext& context) {
+    context.stage("Opening");
+    const Result<Project> project = Project::open(arguments.project);
+    if (!project) return project.error();
+    const Result<Tool> tool = anyTool(*project);
+    if (!tool) return tool.error();
+    Result<Bench> bench = makeBench(*project, *tool, {}, context.progress());
+    if (!bench) return std::move(bench).error();
+    context.stage("Replaying the takes");
+    if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
+        return replayed.error();
+    context.stage("Editing");
+    auto paths = evaluatedPaths(*project, *bench, arguments.paths, context.progress());
+    if (!paths) return std::move(paths).error();
+    PictureContent content;
+    content.workpiece = bench->embedded.workpiece.snapshot();
+    content.part = bench->model;
+    content.obstacles = bench->obstacles;
+    content.paths = std::move(*paths);
+    return content;
+}
+
+int runPicture(const ProjectPictureArguments& arguments, CommandContext& context) {
+    std::error_code absent;
+    if (std::filesystem::equivalent(arguments.project, arguments.output, absent))
+        return context.fail(
+            {ErrorCode::argumentInvalid, "--output", arguments.output, "another file than the project"});
+    if (const Result<void> readable = checkPictureOptions(arguments.options); !readable)
+        return context.fail(readable.error());
+    Result<PictureContent> content = contentOf(arguments, context);
+    if (!content) return context.fail(content.error());
+    context.stage("Drawing");
+    if (const Result<void> drawn = writePicture(std::move(*content), arguments.options, arguments.output); !drawn)
+        return context.fail(drawn.error());
+    const std::string file = std::filesystem::absolute(arguments.output).lexically_normal().string();
+    context.answer({{"picture", file}}, "picture  " + file);
+    return 0;
+}
+
+} // namespace
+
+void registerPicture(CLI::App& program, CommandContext& context, int& status) {
+    auto arguments = std::make_shared<ProjectPictureArguments>();
+    CLI::App* command = program.add_subcommand("picture", "Draw a project's workpiece as its takes left it");
+    command->add_option("PROJECT", arguments->project, "Project file (.burin)")->required();
+    command->add_option("-o,--output", arguments->output, "Picture to write (.png)")->required();
+    command->add_option("--path", arguments->paths, "Paths to draw, the first in the colours of its moves")
+        ->delimiter(',');
+    addPictureOptions(*command, arguments->options);
+    addJsonFlag(*command, context);
+    command->callback([arguments, &context, &status] { status = runPicture(*arguments, context); });
+}
+
+} // namespace burin

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.h"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace burin {
+
+struct PictureContent;
+
+/// What the command line says of how a picture is to be drawn, as it was written.
+struct PictureOptions {
+    std::string view = "isometric", section;
+    double transparency = 0.0; ///< %
+};
+
+/// Declares --view, --section and --transparency.
+void addPictureOptions(CLI::App& command, PictureOptions& options);
+/// Before work that takes time: whether --section can be read. Errors: argumentInvalid.
+Result<void> checkPictureOptions(const PictureOptions& options);
+/// Draws a picture of `content` as asked into a PNG file. Errors: argumentInvalid (a section beside the workpiece),
+/// those of drawPicture and writeFileAtomically.
+Result<void> writePicture(PictureContent content, const PictureOptions& options, const std::string& file);
+
+} // namespace burin
