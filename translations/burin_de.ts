@@ -3438,6 +3438,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>part doubtful</source>
         <translation>Teil zweifelhaft</translation>
     </message>
+    <message>
+        <source>1 path</source>
+        <translation>1 Bahn</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n paths</source>
+        <translation>
+            <numerusform>%n Bahn</numerusform>
+            <numerusform>%n Bahnen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>burin::KeyList</name>

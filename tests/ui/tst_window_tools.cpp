@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
+#include "ui/panels/step_button.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -147,6 +148,10 @@ void TestWindowTools::oneClickMakesThePathsOfAllTools() {
     driver.shoot("29-tool-that-has-not-milled");
     QVERIFY(driver.clickOn("newPathButton"));
     QTRY_COMPARE(bench.path.jobPaths().size(), std::size_t{2});
+    const QList<StepButton*> steps = driver.window().findChildren<StepButton*>();
+    const auto pathStep = std::ranges::find(steps, JobStep::path, &StepButton::step);
+    QVERIFY(pathStep != steps.end()); // nothing is left to do
+    QTRY_COMPARE((*pathStep)->accessibleDescription(), QStringLiteral("done: 2 paths"));
     auto* choice = driver.visible<QComboBox>("pathTool");
     QVERIFY(choice != nullptr);
     QCOMPARE(choice->count(), 2);

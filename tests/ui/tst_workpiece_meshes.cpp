@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/progress.h"
+#include "core/cutting/removal.h"
 #include "core/geometry/mesh_distance.h"
 #include "core/setup/stock_shape.h"
 #include "core/volume/voxelisation.h"
@@ -168,6 +169,8 @@ private slots:
     void facesOfTheStockShadeFlat();
     void shallowCutsStay();
     void wallsShowNoNotch();
+    void groovesShadeAlike_data();
+    void groovesShadeAlike();
     void stockEndsOnBarePartInALine_data();
     void stockEndsOnBarePartInALine();
 };
@@ -271,6 +274,53 @@ void WorkpieceMeshesTest::wallsShowNoNotch() {
                     others += std::abs(qGreen(image.pixel(stage.pixelOf({x, 18.0, z}))) - qGreen(wall)) > 24 ? 1 : 0;
             QCOMPARE(others, 0);
         }
+}
+
+void WorkpieceMeshesTest::groovesShadeAlike_data() {
+    QTest::addColumn<double>("angle");
+    for (const double angle : {0.0, 17.0, 30.0, 45.0, 63.0}) QTest::addRow("%.0f degrees", angle) << angle;
+}
+/// A groove of a ball-end mill is a part of a cylinder: its shading must not change along it, in beads.
+void WorkpieceMeshesTest::groovesShadeAlike() {
+    QFETCH(double, angle);
+    constexpr double voxel = 0.5, radius = 3.0, depth = 1.5;
+    const Box stock{{0.0, 0.0, 0.0}, {60.0, 60.0, 10.0}};
+    RunVolume volume = milled(stock, voxel);
+    const glm::dvec3 along(std::cos(glm::radians(angle)), std::sin(glm::radians(angle)), 0.0);
+    const glm::dvec3 tip(30.07, 30.11, stock.high.z - depth), axis = tip + glm::dvec3(0.0, 0.0, radius);
+    MaterialRemoval ball({CutterType::ball, 2.0 * radius, radius, 100.0, 2.0 * radius, 150.0, {}}, volume.grid());
+    ball.cut(volume, tip - 22.0 * along, tip + 22.0 * along);
+    (void)ball.settle(volume);
+
+    double squares = 0.0, area = 0.0;
+    for (const auto& piece : surfaces(volume.snapshot(), 1'000'000, SurfaceLayer::rest))
+        for (vtkIdType i = 0; i < piece->GetNumberOfPolys(); ++i) {
+            vtkNew<vtkIdList> ids;
+            piece->GetCellPoints(i, ids);
+            std::array<glm::dvec3, 3> at, normal;
+            for (int n = 0; n < 3; ++n) {
+                piece->GetPoint(ids->GetId(n), &at[static_cast<std::size_t>(n)].x);
+                piece->GetPointData()->GetNormals()->GetTuple(ids->GetId(n), &normal[static_cast<std::size_t>(n)].x);
+            }
+            const double share = 0.5 * glm::length(glm::cross(at[1] - at[0], at[2] - at[0])) / 10.0;
+            for (int a = 0; a <= 3; ++a)
+                for (int b = 0; a + b <= 3; ++b) { // as the screen mixes the normals of the corners
+                    const double u = a / 3.0, v = b / 3.0, w = 1.0 - u - v;
+                    const glm::dvec3 place = u * at[0] + v * at[1] + w * at[2];
+                    const glm::dvec3 out = axis + glm::dot(place - axis, along) * along - place;
+                    const bool inGroove = place.z < stock.high.z - 1.5 * voxel && place.z > tip.z - voxel &&
+                                          std::abs(glm::dot(place - axis, along)) < 20.0 && glm::length(out) < 4.0;
+                    if (!inGroove) continue;
+                    const double cosine =
+                        glm::dot(glm::normalize(u * normal[0] + v * normal[1] + w * normal[2]), glm::normalize(out));
+                    const double off = std::acos(std::min(cosine, 1.0));
+                    squares += share * off * off;
+                    area += share;
+                }
+        }
+    QVERIFY(area > 100.0); // mm²
+    const double degrees = glm::degrees(std::sqrt(squares / area));
+    QVERIFY2(degrees < 3.0, qPrintable(QString::number(degrees)));
 }
 
 void WorkpieceMeshesTest::stockEndsOnBarePartInALine_data() {
