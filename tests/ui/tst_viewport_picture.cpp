@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
+#include <QStackedWidget>
 
 using namespace burin;
 using fixture::marksAt;
@@ -95,6 +96,32 @@ private slots:
     void init() {
         viewport_->setInteractiveTool(nullptr);
         viewport_->setStandardView(StandardView::isometric);
+    }
+
+    /// A view that was warmed up while something else was shown draws what any other does.
+    void warmingUpLeavesNothingBehind() {
+        QMainWindow window;
+        auto* pages = new QStackedWidget;
+        auto* warm = new Viewport;
+        pages->addWidget(new QWidget);
+        pages->addWidget(warm);
+        window.setCentralWidget(pages);
+        window.resize(bench_->window->size());
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QSignalSpy painted(warm, &Viewport::painted);
+        warm->warmUp();
+        QTest::qWait(100);
+        QCOMPARE(painted.count(), 0);
+        QVERIFY(warm->contentBox().empty());
+        pages->setCurrentWidget(warm);
+        QTest::qWait(100);
+        QCOMPARE(warm->statistics().triangles, std::size_t{0}); // the view is empty
+        fixture::ViewportWindow::fill(*warm);
+        QTRY_COMPARE(warm->contentBox().size(), viewport_->contentBox().size());
+        bench_->settle();
+        const QImage expected = viewport_->grabFramebuffer();
+        QTRY_VERIFY(warm->grabFramebuffer() == expected);
     }
 
     /// What is drawn stands where project() says: the very tip of the tool, drawn alone before the background.

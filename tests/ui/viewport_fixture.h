@@ -44,12 +44,16 @@ public:
         viewport = new Viewport(window.get());
         window->setCentralWidget(viewport);
         window->resize(1000, 700);
-        viewport->setPalette3D(palette());
-        viewport->setPart(model(radii));
-        viewport->setStockOutline(stock);
-        viewport->setTool(ballTool());
-        viewport->setToolMarks(marksAt({6.0, -4.0, 20.0}));
+        fill(*viewport);
         window->show();
+    }
+
+    static void fill(Viewport& viewport) {
+        viewport.setPalette3D(palette());
+        viewport.setPart(model(radii));
+        viewport.setStockOutline(stock);
+        viewport.setTool(ballTool());
+        viewport.setToolMarks(marksAt({6.0, -4.0, 20.0}));
     }
 
     /// The part is shaded on another thread: is it to be seen by now?

@@ -36,6 +36,7 @@ public:
     QWidget& widget() override { return *this; }
     bool isValid() const override { return QOpenGLWidget::isValid(); }
     QImage grab() override { return grabFramebuffer(); }
+    void warmUp() override {}
     void makeCurrent() override { QOpenGLWidget::makeCurrent(); }
     void doneCurrent() override { QOpenGLWidget::doneCurrent(); }
 
@@ -84,6 +85,7 @@ public:
         doneCurrent();
         return picture_;
     }
+    void warmUp() override { (void)grab(); }
     void makeCurrent() override { context_->makeCurrent(surface_.get()); }
     void doneCurrent() override { context_->doneCurrent(); }
 

@@ -40,6 +40,9 @@ public:
     virtual bool isValid() const = 0;
     /// Draws and gives the picture, in screen pixels.
     virtual QImage grab() = 0;
+    /// Draws what nobody sees, before the widget is shown, where the processor makes the programs that draw: it takes
+    /// tens of milliseconds for each. Nothing on a graphics card, whose context comes with the widget.
+    virtual void warmUp() = 0;
     virtual void makeCurrent() = 0;
     virtual void doneCurrent() = 0;
 };

@@ -21,6 +21,14 @@ bool same(const ToolMarks& a, const ToolMarks& b) {
            a.force == b.force && a.ghost == b.ghost && a.alarm == b.alarm && a.cutting == b.cutting;
 }
 
+/// A tetrahedron with edges: drawn as any part is.
+std::vector<ShadedBody> sampleBodies() {
+    TriangleMesh mesh;
+    mesh.vertices = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    return {ShadedBody{shaded(mesh, creaseAngle), std::nullopt}};
+}
+
 } // namespace
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Impl>(*this)) {
@@ -297,6 +305,17 @@ QString Viewport::obstacleOf(const QOpenGLContext* context) {
 QString Viewport::drawingObstacle() {
     QOpenGLContext context;
     return obstacleOf(context.create() ? &context : nullptr);
+}
+
+void Viewport::warmUp() {
+    if (isVisible() || impl_->part || !drawingObstacle().isEmpty()) return;
+    impl_->canvas->warmUp();
+    QTimer::singleShot(0, this, [this] {
+        if (isVisible() || impl_->part) return;
+        impl_->scene.setPart(sampleBodies(), {});
+        impl_->canvas->warmUp();
+        impl_->scene.setPart({}, {});
+    });
 }
 
 bool Viewport::isValid() const {

@@ -132,6 +132,9 @@ public:
     /// Where a place in the setup frame appears, device-independent pixels.
     QPointF project(const glm::dvec3& place) const;
 
+    /// Before anything is to be seen: has what draws a part made ready in some turns of the event loop, so that the
+    /// first picture of one doesn't hold up the thread. Nothing once there is a part, or the view is shown.
+    void warmUp();
     bool isValid() const; ///< it can draw
     /// Draws and gives the picture, in screen pixels.
     QImage grabFramebuffer();

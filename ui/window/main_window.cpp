@@ -17,6 +17,7 @@
 #include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -27,7 +28,8 @@ namespace {
 
 constexpr QSize smallestWindow(1024, 680);
 constexpr QSize firstWindow(1280, 800);
-constexpr double scaleStep = 1.25; // of the hand, by the keyboard
+constexpr double scaleStep = 1.25;                    // of the hand, by the keyboard
+constexpr std::chrono::milliseconds warmUpAfter(300); // when the welcome page stands, and before anyone has read it
 
 /// What the view shows.
 constexpr ActionId shownByAction[] = {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool,
@@ -76,6 +78,7 @@ MainWindow::MainWindow(QWidget* parent)
     showStep(JobStep::part);
     showWelcome();
     updateTitle();
+    QTimer::singleShot(warmUpAfter, viewport_, &Viewport::warmUp);
 }
 
 MainWindow::~MainWindow() {
