@@ -78,13 +78,13 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     driver.shoot("30-two-tools");
 
     // One left out: the program of the other is judged by its own tool, whichever is in force.
-    QVERIFY(driver.clickOn("programPath1Switch"));
+    QVERIFY(driver.clickOn("programPath0Switch"));
     QVERIFY(bench.program.outdated());
     QVERIFY(postProgram(driver));
     QCOMPARE(toolChanges(bench), QStringList{"3"});
     QCOMPARE(bench.program.program()->tools.front().id, std::string("ball-6"));
     QVERIFY(bench.program.exportable());
-    QVERIFY(driver.clickOn("programPath1Switch"));
+    QVERIFY(driver.clickOn("programPath0Switch"));
 
     // What is changed while it is posted makes it out of date when it comes; taken back, it is what is wanted again.
     const auto before = bench.program.program();
@@ -234,11 +234,11 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     // Without the large tool's path the program has the ball cut all of it.
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(driver.waitFor([&] { return driver.visible("programPath1Switch") != nullptr; }, 3000));
-    QVERIFY(driver.clickOn("programPath1Switch"));
+    QVERIFY(driver.clickOn("programPath0Switch"));
     QVERIFY(postProgram(driver));
     QVERIFY(bench.program.exportable());
     QVERIFY2(std::abs(postedOver(0.0) - cutOver(alone, 0.0).feed) < 1.0, qPrintable(QString::number(postedOver(0.0))));
-    QVERIFY(driver.clickOn("programPath1Switch"));
+    QVERIFY(driver.clickOn("programPath0Switch"));
 
     // A change of the large tool's path changes the ball's: stock stands on the left again.
     QVERIFY(useTool(driver, "flat-10"));
