@@ -12,10 +12,12 @@
 #include "ui/theme/theme.h"
 
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalSpy>
+#include <QToolTip>
 
 #include <functional>
 
@@ -50,6 +52,32 @@ private slots:
         QCOMPARE(child<RowList>(panel, "noteList").count(), 3);
         panel.setUnit(LengthUnit::inch);
         QCOMPARE(plain(bodies.rows()[0].value), QStringLiteral("5.16 in³"));
+    }
+
+    /// It ends in "…", so that it begins as it would with more room.
+    void aSecondLineWithoutRoomIsWholeInTheTooltip() {
+        PartPanel panel;
+        const auto shown = [&panel](std::uint32_t faces) {
+            Model model = *examples::part().model;
+            model.bodies[0].openEdges = 12345;
+            model.bodies[0].box = {{0.0, 0.0, 0.0}, {1234.567, 2345.678, 345.678}};
+            model.bodies[0].faceCount = faces;
+            panel.setState({std::make_shared<const Model>(std::move(model)), false});
+            return panel.grab().toImage();
+        };
+        shown(1);
+        show(panel);
+        auto& list = child<RowList>(panel, "bodyList");
+        const QString& detail = list.rows()[0].detail;
+        const QRect row = list.visualItemRect(list.item(0));
+        QVERIFY(list.fontMetrics().horizontalAdvance(detail) > row.width());
+        QHelpEvent rest(QEvent::ToolTip, row.center(), list.viewport()->mapToGlobal(row.center()));
+        QApplication::sendEvent(list.viewport(), &rest);
+        QVERIFY2(QToolTip::text().contains(detail), qPrintable(QToolTip::text()));
+        QToolTip::hideText();
+        const QRect begins(list.viewport()->mapTo(&panel, row.topLeft()), QSize(row.width() / 2, row.height()));
+        const QImage one = shown(1).copy(begins), many = shown(123456).copy(begins);
+        QVERIFY(one == many);
     }
 
     /// A STEP file states it.
