@@ -2798,6 +2798,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::EmbeddingFindings</name>
+    <message>
+        <source>Findings of embedding</source>
+        <translation>Befunde beim Einbetten</translation>
+    </message>
+    <message>
+        <source>And %1 more, which “burin embed” lists.</source>
+        <translation>Und %1 weitere, die „burin embed“ auflistet.</translation>
+    </message>
+</context>
+<context>
     <name>burin::GuideCard</name>
     <message>
         <source>Step-over</source>
@@ -4815,6 +4826,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>On the part: the share of the cutting moves over the part in which the cutter is within %1 of its surface. Close to 100 % for finishing, low for roughing.</source>
         <translation>Am Teil: der Anteil der Schnittbewegungen über dem Teil, bei denen der Fräser höchstens %1 von der Oberfläche entfernt ist. Beim Schlichten nahe 100 %, beim Schruppen niedrig.</translation>
     </message>
+    <message>
+        <source>no path</source>
+        <translation>keine Bahn</translation>
+    </message>
+    <message>
+        <source>Post and check again.</source>
+        <translation>Geben Sie es neu aus und prüfen Sie es.</translation>
+    </message>
 </context>
 <context>
     <name>burin::ProgramScenePresenter</name>
@@ -5213,8 +5232,15 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Werkstück entspricht diesen Einstellungen; nach einer Änderung von Rohteil oder Voxeln muss es neu eingebettet werden.</translation>
     </message>
     <message>
-        <source>And %1 more, which “burin embed” lists.</source>
-        <translation>Und %1 weitere, die „burin embed“ auflistet.</translation>
+        <source>Embedding has 1 finding. See the end of this page.</source>
+        <translation>Das Einbetten hat 1 Befund. Er steht am Ende dieser Seite.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Embedding has %n findings. See the end of this page.</source>
+        <translation>
+            <numerusform>Das Einbetten hat %n Befund. Er steht am Ende dieser Seite.</numerusform>
+            <numerusform>Das Einbetten hat %n Befunde. Sie stehen am Ende dieser Seite.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -56,6 +56,11 @@ bool SimulatedStylus::strokeUnderWay() noexcept {
     return shown_.strokeUnderWay;
 }
 
+std::uint64_t SimulatedStylus::strokesBegun() noexcept {
+    places_.take(shown_);
+    return shown_.begun;
+}
+
 std::size_t SimulatedStylus::targetsAhead() noexcept {
     places_.take(shown_);
     return shown_.targetsAhead + static_cast<std::size_t>(wished_ - shown_.taken);
@@ -160,7 +165,10 @@ glm::dvec3 SimulatedStylus::goal() const noexcept {
 
 void SimulatedStylus::changePhase() noexcept {
     const bool still = glm::length(velocity_) < 20.0 * restSpeed;
-    if (phase_ == Phase::approach && still && lateralDistance(tip_, strokeStart_) < near) phase_ = Phase::plunge;
+    if (phase_ == Phase::approach && still && lateralDistance(tip_, strokeStart_) < near) {
+        phase_ = Phase::plunge;
+        ++begun_;
+    }
     if (phase_ == Phase::plunge && still && tip_ == strokeStart_) phase_ = Phase::follow;
     if (phase_ == Phase::follow && after_ && trail_.finished()) hoverOver(*after_);
 }
@@ -192,7 +200,7 @@ StylusState SimulatedStylus::read(double time) noexcept {
     lastTime_ = time;
     for (; gap > 0.0; gap -= longestStep) step(std::min(gap, longestStep));
     const std::size_t waits = waiting_ && waiting_->cutting ? 1 : 0;
-    places_.post({tip_, phase_ != Phase::hover, phase_ == Phase::hover ? 0 : trail_.ahead() + waits, taken_});
+    places_.post({tip_, phase_ != Phase::hover, phase_ == Phase::hover ? 0 : trail_.ahead() + waits, taken_, begun_});
     StylusState state;
     state.time = time;
     state.pose.position = tip_;

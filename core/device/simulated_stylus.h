@@ -39,8 +39,8 @@ struct StylusTarget {
 /// Then the button goes up and the tip rises before anything else. A stroke that is given up before its start was
 /// reached never presses the button. What is asked for meanwhile waits until a trail is finished.
 ///
-/// Thread: `wish`, `tip`, `strokeUnderWay` and `targetsAhead` the user interface's, the rest the haptic loop's. No
-/// lock, no allocation.
+/// Thread: `wish`, `tip`, `strokeUnderWay`, `strokesBegun` and `targetsAhead` the user interface's, the rest the haptic
+/// loop's. No lock, no allocation.
 class SimulatedStylus final : public Stylus {
 public:
     static constexpr double maximumSpeed = 400.0;  ///< mm/s, never exceeded
@@ -59,6 +59,9 @@ public:
     glm::dvec3 tip() noexcept;
     /// Whether a stroke was under way at the newest reading, its trail after the button's release among it.
     bool strokeUnderWay() noexcept;
+    /// How many strokes had turned the spindle at the newest reading, in the order in which they were wished. One that
+    /// is given up on the way to its start never does.
+    std::uint64_t strokesBegun() noexcept;
     /// How many targets of strokes, of all that were wished, were not passed at the newest reading.
     std::size_t targetsAhead() noexcept;
 
@@ -83,6 +86,7 @@ private:
         bool strokeUnderWay = false;
         std::size_t targetsAhead = 0;
         std::uint64_t taken = 0; // cutting wishes, since the beginning
+        std::uint64_t begun = 0; // strokes, since the beginning
     };
     void takeWishes() noexcept;
     bool apply(const StylusTarget& target) noexcept;
@@ -104,6 +108,7 @@ private:
     std::uint32_t givenUpSeen_ = 0;
     std::uint64_t wished_ = 0; ///< cutting, by the user interface
     std::uint64_t taken_ = 0;  ///< of these, by the loop
+    std::uint64_t begun_ = 0;  ///< strokes that turned the spindle, by the loop
     Mailbox<Shown> places_;
     Shown shown_; ///< the user interface's copy
     StylusTarget target_;

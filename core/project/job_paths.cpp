@@ -19,12 +19,19 @@ Error withoutTake() {
     return {ErrorCode::projectIncomplete, "a recording", toRecord, {}};
 }
 
-/// Tools of takes, each once, in the order of their first takes.
-std::vector<std::string> toolsOf(const std::vector<TakeInfo>& takes) {
-    std::vector<std::string> tools;
-    for (const TakeInfo& take : takes)
-        if (std::ranges::find(tools, take.toolId) == tools.end()) tools.push_back(take.toolId);
-    return tools;
+std::vector<std::size_t> placesOf(const std::vector<ToolPass>& passes) {
+    std::vector<std::size_t> order;
+    for (const OrderedPass& pass : orderPasses(passes)) order.push_back(pass.pass);
+    return order;
+}
+
+/// As their tools first milled: what orderPasses leaves as it was given.
+std::vector<StoredPath> byFirstTake(std::vector<StoredPath> paths, const std::vector<TakeInfo>& takes,
+                                    const std::vector<std::string>& milled) {
+    std::ranges::stable_sort(paths, {}, [&](const StoredPath& path) {
+        return std::ranges::find(milled, toolOf(path, takes)) - milled.begin();
+    });
+    return paths;
 }
 
 /// Places of paths in the order in which they are milled.
@@ -35,9 +42,7 @@ std::vector<std::size_t> milledOrder(const std::vector<PathMatter>& matters) {
         for (const Take& take : matter.takes) takes.push_back(take.info);
         passes.push_back(passOf(matter.path, matter.tool, takes));
     }
-    std::vector<std::size_t> order;
-    for (const OrderedPass& pass : orderPasses(passes)) order.push_back(pass.pass);
-    return order;
+    return placesOf(passes);
 }
 
 bool comesAfter(const EvaluatedPath& path, const std::vector<MilledPath>& before) {
@@ -65,6 +70,13 @@ Result<std::vector<MilledPath>> evaluateEach(const Bench& bench, const std::vect
 
 } // namespace
 
+std::vector<std::string> toolsOf(const std::vector<TakeInfo>& takes) {
+    std::vector<std::string> tools;
+    for (const TakeInfo& take : takes)
+        if (std::ranges::find(tools, take.toolId) == tools.end()) tools.push_back(take.toolId);
+    return tools;
+}
+
 std::string toolOf(const StoredPath& path, const std::vector<TakeInfo>& takes) {
     for (const std::int64_t id : path.takes)
         if (const auto take = std::ranges::find(takes, id, &TakeInfo::id); take != takes.end()) return take->toolId;
@@ -84,6 +96,23 @@ std::vector<StoredPath> firstPaths(const std::vector<StoredPath>& paths, const s
     for (const StoredPath& path : paths)
         if (!toolOf(path, takes).empty() && isFirstOfItsTool(path, paths, takes)) firsts.push_back(path);
     return firsts;
+}
+
+std::vector<StoredPath> inMillingOrder(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes,
+                                       const std::vector<std::string>& milled, const std::vector<Tool>& tools) {
+    const std::vector<StoredPath> given = byFirstTake(paths, takes, milled);
+    std::vector<ToolPass> passes;
+    for (StoredPath path : given) {
+        addNewerTakes(path, takes); // it is milled with these
+        const std::string id = toolOf(path, takes);
+        const auto known = std::ranges::find(tools, id, &Tool::id);
+        Tool unknown;
+        unknown.id = id;
+        passes.push_back(passOf(path, known != tools.end() ? *known : unknown, takes));
+    }
+    std::vector<StoredPath> ordered;
+    for (const std::size_t place : placesOf(passes)) ordered.push_back(given[place]);
+    return ordered;
 }
 
 ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<TakeInfo>& takes) {
@@ -193,7 +222,7 @@ Result<EvaluatedPath> evaluateInJob(const Project& project, const Bench& bench, 
     const std::string tool = toolOf(path, *takes);
     std::vector<PathMatter> matters;
     std::size_t wanted = 0;
-    for (const StoredPath& each : firstPaths(*paths, *takes)) {
+    for (const StoredPath& each : byFirstTake(firstPaths(*paths, *takes), *takes, milling)) {
         const std::string toolOfEach = toolOf(each, *takes);
         const bool itself = toolOfEach == tool;
         if (!itself && std::ranges::find(milling, toolOfEach) == milling.end()) continue;

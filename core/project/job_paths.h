@@ -34,6 +34,16 @@ Result<std::vector<StoredPath>> jobPaths(Project& project);
 /// The job's paths among all of a project: the first of each tool.
 std::vector<StoredPath> firstPaths(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes);
 
+/// Paths of a job in the order in which it mills them, evaluates them (evaluateInOrder) and has them in its program: by
+/// orderPasses, and what that does not tell apart in the order in which their tools first milled.
+/// @param milled  tools of standing takes in the order of their first ones. @param tools  known ones; another counts as
+/// one without a diameter
+std::vector<StoredPath> inMillingOrder(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes,
+                                       const std::vector<std::string>& milled, const std::vector<Tool>& tools);
+
+/// Tools of takes, each once, in the order of their first takes.
+std::vector<std::string> toolsOf(const std::vector<TakeInfo>& takes);
+
 /// What the place of a path among others depends on. @param takes its own among them
 ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<TakeInfo>& takes);
 

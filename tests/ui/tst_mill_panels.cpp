@@ -67,6 +67,35 @@ private slots:
         QCOMPARE(field.value(), 111.0);
     }
 
+    /// What is below the list stays where it is, on the panel and on the rest of the page; the newest take is seen.
+    void takesMoveNothing() {
+        MillPanel panel;
+        MillState state = examples::mill();
+        state.takes.clear();
+        panel.setState(state);
+        show(panel);
+        const auto outside = [&panel] {
+            auto controls = controlsOf(panel);
+            const auto& list = child<TakeList>(panel, "takeList");
+            std::erase_if(controls, [&list](const auto& control) { return list.isAncestorOf(control.first); });
+            return controls;
+        };
+        const auto before = outside();
+        QVERIFY(before.contains(&child<QWidget>(panel, "showMeButton")));
+        const int height = panel.heightForWidth(panelWidth);
+        for (int takes = 1; takes <= 8; ++takes) {
+            state.takes.push_back(examples::take(takes, "Take", 58210, 12));
+            panel.setState(state);
+            QVERIFY(outside() == before);
+            QCOMPARE(panel.heightForWidth(panelWidth), height);
+            const auto& newest = child<QWidget>(panel, qPrintable(QStringLiteral("removeTake%1").arg(takes)));
+            QCOMPARE(newest.visibleRegion().boundingRect(), newest.rect());
+        }
+        state.takes.clear();
+        panel.setState(state);
+        QVERIFY(outside() == before);
+    }
+
     void millingIsLedByItsButtons() {
         MillPanel panel;
         MillState state = examples::mill();

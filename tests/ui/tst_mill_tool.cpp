@@ -374,6 +374,50 @@ private slots:
         QVERIFY(tool_->canRepeat());
     }
 
+    /// One that is given up on the way to its start cut nothing: the stroke before it is the last one still, and what
+    /// was taken back before can be put back.
+    void aStrokeThatNeverTurnedTheSpindleIsNone() {
+        tool_->setSettings({.depthOfCut = 1.0, .speed = 20.0, .stepOver = 3.0});
+        const auto draw = [this](double y, bool giveUp) {
+            tool_->press(left({-4.0, y, top}));
+            if (giveUp) rest(20);
+            tool_->move(over({4.0, y, top}, Qt::LeftButton));
+            if (giveUp) tool_->key(Qt::Key_Escape, Qt::NoModifier);
+            tool_->release(left({4.0, y, top}));
+        };
+        const auto isRepeatedAt = [this](double y) {
+            if (!tool_->repeat(MillTool::Repetition::left).isEmpty()) return false; // to +Y, as it goes to +X
+            bool cut = false, there = true;
+            for (int tick = 0; tick < 3000; ++tick) {
+                const glm::dvec3 tip = read();
+                there = there && (!cutting_ || std::abs(tip.y - y) < 0.03);
+                cut = cut || cutting_;
+            }
+            return cut && there;
+        };
+        draw(12.0, false);
+        rest();
+        draw(-16.0, true);
+        QVERIFY(!cutting_ && tool_->canRepeat());
+        rest();
+        QVERIFY(isRepeatedAt(15.0));
+        tool_->strokeTakenBack(true);
+        tool_->strokeTakenBack(true);
+        QVERIFY(!tool_->canRepeat());
+        draw(-16.0, true);
+        QVERIFY(!tool_->canRepeat());
+        rest();
+        tool_->strokeTakenBack(false);
+        QVERIFY(isRepeatedAt(15.0));
+        // Of those that wait behind one that is cut none has turned it.
+        draw(9.0, false);
+        for (int tick = 0; tick < 1000 || !cutting_; ++tick) read();
+        draw(-16.0, false);
+        draw(-12.0, true);
+        rest();
+        QVERIFY(isRepeatedAt(12.0));
+    }
+
     /// Strokes that wait are seen as strokes: no line is drawn where the tool goes from one to the next.
     void strokesThatWaitAreSeenEachByItself() {
         tool_->setSettings({.depthOfCut = 1.0, .speed = 20.0});

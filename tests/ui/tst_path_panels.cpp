@@ -27,6 +27,8 @@
 #include <QTextBlock>
 #include <QToolButton>
 
+#include <functional>
+
 using namespace burin;
 
 class TestPathPanels : public QObject {
@@ -54,11 +56,45 @@ private slots:
         QCOMPARE(changed[1].first, std::size_t{1});
         QVERIFY(changed[1].second.enabled);
         QVERIFY(child<QLabel>(panel, "edit2Report").text().contains(QStringLiteral("0.018")));
-        QVERIFY(!child<QLabel>(panel, "edit1Report").isVisible()); // there is no report of an edit that was off
+        QVERIFY(child<QLabel>(panel, "edit1Report").text().trimmed().isEmpty()); // it was off
         QCOMPARE(valueOf(panel, "pathErrorBudget"), QStringLiteral("0.033 mm"));
         QCOMPARE(valueOf(panel, "pathSides"), QStringLiteral("62 % / 31 %"));
         QCOMPARE(valueOf(panel, "pathPoints"), QStringLiteral("12,408"));
         QCOMPARE(valueOf(panel, "pathLength"), QStringLiteral("8,422 mm"));
+    }
+
+    /// Neither what an evaluation tells nor another tool that has milled.
+    void whatComesOfAPathMovesNothing() {
+        PathPanel panel;
+        PathState quiet = examples::path();
+        quiet.outdated = false;
+        quiet.reports.clear();
+        quiet.points = 0;
+        quiet.milled = {{"ball-6", QStringLiteral("Ball-end mill 6 mm")}};
+        quiet.tool = quiet.milled.front();
+        panel.setState(quiet);
+        show(panel);
+        const auto before = controlsOf(panel);
+        QVERIFY(before.size() > 20);
+        const PathState told = examples::path();
+        PathState state = quiet;
+        state.milled.push_back({"flat-10", QStringLiteral("Flat end mill 10 mm")});
+        panel.setState(state);
+        QVERIFY(controlsOf(panel) == before);
+        QVERIFY(child<QWidget>(panel, "pathTool").isEnabled());
+        state.reports = told.reports;
+        state.points = told.points;
+        panel.setState(state);
+        QVERIFY(controlsOf(panel) == before);
+        QVERIFY(child<QLabel>(panel, "edit2Report").text().contains(QStringLiteral("0.018")));
+        state.problem = QStringLiteral("Nothing is left of the path. ").repeated(9);
+        panel.setState(state);
+        QVERIFY(controlsOf(panel) == before);
+        // The button that adds edits stays under the pointer that pressed it.
+        const QWidget& add = child<QWidget>(panel, "addEditButton");
+        state.path.edits.push_back(state.path.edits.front());
+        panel.setState(state);
+        QCOMPARE(controlsOf(panel)[&add], before.at(&add));
     }
 
     void aLevelIsMeasuredAsItsGoalIs() {
@@ -353,7 +389,78 @@ private slots:
         QVERIFY(stays());
     }
 
-    /// The list of marks that comes above the text while one types makes it smaller, and the typed line stays in sight.
+    /// Verdict, notices, tools and findings come and go, and what is typed into or pressed stays where it is.
+    void whatIsToldOfAProgramMovesNothing() {
+        QScrollArea page;
+        auto* panel = new ProgramPanel;
+        page.setWidget(panel);
+        page.setWidgetResizable(true);
+        ProgramState unchecked = examples::program();
+        unchecked.report.reset();
+        unchecked.paths = {{1, QStringLiteral("Ball-end mill 6 mm"), true}};
+        panel->setState(unchecked);
+        page.resize(panelWidth + 24, 700);
+        page.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&page));
+        const auto before = controlsOf(*panel);
+        for (const char* name : {"postButton", "machineChoice", "gougeToleranceField", "editTextButton"})
+            QVERIFY2(before.contains(&child<QWidget>(*panel, name)), name);
+        const auto& editor = child<QWidget>(*panel, "programEditor");
+        const QRect place = editor.geometry();
+        const std::pair<const char*, std::function<void(ProgramState&)>> news[] = {
+            {"checked", [](ProgramState& state) { state = examples::program(); }},
+            {"busy", [](ProgramState& state) { state.busy = true; }},
+            {"a problem", [](ProgramState& state) { state.problem = QStringLiteral("It can't be. ").repeated(20); }},
+            {"outdated",
+             [](ProgramState& state) {
+                 state = examples::program();
+                 state.outdated = true;
+             }},
+            {"refused", [](ProgramState& state) { state = examples::failedProgram(); }},
+            {"many findings",
+             [](ProgramState& state) {
+                 state = examples::failedProgram();
+                 VerifyReport report = *state.report;
+                 report.findings.resize(40, report.findings.front());
+                 state.report = std::make_shared<const VerifyReport>(report);
+             }},
+            {"wanted all the same",
+             [](ProgramState& state) {
+                 state = examples::failedProgram();
+                 state.released = true;
+             }},
+            {"edited",
+             [](ProgramState& state) {
+                 state.edited = true;
+                 state.lint = std::vector(1, LintMark());
+             }},
+            {"more tools", [](ProgramState& state) {
+                 for (int i = 2; i < 6; ++i) state.paths.push_back({i, QStringLiteral("Flat end mill 10 mm"), true});
+                 state.withoutPath = QStringList{QStringLiteral("Bull-nose end mill 10 mm")};
+             }}};
+        for (const auto& [name, change] : news) {
+            ProgramState state = unchecked;
+            change(state);
+            panel->setState(state);
+            auto after = controlsOf(*panel);
+            QCOMPARE(editor.geometry().topLeft(), place.topLeft());
+            for (const auto& [control, rect] : before) {
+                if (child<QWidget>(*panel, "programPaths").isAncestorOf(control)) continue;
+                QVERIFY2(after.contains(control) && after[control] == rect,
+                         qPrintable(QLatin1String(name) + QStringLiteral(": ") + control->objectName()));
+            }
+            QCOMPARE(child<QPushButton>(*panel, "overrideButton").isVisible(),
+                     QLatin1String(name) == QLatin1String("refused") ||
+                         QLatin1String(name) == QLatin1String("many findings"));
+            const auto& text = child<QWidget>(*panel, "programText");
+            QVERIFY(text.height() >= 160 && !text.visibleRegion().isEmpty());
+            panel->setState(unchecked);
+            QVERIFY(controlsOf(*panel) == before);
+            QCOMPARE(editor.geometry(), place);
+        }
+    }
+
+    /// The list of marks that comes below the text while one types makes it smaller, and the typed line stays in sight.
     void theLineThatIsWrittenStaysInSight() {
         ProgramView view;
         view.showProgram(QStringLiteral("G1 X1\n").repeated(200));

@@ -3,6 +3,7 @@
 #include "tests/ui/panel_bench.h"
 #include "tests/ui/panel_examples.h"
 #include "ui/panels/allowance_panel.h"
+#include "ui/panels/embedding_findings.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/part_panel.h"
@@ -11,10 +12,14 @@
 #include "ui/theme/theme.h"
 
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalSpy>
+#include <QToolTip>
+
+#include <functional>
 
 using namespace burin;
 
@@ -47,6 +52,32 @@ private slots:
         QCOMPARE(child<RowList>(panel, "noteList").count(), 3);
         panel.setUnit(LengthUnit::inch);
         QCOMPARE(plain(bodies.rows()[0].value), QStringLiteral("5.16 in³"));
+    }
+
+    /// It ends in "…", so that it begins as it would with more room.
+    void aSecondLineWithoutRoomIsWholeInTheTooltip() {
+        PartPanel panel;
+        const auto shown = [&panel](std::uint32_t faces) {
+            Model model = *examples::part().model;
+            model.bodies[0].openEdges = 12345;
+            model.bodies[0].box = {{0.0, 0.0, 0.0}, {1234.567, 2345.678, 345.678}};
+            model.bodies[0].faceCount = faces;
+            panel.setState({std::make_shared<const Model>(std::move(model)), false});
+            return panel.grab().toImage();
+        };
+        shown(1);
+        show(panel);
+        auto& list = child<RowList>(panel, "bodyList");
+        const QString& detail = list.rows()[0].detail;
+        const QRect row = list.visualItemRect(list.item(0));
+        QVERIFY(list.fontMetrics().horizontalAdvance(detail) > row.width());
+        QHelpEvent rest(QEvent::ToolTip, row.center(), list.viewport()->mapToGlobal(row.center()));
+        QApplication::sendEvent(list.viewport(), &rest);
+        QVERIFY2(QToolTip::text().contains(detail), qPrintable(QToolTip::text()));
+        QToolTip::hideText();
+        const QRect begins(list.viewport()->mapTo(&panel, row.topLeft()), QSize(row.width() / 2, row.height()));
+        const QImage one = shown(1).copy(begins), many = shown(123456).copy(begins);
+        QVERIFY(one == many);
     }
 
     /// A STEP file states it.
@@ -128,12 +159,20 @@ private slots:
     /// In the unit that is shown; of hundreds the first ones.
     void whatEmbeddingFoundIsTold() {
         StockPanel panel;
+        EmbeddingFindings whole;
         StockState state = examples::stock();
         state.embedded = true;
-        panel.setState(state);
+        const auto find = [&](std::vector<EmbeddingFinding> findings) {
+            state.findings = std::move(findings);
+            panel.setState(state);
+            whole.setFindings(state.findings);
+        };
+        find({});
         show(panel);
-        auto& notice = child<Notice>(panel, "findingsNotice");
-        QVERIFY(!notice.isVisible());
+        auto& notice = child<Notice>(whole, "findingsNotice");
+        const auto& summary = child<Notice>(panel, "stockNotice");
+        QVERIFY(whole.isHidden());
+        QCOMPARE(summary.kind(), Notice::Kind::passed);
         EmbeddingFinding open;
         open.body = "Torn";
         open.count = 1400;
@@ -143,21 +182,60 @@ private slots:
         EmbeddingFinding tiny;
         tiny.kind = EmbeddingFinding::Kind::tooSmall;
         tiny.body = "Pin";
-        state.findings = {open, tiny};
-        panel.setState(state);
-        QVERIFY(notice.isVisible());
+        find({open, tiny});
+        QVERIFY(whole.isVisible());
         QCOMPARE(notice.kind(), Notice::Kind::warning);
         QCOMPARE(plain(notice.sentence()),
                  QStringLiteral("The surface of “Torn” is open (edges: 4, rims: 1), so what it encloses there is a "
                                 "guess (scanlines: 1,400; X 0.000 to 25.400 mm; Y -2.500 to 10.000 mm; Z 0.000 to "
                                 "10.000 mm); close it in the CAD program.\n“Pin” is too small for the voxels, so "
                                 "nothing of it is protected; choose smaller voxels."));
-        panel.setUnit(LengthUnit::inch);
+        QCOMPARE(summary.kind(), Notice::Kind::warning);
+        QVERIFY2(summary.sentence().contains(QStringLiteral("2 findings")), qPrintable(summary.sentence()));
+        whole.setUnit(LengthUnit::inch);
         QVERIFY(plain(notice.sentence()).contains(QStringLiteral("X 0.0000 to 1.0000 in;")));
-        state.findings.assign(300, tiny);
-        panel.setState(state);
+        find(std::vector(300, tiny));
         QCOMPARE(notice.sentence().count(QLatin1Char('\n')), 4);
         QVERIFY(notice.sentence().contains(QStringLiteral("And 296 more")));
+        find({tiny});
+        QVERIFY2(summary.sentence().contains(QStringLiteral("1 finding.")), qPrintable(summary.sentence()));
+    }
+
+    /// What is below the panel on its page neither.
+    void whatTheStockPanelTellsMovesNothing() {
+        StockPanel panel;
+        const StockState quiet = examples::stock();
+        panel.setState(quiet);
+        show(panel);
+        const auto before = controlsOf(panel);
+        const int height = panel.heightForWidth(panelWidth);
+        QCOMPARE(before.size(), std::size_t{5});
+        const std::function<void(StockState&)> changes[] = {
+            [](StockState& state) { state.embedded = true; },
+            [](StockState& state) {
+                state.embedded = true;
+                state.findings = std::vector(7, EmbeddingFinding{});
+            },
+            [](StockState& state) { state.locked = true; },
+            [](StockState& state) { state.problem = QStringLiteral("The stock is far too large. ").repeated(9); },
+            [](StockState& state) { state.setup.marginLow.x = 1.0; },
+            [](StockState& state) { state.size.reset(); },
+            [](StockState& state) {
+                state.size = EmbeddingSize{{4, 4, 4}, 0.1};
+            },
+            [](StockState& state) {
+                state.size = EmbeddingSize{{20480, 12800, 11800}, 123456.0};
+            },
+            [](StockState& state) { state.hasPart = false; }};
+        for (const auto& change : changes) {
+            StockState state = quiet;
+            change(state);
+            panel.setState(state);
+            QVERIFY(controlsOf(panel) == before);
+            QCOMPARE(panel.heightForWidth(panelWidth), height);
+            const auto& voxels = child<QLabel>(panel, "voxelCount");
+            QVERIFY(voxels.heightForWidth(voxels.width()) <= voxels.height());
+        }
     }
 
     void marginsThatDifferAreTold() {

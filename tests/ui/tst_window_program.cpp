@@ -126,7 +126,7 @@ void TestWindowProgram::theTextOpensNextToTheView() {
     QVERIFY(driver.visible("programDock") != nullptr);
 }
 
-/// In a wide dock; in the panel they are above it.
+/// In a wide dock; in the panel they are below it.
 void TestWindowProgram::findingsStandBesideTheText() {
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
@@ -139,7 +139,7 @@ void TestWindowProgram::findingsStandBesideTheText() {
     const auto lies = [&](const char* name) {
         return QRect(driver.visible(name)->mapTo(&driver.window(), QPoint(0, 0)), driver.visible(name)->size());
     };
-    QVERIFY(lies("findingList").bottom() < lies("programText").top());
+    QVERIFY(lies("findingList").top() > lies("programText").bottom());
     driver.key(Qt::Key_F7);
     QVERIFY(driver.waitFor([&] { return lies("findingList").left() > lies("programText").right(); }, 3000));
     QVERIFY(lies("checkTextButton").top() > lies("findingList").bottom());
@@ -148,7 +148,7 @@ void TestWindowProgram::findingsStandBesideTheText() {
     driver.shoot("47-findings-beside-the-text");
     auto* docks = driver.window().findChild<QMainWindow*>("viewDocks");
     docks->addDockWidget(Qt::LeftDockWidgetArea, driver.visible<QDockWidget>("programDock"));
-    QVERIFY(driver.waitFor([&] { return lies("findingList").bottom() < lies("programText").top(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return lies("findingList").top() > lies("programText").bottom(); }, 3000));
     driver.shoot("47-text-left-of-the-view");
 }
 

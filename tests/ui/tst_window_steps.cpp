@@ -58,6 +58,13 @@ void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
     QVERIFY(makeReady(driver, 1.0));
     QVERIFY(progress().startsWith(QStringLiteral("done")));
     QVERIFY(driver.visible<QWidget>("findingsNotice") == nullptr);
+    const auto places = [&] {
+        std::vector<QPoint> found;
+        for (const char* name : {"sideMarginField", "embedButton", "addObstacleButton", "travelSwitch", "axisChoice"})
+            found.push_back(driver.visible<QWidget>(name)->mapToGlobal(QPoint()));
+        return found;
+    };
+    const std::vector<QPoint> before = places();
 
     const auto sound = bench.model.model();
     drop(driver.window(), writeBlock(driver, false));
@@ -70,6 +77,8 @@ void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
     auto* const notice = driver.visible<Notice>("findingsNotice");
     QVERIFY(notice != nullptr);
     QVERIFY(notice->sentence().contains(QStringLiteral("is open (edges: 4, rims: 1)")));
+    QCOMPARE(places(), before); // as much as there is to be told
+    QVERIFY(driver.visible<Notice>("stockNotice")->sentence().contains(QStringLiteral("1 finding")));
 }
 
 /// Stock comes before material in the job: who goes through the steps from left to right loses nothing.

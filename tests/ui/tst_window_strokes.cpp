@@ -90,6 +90,28 @@ private slots:
         driver_->shoot("strokes-line");
     }
 
+    /// Esc on the way to its start: nothing was cut, and nothing of it is repeated or taken back.
+    void aStrokeThatIsGivenUpOnItsWayIsNone() {
+        millLine(*driver_, {-15, -8}, {-5, -8});
+        QVERIFY(strokesAre(1));
+        const auto canRepeat = [&] { return driver_->visible<QPushButton>("repeatLowerButton")->isEnabled(); };
+        QVERIFY(driver_->waitFor(canRepeat, 2000));
+        const QPoint away = at({14, 10});
+        QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, away);
+        QTest::mouseMove(&viewport(), at({5, 10}));
+        driver_->key(Qt::Key_Escape);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, at({5, 10}));
+        QTest::qWait(500); // as long as the tool needs to get there
+        QVERIFY(strokesAre(1) && bench().mill.active());
+        QCOMPARE(bench().bench.strokes().count(), std::size_t{1});
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(driver_->waitFor([&] { return bench().bench.strokes().count() == 0; }, 3000));
+        QVERIFY(driver_->waitFor([&] { return !canRepeat(); }, 2000));
+        driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver_->waitFor(canRepeat, 3000));
+        QCOMPARE(bench().bench.strokes().count(), std::size_t{1});
+    }
+
     void xAndYLockAStrokeUntilPressedAgain() {
         driver_->key(Qt::Key_X);
         QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("locked to X")); }, 2000));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_steps.h"
+#include "ui/panels/elided_label.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/step_button.h"
 
@@ -58,34 +59,46 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     const auto ball = bench.path.evaluated();
     QVERIFY(postProgram(driver));
     QCOMPARE(toolChanges(bench), QStringList{"3"});
-    QVERIFY(driver.visible("programPath0Switch") == nullptr); // one tool needs no list
+    const auto listed = [&](const char* name) { // "" where there is no such row
+        const auto* row = driver.visible<QCheckBox>(name);
+        return row != nullptr ? row->accessibleName() : QString();
+    };
+    QTRY_VERIFY(listed("programPath0Switch").contains(QStringLiteral("6 mm")));
+    QVERIFY(!driver.visible("programPath0Switch")->isEnabled()); // one tool is no choice
+    const QPoint fields = driver.visible("machineChoice")->mapToGlobal(QPoint());
 
     // The other tool: no path of it yet, and the program says so.
     QVERIFY(useTool(driver, "flat-10"));
     QVERIFY(bench.path.stored() == nullptr && !bench.program.outdated());
     QVERIFY(recordLine(driver, {-15, 5}, {15, 5}));
     QVERIFY(driver.step(JobStep::program));
-    QVERIFY(driver.waitFor([&] { return driver.visible("withoutPathNotice") != nullptr; }, 3000));
+    QTRY_VERIFY(listed("programPath1Switch").contains(QStringLiteral("10 mm")));
+    QVERIFY(!driver.visible("programPath1Switch")->isEnabled() &&
+            !driver.visible<QCheckBox>("programPath1Switch")->isChecked());
+    QCOMPARE(driver.visible<ElidedLabel>("programPath1News")->text(), QStringLiteral("no path"));
     driver.shoot("29-tool-without-path");
     QVERIFY(bench.program.outdated());
     QVERIFY(makePath(driver));
     QVERIFY(bench.path.evaluated()->path.toolId == "flat-10");
     QVERIFY(driver.step(JobStep::program));
-    QVERIFY(driver.waitFor([&] { return driver.visible("programPath1Switch") != nullptr; }, 3000));
-    QVERIFY(driver.visible("withoutPathNotice") == nullptr);
+    QTRY_VERIFY(driver.visible("programPath1Switch") != nullptr && driver.visible("programPath1Switch")->isEnabled());
     QVERIFY(postProgram(driver));
     QCOMPARE(toolChanges(bench), (QStringList{"7", "3"})); // the larger tool first
     QVERIFY(bench.program.exportable());
     driver.shoot("30-two-tools");
+    // The list has the order of the program, and nothing has moved.
+    QVERIFY2(listed("programPath0Switch").contains(QStringLiteral("10 mm")), qPrintable(listed("programPath0Switch")));
+    QVERIFY2(listed("programPath1Switch").contains(QStringLiteral("6 mm")), qPrintable(listed("programPath1Switch")));
+    QCOMPARE(driver.visible("machineChoice")->mapToGlobal(QPoint()), fields);
 
     // One left out: the program of the other is judged by its own tool, whichever is in force.
-    QVERIFY(driver.clickOn("programPath1Switch"));
+    QVERIFY(driver.clickOn("programPath0Switch"));
     QVERIFY(bench.program.outdated());
     QVERIFY(postProgram(driver));
     QCOMPARE(toolChanges(bench), QStringList{"3"});
     QCOMPARE(bench.program.program()->tools.front().id, std::string("ball-6"));
     QVERIFY(bench.program.exportable());
-    QVERIFY(driver.clickOn("programPath1Switch"));
+    QVERIFY(driver.clickOn("programPath0Switch"));
 
     // What is changed while it is posted makes it out of date when it comes; taken back, it is what is wanted again.
     const auto before = bench.program.program();
@@ -239,11 +252,11 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     // Without the large tool's path the program has the ball cut all of it.
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(driver.waitFor([&] { return driver.visible("programPath1Switch") != nullptr; }, 3000));
-    QVERIFY(driver.clickOn("programPath1Switch"));
+    QVERIFY(driver.clickOn("programPath0Switch"));
     QVERIFY(postProgram(driver));
     QVERIFY(bench.program.exportable());
     QVERIFY2(std::abs(postedOver(0.0) - cutOver(alone, 0.0).feed) < 1.0, qPrintable(QString::number(postedOver(0.0))));
-    QVERIFY(driver.clickOn("programPath1Switch"));
+    QVERIFY(driver.clickOn("programPath0Switch"));
 
     // A change of the large tool's path changes the ball's: stock stands on the left again.
     QVERIFY(useTool(driver, "flat-10"));

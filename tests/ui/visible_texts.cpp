@@ -4,6 +4,8 @@
 
 #include "ui/panels/elided_label.h"
 #include "ui/panels/row_list.h"
+#include "ui/panels/step_button.h"
+#include "ui/theme/number_font.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -107,10 +109,21 @@ bool isToldInWhole(RowList& list, int index) {
     QApplication::sendEvent(list.viewport(), &rest);
     const QString told = QToolTip::text();
     QToolTip::hideText();
-    constexpr int leastMargins = 16;
-    const auto width = [&](const QString& text) { return list.fontMetrics().horizontalAdvance(text); };
-    const int taken = leastMargins + width(row.value) + width(row.badge);
-    return width(row.title) + taken <= place.width() || told.contains(row.title);
+    // Either line begins behind the icon or swatch; the first one ends before what stands on its right.
+    constexpr int margins = 16, iconRoom = 24, swatchRoom = 18, gap = 8;
+    const int room = place.width() - margins - (!row.icon.isEmpty() ? iconRoom : row.swatch.isValid() ? swatchRoom : 0);
+    const QFont figures = numberFont(list.font());
+    QFont small = figures;
+    small.setPointSizeF(0.88 * small.pointSizeF());
+    const auto width = [](const QFont& font, const QString& text) {
+        return text.isEmpty() ? 0 : QFontMetrics(font).horizontalAdvance(text);
+    };
+    const auto behind = [&](const QFont& font, const QString& text) {
+        return text.isEmpty() ? 0 : width(font, text) + gap;
+    };
+    const int title = room - behind(figures, row.value) - (row.badge.isEmpty() ? 0 : behind(small, row.badge) + gap);
+    return (width(list.font(), row.title) <= title || told.contains(row.title)) &&
+           (width(small, row.detail) <= room || told.contains(row.detail));
 }
 
 /// Sentences over several lines are as high as they need; else each row has a tooltip for what ends in "…".
@@ -132,12 +145,20 @@ bool fits(const QLineEdit& field) {
     return field.hasFocus() || field.fontMetrics().horizontalAdvance(text) <= room;
 }
 
+/// The second line of a step: what it holds.
+bool fits(StepButton& step) {
+    const QString progress = step.accessibleDescription().section(QStringLiteral(": "), 0, 0);
+    const QString line = step.accessibleDescription().mid(progress.size() + 2);
+    return toolTipOf(step).contains(line) && toolTipOf(step).contains(step.text());
+}
+
 bool fits(QWidget& widget) {
     if (auto* elided = qobject_cast<ElidedLabel*>(&widget))
         return isToldInWhole(*elided, elided->text(), elided->contentsRect().width());
     if (auto* choice = qobject_cast<QComboBox*>(&widget)) return fits(*choice);
     if (const auto* field = qobject_cast<const QLineEdit*>(&widget)) return fits(*field);
     if (auto* list = qobject_cast<RowList*>(&widget)) return fits(*list);
+    if (auto* step = qobject_cast<StepButton*>(&widget)) return fits(*step);
     if (const auto* tool = qobject_cast<const QToolButton*>(&widget))
         return tool->width() >= tool->minimumSizeHint().width();
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) return fits(*label);

@@ -27,6 +27,7 @@ MillTool::MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<Volu
     , tool_(tool)
     , view_(std::move(view))
     , feed_(stylus, [this](const glm::dvec3& place) { return strokeHeight(view_(), place); })
+    , begunBefore_(stylus.strokesBegun())
     , target_(stylus.tip()) {
     settling_.setSingleShot(true);
     settling_.setInterval(settlingInterval);
@@ -156,7 +157,7 @@ void MillTool::beginFreeStroke(const ViewportEvent& event) {
     if (!place) return;
     showAim({});
     stroke_ = Stroke::pointer;
-    memory_.begin();
+    memory_.begin(begunStrokes());
     emit strokeBegins();
     cutTo(*place, clearHeightTo(workpiece, *place), grainAt(*place));
 }
@@ -190,7 +191,7 @@ void MillTool::missRelease() {
 }
 
 void MillTool::strokeTakenBack(bool undo) {
-    memory_.takeBack(undo);
+    memory_.takeBack(undo, begunStrokes());
     if (drawing_ == Drawing::line) drawing_ = Drawing::none; // it began where that stroke ended
     emit stateChanged();
 }
@@ -245,6 +246,7 @@ void MillTool::endStroke(End how) {
     if (how == End::givenUp) {
         target_ = stylus_.tip();
         feed_.giveUp({.tip = target_}); // even if there is no workpiece to hover over any more
+        memory_.giveUp(begunStrokes());
     }
     strokeEnd_ = target_;
     feed_.add({.tip = target_, .finishStroke = true});
@@ -270,7 +272,7 @@ void MillTool::toggleSpindle() {
     if (view_().empty()) return;
     showAim({});
     stroke_ = Stroke::keyboard;
-    memory_.begin();
+    memory_.begin(begunStrokes());
     emit strokeBegins();
     cutTo(target_, target_.z, 0.0);
     emit stateChanged();

@@ -134,6 +134,7 @@ private:
     void missRelease();
     enum class End : std::uint8_t { finished, givenUp };
     void endStroke(End how);
+    std::uint64_t begunStrokes() noexcept { return stylus_.strokesBegun() - begunBefore_; }
     void step(const glm::dvec3& way);
     void toggleSpindle();
 
@@ -150,6 +151,7 @@ private:
     ViewportEvent pressed_;                ///< that began what is drawn
     glm::dvec3 corner_{0.0}, across_{0.0}; ///< mm, of what is drawn: where it begins and where the pointer is
     StrokeMemory memory_;
+    std::uint64_t begunBefore_ = 0; ///< strokes of the stylus that others led
     StrokeLock lock_ = StrokeLock::none;
     glm::dvec3 lockAnchor_{0.0}, lockDirection_{1.0, 0.0, 0.0}; ///< mm; unit
     glm::dvec3 target_;                                         ///< mm, that was wished last

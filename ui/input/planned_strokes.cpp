@@ -80,7 +80,7 @@ QString MillTool::cutPlan(const std::vector<glm::dvec3>& corners, double speed, 
         feed_.add(target, onPart ? StrokeFeed::Height::later : StrokeFeed::Height::given);
     }
     target_ = places.back();
-    memory_.begin();
+    memory_.begin(begunStrokes());
     for (const glm::dvec3& corner : corners) memory_.add(corner, grain);
     strokeEnd_ = target_;
     feed_.add({.tip = target_, .finishStroke = true});

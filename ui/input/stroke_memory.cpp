@@ -3,6 +3,7 @@
 #include "ui/input/stroke_memory.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace burin {
@@ -12,29 +13,61 @@ constexpr std::size_t mostRemembered = 64; // strokes; more than anyone takes ba
 
 } // namespace
 
-void StrokeMemory::begin() {
-    undone_.clear();
+void StrokeMemory::begin(std::uint64_t begun) {
+    recall(begun);
+    givenUp_.clear();
+    ++drawn_;
+    if (!undone_.empty()) {
+        undoneBefore_ = std::exchange(undone_, {});
+        replacedBy_ = drawn_;
+    }
     if (strokes_.size() == mostRemembered) strokes_.erase(strokes_.begin());
-    strokes_.emplace_back();
+    strokes_.push_back({{}, drawn_});
 }
 
 void StrokeMemory::add(const glm::dvec3& place, double grain) {
-    if (strokes_.empty()) begin();
-    DrawnStroke& stroke = strokes_.back();
+    if (strokes_.empty()) return; // it was taken back while it was drawn
+    DrawnStroke& stroke = strokes_.back().stroke;
     stroke.grain = std::max(stroke.grain, grain);
     if (stroke.places.empty() || stroke.places.back() != place) stroke.places.push_back(place);
 }
 
-void StrokeMemory::takeBack(bool undo) {
-    std::vector<DrawnStroke>&from = undo ? strokes_ : undone_, &to = undo ? undone_ : strokes_;
-    if (from.empty()) return;
-    to.push_back(std::move(from.back()));
-    from.pop_back();
+void StrokeMemory::giveUp(std::uint64_t begun) {
+    recall(begun);
+    const auto first = std::ranges::find_if(strokes_, [&](const Numbered& each) { return each.number > begun; });
+    if (first == strokes_.end()) return;
+    givenUp_.assign(std::make_move_iterator(first), std::make_move_iterator(strokes_.end()));
+    strokes_.erase(first, strokes_.end());
+    drawn_ = givenUp_.front().number - 1;
+    if (replacedBy_ > drawn_) undone_ = std::exchange(undoneBefore_, {});
+}
+
+/// One that was given up in the very moment in which it turned the spindle is a stroke all the same.
+void StrokeMemory::recall(std::uint64_t begun) {
+    if (givenUp_.empty() || givenUp_.front().number > begun) return;
+    drawn_ = givenUp_.front().number;
+    strokes_.push_back(std::move(givenUp_.front()));
+    givenUp_.clear();
+    undone_.clear();
+}
+
+void StrokeMemory::takeBack(bool undo, std::uint64_t begun) {
+    recall(begun);
+    // One that has not turned the spindle yet stays behind all that have.
+    const auto next = std::ranges::find_if(strokes_, [&](const Numbered& each) { return each.number > begun; });
+    if (undo) {
+        if (next == strokes_.begin()) return;
+        undone_.push_back(std::move(*(next - 1)));
+        strokes_.erase(next - 1);
+    } else if (!undone_.empty()) {
+        strokes_.insert(next, std::move(undone_.back()));
+        undone_.pop_back();
+    }
 }
 
 const DrawnStroke& StrokeMemory::last() const noexcept {
     static const DrawnStroke none;
-    return strokes_.empty() ? none : strokes_.back();
+    return strokes_.empty() ? none : strokes_.back().stroke;
 }
 
 } // namespace burin

@@ -103,8 +103,7 @@ void EditCard::setMovable(bool earlier, bool later) {
 }
 
 void EditCard::showReport(const EditReport* report, LengthUnit unit) {
-    report_->setVisible(report != nullptr);
-    if (report == nullptr) return;
+    if (report == nullptr) return report_->setText(QString(QChar::Nbsp)); // as high as one: the fields below stay
     QString text = tr("%1 → %2 points").arg(countText(report->pointsBefore), countText(report->pointsAfter));
     if (report->largestDeviation > 0.0)
         text += QStringLiteral(" · ") + tr("error %1").arg(lengthText(report->largestDeviation, unit));

@@ -56,8 +56,9 @@ MaterialPanel::Fields::Fields(MaterialPanel* panel) : QObject(panel), panel_(pan
     body_ = addChoice(MaterialPanel::tr("Body"), MaterialPanel::tr("The body whose material is shown below"), "body");
     bodyMaterial_ =
         addChoice(MaterialPanel::tr("Its material"), MaterialPanel::tr("What this body is made of"), "bodyMaterial");
-    locked_ = new Notice(panel);
-    column_->addWidget(locked_);
+    auto* notices = new NoticePlace(panel);
+    locked_ = notices->add("materialNotice");
+    column_->addWidget(notices);
     figuresTitle_ = makeSectionTitle({}, panel);
     column_->addWidget(figuresTitle_);
     values_ = new RowList(panel);

@@ -51,7 +51,6 @@ private:
     QWidget *pointerTitle_, *keysTitle_, *keys_; ///< of what only the pointer needs
     QuantityField *depthOfCut_, *press_, *speed_, *stepOver_;
     Notice *missing_, *alarm_, *hint_, *lock_, *how_;
-    QLabel* noTakes_;
     TakeList* takes_;
 };
 
@@ -72,12 +71,8 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
     addDrag();
     addRepetitions();
     column_->addWidget(makeSectionTitle(MillPanel::tr("Takes"), panel));
-    noTakes_ = makeWrappedLabel(panel);
-    noTakes_->setProperty("look", "quiet");
-    setWrappedText(
-        noTakes_, MillPanel::tr("Nothing is recorded yet. Everything that you mill will be; Show me demonstrates it."));
-    column_->addWidget(noTakes_);
-    takes_ = new TakeList(panel);
+    takes_ = new TakeList(
+        MillPanel::tr("Nothing is recorded yet. Everything that you mill will be; Show me demonstrates it."), panel);
     takes_->setObjectName(QStringLiteral("takeList"));
     takes_->setAccessibleName(MillPanel::tr("Takes"));
     column_->addWidget(takes_);
@@ -306,7 +301,6 @@ void MillPanel::Fields::refresh() {
     refreshDepth();
     takes_->setTakes(state.takes);
     takes_->setRemovable(!state.recording && !state.showing);
-    noTakes_->setVisible(state.takes.empty());
 }
 
 void MillPanel::Fields::setUnit(LengthUnit unit) {

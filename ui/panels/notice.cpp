@@ -19,6 +19,7 @@ namespace {
 constexpr int noticeIconSize = 18, noticePaddingAcross = 12, noticePaddingAlong = 8, noticeGap = 8;
 constexpr double tint = 0.12, noticeCorner = 8.0;
 constexpr int keptLines = 3; // of a place for notices
+constexpr int footGap = 4;   // pixels
 
 ColourRole roleOf(Notice::Kind kind) {
     switch (kind) {
@@ -138,8 +139,26 @@ Notice* NoticePlace::add(const char* name) {
     return notice;
 }
 
+void NoticePlace::setFoot(QWidget* foot) {
+    foot_ = foot;
+    foot_->setParent(this);
+    foot_->hide();
+    updateGeometry();
+}
+
+void NoticePlace::setFootWanted(bool wanted) {
+    if (wanted == footWanted_) return;
+    footWanted_ = wanted;
+    for (Notice* notice : notices_) notice->setMaximumLines(wanted ? 1 : keptLines);
+    foot_->setVisible(wanted);
+    showFirst();
+}
+
 QSize NoticePlace::sizeHint() const {
-    return {200, notices_.empty() ? 0 : notices_.front()->heightOfLines(keptLines)};
+    if (notices_.empty()) return {200, 0};
+    const Notice& any = *notices_.front();
+    const int withFoot = foot_ != nullptr ? any.heightOfLines(1) + footGap + foot_->sizeHint().height() : 0;
+    return {200, std::max(any.heightOfLines(keptLines), withFoot)};
 }
 
 void NoticePlace::showFirst() {
@@ -149,6 +168,7 @@ void NoticePlace::showFirst() {
     if (first == notices_.end()) return;
     (*first)->resize(width(), height()); // its text breaks by this
     (*first)->resize(width(), std::min(height(), (*first)->heightForWidth(width())));
+    if (footWanted_) foot_->setGeometry(0, (*first)->height() + footGap, width(), foot_->sizeHint().height());
 }
 
 void NoticePlace::resizeEvent(QResizeEvent* event) {

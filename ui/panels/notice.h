@@ -42,12 +42,15 @@ private:
 };
 
 /// Room that is kept for notices which come and go by themselves, so that nothing below moves under the hand. One of
-/// them is seen: the first that has a sentence.
+/// them is seen: the first that has a sentence. A button that belongs to a short one may stand below it, in the same
+/// room.
 class NoticePlace : public QWidget {
     Q_OBJECT
 public:
     explicit NoticePlace(QWidget* parent = nullptr);
-    Notice* add(const char* name); ///< after those that matter more; owned by this
+    Notice* add(const char* name);   ///< after those that matter more; owned by this
+    void setFoot(QWidget* foot);     ///< hidden until it is wanted; owned by this
+    void setFootWanted(bool wanted); ///< the notice above it has one line then
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {1, sizeHint().height()}; }
@@ -59,6 +62,8 @@ private:
     void showFirst();
 
     std::vector<Notice*> notices_;
+    QWidget* foot_ = nullptr;
+    bool footWanted_ = false;
 };
 
 } // namespace burin

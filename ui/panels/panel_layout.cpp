@@ -93,6 +93,17 @@ void addCard(QBoxLayout* list, QWidget* card, int place) {
     card->show();
 }
 
+QScrollArea* makeListArea(QWidget* rows, QWidget* parent) {
+    auto* area = new QScrollArea(parent);
+    area->setWidget(rows);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus); // it follows the keyboard from row to row
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    return area;
+}
+
 void setLook(QWidget* widget, const char* look) {
     if (widget->property("look").toByteArray() == look) return;
     widget->setProperty("look", QByteArray(look));

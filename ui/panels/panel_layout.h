@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+class QScrollArea;
+
 namespace burin {
 
 /// What panels are laid out with: a column on the 8-pixel grid.
@@ -23,6 +25,10 @@ void bringIntoView(QWidget* widget);
 /// A card of a list that is made anew, shown at once: a list that is short for a moment scrolls to its top.
 /// @param place in the list; -1: its end
 void addCard(QBoxLayout* list, QWidget* card, int place = -1);
+
+/// Lets the rows of a list scroll inside of a height that the caller gives it: what is below the list stays where it is
+/// when rows come and go.
+QScrollArea* makeListArea(QWidget* rows, QWidget* parent);
 
 /// Changes the look that the style sheet gives a widget (ui/theme/style_sheet.h); nothing is done when it has it.
 void setLook(QWidget* widget, const char* look);

@@ -194,10 +194,10 @@ struct ProgramPathState {
 };
 
 struct ProgramState {
-    bool hasPath = false;  ///< some path belongs into it
-    bool upToDate = false; ///< that of the tool in force is, or there is none
-    std::vector<ProgramPathState> paths;
-    QString withoutPath; ///< tools that milled and have no path yet; empty: none
+    bool hasPath = false;                ///< some path belongs into it
+    bool upToDate = false;               ///< that of the tool in force is, or there is none
+    std::vector<ProgramPathState> paths; ///< in the order of milling
+    QStringList withoutPath;             ///< tools that milled and have no path yet
     NcUnits units = NcUnits::millimetre;
     std::vector<NamedChoice> machines, dialects;
     std::string machine, dialect; ///< ids of those in force

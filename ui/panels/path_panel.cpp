@@ -94,12 +94,12 @@ PathPanel::Fields::Fields(PathPanel* panel)
     connect(selection_, &SelectionCard::cleared, panel, &PathPanel::selectionCleared);
     inner->addWidget(selection_);
     inner->addWidget(makeSectionTitle(PathPanel::tr("Edits, in order"), content_));
+    add_ = makeButton(PathPanel::tr("Add an edit"), QStringLiteral("add"), QStringLiteral("addEditButton"), content_);
+    add_->setMenu(editMenu());
+    inner->addWidget(add_); // above the list, which pushes it nowhere
     list_ = new QVBoxLayout;
     list_->setSpacing(4);
     inner->addLayout(list_);
-    add_ = makeButton(PathPanel::tr("Add an edit"), QStringLiteral("add"), QStringLiteral("addEditButton"), content_);
-    add_->setMenu(editMenu());
-    inner->addWidget(add_);
     column_->addWidget(content_);
     column_->addStretch(1);
 }
@@ -139,10 +139,8 @@ void PathPanel::Fields::addToolChoice() {
             [this] { emit panel_->toolChosen(tool_->currentData().toString().toStdString()); });
 }
 
-/// Seen where there is more than the tool in force to choose.
+/// There all the time, so that nothing moves when there is more than the tool in force to choose.
 void PathPanel::Fields::refreshTool() {
-    const bool choice = state.milled.size() > 1 || (!state.milled.empty() && !state.hasTakes);
-    tool_->parentWidget()->setVisible(choice);
     QStringList names, ids;
     for (const PathState::Tool& tool : state.milled) {
         names.append(tool.name);
@@ -150,6 +148,7 @@ void PathPanel::Fields::refreshTool() {
     }
     tool_->setPlaceholderText(state.tool.name);
     tool_->offer(names, ids, QString::fromStdString(state.tool.id));
+    setEnabledKeepingFocus(tool_, state.milled.size() > 1 || (!state.milled.empty() && !state.hasTakes));
 }
 
 void PathPanel::Fields::refreshButtons() {

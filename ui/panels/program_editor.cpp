@@ -16,7 +16,7 @@ namespace burin {
 namespace {
 
 constexpr int rowsInPanel = 5;
-constexpr int dockMargin = 8; // pixels
+constexpr int heightInPanel = 400, dockMargin = 8; // pixels
 
 } // namespace
 
@@ -38,8 +38,8 @@ ProgramEditor::ProgramEditor(QWidget* parent)
     column->addWidget(findings_);
     column->addWidget(checkText_, 0, Qt::AlignTop);
     parts_->setSpacing(8);
-    parts_->addWidget(side_, 2);
     parts_->addWidget(text_, 3);
+    parts_->addWidget(side_, 2);
 
     connect(checkText_, &QPushButton::clicked, this, &ProgramEditor::textCheckRequested);
     connect(text_, &ProgramText::textEdited, this, &ProgramEditor::textEdited);
@@ -67,13 +67,21 @@ void ProgramEditor::resizeEvent(QResizeEvent* event) {
     arrange();
 }
 
-/// In the panel the list is as high as its rows and the panel scrolls; in a dock it has the height that there is.
+QSize ProgramEditor::sizeHint() const {
+    return {QWidget::sizeHint().width(), minimumHeight()};
+}
+
+/// Below the text the list is as high as its rows, up to a part of the whole; beside it, it has the height that there
+/// is. In the panel, which scrolls, the whole is as high with findings as without.
 void ProgramEditor::arrange() {
     const bool beside = docked_ && width() > height();
-    parts_->setDirection(beside ? QBoxLayout::RightToLeft : QBoxLayout::TopToBottom); // the text is on the left
+    parts_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     const int margin = docked_ ? dockMargin : 0;
     parts_->setContentsMargins(margin, margin, margin, margin);
+    setMinimumHeight(docked_ || state_.text.isEmpty() ? 0 : heightInPanel);
     findings_->setFillsHeight(beside);
+    const int shared = docked_ ? height() : std::max(heightInPanel, height());
+    findings_->setMaximumHeight(beside ? QWIDGETSIZE_MAX : shared * 2 / 5);
     side_->setSizePolicy(QSizePolicy::Preferred, beside ? QSizePolicy::Preferred : QSizePolicy::Maximum);
 }
 
@@ -98,6 +106,7 @@ void ProgramEditor::refresh() {
     text_->showProgram(state_.text);
     text_->setMarks(marks_);
     text_->setVisible(!state_.text.isEmpty());
+    arrange();
 }
 
 void ProgramEditor::gather() {

@@ -18,8 +18,9 @@ class ProgramText;
 class RowList;
 struct ListRow;
 
-/// The text of the program together with the findings of its check. Stands in the program panel, one below the other,
-/// or in a dock, where they stand side by side when that is wider than high.
+/// The text of the program together with the findings of its check. Stands in the program panel, the findings below the
+/// text, or in a dock, where they stand side by side when that is wider than high. Findings take their room from the
+/// text: around it nothing moves as they come and go.
 class ProgramEditor final : public QWidget {
     Q_OBJECT
 public:
@@ -36,6 +37,9 @@ public:
     void showMachineState(const QString& state);
     void startSearch();
     void tellTextNow(); ///< what was typed and is not reported yet
+
+    bool hasHeightForWidth() const override { return false; } ///< its parts have, and share the height that it has
+    QSize sizeHint() const override;
 
 signals:
     void textEdited(const QString& text); ///< by the user

@@ -18,6 +18,8 @@
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
 
+#include <QScrollArea>
+
 #include <algorithm>
 
 namespace burin {
@@ -25,6 +27,7 @@ namespace burin {
 namespace {
 
 constexpr double smallestTolerance = 0.001, largestTolerance = 1.0; // mm
+constexpr int pathRows = 2, rowGap = 4;                             // that are seen at once; pixels
 
 /// Fills a choice anew only where its names changed: one that is open stays open.
 void showChoices(ChoiceBox& box, const std::vector<NamedChoice>& choices, const std::string& chosen) {
@@ -55,8 +58,11 @@ public:
 
 private:
     void addTarget();
+    void addNotices();
     void addPaths();
     void refreshPaths();
+    void makeSwitches(std::size_t count);
+    void showWithoutPath(NamedSwitch& row, const QString& tool) const;
     QString reasonAgainstPosting() const;
     void addFigures();
     void refreshVerdict();
@@ -69,10 +75,10 @@ private:
     LengthUnit unit_ = LengthUnit::millimetre;
     QPushButton *post_, *export_, *override_;
     ChoiceBox *machine_, *dialect_, *units_;
-    QWidget* paths_;
+    QWidget* paths_; ///< the rows of the list
     std::vector<NamedSwitch*> pathSwitches_;
-    Notice* withoutPath_;
     LengthField* tolerance_;
+    NoticePlace* notices_;
     Notice *verdict_, *notice_;
     QWidget* figures_;
     ValueRow *gouge_, *excess_, *onPart_, *removed_, *time_, *blocks_;
@@ -95,17 +101,7 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     tolerance_->limit(smallestTolerance, largestTolerance);
     column_->addWidget(new FieldRow(ProgramPanel::tr("Gouge tolerance"), tolerance_,
                                     ProgramPanel::tr("Deepest gouge that passes the check"), panel));
-    notice_ = new Notice(panel);
-    notice_->setObjectName(QStringLiteral("programNotice"));
-    column_->addWidget(notice_);
-    verdict_ = new Notice(panel);
-    verdict_->setObjectName(QStringLiteral("verdict"));
-    column_->addWidget(verdict_);
-    override_ = makeButton(ProgramPanel::tr("Override the check…"), QStringLiteral("warning"),
-                           QStringLiteral("overrideButton"), panel);
-    override_->setToolTip(
-        ProgramPanel::tr("Give a reason that goes into the program's header; then it can be exported"));
-    column_->addWidget(override_);
+    addNotices();
     editor = new ProgramEditor(panel);
     takeEditor();
     addFigures();
@@ -129,9 +125,21 @@ ProgramPanel::Fields::Fields(ProgramPanel* panel) : QObject(panel), panel_(panel
     });
 }
 
+void ProgramPanel::Fields::addNotices() {
+    notices_ = new NoticePlace(panel_);
+    notice_ = notices_->add("programNotice");
+    verdict_ = notices_->add("verdict");
+    override_ = makeButton(ProgramPanel::tr("Override the check…"), QStringLiteral("warning"),
+                           QStringLiteral("overrideButton"), panel_);
+    override_->setToolTip(
+        ProgramPanel::tr("Give a reason that goes into the program's header; then it can be exported"));
+    notices_->setFoot(override_);
+    column_->addWidget(notices_);
+}
+
 /// Below what the check says of it.
 void ProgramPanel::Fields::takeEditor() {
-    column_->insertWidget(column_->indexOf(override_) + 1, editor, 1);
+    column_->insertWidget(column_->indexOf(notices_) + 1, editor, 1);
     editor->show(); // who let it go may have hidden it
 }
 
@@ -160,21 +168,24 @@ void ProgramPanel::Fields::addTarget() {
             [this](int index) { emit panel_->dialectChosen(state.dialects[static_cast<std::size_t>(index)].id); });
 }
 
+/// As high as a few rows, whether they are there or not: what is below stays where it is when a path comes.
 void ProgramPanel::Fields::addPaths() {
-    paths_ = new QWidget(panel_);
+    column_->addWidget(makeSectionTitle(ProgramPanel::tr("Tools of the program"), panel_));
+    paths_ = new QWidget;
     auto* list = new QVBoxLayout(paths_);
     list->setContentsMargins(0, 0, 0, 0);
-    list->setSpacing(4);
-    list->addWidget(makeSectionTitle(ProgramPanel::tr("Tools of the program"), paths_));
-    column_->addWidget(paths_);
-    withoutPath_ = new Notice(panel_);
-    withoutPath_->setObjectName(QStringLiteral("withoutPathNotice"));
-    column_->addWidget(withoutPath_);
+    list->setSpacing(rowGap);
+    list->setAlignment(Qt::AlignTop);
+    makeSwitches(1);
+    pathSwitches_.front()->show(QStringLiteral("T1"), true, QStringLiteral("T1")); // as high as one with texts
+    auto* area = makeListArea(paths_, panel_);
+    area->setObjectName(QStringLiteral("programPaths"));
+    area->setFixedHeight(pathRows * (pathSwitches_.front()->sizeHint().height() + rowGap) - rowGap);
+    column_->addWidget(area);
 }
 
-/// One tool needs no list.
-void ProgramPanel::Fields::refreshPaths() {
-    while (pathSwitches_.size() < state.paths.size()) {
+void ProgramPanel::Fields::makeSwitches(std::size_t count) {
+    while (pathSwitches_.size() < count) {
         const std::size_t place = pathSwitches_.size();
         auto* path = new NamedSwitch(QStringLiteral("programPath%1").arg(place),
                                      ProgramPanel::tr("Whether the program contains the path of this tool"), paths_);
@@ -183,19 +194,30 @@ void ProgramPanel::Fields::refreshPaths() {
         paths_->layout()->addWidget(path);
         pathSwitches_.push_back(path);
     }
+}
+
+void ProgramPanel::Fields::showWithoutPath(NamedSwitch& row, const QString& tool) const {
+    row.show(tool, false, ProgramPanel::tr("no path"));
+    row.setToolTip(
+        ProgramPanel::tr("The takes of %1 have no path and are not in the program. Make a new path to include them.")
+            .arg(tool));
+}
+
+/// In the order of milling; then the tools that milled and have no path.
+void ProgramPanel::Fields::refreshPaths() {
+    const std::size_t paths = state.paths.size(), rows = paths + static_cast<std::size_t>(state.withoutPath.size());
+    makeSwitches(rows);
     for (std::size_t i = 0; i < pathSwitches_.size(); ++i) {
-        pathSwitches_[i]->setVisible(i < state.paths.size());
-        if (i < state.paths.size()) pathSwitches_[i]->show(state.paths[i].name, state.paths[i].included, {});
+        NamedSwitch& row = *pathSwitches_[i];
+        row.setVisible(i < rows);
+        if (i < paths)
+            row.show(state.paths[i].name, state.paths[i].included, {});
+        else if (i < rows)
+            showWithoutPath(row, state.withoutPath[static_cast<qsizetype>(i - paths)]);
+        if (i < paths) row.setToolTip({});
+        // One tool alone is no choice.
+        setEnabledKeepingFocus(&row, i < paths && (rows > 1 || !state.paths[i].included));
     }
-    paths_->setVisible(state.paths.size() > 1);
-    if (state.withoutPath.isEmpty())
-        withoutPath_->clear();
-    else
-        withoutPath_->tell(
-            Notice::Kind::warning,
-            ProgramPanel::tr(
-                "The takes of %1 have no path and are not in the program. Make a new path to include them.")
-                .arg(state.withoutPath));
 }
 
 QString ProgramPanel::Fields::reasonAgainstPosting() const {
@@ -254,18 +276,16 @@ void ProgramPanel::Fields::refreshVerdict() {
         notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The text was edited: check it first."));
     else if (!state.text.isEmpty() && !state.report)
         notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The program is not checked yet: post and check it."));
-    else if (!state.text.isEmpty() && state.outdated)
-        notice_->tell(Notice::Kind::warning,
-                      ProgramPanel::tr("The path or its check's inputs have changed. Post and check again."));
     else
         notice_->clear();
     if (!state.report)
         verdict_->clear();
     else if (state.outdated) // nothing is told as passed that might not pass now
         verdict_->tell(Notice::Kind::warning,
-                       editor->errors() == 0
-                           ? ProgramPanel::tr("Out of date: passed its check before the last changes.")
-                           : ProgramPanel::tr("Out of date: failed its check before the last changes."));
+                       (editor->errors() == 0
+                            ? ProgramPanel::tr("Out of date: passed its check before the last changes.")
+                            : ProgramPanel::tr("Out of date: failed its check before the last changes.")) +
+                           QLatin1Char(' ') + ProgramPanel::tr("Post and check again."));
     else if (editor->errors() == 0)
         verdict_->tell(Notice::Kind::passed,
                        ProgramPanel::tr("Passed: gouge %1 (limit %2), no collision, all limits kept.")
@@ -276,12 +296,15 @@ void ProgramPanel::Fields::refreshVerdict() {
                            ProgramPanel::tr("The reason for exporting it is stated in its header."));
     else
         verdict_->tell(Notice::Kind::error, failure());
-    override_->setVisible(state.report && !state.released && !state.outdated && !state.busy);
+    notices_->setFootWanted(state.report && !state.released && !state.outdated && notice_->sentence().isEmpty());
 }
 
 void ProgramPanel::Fields::refreshFigures() {
-    figures_->setVisible(state.report != nullptr);
-    if (!state.report) return;
+    figures_->setVisible(state.report || !state.text.isEmpty()); // they stay while the text is written
+    if (!state.report) {
+        for (ValueRow* row : {gouge_, excess_, onPart_, removed_, time_, blocks_}) row->setValue(QStringLiteral("–"));
+        return;
+    }
     const VerifyReport& report = *state.report;
     gouge_->setValue(lengthText(report.gougeMax, unit_));
     gouge_->setToolTip(report.exactSamples > 0 ? ProgramPanel::tr("Judged on the exact surfaces at the worst points")

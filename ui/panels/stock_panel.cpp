@@ -3,7 +3,6 @@
 #include "ui/panels/stock_panel.h"
 
 #include "ui/panels/buttons.h"
-#include "ui/panels/embedding_words.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/length_field.h"
@@ -23,6 +22,7 @@ namespace {
 constexpr double largestMargin = 1000.0; // mm
 constexpr double smallestVoxel = 0.01, largestVoxel = 10.0;
 constexpr double million = 1e6;
+constexpr int voxelLines = 2; // of the count of voxels, which no change of it moves what is below
 
 /// The margins of the four sides, which the panel shows as one.
 std::array<double, 4> sides(const Setup& setup) {
@@ -45,7 +45,6 @@ private:
     void refreshNotices();
     QString reasonAgainstEmbedding() const;
     QString voxelText() const;
-    QString findingsText() const;
 
     StockPanel* panel_;
     QVBoxLayout* column_;
@@ -54,7 +53,7 @@ private:
     ValueRow* size_;
     QLabel* voxels_;
     QPushButton* embed_;
-    Notice *notice_, *sidesNotice_, *findings_;
+    Notice *notice_, *sidesNotice_;
 };
 
 StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), column_(makePanelLayout(panel)) {
@@ -74,6 +73,7 @@ StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), c
     voxels_ = makeWrappedLabel(panel);
     voxels_->setObjectName(QStringLiteral("voxelCount"));
     voxels_->setProperty("look", "quiet");
+    voxels_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     column_->addWidget(voxels_);
 
     auto* notices = new NoticePlace(panel);
@@ -82,9 +82,6 @@ StockPanel::Fields::Fields(StockPanel* panel) : QObject(panel), panel_(panel), c
     column_->addWidget(notices);
     embed_ = makePrimaryButton(StockPanel::tr("Embed the part"), QStringLiteral("embedButton"), panel);
     column_->addWidget(embed_);
-    findings_ = new Notice(panel);
-    findings_->setObjectName(QStringLiteral("findingsNotice"));
-    column_->addWidget(findings_);
     column_->addStretch(1);
 
     connect(sides_, &LengthField::valueEdited, this, [this](double margin) {
@@ -156,6 +153,12 @@ void StockPanel::Fields::refreshNotices() {
         notice_->tell(Notice::Kind::error, state.problem);
     else if (!state.hasPart)
         notice_->tell(Notice::Kind::information, StockPanel::tr("Import a part first."));
+    else if (!state.findings.empty())
+        notice_->tell(Notice::Kind::warning,
+                      state.findings.size() == 1
+                          ? StockPanel::tr("Embedding has 1 finding. See the end of this page.")
+                          : StockPanel::tr("Embedding has %n findings. See the end of this page.", nullptr,
+                                           static_cast<int>(state.findings.size())));
     else if (state.locked)
         notice_->tell(Notice::Kind::information,
                       StockPanel::tr("Stock and material can't be changed once there are takes."));
@@ -165,21 +168,6 @@ void StockPanel::Fields::refreshNotices() {
                                      "it has to be embedded again."));
     else
         notice_->clear();
-    findings_->tell(Notice::Kind::warning, findingsText());
-}
-
-/// The first ones in full; a broken model may have hundreds.
-QString StockPanel::Fields::findingsText() const {
-    constexpr std::size_t most = 4;
-    QStringList sentences;
-    for (const EmbeddingFinding& finding : state.findings) {
-        if (static_cast<std::size_t>(sentences.size()) == most) break;
-        sentences.append(embeddingText(finding, unit_));
-    }
-    if (state.findings.size() > most)
-        sentences.append(
-            StockPanel::tr("And %1 more, which “burin embed” lists.").arg(countText(state.findings.size() - most)));
-    return sentences.join(QLatin1Char('\n'));
 }
 
 void StockPanel::Fields::refresh() {
@@ -191,7 +179,8 @@ void StockPanel::Fields::refresh() {
     for (LengthField* field : {sides_, top_, bottom_, voxel_}) setEnabledKeepingFocus(field, !state.locked);
     size_->setValue(setup.stock.empty() || !state.hasPart ? QStringLiteral("–") : sizeText(setup.stock.size(), unit_));
     setWrappedText(voxels_, voxelText());
-    voxels_->setVisible(state.size.has_value());
+    voxels_->ensurePolished(); // the style may give it another font
+    voxels_->setFixedHeight(voxelLines * voxels_->fontMetrics().lineSpacing());
     embed_->setText(state.embedded ? StockPanel::tr("Embedded") : StockPanel::tr("Embed the part"));
     enableUnless(embed_, reasonAgainstEmbedding(),
                  StockPanel::tr("Embed the part in its stock; this makes the workpiece"));

@@ -9,7 +9,8 @@
 
 namespace burin {
 
-/// Box, margins, voxel size, with the voxel count and the memory they would take; Embed.
+/// Box, margins, voxel size, with the voxel count and the memory they would take; Embed. What embedding found in whole
+/// is said elsewhere (EmbeddingFindings): it is as long as it is.
 class StockPanel : public QWidget {
     Q_OBJECT
 public:

@@ -11,12 +11,16 @@
 
 #include <QFrame>
 #include <QGridLayout>
+#include <QScrollArea>
 
 #include <algorithm>
+#include <memory>
 
 namespace burin {
 
 namespace {
+
+constexpr int rowsSeen = 3, rowGap = 4; // at once; pixels
 
 bool same(const TakeRow& one, const TakeRow& other) {
     return one.strokes == other.strokes && one.recording == other.recording && one.replaying == other.replaying &&
@@ -41,18 +45,35 @@ QString detailOf(const TakeRow& take) {
 
 } // namespace
 
-TakeList::TakeList(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
-    layout_->setContentsMargins(0, 0, 0, 0);
-    layout_->setSpacing(4);
+TakeList::TakeList(const QString& whenEmpty, QWidget* parent) : QWidget(parent) {
+    auto* rows = new QWidget;
+    auto* content = new QVBoxLayout(rows);
+    content->setContentsMargins(0, 0, 0, 0);
+    content->setSpacing(rowGap);
+    empty_ = makeWrappedLabel(rows);
+    empty_->setProperty("look", "quiet");
+    setWrappedText(empty_, whenEmpty);
+    content->addWidget(empty_);
+    layout_ = new QVBoxLayout;
+    layout_->setSpacing(rowGap);
+    content->addLayout(layout_);
+    content->addStretch(1);
+    const std::unique_ptr<QWidget> like(makeRow({}).widget);
+    auto* area = makeListArea(rows, this);
+    area->setFixedHeight(rowsSeen * (like->sizeHint().height() + rowGap) - rowGap);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(area);
 }
 
 void TakeList::setTakes(const std::vector<TakeRow>& takes) {
     const auto sameTake = [](const TakeRow& one, const TakeRow& other) { return one.info.id == other.info.id; };
     const bool rowsStand = std::ranges::equal(takes, takes_, sameTake);
     if (!rowsStand) makeRows(takes);
+    empty_->setVisible(takes.empty());
     // A take that is recorded changes with each look: its row stays and tells what is new.
-    for (std::size_t i = 0; i < takes.size(); ++i)
-        if (!rowsStand || !same(takes[i], takes_[i])) show(rows_[i], takes[i]);
+    for (std::size_t i = 0; rowsStand && i < takes.size(); ++i)
+        if (!same(takes[i], takes_[i])) show(rows_[i], takes[i]);
     takes_ = takes;
 }
 
@@ -64,7 +85,7 @@ void TakeList::makeRows(const std::vector<TakeRow>& takes) {
         delete item;
     }
     for (const TakeRow& take : takes) {
-        rows_.push_back(makeRow(take.info.id));
+        rows_.push_back(makeRow(take));
         addCard(layout_, rows_.back().widget, 0); // the newest first
     }
 }
@@ -75,7 +96,7 @@ void TakeList::setRemovable(bool removable) {
     for (QToolButton* button : findChildren<QToolButton*>()) setEnabledKeepingFocus(button, removable);
 }
 
-TakeList::Row TakeList::makeRow(std::int64_t take) {
+TakeList::Row TakeList::makeRow(const TakeRow& take) {
     Row row;
     auto* frame = new QFrame(this);
     row.widget = frame;
@@ -93,11 +114,12 @@ TakeList::Row TakeList::makeRow(std::int64_t take) {
     row.detail->setProperty("look", "small");
     grid->addWidget(row.detail, 1, 0, 1, 2);
     QToolButton* remove = makeIconButton(QStringLiteral("remove"), tr("Delete this take"),
-                                         QStringLiteral("removeTake%1").arg(take), frame);
+                                         QStringLiteral("removeTake%1").arg(take.info.id), frame);
     setEnabledKeepingFocus(remove, removable_);
-    connect(remove, &QToolButton::clicked, this, [this, take] { emit removalRequested(take); });
+    connect(remove, &QToolButton::clicked, this, [this, id = take.info.id] { emit removalRequested(id); });
     grid->addWidget(remove, 0, 2, 2, 1, Qt::AlignVCenter);
     grid->setColumnStretch(0, 1);
+    show(row, take);
     return row;
 }
 

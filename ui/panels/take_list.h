@@ -13,11 +13,13 @@ namespace burin {
 
 class ElidedLabel;
 
-/// The takes, the newest first, each with a button that asks for its removal.
+/// The takes, the newest first, each with a button that asks for its removal. As high as three of them, whether they
+/// are there or not: more are scrolled to.
 class TakeList : public QWidget {
     Q_OBJECT
 public:
-    explicit TakeList(QWidget* parent = nullptr);
+    /// @param whenEmpty what is said where there are none
+    explicit TakeList(const QString& whenEmpty, QWidget* parent = nullptr);
     void setTakes(const std::vector<TakeRow>& takes); ///< nothing is done when it shows them
     void setRemovable(bool removable);
 
@@ -30,11 +32,12 @@ private:
         ElidedLabel *name = nullptr, *detail = nullptr;
         QLabel* duration = nullptr;
     };
-    Row makeRow(std::int64_t take);
+    Row makeRow(const TakeRow& take);
     void show(const Row& row, const TakeRow& take);
     void makeRows(const std::vector<TakeRow>& takes);
 
     QVBoxLayout* layout_ = nullptr;
+    QLabel* empty_;
     std::vector<Row> rows_;      ///< as takes_
     std::vector<TakeRow> takes_; ///< that are shown
     bool removable_ = true;

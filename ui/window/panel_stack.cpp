@@ -43,6 +43,7 @@ PanelStack::PanelStack(QWidget* parent)
     , part(new PartPanel)
     , stock(new StockPanel)
     , surroundings(new SurroundingsPanel)
+    , findings(new EmbeddingFindings)
     , material(new MaterialPanel)
     , tool(new ToolPanel)
     , allowance(new AllowancePanel)
@@ -58,14 +59,15 @@ PanelStack::PanelStack(QWidget* parent)
     setMinimumWidth(leastWidth);
     setMaximumWidth(mostWidth);
     stack_->setObjectName(QStringLiteral("panelPages"));
-    const std::array<std::pair<QWidget*, const char*>, 8> panels{{{part, "partPage"},
-                                                                  {stacked({stock, surroundings}), "stockPage"},
-                                                                  {material, "materialPage"},
-                                                                  {tool, "toolPage"},
-                                                                  {allowance, "allowancePage"},
-                                                                  {stacked({mill, guides, bounds, hand}), "millPage"},
-                                                                  {path, "pathPage"},
-                                                                  {program, "programPage"}}};
+    const std::array<std::pair<QWidget*, const char*>, 8> panels{
+        {{part, "partPage"},
+         {stacked({stock, surroundings, findings}), "stockPage"},
+         {material, "materialPage"},
+         {tool, "toolPage"},
+         {allowance, "allowancePage"},
+         {stacked({mill, guides, bounds, hand}), "millPage"},
+         {path, "pathPage"},
+         {program, "programPage"}}};
     for (const auto& [panel, name] : panels) stack_->addWidget(scrolling(panel, name));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

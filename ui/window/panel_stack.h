@@ -4,6 +4,7 @@
 
 #include "ui/panels/allowance_panel.h"
 #include "ui/panels/bounds_panel.h"
+#include "ui/panels/embedding_findings.h"
 #include "ui/panels/guide_panel.h"
 #include "ui/panels/hand_panel.h"
 #include "ui/panels/material_panel.h"
@@ -34,6 +35,7 @@ public:
     PartPanel* part;
     StockPanel* stock;
     SurroundingsPanel* surroundings; ///< below the stock
+    EmbeddingFindings* findings;     ///< below the surroundings
     MaterialPanel* material;
     ToolPanel* tool;
     AllowancePanel* allowance;

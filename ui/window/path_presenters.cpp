@@ -38,10 +38,10 @@ std::optional<MillingSide> sideOf(const EvaluatedPath& path, const TakeStretch& 
     return side;
 }
 
-QString toolNames(const Workbench& workbench, const std::vector<std::string>& ids) {
+QStringList toolNames(const Workbench& workbench, const std::vector<std::string>& ids) {
     QStringList names;
     for (const std::string& id : ids) names.append(toolName(workbench.tool.tools(), id));
-    return names.join(QStringLiteral(", "));
+    return names;
 }
 
 } // namespace
@@ -102,7 +102,7 @@ void PathPresenter::present() {
     state.busy = path.busy();
     state.waiting = path.waiting();
     if (path.problem()) state.problem = Messages::sentence(*path.problem());
-    state.missingBefore = toolNames(workbench_, path.toolsMissingBefore());
+    state.missingBefore = toolNames(workbench_, path.toolsMissingBefore()).join(QStringLiteral(", "));
     state.selection = path.selection();
     state.drag = scene_.drag();
     state.drawing = scene_.drawing();
@@ -138,8 +138,7 @@ void ProgramPresenter::showPaths(ProgramState& state) const {
         state.hasPath = state.hasPath || state.paths.back().included;
     }
     state.upToDate = path.stored() == nullptr || (path.evaluated() && !path.outdated());
-    // While nothing has a path, that is said elsewhere.
-    if (!state.paths.empty()) state.withoutPath = toolNames(workbench_, path.toolsWithoutPath());
+    state.withoutPath = toolNames(workbench_, path.toolsWithoutPath());
 }
 
 void ProgramPresenter::present() {

@@ -10,7 +10,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     : QObject(parent)
     , millMode(workbench, stage.viewport, this)
     , part(workbench, *stage.panels.part, this)
-    , stock(workbench, *stage.panels.stock, this)
+    , stock(workbench, *stage.panels.stock, *stage.panels.findings, this)
     , material(workbench, *stage.panels.material, this)
     , tool(workbench, *stage.panels.tool, this)
     , allowance(workbench, *stage.panels.allowance, this)

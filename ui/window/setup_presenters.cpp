@@ -20,14 +20,15 @@ void PartPresenter::present() {
     panel_.setState({workbench_.model.model(), workbench_.model.importing()});
 }
 
-StockPresenter::StockPresenter(Workbench& workbench, StockPanel& panel, QObject* parent)
-    : Presenter(workbench, {&workbench.setup, &workbench.bench}, parent), panel_(panel) {
+StockPresenter::StockPresenter(Workbench& workbench, StockPanel& panel, EmbeddingFindings& findings, QObject* parent)
+    : Presenter(workbench, {&workbench.setup, &workbench.bench}, parent), panel_(panel), findings_(findings) {
     connect(&panel, &StockPanel::setupEdited, &workbench.setup, &SetupController::edit);
     connect(&panel, &StockPanel::embedRequested, &workbench.bench, &BenchController::embed);
 }
 
 void StockPresenter::setUnit(LengthUnit unit) {
     panel_.setUnit(unit);
+    findings_.setUnit(unit);
     Presenter::setUnit(unit);
 }
 
@@ -43,6 +44,7 @@ void StockPresenter::present() {
     if (setup.problem()) state.problem = Messages::sentence(*setup.problem());
     if (state.embedded) state.findings = workbench_.bench.bench()->embedded.findings;
     panel_.setState(state);
+    findings_.setFindings(state.findings);
 }
 
 MaterialPresenter::MaterialPresenter(Workbench& workbench, MaterialPanel& panel, QObject* parent)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/panels/allowance_panel.h"
+#include "ui/panels/embedding_findings.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/part_panel.h"
 #include "ui/panels/stock_panel.h"
@@ -27,12 +28,13 @@ private:
 class StockPresenter final : public Presenter {
     Q_OBJECT
 public:
-    StockPresenter(Workbench& workbench, StockPanel& panel, QObject* parent);
+    StockPresenter(Workbench& workbench, StockPanel& panel, EmbeddingFindings& findings, QObject* parent);
     void setUnit(LengthUnit unit) override;
 
 private:
     void present() override;
     StockPanel& panel_;
+    EmbeddingFindings& findings_;
 };
 
 class MaterialPresenter final : public Presenter {

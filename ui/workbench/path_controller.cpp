@@ -82,19 +82,8 @@ void PathController::load(const std::vector<StoredPath>& paths, const std::vecto
 /// Tells the evaluation which paths there are, and in which order they are milled.
 void PathController::updateJob() {
     const std::vector<StoredPath> paths = jobPaths();
-    std::vector<ToolPass> passes;
-    for (StoredPath path : paths) {
-        addNewerTakes(path, recorded_);
-        const std::string id = toolOf(path.id);
-        const auto tool = std::ranges::find(tools_.tools(), id, &Tool::id);
-        Tool unknown;
-        unknown.id = id;
-        passes.push_back(passOf(path, tool != tools_.tools().end() ? *tool : unknown, recorded_));
-    }
-    std::vector<StoredPath> inOrder;
-    for (const OrderedPass& pass : orderPasses(passes)) inOrder.push_back(paths[pass.pass]);
-    evaluation_.setJob(inOrder, inForce());
-    for (const StoredPath& path : inOrder) evaluation_.setRecorded(path.id, recordedKey(toolOf(path.id)));
+    evaluation_.setJob(paths, inForce());
+    for (const StoredPath& path : paths) evaluation_.setRecorded(path.id, recordedKey(toolOf(path.id)));
 }
 
 void PathController::countVersion() {
@@ -148,7 +137,7 @@ const StoredPath* PathController::stored() const {
 std::vector<StoredPath> PathController::jobPaths() const {
     std::vector<StoredPath> paths = firstPaths(paths_, recorded_);
     std::erase_if(paths, [&](const StoredPath& path) { return !isMilledWith(toolOf(path.id)); });
-    return paths;
+    return inMillingOrder(paths, recorded_, toolsThatMilled(), tools_.tools());
 }
 
 std::string PathController::toolOf(std::int64_t path) const {
@@ -157,10 +146,7 @@ std::string PathController::toolOf(std::int64_t path) const {
 }
 
 std::vector<std::string> PathController::toolsThatMilled() const {
-    std::vector<std::string> tools;
-    for (const TakeInfo& take : standing_)
-        if (std::ranges::find(tools, take.toolId) == tools.end()) tools.push_back(take.toolId);
-    return tools;
+    return toolsOf(standing_);
 }
 
 std::vector<std::string> PathController::toolsWithoutPath() const {

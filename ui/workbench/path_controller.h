@@ -22,7 +22,7 @@ public:
 
     /// Of the tool in force; null: it has none, or nothing is milled with it.
     const StoredPath* stored() const;
-    /// What the job mills with, a path for each tool, in the order in which they were made.
+    /// What the job mills with, a path for each tool, in the order of milling.
     std::vector<StoredPath> jobPaths() const;
     /// The tool of one of them, by id; empty: it is none.
     std::string toolOf(std::int64_t path) const;

@@ -68,6 +68,30 @@ private slots:
         QVERIFY(paths && paths->size() == 1 && paths->front().id == one.id && paths->front().takes.front() == take);
     }
 
+    /// A job's order is one, whoever asks: larger tools first, those alike as they first milled, whenever their paths
+    /// were made.
+    void theOrderOfMillingIsOne() {
+        const std::int64_t small = record(*project_, "ball-6"), one = record(*project_, "flat-10"),
+                           other = record(*project_, "ball-10");
+        for (const char* tool : {"ball-10", "ball-6", "flat-10"})
+            QVERIFY(project_->addPath(*standardPath(*project_, tool)));
+        const auto takes = *project_->takes();
+        std::vector<Tool> tools;
+        for (const char* id : {"ball-10", "flat-10", "ball-6"}) tools.push_back(*loadTool(id));
+        const auto inOrder = [&](const std::vector<StoredPath>& paths) {
+            std::vector<std::int64_t> first;
+            for (const StoredPath& path : inMillingOrder(paths, takes, toolsOf(takes), tools))
+                first.push_back(path.takes.front());
+            return first;
+        };
+        const std::vector wanted{one, other, small};
+        QCOMPARE(inOrder(*project_->paths()), wanted);
+        QCOMPARE(inOrder(*jobPaths(*project_)), wanted);
+        // A tool that nobody knows any more comes last.
+        tools.erase(tools.begin());
+        QCOMPARE(inOrder(*project_->paths()), (std::vector{one, small, other}));
+    }
+
     /// What the user left out stays out; what was recorded since comes in.
     void aPathTakesNewerRecordingsOfItsToolAlone() {
         const std::int64_t left = record(*project_, "ball-6"), used = record(*project_, "ball-6");
