@@ -23,6 +23,8 @@ namespace burin {
 /// A body of the part, ready to be drawn.
 struct ShadedBody {
     ShadedMesh mesh;
+    ShadedMesh coarse;            ///< while things move and from afar; empty: the mesh is coarse enough
+    double coarseError = 0.0;     ///< how far `coarse` may lie from the mesh, mm
     std::optional<QColor> colour; ///< the file's; none: the part's blue
 };
 
@@ -47,27 +49,38 @@ public:
     bool ghostVisible() const noexcept { return ghost_ && !bodies_.empty(); }
     /// Something else is drawn where the surfaces are: edges and picking stay.
     void setCovered(bool covered);
+    /// Behind what was added to the renderer so far: what hides much of the part is drawn before it, which spares most
+    /// of its pixels.
+    void drawLast();
+    /// Chooses how fine the surfaces are drawn: coarsely while something moves, or where nobody could see the
+    /// difference.
+    /// @param pixel what a screen pixel covers, mm
+    void setDetail(bool moving, double pixel);
     void setLineWidth(double screenPixels);
     void setDepthCue(const DepthCue& cue);
     /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
-    std::size_t triangles() const noexcept { return drawn() && !covered_ ? triangles_ : 0; }
+    std::size_t triangles() const noexcept {
+        return !drawn() || covered_ ? 0 : coarse_ ? coarseTriangles_ : triangles_;
+    }
 
 private:
     struct Drawn {
-        vtkSmartPointer<vtkActor> surface, edges, ghostSurface, ghostEdges;
+        vtkSmartPointer<vtkActor> surface, coarse, edges, ghostSurface, ghostEdges; ///< `coarse` may be `surface`
         ShadedBody body;
     };
     bool drawn() const noexcept { return visible_ || inWorkpiece_; }
+    void add(ShadedBody body);
     void refresh();
+    void showSurfaces();
 
     vtkRenderer &solids_, &marks_;
     std::vector<Drawn> bodies_;
     vtkSmartPointer<vtkPlane> clip_;
     QColor part_, edges_;
     double lineWidth_ = 1.0;
-    std::size_t triangles_ = 0;
-    bool visible_ = true, inWorkpiece_ = false, ghost_ = false, covered_ = false;
+    std::size_t triangles_ = 0, coarseTriangles_ = 0;
+    bool coarse_ = false, visible_ = true, inWorkpiece_ = false, ghost_ = false, covered_ = false;
 };
 
 } // namespace burin

@@ -233,7 +233,9 @@ void Scene::setLineWidths(double ratio) {
 std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const CameraView& view, const QSizeF& size,
                                                                     double ratio, bool moving) {
     setLineWidths(ratio);
+    part_.setDetail(moving, pixelAt(view, size, view.focus) / ratio);
     workpiece_.update(moving, toolMarks_.proxy.tip);
+    if (std::exchange(workpieceDrawn_, workpiece_.volume()) != workpiece_.volume()) part_.drawLast();
     stock_.drawLast();
     tool_.place(view);
     obstacles_.place(cuts(), view);

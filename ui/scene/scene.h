@@ -118,7 +118,8 @@ private:
     Box partBox_;
     std::optional<bool> partWish_;
     VolumeSnapshot shown_;
-    bool seenThrough_ = false; ///< the workpiece is transparent
+    std::uint64_t workpieceDrawn_ = 0; ///< which volume the part is drawn behind
+    bool seenThrough_ = false;         ///< the workpiece is transparent
     bool workpieceVisible_ = true, toolVisible_ = true;
     ToolMarks toolMarks_;
     double lineRatio_ = 0.0;

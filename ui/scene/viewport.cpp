@@ -26,7 +26,7 @@ std::vector<ShadedBody> sampleBodies() {
     TriangleMesh mesh;
     mesh.vertices = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-    return {ShadedBody{shaded(mesh, creaseAngle), std::nullopt}};
+    return {ShadedBody{shaded(mesh, creaseAngle), {}, 0.0, std::nullopt}};
 }
 
 } // namespace

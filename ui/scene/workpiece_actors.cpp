@@ -26,6 +26,8 @@ namespace {
 constexpr std::size_t uploadsPerPaint = 60'000;
 /// Full detail is added up to here while something moves; below the limit, for a faster way from cut to screen.
 constexpr std::size_t comfortableTriangles = 45'000;
+/// Of what is made anew while a tool cuts, beyond which full detail would cost more frames than it is worth.
+constexpr std::size_t fullTriangles = 55'000;
 /// More are not drawn at rest either, whatever the size of the workpiece: no paint may take 100 ms.
 constexpr std::size_t restTriangles = 250'000;
 
@@ -72,7 +74,7 @@ public:
         : renderer_(solids)
         , films_(films)
         , ready_(ready)
-        , mesher_({movingTriangles, restTriangles}, std::move(ready)) {
+        , mesher_({movingTriangles, restTriangles, fullTriangles}, std::move(ready)) {
         glass_->VisibilityOff();
         films_.AddViewProp(glass_);
     }
@@ -129,6 +131,7 @@ public:
             if (group.drawn != nullptr) burin::setDepthCue(*group.drawn->actor, cue);
     }
 
+    std::uint64_t volume() const noexcept { return volume_; }
     std::size_t triangles() const {
         return std::accumulate(groups_.begin(), groups_.end(), std::size_t{0}, [](std::size_t sum, const Group& group) {
             return sum + (group.drawn != nullptr ? group.drawn->triangles : 0);
@@ -272,6 +275,9 @@ void WorkpieceActors::update(bool moving, const glm::dvec3& focus) {
 }
 void WorkpieceActors::setDepthCue(const DepthCue& cue) {
     impl_->setDepthCue(cue);
+}
+std::uint64_t WorkpieceActors::volume() const {
+    return impl_->volume();
 }
 std::size_t WorkpieceActors::triangles() const {
     return impl_->triangles();

@@ -51,6 +51,7 @@ public:
     void setDepthCue(const DepthCue& cue);
 
     std::size_t triangles() const; ///< that the next paint draws
+    std::uint64_t volume() const;  ///< counts volumes: with another one, all actors were added anew
     bool fullDetail() const;       ///< everything is drawn at full detail
     bool busy() const;             ///< the worker is not done
     /// Of the cuts that the next paint shows for the first time, the oldest; told once. (Skipped snapshots hand theirs
