@@ -239,6 +239,32 @@ private slots:
         viewport_->setWorkpiece({});
     }
 
+    /// Drawn in pieces, seen as one: the side of a block, below the part in it, is everywhere alike.
+    void aTransparentWorkpieceShowsNoSeams() {
+        Property wax;
+        wax.id = wax.name = "wax";
+        wax.colour = {190, 190, 190};
+        PropertyList properties;
+        const PropertyIndex stockIndex = *properties.add(wax);
+        RunVolume volume = *RunVolume::make(*Grid::make({-24.0, -12.0, -2.0}, 0.125, {384, 192, 64}), properties);
+        (void)volume.fillBlock({0, 0}, {384, 192}, volume.grid().toRunPosition(-2.0), volume.grid().toRunPosition(6.0),
+                               stockIndex);
+        viewport_->setPartVisible(false);
+        viewport_->setWorkpiece(volume.snapshot());
+        viewport_->setWorkpieceOpacity(0.5);
+        viewport_->setStandardView(StandardView::front);
+        bench_->settle();
+        const QImage image = viewport_->grabFramebuffer();
+        QVERIFY(bench_->save("viewport-glass", image));
+        const QColor middle = pixelAt(image, {0.3, -12.0, -1.0});
+        QVERIFY(middle != pixelAt(image, {-25.0, -12.0, -1.0})); // it is there
+        for (double x = -23.0; x <= 23.0; x += 0.05)
+            QVERIFY2(std::abs(pixelAt(image, {x, -12.0, -1.0}).lightness() - middle.lightness()) <= 3,
+                     qPrintable(QString::number(x)));
+        viewport_->setWorkpieceOpacity(1.0);
+        viewport_->setWorkpiece({});
+    }
+
     void cleanupTestCase() { bench_.reset(); }
 
 private:

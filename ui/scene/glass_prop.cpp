@@ -4,15 +4,30 @@
 
 #include <vtkBoundingBox.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkOpenGLState.h>
+#include <vtk_glew.h>
 
 namespace burin {
 
 vtkStandardNewMacro(GlassProp);
 
 int GlassProp::RenderOpaqueGeometry(vtkViewport* viewport) {
-    int rendered = 0;
-    for (vtkActor* actor : actors_) rendered |= actor->RenderOpaqueGeometry(viewport);
-    return rendered;
+    vtkOpenGLState* state = vtkOpenGLRenderer::SafeDownCast(viewport)->GetState();
+    {
+        const vtkOpenGLState::ScopedglColorMask before(state);
+        state->vtkglColorMask(0, 0, 0, 0);
+        drawAll(viewport);
+    }
+    const vtkOpenGLState::ScopedglDepthFunc before(state);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    return drawAll(viewport);
+}
+
+int GlassProp::drawAll(vtkViewport* viewport) const {
+    int drawn = 0;
+    for (vtkActor* actor : actors_) drawn |= actor->RenderOpaqueGeometry(viewport);
+    return drawn;
 }
 
 double* GlassProp::GetBounds() {

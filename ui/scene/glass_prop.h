@@ -10,16 +10,17 @@
 
 namespace burin {
 
-/// Draws actors like coloured glass over what was drawn before. Where several of their surfaces lie behind each other
-/// the order in which they come decides what is seen of the farther ones. (Depths first, which would show the nearest
-/// alone, left nothing to be seen with this VTK.)
+/// Draws actors like coloured glass over what was drawn before: of surfaces that lie behind each other the nearest
+/// alone, in whatever order they come. Their depths are drawn first, then their colours.
 class GlassProp final : public vtkProp {
 public:
     static GlassProp* New();
     vtkTypeMacro(GlassProp, vtkProp)
 
-    /// Not owned; they outlive the next paint, and need not be in a renderer.
-    void set(std::vector<vtkActor*> actors) { actors_ = std::move(actors); }
+        /// Not owned; they outlive the next paint, and need not be in a renderer.
+        void set(std::vector<vtkActor*> actors) {
+        actors_ = std::move(actors);
+    }
     int RenderOpaqueGeometry(vtkViewport* viewport) override;
     double* GetBounds() override;
 
@@ -27,6 +28,8 @@ protected:
     GlassProp() = default;
 
 private:
+    int drawAll(vtkViewport* viewport) const;
+
     std::vector<vtkActor*> actors_;
     std::array<double, 6> bounds_{};
 };
