@@ -17,11 +17,12 @@ namespace burin {
 namespace {
 
 constexpr std::size_t fewTriangles = 5'000;     // of a body: always drawn in full
-constexpr double coarseTolerance = 2e-4;        // of the part's diagonal
+constexpr double coarseTolerance = 1e-5;        // of the part's diagonal
 constexpr double invisibleError = 0.5;          // pixels
 constexpr std::size_t ghostTriangles = 100'000; // more would cost a hovering pointer its frames
 constexpr double ghostOpacity = 0.16, ghostEdgeOpacity = 0.8;
 constexpr double edgeOpacity = 0.8;
+constexpr double edgeHeight = 0.3; // just above their own faces: not through stock that covers them
 
 } // namespace
 
@@ -58,7 +59,7 @@ void PartActors::add(ShadedBody body) {
     const ShadedPolyData data = polyDataOf(body.mesh);
     Drawn drawn{surfaceActor(data.surface),
                 {},
-                raisedLineActor(data.creases, seamHeight - 1.0),
+                raisedLineActor(data.creases, edgeHeight),
                 glassActor(data.surface),
                 lineActor(data.creases),
                 std::move(body)};
