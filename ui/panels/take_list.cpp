@@ -59,22 +59,29 @@ TakeList::TakeList(const QString& whenEmpty, QWidget* parent) : QWidget(parent) 
     content->addLayout(layout_);
     content->addStretch(1);
     const std::unique_ptr<QWidget> like(makeRow({}).widget);
-    auto* area = makeListArea(rows, this);
-    area->setFixedHeight(rowsSeen * (like->sizeHint().height() + rowGap) - rowGap);
+    area_ = makeListArea(rows, this);
+    area_->setFixedHeight(rowsSeen * (like->sizeHint().height() + rowGap) - rowGap);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(area);
+    whole->addWidget(area_);
+    showEmpty(true);
 }
 
 void TakeList::setTakes(const std::vector<TakeRow>& takes) {
     const auto sameTake = [](const TakeRow& one, const TakeRow& other) { return one.info.id == other.info.id; };
     const bool rowsStand = std::ranges::equal(takes, takes_, sameTake);
     if (!rowsStand) makeRows(takes);
-    empty_->setVisible(takes.empty());
+    showEmpty(takes.empty());
     // A take that is recorded changes with each look: its row stays and tells what is new.
     for (std::size_t i = 0; rowsStand && i < takes.size(); ++i)
         if (!same(takes[i], takes_[i])) show(rows_[i], takes[i]);
     takes_ = takes;
+}
+
+/// The words fit, but Qt asks for the height that they would have in a narrow column.
+void TakeList::showEmpty(bool empty) {
+    empty_->setVisible(empty);
+    area_->setVerticalScrollBarPolicy(empty ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
 }
 
 void TakeList::makeRows(const std::vector<TakeRow>& takes) {

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 class QLabel;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace burin {
@@ -35,9 +36,11 @@ private:
     Row makeRow(const TakeRow& take);
     void show(const Row& row, const TakeRow& take);
     void makeRows(const std::vector<TakeRow>& takes);
+    void showEmpty(bool empty);
 
     QVBoxLayout* layout_ = nullptr;
     QLabel* empty_;
+    QScrollArea* area_ = nullptr;
     std::vector<Row> rows_;      ///< as takes_
     std::vector<TakeRow> takes_; ///< that are shown
     bool removable_ = true;
