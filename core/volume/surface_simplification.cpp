@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/surface_simplification.h"
 
-#include "core/volume/place_hash.h"
-
 #include <algorithm>
 #include <array>
-#include <bit>
 
 namespace burin {
 
@@ -64,27 +61,9 @@ void SurfaceSimplifier::weldNormals(const SurfaceMesh& mesh) {
         if (placeOf_[point] != point) leaning_[placeOf_[point]] = glm::normalize(leaning_[placeOf_[point]]);
 }
 
-void SurfaceSimplifier::openTable(std::size_t points) {
-    table_.assign(std::bit_ceil(2 * points + 1), none);
-}
-
-/// The first point of the table that is equal to this one, which is entered if there is none.
-template <class Equal>
-std::uint32_t SurfaceSimplifier::entry(const SurfaceMesh& mesh, std::uint32_t point, Equal equal) {
-    const std::size_t mask = table_.size() - 1;
-    for (std::size_t slot = PlaceHash{}(mesh.points[point]) & mask;; slot = (slot + 1) & mask) {
-        if (table_[slot] == none) table_[slot] = point;
-        if (table_[slot] == point || equal(table_[slot])) return table_[slot];
-    }
-}
-
 /// Triangles by the place of their corners, whatever the material.
 void SurfaceSimplifier::weldByPlace(const SurfaceMesh& mesh) {
-    openTable(mesh.points.size());
-    placeOf_.resize(mesh.points.size());
-    for (std::uint32_t point = 0; point < mesh.points.size(); ++point)
-        placeOf_[point] =
-            entry(mesh, point, [&](std::uint32_t other) { return mesh.points[other] == mesh.points[point]; });
+    table_.weld(mesh.points, placeOf_);
     corners_.resize(mesh.triangles.size());
     for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i] = placeOf_[mesh.triangles[i]];
 }
@@ -239,10 +218,10 @@ void SurfaceSimplifier::join(std::span<const SurfaceMesh* const> pieces, Surface
         for (const std::uint32_t corner : piece->triangles) work_.triangles.push_back(first + corner);
     }
     whole.clear();
-    openTable(work_.points.size());
+    table_.open(work_.points.size());
     newPoint_.assign(work_.points.size(), none);
     for (const std::uint32_t corner : work_.triangles) {
-        const std::uint32_t same = entry(work_, corner, [&](std::uint32_t other) {
+        const std::uint32_t same = table_.entry(work_.points, corner, [&](std::uint32_t other) {
             return work_.points[other] == work_.points[corner] && work_.properties[other] == work_.properties[corner] &&
                    glm::dot(work_.normals[other], work_.normals[corner]) > sameFace;
         });

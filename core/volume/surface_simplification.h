@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/volume/edge_collapse.h"
+#include "core/volume/place_table.h"
 #include "core/volume/surface.h"
 
 #include <cstdint>
@@ -43,9 +44,6 @@ private:
     void shadeBesideEdges(SurfaceMesh& mesh);
     void takeKnownNormals(SurfaceMesh& mesh, const KnownFaces& faces);
     void leanOnFaces(SurfaceMesh& mesh, double cell);
-    template <class Equal>
-    std::uint32_t entry(const SurfaceMesh& mesh, std::uint32_t point, Equal equal);
-    void openTable(std::size_t points);
     template <class Visit>
     void eachOpenCorner(const SurfaceMesh& mesh, Visit visit);
 
@@ -54,8 +52,8 @@ private:
     std::vector<std::uint16_t> facesAt_;         ///< of every place
     std::vector<KnownFaces::Number> knownFaces_; ///< of every point of `work_`: the one whose normal it has
     std::vector<std::uint8_t> besideEdges_;      ///< of every point of `work_`: of no known face, but on a sharp edge
-    std::vector<std::uint32_t> table_;           ///< points by a hash of their place
-    std::vector<std::uint32_t> placeOf_;         ///< of every point: the first one at the same place
+    PlaceTable table_;
+    std::vector<std::uint32_t> placeOf_; ///< of every point: the first one at the same place
     std::vector<std::uint32_t> newPoint_, corners_;
     std::vector<glm::vec3> leaning_;
     std::vector<std::uint64_t> edges_;

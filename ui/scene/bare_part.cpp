@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/bare_part.h"
 
-#include "core/volume/place_hash.h"
-
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 
@@ -19,9 +16,9 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 constexpr std::uint8_t bareTriangle = 1, stockTriangle = 2, bothTriangles = 3;
 /// Of drawing each point of the border between its neighbours: steps of one cell are gone after so many.
 constexpr int straighteningRounds = 8;
-constexpr float farthestMove = 0.45F; ///< of a point in all, cells: no triangle beside the border folds
+constexpr float farthestMove = 0.45F;           ///< of a point in all, cells: no triangle beside the border folds
 constexpr float ledAway = 0.8F, ledDown = 1.5F; ///< from the border, of the stock beneath the part, cells
-constexpr double rimReach = 0.51;     ///< cells, of the points on a rim from the tile's limit
+constexpr double rimReach = 0.51;               ///< cells, of the points on a rim from the tile's limit
 
 /// Where a point goes that is drawn half the way between two others, along the surface.
 glm::vec3 drawnBetween(const glm::vec3& a, const glm::vec3& b, const glm::vec3& place, const glm::vec3& normal) {
@@ -78,15 +75,7 @@ void BareBorder::draw(const VolumeSnapshot& workpiece, SurfaceTile tile, int lev
 
 /// Where two pieces of the tile meet along the runs, both have their own points.
 void BareBorder::weld(const SurfaceMesh& mesh) {
-    const std::size_t mask = std::bit_ceil(2 * mesh.points.size()) - 1;
-    table_.assign(mask + 1, none);
-    placeOf_.resize(mesh.points.size());
-    for (std::uint32_t point = 0; point < mesh.points.size(); ++point) {
-        std::size_t slot = PlaceHash{}(mesh.points[point]) & mask;
-        while (table_[slot] != none && mesh.points[table_[slot]] != mesh.points[point]) slot = (slot + 1) & mask;
-        if (table_[slot] == none) table_[slot] = point;
-        placeOf_[point] = table_[slot];
-    }
+    table_.weld(mesh.points, placeOf_);
     corners_.resize(mesh.triangles.size());
     std::transform(mesh.triangles.begin(), mesh.triangles.end(), corners_.begin(),
                    [&](std::uint32_t corner) { return placeOf_[corner]; });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/volume/place_table.h"
 #include "core/volume/surface.h"
 
 #include <array>
@@ -43,7 +44,7 @@ private:
     void sink(SurfaceMesh& mesh, const TileRim& rim, float cell) const;
     void leadOn(SurfaceMesh& mesh, std::size_t point, float cell) const;
 
-    std::vector<std::uint32_t> table_;    ///< points by a hash of their place
+    PlaceTable table_;
     std::vector<std::uint32_t> placeOf_;  ///< of each point: the first one at the same place, for which the rest stands
     std::vector<std::uint32_t> corners_;  ///< of the triangles
     std::vector<std::uint8_t> bare_;      ///< of each point

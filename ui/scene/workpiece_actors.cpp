@@ -26,8 +26,6 @@ namespace {
 constexpr std::size_t uploadsPerPaint = 60'000;
 /// Full detail is added up to here while something moves; below the limit, for a faster way from cut to screen.
 constexpr std::size_t comfortableTriangles = 45'000;
-/// Of what is made anew while a tool cuts, beyond which full detail would cost more frames than it is worth.
-constexpr std::size_t fullTriangles = 55'000;
 /// More are not drawn at rest either, whatever the size of the workpiece: no paint may take 100 ms.
 constexpr std::size_t restTriangles = 250'000;
 
@@ -71,10 +69,7 @@ struct Group {
 class WorkpieceActors::Impl {
 public:
     Impl(vtkRenderer& solids, vtkRenderer& films, std::function<void()> ready)
-        : renderer_(solids)
-        , films_(films)
-        , ready_(ready)
-        , mesher_({movingTriangles, restTriangles, fullTriangles}, std::move(ready)) {
+        : renderer_(solids), films_(films), ready_(ready), mesher_({movingTriangles, restTriangles}, std::move(ready)) {
         glass_->VisibilityOff();
         films_.AddViewProp(glass_);
     }

@@ -316,13 +316,13 @@ bool WorkpieceMesher::fullFitsInTime() {
 bool WorkpieceMesher::roomForFull() {
     const std::vector<std::size_t>& rest = layer(SurfaceLayer::rest).triangles;
     const std::size_t largest = rest.empty() ? 0 : *std::max_element(rest.begin(), rest.end());
-    return layer(SurfaceLayer::moving).triangleCount() + changedGroups * unjoined * largest <= limits_.full;
+    return layer(SurfaceLayer::moving).triangleCount() + changedGroups * unjoined * largest <= limits_.moving;
 }
 
 /// All groups are made: do they keep to the limit?
 void WorkpieceMesher::settleMoving() {
     Layer& moving = layer(SurfaceLayer::moving);
-    if (!moving.tooMany(fullFits_ ? limits_.full : limits_.moving)) return;
+    if (!moving.tooMany(limits_.moving)) return;
     if (fullFits_) { // without tiles of full detail first
         fullFits_ = false;
         std::fill(moving.staleGroups.begin(), moving.staleGroups.end(), std::uint8_t{1});

@@ -49,7 +49,6 @@ public:
     /// Triangles in all that a layer is brought down to, by coarser details if need be.
     struct Limits {
         std::size_t moving = 0, rest = 0;
-        std::size_t full = moving; ///< of the layer for things that move, as far as changed tiles are made in full
     };
 
     /// @param ready called on the worker's thread after each delivery
