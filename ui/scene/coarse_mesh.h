@@ -4,12 +4,14 @@
 
 #include "ui/scene/shaded_mesh.h"
 
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
 namespace burin {
 
-/// A mesh with fewer triangles, for while things move: some of its points, with their normals. Creases and borders stay
-/// as they are; the rest lies within the tolerance. Any thread; some tenths of a second for a hundred thousand
-/// triangles.
+/// The surface of a mesh with fewer triangles: some of its points, with their normals. Creases and borders stay as they
+/// are; the rest lies within the tolerance. Any thread.
 /// @param tolerance mm
-ShadedMesh coarsened(const ShadedMesh& mesh, double tolerance);
+vtkSmartPointer<vtkPolyData> coarsened(const ShadedMesh& mesh, double tolerance);
 
 } // namespace burin

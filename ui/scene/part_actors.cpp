@@ -11,8 +11,6 @@
 #include <vtkMapper.h>
 #include <vtkProperty.h>
 
-#include <algorithm>
-
 namespace burin {
 namespace {
 
@@ -30,15 +28,19 @@ std::vector<ShadedBody> shadedBodies(const Model& model) {
     std::vector<ShadedBody> bodies;
     bodies.reserve(model.bodies.size());
     for (const Body& body : model.bodies) {
-        ShadedBody drawn{shaded(body.mesh, creaseAngle), {}, 0.0, std::nullopt};
-        if (body.mesh.triangles.size() > fewTriangles) {
-            drawn.coarseError = coarseTolerance * glm::length(model.box().size());
-            drawn.coarse = coarsened(drawn.mesh, drawn.coarseError);
-        }
+        ShadedBody drawn{std::make_shared<const ShadedMesh>(shaded(body.mesh, creaseAngle)), std::nullopt};
         if (body.colour) drawn.colour = QColor((*body.colour)[0], (*body.colour)[1], (*body.colour)[2]);
         bodies.push_back(std::move(drawn));
     }
     return bodies;
+}
+
+CoarseBodies coarseBodies(const std::vector<ShadedBody>& bodies, double size) {
+    CoarseBodies coarse{{}, coarseTolerance * size};
+    for (const ShadedBody& body : bodies)
+        coarse.surfaces.push_back(body.mesh->triangles.size() / 3 > fewTriangles ? coarsened(*body.mesh, coarse.error)
+                                                                                 : nullptr);
+    return coarse;
 }
 
 void PartActors::setBodies(std::vector<ShadedBody> bodies) {
@@ -51,31 +53,46 @@ void PartActors::setBodies(std::vector<ShadedBody> bodies) {
     }
     bodies_.clear();
     triangles_ = coarseTriangles_ = 0;
+    coarseError_ = 0.0;
     for (ShadedBody& body : bodies) add(std::move(body));
     refresh();
 }
 
 void PartActors::add(ShadedBody body) {
-    const ShadedPolyData data = polyDataOf(body.mesh);
+    const ShadedPolyData data = polyDataOf(*body.mesh);
     Drawn drawn{surfaceActor(data.surface),
                 {},
                 raisedLineActor(data.creases, edgeHeight),
                 glassActor(data.surface),
                 lineActor(data.creases),
                 std::move(body)};
-    const ShadedMesh& coarse = drawn.body.coarse;
-    drawn.coarse = coarse.triangles.empty() ? drawn.surface : surfaceActor(polyDataOf(coarse).surface);
-    triangles_ += drawn.body.mesh.triangles.size() / 3;
-    coarseTriangles_ += (coarse.triangles.empty() ? drawn.body.mesh : coarse).triangles.size() / 3;
+    drawn.coarse = drawn.surface;
     shadeSimply(*drawn.surface);
-    if (drawn.coarse != drawn.surface) shadeSimply(*drawn.coarse);
-    for (vtkActor* actor : {drawn.surface.Get(), drawn.coarse.Get(), drawn.edges.Get()}) {
+    for (vtkActor* actor : {drawn.surface.Get(), drawn.edges.Get()}) {
         clipBy(*actor, clip_);
-        solids_.AddActor(actor); // one that is there already is not added again
+        solids_.AddActor(actor);
     }
     marks_.AddActor(drawn.ghostSurface);
     marks_.AddActor(drawn.ghostEdges);
+    const std::size_t triangles = drawn.body.mesh->triangles.size() / 3;
+    triangles_ += triangles;
+    coarseTriangles_ += triangles;
     bodies_.push_back(std::move(drawn));
+}
+
+void PartActors::setCoarse(const CoarseBodies& coarse) {
+    coarseError_ = coarse.error;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (coarse.surfaces[i] == nullptr) continue;
+        Drawn& body = bodies_[i];
+        body.coarse = surfaceActor(coarse.surfaces[i]);
+        shadeSimply(*body.coarse);
+        clipBy(*body.coarse, clip_);
+        coarseTriangles_ -= body.body.mesh->triangles.size() / 3;
+        coarseTriangles_ += static_cast<std::size_t>(coarse.surfaces[i]->GetNumberOfPolys());
+    }
+    drawLast();
+    refresh();
 }
 
 void PartActors::setClip(vtkPlane* clip) {
@@ -109,9 +126,7 @@ void PartActors::drawLast() {
 }
 
 void PartActors::setDetail(bool moving, double pixel) {
-    double error = 0.0;
-    for (const Drawn& body : bodies_) error = std::max(error, body.body.coarseError);
-    const bool coarse = moving || error <= invisibleError * pixel;
+    const bool coarse = moving || coarseError_ <= invisibleError * pixel;
     if (coarse == coarse_) return;
     coarse_ = coarse;
     showSurfaces();
@@ -149,7 +164,7 @@ std::optional<glm::dvec3> PartActors::pick(const Sight& sight) const {
     if (!visible_) return std::nullopt;
     std::optional<double> nearest;
     for (const Drawn& body : bodies_) {
-        const std::optional<double> distance = distanceAlong(body.body.mesh, sight.origin, sight.direction);
+        const std::optional<double> distance = distanceAlong(*body.body.mesh, sight.origin, sight.direction);
         if (distance && (!nearest || *distance < *nearest)) nearest = distance;
     }
     if (!nearest) return std::nullopt;

@@ -9,6 +9,7 @@
 
 #include <vtkActor.h>
 #include <vtkPlane.h>
+#include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
@@ -22,14 +23,21 @@ namespace burin {
 
 /// A body of the part, ready to be drawn.
 struct ShadedBody {
-    ShadedMesh mesh;
-    ShadedMesh coarse;            ///< while things move and from afar; empty: the mesh is coarse enough
-    double coarseError = 0.0;     ///< how far `coarse` may lie from the mesh, mm
-    std::optional<QColor> colour; ///< the file's; none: the part's blue
+    std::shared_ptr<const ShadedMesh> mesh; ///< not null
+    std::optional<QColor> colour;           ///< the file's; none: the part's blue
 };
 
 /// Takes some tenths of a second for a large model: for a worker thread.
 std::vector<ShadedBody> shadedBodies(const Model& model);
+
+/// What is drawn of bodies while things move and from afar.
+struct CoarseBodies {
+    std::vector<vtkSmartPointer<vtkPolyData>> surfaces; ///< one a body; null: the body itself is coarse enough
+    double error = 0.0;                                 ///< how far they may lie from the bodies, mm
+};
+/// Takes about half a second for sixty thousand triangles: for a worker thread, when the part is to be seen already.
+/// @param size the part's diagonal, mm
+CoarseBodies coarseBodies(const std::vector<ShadedBody>& bodies, double size);
 
 /// The bare part: bodies in their colours, smooth, with feature edges. And its ghost, seen through the stock.
 class PartActors {
@@ -38,6 +46,8 @@ public:
     PartActors(vtkRenderer& solids, vtkRenderer& marks) : solids_(solids), marks_(marks) {}
 
     void setBodies(std::vector<ShadedBody> bodies);
+    /// Of the bodies that are set; until then these are always drawn in full.
+    void setCoarse(const CoarseBodies& coarse);
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
     /// Drawn in the part's blue where the workpiece is bare, whether visible or not; not picked for that.
@@ -80,6 +90,7 @@ private:
     QColor part_, edges_;
     double lineWidth_ = 1.0;
     std::size_t triangles_ = 0, coarseTriangles_ = 0;
+    double coarseError_ = 0.0; ///< mm
     bool coarse_ = false, visible_ = true, inWorkpiece_ = false, ghost_ = false, covered_ = false;
 };
 

@@ -47,6 +47,7 @@ public:
         touch_.setUnit(unit);
     }
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
+    void setCoarsePart(const CoarseBodies& coarse) { part_.setCoarse(coarse); }
     /// Nothing: while there is no workpiece to be seen.
     void setPartVisible(std::optional<bool> visible);
     void setStock(const std::optional<Box>& stock);

@@ -26,7 +26,7 @@ std::vector<ShadedBody> sampleBodies() {
     TriangleMesh mesh;
     mesh.vertices = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-    return {ShadedBody{shaded(mesh, creaseAngle), {}, 0.0, std::nullopt}};
+    return {ShadedBody{std::make_shared<const ShadedMesh>(shaded(mesh, creaseAngle)), std::nullopt}};
 }
 
 } // namespace
@@ -68,19 +68,25 @@ void Viewport::setPart(std::shared_ptr<const Model> model) {
         impl_->contentChanged();
         return;
     }
-    // Shading takes some tenths of a second for a large part: on a thread of the pool.
+    // Shading takes some tenths of a second for a large part, what is drawn while things move some more: on a thread of
+    // the pool.
     const QPointer<Viewport> self(this);
     QThreadPool::globalInstance()->start([self, model = std::move(model), order] {
-        const auto bodies = std::make_shared<std::vector<ShadedBody>>(shadedBodies(*model));
+        const auto inWindow = [&](auto change) {
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(),
+                [self, order, change = std::move(change)] {
+                    if (!self || self->impl_->partOrdered != order) return;
+                    change(self->impl_->scene);
+                    self->impl_->contentChanged();
+                },
+                Qt::QueuedConnection);
+        };
+        const std::vector<ShadedBody> bodies = shadedBodies(*model);
         const Box box = model->box();
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [self, bodies, box, order] {
-                if (!self || self->impl_->partOrdered != order) return;
-                self->impl_->scene.setPart(std::move(*bodies), box);
-                self->impl_->contentChanged();
-            },
-            Qt::QueuedConnection);
+        inWindow([bodies, box](Scene& scene) { scene.setPart(bodies, box); });
+        inWindow(
+            [coarse = coarseBodies(bodies, glm::length(box.size()))](Scene& scene) { scene.setCoarsePart(coarse); });
     });
 }
 
