@@ -4,6 +4,22 @@
 
 namespace burin {
 
+namespace {
+
+constexpr double scaleStep = 1.25; // of the hand, by the keyboard
+
+/// What lies to the right in the picture, setup frame.
+glm::dvec3 rightOf(const Viewport& viewport) {
+    const double middle = 0.5 * viewport.height();
+    const auto along = [&](double x) { // parallel sights differ in where they begin, others in where they lead
+        const ViewportEvent sight = viewport.sight(QPointF(x, middle));
+        return sight.rayOrigin + sight.rayDirection;
+    };
+    return along(viewport.width()) - along(0.0);
+}
+
+} // namespace
+
 HandPresenter::HandPresenter(Workbench& workbench, HandPanel& panel, QObject* parent)
     : Presenter(workbench, {&workbench.hand, &workbench.mill}, parent), panel_(panel) {
     HandController& hand = workbench.hand;
@@ -11,11 +27,26 @@ HandPresenter::HandPresenter(Workbench& workbench, HandPanel& panel, QObject* pa
     connect(&panel, &HandPanel::clutchToggled, &hand, &HandController::setClutched);
     connect(&panel, &HandPanel::recentreRequested, &hand, &HandController::recentre);
     connect(&panel, &HandPanel::scaleEdited, &hand, &HandController::setScale);
-    connect(&panel, &HandPanel::rateToggled, &hand,
-            [&hand](bool on) { hand.setControl(on ? WorkspaceControl::rate : WorkspaceControl::position); });
+    connect(&panel, &HandPanel::rateToggled, this, &HandPresenter::setRate);
     connect(&panel, &HandPanel::clutchButtonChosen, &hand, &HandController::setClutchButton);
     connect(&panel, &HandPanel::levelButtonChosen, &hand, &HandController::setLevelButton);
     connect(&panel, &HandPanel::forceButtonChosen, &hand, &HandController::setForceButton);
+}
+
+void HandPresenter::connectActions(const Actions& actions, const Viewport& viewport) {
+    HandController& hand = workbench_.hand;
+    const auto on = [&](ActionId id, auto what) { connect(actions[id], &QAction::triggered, this, what); };
+    on(ActionId::clutch, [&hand](bool wanted) { hand.setClutched(wanted); });
+    on(ActionId::alignHand, [&hand, &viewport] { hand.alignWith(rightOf(viewport)); });
+    on(ActionId::recentre, [&hand] { hand.recentre(); });
+    on(ActionId::finerHand, [&hand] { hand.scaleBy(1.0 / scaleStep); });
+    on(ActionId::coarserHand, [&hand] { hand.scaleBy(scaleStep); });
+    on(ActionId::rateControl, [this](bool wanted) { setRate(wanted); });
+    connect(&panel_, &HandPanel::alignmentRequested, actions[ActionId::alignHand], &QAction::trigger);
+}
+
+void HandPresenter::setRate(bool on) {
+    workbench_.hand.setControl(on ? WorkspaceControl::rate : WorkspaceControl::position);
 }
 
 void HandPresenter::present() {

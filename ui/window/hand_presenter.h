@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/actions/actions.h"
 #include "ui/panels/hand_panel.h"
+#include "ui/scene/viewport.h"
 #include "ui/window/presenter.h"
 
 namespace burin {
@@ -12,9 +14,12 @@ class HandPresenter final : public Presenter {
     Q_OBJECT
 public:
     HandPresenter(Workbench& workbench, HandPanel& panel, QObject* parent);
+    /// @param viewport that the hand is aligned with; outlives this
+    void connectActions(const Actions& actions, const Viewport& viewport);
 
 private:
     void present() override;
+    void setRate(bool on);
     HandPanel& panel_;
 };
 

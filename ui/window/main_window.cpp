@@ -28,7 +28,6 @@ namespace {
 
 constexpr QSize smallestWindow(1024, 680);
 constexpr QSize firstWindow(1280, 800);
-constexpr double scaleStep = 1.25;                    // of the hand, by the keyboard
 constexpr std::chrono::milliseconds warmUpAfter(300); // when the welcome page stands, and before anyone has read it
 
 /// What the view shows.
@@ -39,16 +38,6 @@ constexpr ActionId shownByAction[] = {ActionId::showPart, ActionId::showWorkpiec
 QString draggedFile(const QMimeData& data) {
     const QList<QUrl> urls = data.urls();
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
-}
-
-/// What lies to the right in the picture, setup frame.
-glm::dvec3 rightOf(const Viewport& viewport) {
-    const double middle = 0.5 * viewport.height();
-    const auto along = [&](double x) { // parallel sights differ in where they begin, others in where they lead
-        const ViewportEvent sight = viewport.sight(QPointF(x, middle));
-        return sight.rayOrigin + sight.rayDirection;
-    };
-    return along(viewport.width()) - along(0.0);
 }
 
 } // namespace
@@ -163,13 +152,6 @@ void MainWindow::connectActions() {
     const auto on = [this](ActionId id, auto what) { connect(actions_[id], &QAction::triggered, this, what); };
     on(ActionId::quit, [this] { close(); });
     on(ActionId::preferences, [this] { showPreferences(); });
-    on(ActionId::fit, [this] { viewport_->fit(); });
-    const std::pair<ActionId, StandardView> views[] = {
-        {ActionId::viewIsometric, StandardView::isometric}, {ActionId::viewTop, StandardView::top},
-        {ActionId::viewBottom, StandardView::bottom},       {ActionId::viewFront, StandardView::front},
-        {ActionId::viewBack, StandardView::back},           {ActionId::viewLeft, StandardView::left},
-        {ActionId::viewRight, StandardView::right}};
-    for (const auto& [id, view] : views) on(id, [this, seen = view] { viewport_->setStandardView(seen); });
     const auto step = [this](int by) {
         const int next = std::clamp(static_cast<int>(presenters_->job.shown()) + by, 0, JobLine::steps - 1);
         showStep(static_cast<JobStep>(next));
@@ -190,14 +172,6 @@ void MainWindow::connectActions() {
     on(ActionId::nearestEdge, [this] { workbench_.guides.add(GuideKind::curve); });
     on(ActionId::levelAbove, [this] { workbench_.guides.stepLevel(1); });
     on(ActionId::levelBelow, [this] { workbench_.guides.stepLevel(-1); });
-    on(ActionId::clutch, [this](bool wanted) { workbench_.hand.setClutched(wanted); });
-    on(ActionId::alignHand, [this] { workbench_.hand.alignWith(rightOf(*viewport_)); });
-    on(ActionId::recentre, [this] { workbench_.hand.recentre(); });
-    on(ActionId::finerHand, [this] { workbench_.hand.scaleBy(1.0 / scaleStep); });
-    on(ActionId::coarserHand, [this] { workbench_.hand.scaleBy(scaleStep); });
-    on(ActionId::rateControl, [this](bool wanted) {
-        workbench_.hand.setControl(wanted ? WorkspaceControl::rate : WorkspaceControl::position);
-    });
     on(ActionId::addFixtureFile, [this] { flow_.importFixture(); });
     on(ActionId::axisOfView, [this] {
         workbench_.surroundings.setAxis({false, -viewport_->sight(QRectF(viewport_->rect()).center()).rayDirection});
@@ -206,7 +180,6 @@ void MainWindow::connectActions() {
             &DocumentFlow::importFixture);
     connect(panels_->surroundings, &SurroundingsPanel::axisOfViewRequested, actions_[ActionId::axisOfView],
             &QAction::trigger);
-    connect(panels_->hand, &HandPanel::alignmentRequested, actions_[ActionId::alignHand], &QAction::trigger);
     on(ActionId::newPath, [this] { workbench_.path.makeNew(); });
     on(ActionId::drawStretch, [this] { presenters_->pathScene.setDrawing(!presenters_->pathScene.drawing()); });
     on(ActionId::drawEdit, [this] {
@@ -241,6 +214,7 @@ void MainWindow::connectActions() {
     connect(panels_->program, &ProgramPanel::exportRequested, &flow_, &DocumentFlow::exportProgram);
     connect(panels_->path, &PathPanel::visibilityToggled, actions_[ActionId::showPath], &QAction::setChecked);
     presenters_->mill.connectActions(actions_);
+    presenters_->hand.connectActions(actions_, *viewport_);
     connect(&presenters_->millMode, &MillMode::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
     connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);

@@ -27,6 +27,15 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
             [this] { viewport_.setOtherPaths(workbench_.path.others()); });
     for (const ActionId id : {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool})
         connect(actions[id], &QAction::toggled, this, &Presenter::presentSoon);
+    const std::pair<ActionId, StandardView> views[] = {
+        {ActionId::viewIsometric, StandardView::isometric}, {ActionId::viewTop, StandardView::top},
+        {ActionId::viewBottom, StandardView::bottom},       {ActionId::viewFront, StandardView::front},
+        {ActionId::viewBack, StandardView::back},           {ActionId::viewLeft, StandardView::left},
+        {ActionId::viewRight, StandardView::right}};
+    for (const auto& [id, view] : views)
+        connect(actions[id], &QAction::triggered, &viewport,
+                [&viewport, seen = view] { viewport.setStandardView(seen); });
+    connect(actions[ActionId::fit], &QAction::triggered, &viewport, &Viewport::fit);
     connect(actions[ActionId::showPath], &QAction::toggled, &viewport, &Viewport::setPathVisible);
     connect(actions[ActionId::showOtherPaths], &QAction::toggled, &viewport, &Viewport::setOtherPathsVisible);
 }
