@@ -309,6 +309,27 @@ private slots:
         QCOMPARE(panel.window()->focusWidget(), &tolerance);
     }
 
+    /// As by mouse: the button was pressed and has the keyboard, its menu is closed, the edits are applied.
+    void theKeyboardGoesToTheEditThatWasAdded() {
+        PathPanel panel;
+        PathState working = examples::path();
+        panel.setState(working);
+        show(panel);
+        connect(&panel, &PathPanel::editAdded, this, [&](const Edit& edit) {
+            working.path.edits.push_back(edit);
+            working.busy = true;
+            panel.setState(working);
+        });
+        const QString card = QStringLiteral("edit%1Switch").arg(working.path.edits.size());
+        child<QWidget>(panel, "addEditButton").setFocus();
+        child<QAction>(panel, "add-mirror").trigger();
+        QVERIFY(!child<QWidget>(panel, "addEditButton").isEnabled());
+        working.busy = false;
+        panel.setState(working);
+        QVERIFY(panel.window()->focusWidget() != nullptr);
+        QCOMPARE(panel.window()->focusWidget()->objectName(), card);
+    }
+
     /// An edit that is moved or changed is evaluated, its card disabled or made anew: the keyboard stays with it.
     void theKeyboardStaysWithTheEditThatIsChanged() {
         PathPanel panel;

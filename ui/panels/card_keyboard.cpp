@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/card_keyboard.h"
 
+#include "ui/panels/focus_keeper.h"
 #include "ui/panels/panel_layout.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@ namespace burin {
 
 void CardKeyboard::await(std::size_t card, const QString& part) {
     place_ = Place{card, part, true};
+    forgetKeptFocus(list_); // the button that was pressed waits there while work runs
     list_->setFocus(Qt::OtherFocusReason);
 }
 

@@ -74,4 +74,8 @@ void setEnabledKeepingFocus(QWidget* widget, bool enabled) {
     if (FocusKeeper* keeper = keeperFor(widget)) keeper->giveBack();
 }
 
+void forgetKeptFocus(QWidget* place) {
+    qDeleteAll(place->findChildren<FocusKeeper*>(QString(), Qt::FindDirectChildrenOnly));
+}
+
 } // namespace burin

@@ -16,6 +16,8 @@ namespace burin {
 /// beside the widget, and keys that go on being typed into a field mean nothing; it comes back when the widget is
 /// enabled again, unless the user took it elsewhere.
 void setEnabledKeepingFocus(QWidget* widget, bool enabled);
+/// What waits beside a widget of this place comes back no more: the keyboard has gone on, though it waits here still.
+void forgetKeptFocus(QWidget* place);
 
 /// Whether a key writes something in a field of text, or corrects what stands there.
 bool isTyped(const QKeyEvent& key);
