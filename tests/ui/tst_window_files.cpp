@@ -21,6 +21,7 @@ private slots:
     void theQuestionComesOnceTheFileIsKnownToBeGood();
     void aMissingRecentFileIsTakenOffTheList();
     void whatIsOpenAlreadyIsShown();
+    void whatWasSaidOfAFileEndsWithTheNextOne();
 };
 
 namespace {
@@ -170,6 +171,17 @@ void TestWindowFiles::whatIsOpenAlreadyIsShown() {
     QVERIFY(driver.clickOn("recentFileButton"));
     QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("benchPage") != nullptr; }, 5000));
     QCOMPARE(driver.window().workbench().bench.bench(), workpiece);
+}
+
+/// Not only when that one is imported: until then the message would be about the wrong file.
+void TestWindowFiles::whatWasSaidOfAFileEndsWithTheNextOne() {
+    WindowDriver driver;
+    drop(driver.window(), write(driver, "letter.step", "Dear Emil, this is no part.\n"));
+    QVERIFY(driver.waitFor([&] { return driver.message().contains(QStringLiteral("letter.step")); }));
+    QVERIFY(driver.clickOn("samplePartButton"));
+    QVERIFY(!driver.window().workbench().model.model());
+    QCOMPARE(driver.message(), QString());
+    QVERIFY(driver.settle());
 }
 
 QTEST_MAIN(TestWindowFiles)

@@ -133,10 +133,12 @@ void DocumentFlow::importAgain(double stlUnit) {
 }
 
 void DocumentFlow::importSample() {
+    emit begun();
     importFile(samplePart());
 }
 
 void DocumentFlow::showSample() {
+    emit begun();
     settle([this](bool abandon) {
         workbench_.comeToRest([this, abandon] {
             workbench_.document.createNew(abandon, [this](bool made) {
@@ -149,6 +151,7 @@ void DocumentFlow::showSample() {
 }
 
 void DocumentFlow::openAny(const QString& file) {
+    emit begun();
     const Result<FileKind> kind = fileKind(pathOf(file));
     if (!kind)
         refuse(file, kind.error());

@@ -43,6 +43,7 @@ public:
 
 signals:
     void recentFilesChanged();
+    void begun();                          ///< another file is looked at: what was said of the last one is past
     void alreadyOpen();                    ///< what was to be opened is the open project
     void refused(const QString& sentence); ///< a file, and why; nothing has changed
     void exported(const QString& file);
