@@ -18,33 +18,10 @@ constexpr double turnSlack = 6.0 * pi / 180.0; // rad
 constexpr double marginShare = 0.25;
 constexpr int mostRounds = 12;
 
-/// The turns and back-steps of a stroke, summed up to each of its points.
-struct TurnCount {
-    std::vector<double> turns; // rad
-    std::vector<std::size_t> backSteps;
-
-    /// @param detail mm: what is left out of the moves that turns are counted at
-    TurnCount(std::span<const StrokePoint> points, double detail, const Progress& progress)
-        : turns(points.size(), 0.0), backSteps(points.size(), 0) {
-        const auto anywhere = [](const glm::dvec3&, const glm::dvec3&) { return true; };
-        const std::vector<std::size_t> kept = simplifyInGroups(points, detail, anywhere, progress);
-        for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
-            const glm::dvec3 &from = points[kept[k - 1]].tip, &at = points[kept[k]].tip, &to = points[kept[k + 1]].tip;
-            turns[kept[k]] = angleBetween(at - from, to - at);
-            backSteps[kept[k]] = isBackStep(from, at, to) ? 1 : 0;
-        }
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            turns[i] += turns[i - 1];
-            backSteps[i] += backSteps[i - 1];
-        }
-    }
-
-private:
-    static double angleBetween(const glm::dvec3& one, const glm::dvec3& other) {
-        const double lengths = glm::length(one) * glm::length(other);
-        return lengths > 0.0 ? std::acos(glm::clamp(glm::dot(one, other) / lengths, -1.0, 1.0)) : 0.0;
-    }
-};
+double angleBetween(const glm::dvec3& one, const glm::dvec3& other) {
+    const double lengths = glm::length(one) * glm::length(other);
+    return lengths > 0.0 ? std::acos(glm::clamp(glm::dot(one, other) / lengths, -1.0, 1.0)) : 0.0;
+}
 
 /// Stretches of a stroke, by its course.
 class Stretches {
@@ -106,25 +83,48 @@ private:
 
 } // namespace
 
-void undoAddedTurns(std::span<const StrokePoint> recorded, std::span<const double> course, const TurnLimits& limits,
-                    std::vector<glm::dvec3>& smoothed, const Progress& progress) {
-    const TurnCount before(recorded, limits.detail, progress);
+TurnCount::TurnCount(std::span<const StrokePoint> points, double detail, const Progress& progress)
+    : turns(points.size(), 0.0), backSteps(points.size(), 0) {
+    const auto anywhere = [](const glm::dvec3&, const glm::dvec3&) { return true; };
+    const std::vector<std::size_t> kept = simplifyInGroups(points, detail, anywhere, progress);
+    for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
+        const glm::dvec3 &from = points[kept[k - 1]].tip, &at = points[kept[k]].tip, &to = points[kept[k + 1]].tip;
+        turns[kept[k]] = angleBetween(at - from, to - at);
+        backSteps[kept[k]] = isBackStep(from, at, to) ? 1 : 0;
+    }
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        turns[i] += turns[i - 1];
+        backSteps[i] += backSteps[i - 1];
+    }
+}
+
+AddedTurns::AddedTurns(std::span<const StrokePoint> recorded, std::span<const double> course, const TurnLimits& limits,
+                       const Progress& progress)
+    : recorded_(recorded), course_(course), limits_(limits), before_(recorded, limits.detail, progress) {}
+
+std::vector<bool> AddedTurns::in(std::span<const glm::dvec3> smoothed, const Progress& progress) const {
+    std::vector<StrokePoint> points(recorded_.begin(), recorded_.end());
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].tip = smoothed[i];
+    const TurnCount after(points, limits_.detail, progress);
+    const Stretches stretches(course_);
+    const double half = 0.5 * limits_.window, margin = marginShare * limits_.window;
+    std::vector<bool> marked(points.size(), false);
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        marked[i] =
+            stretches.within(after.turns, i, half) > stretches.within(before_.turns, i, half + margin) + turnSlack ||
+            stretches.within(after.backSteps, i, half) > stretches.within(before_.backSteps, i, half + margin);
+    return marked;
+}
+
+void AddedTurns::undo(std::vector<glm::dvec3>& smoothed, const Progress& progress) const {
     const std::vector<glm::dvec3> wanted = smoothed;
-    std::vector<StrokePoint> blended(recorded.begin(), recorded.end());
-    const Stretches stretches(course);
-    const double half = 0.5 * limits.window, margin = marginShare * limits.window;
-    Shares shares(course, limits.window);
+    Shares shares(course_, limits_.window);
     for (int round = 0; !progress.cancelled(); ++round) {
         for (std::size_t i = 0; i < smoothed.size(); ++i)
-            blended[i].tip = smoothed[i] = glm::mix(recorded[i].tip, wanted[i], shares[i]);
-        const TurnCount after(blended, limits.detail, progress);
-        std::vector<bool> marked(smoothed.size(), false);
-        for (std::size_t i = 0; i < marked.size(); ++i)
-            marked[i] =
-                stretches.within(after.turns, i, half) > stretches.within(before.turns, i, half + margin) + turnSlack ||
-                stretches.within(after.backSteps, i, half) > stretches.within(before.backSteps, i, half + margin);
+            smoothed[i] = glm::mix(recorded_[i].tip, wanted[i], shares[i]);
+        std::vector<bool> marked = in(smoothed, progress);
         if (round == mostRounds) marked.assign(marked.size(), true); // nothing is smoothed rather than badly
-        if (!shares.takeFrom(marked, half)) return;
+        if (!shares.takeFrom(marked, 0.5 * limits_.window)) return;
     }
 }
 

@@ -10,16 +10,39 @@
 
 namespace burin {
 
+/// The turns and back-steps of a stroke, summed up to each of its points.
+struct TurnCount {
+    std::vector<double> turns; ///< rad
+    std::vector<std::size_t> backSteps;
+
+    /// @param detail mm: what is left out of the moves that turns are counted at
+    TurnCount(std::span<const StrokePoint> points, double detail, const Progress& progress);
+};
+
 struct TurnLimits {
     double window = 0.0; ///< mm of the course that turns are counted over
     double detail = 0.0; ///< mm: bends that stay within it are none
 };
 
-/// Smoothing takes turns away. Where it adds some (a stiff curve that is drawn around a corner swings before and behind
-/// it), the recorded stroke is the smoother one: there `smoothed` becomes what was recorded, blended over a window on
-/// either side, until no stretch as long as a window turns more than the recorded one does, nor steps back more often.
-/// @param course mm, of each point, never falling @param smoothed the tips, mm, point by point
-void undoAddedTurns(std::span<const StrokePoint> recorded, std::span<const double> course, const TurnLimits& limits,
-                    std::vector<glm::dvec3>& smoothed, const Progress& progress);
+/// Smoothing takes turns away; where it adds some, a stiff curve that is drawn around a corner swings before and behind
+/// it, and the recorded stroke is the smoother one.
+class AddedTurns {
+public:
+    /// Keeps references to both. @param course mm, of each point, never falling
+    AddedTurns(std::span<const StrokePoint> recorded, std::span<const double> course, const TurnLimits& limits,
+               const Progress& progress);
+
+    /// The middles of all stretches as long as a window in which the smoothed stroke turns more than the recorded one
+    /// does, or steps back more often. @param smoothed the tips, mm, point by point
+    std::vector<bool> in(std::span<const glm::dvec3> smoothed, const Progress& progress) const;
+    /// There `smoothed` becomes what was recorded, blended over a window on either side, until no such stretch is left.
+    void undo(std::vector<glm::dvec3>& smoothed, const Progress& progress) const;
+
+private:
+    std::span<const StrokePoint> recorded_;
+    std::span<const double> course_;
+    TurnLimits limits_;
+    TurnCount before_;
+};
 
 } // namespace burin

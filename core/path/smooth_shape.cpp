@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
 #include "core/path/added_turns.h"
 #include "core/path/apply.h"
 #include "core/path/curve_deviation.h"
-#include "core/path/penalised_spline.h"
+#include "core/path/shape_corners.h"
 #include "core/path/shape_course.h"
+#include "core/path/shape_fit.h"
+#include "core/path/shape_tube.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace burin {
 namespace {
@@ -17,173 +19,120 @@ constexpr double knotsInWavelength = 40.0, knotsInTolerance = 4.0;
 /// Steps back of less than this share of the wavelength, and chords that the shape bends away from by less than the
 /// other one, say nothing of the shape.
 constexpr double slackShare = 0.5, chordShare = 0.1;
-/// So often points outside of the tube get more weight.
-constexpr int tubeRounds = 16;
-constexpr double tubeAim = 0.97; // share of the tolerance
 /// Bends that stay within this share of the tolerance are none.
 constexpr double bendShare = 0.1;
-/// Weights, mm of the course: what a point that leaves the tube counts at least, and at most.
-constexpr double leastWeight = 1e-3, mostWeight = 1e6;
+/// Where the curve can't follow, it is cut at the sharpest corner near by, so often.
+constexpr int cornerRounds = 6;
+constexpr double corner = 20.0 * pi / 180.0, cornerLeg = 0.05; // rad; share of the wavelength
+/// No curve of this wavelength follows what turns so much without swinging before and behind it. Shorter legs are
+/// those of a hand that hesitates.
+constexpr double sharpCorner = 50.0 * pi / 180.0, sharpCornerLeg = 0.15; // rad; share of the wavelength
 
-/// A curve by its own length, fitted to a stroke's points and to the moves between them. They count by the progress of
-/// the course without tremor: a hand that rests says hardly more about the shape than one that passes, and within a
-/// wave of tremor all points count alike. By their own length those would count more where tremor hurries the hand on,
-/// and the mean of a wave would not be its middle.
-class ShapeFit {
-public:
-    /// @param course mm, of each point @param wavelength cut-off, mm @param gap between knots, mm
-    ShapeFit(std::span<const StrokePoint> points, std::span<const double> course, double wavelength, double gap)
-        : gap_(gap)
-        , spline_(PenalisedSpline::sizeFor(static_cast<std::size_t>(course.back() / gap_)),
-                  PenalisedSpline::penaltyFor(wavelength, gap_)) {
-        const std::vector<double> progress = evenCourse(course, 0.5 * wavelength);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const double length = i == 0 ? 0.0 : course[i] - course[i - 1];
-            const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(2.0 * length / gap_)));
-            const double piece = i == 0 ? 0.0 : (progress[i] - progress[i - 1]) / static_cast<double>(pieces);
-            if (i > 0) weights_.back() += 0.5 * piece;
-            for (std::size_t k = 1; i > 0 && k < pieces; ++k) {
-                const double share = static_cast<double>(k) / static_cast<double>(pieces);
-                add(course[i - 1] + share * length, glm::mix(points[i - 1].tip, points[i].tip, share), piece);
-            }
-            pointAt_.push_back(at_.size());
-            add(course[i], points[i].tip, 0.5 * piece);
-        }
-    }
-
-    void fit() { spline_.fit(at_, tips_, weights_); }
-    /// The curve at a point's length.
-    glm::dvec3 tip(std::size_t point) const noexcept { return spline_(at_[pointAt_[point]]); }
-    /// Unit; zero where the curve stands.
-    glm::dvec3 direction(std::size_t point) const noexcept {
-        const glm::dvec3 slope = spline_.direction(at_[pointAt_[point]].cell, shares_[pointAt_[point]]);
-        const double length = glm::length(slope);
-        return length > 0.0 ? slope / length : glm::dvec3(0.0);
-    }
-    void weigh(std::size_t point, double times) noexcept {
-        double& weight = weights_[pointAt_[point]];
-        weight = std::min(mostWeight, std::max(weight, leastWeight) * times);
-    }
-
-private:
-    void add(double course, const glm::dvec3& tip, double weight) {
-        const double cells = course / gap_;
-        const auto cell = static_cast<std::size_t>(cells);
-        shares_.push_back(cells - static_cast<double>(cell));
-        at_.push_back(splinePosition(cell, shares_.back()));
-        tips_.push_back(tip);
-        weights_.push_back(weight);
-    }
-
-    double gap_; // mm
-    PenalisedSpline spline_;
-    std::vector<SplinePosition> at_; // of the points and of what stands between them
-    std::vector<double> shares_, weights_;
-    std::vector<glm::dvec3> tips_;
-    std::vector<std::size_t> pointAt_;
-};
-
-/// Lengths along the curve that a first, coarse course led to.
-std::vector<double> courseAlong(const ShapeFit& fit, std::span<const StrokePoint> points) {
-    std::vector<double> course(points.size(), 0.0);
-    double length = 0.0;
-    glm::dvec3 last = fit.tip(0);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::dvec3 curve = fit.tip(i);
-        length += glm::distance(last, curve);
-        course[i] = length + glm::dot(points[i].tip - curve, fit.direction(i));
-        last = curve;
-    }
-    makeMonotone(course);
-    const double begin = course.front();
-    for (double& at : course) at -= begin;
-    return course;
+/// The recorded points' own tips, mm.
+std::vector<glm::dvec3> tipsOf(std::span<const StrokePoint> points) {
+    std::vector<glm::dvec3> tips;
+    for (const StrokePoint& point : points) tips.push_back(point.tip);
+    return tips;
 }
 
-/// A stroke and the tube around it: both the recorded points and the curve's stay in it. Along the curve the law of
-/// time may differ; that is no deviation.
-class Tube {
+/// Smooths a stroke in pieces: a curve for each stretch between two corners, through both of them.
+class StrokeSmoother {
 public:
-    Tube(std::vector<glm::dvec3> tips, double tolerance, double reach)
-        : tips_(std::move(tips)), curve_(tips_, reach), tolerance_(tolerance), reach_(reach) {}
+    StrokeSmoother(const PathStroke& stroke, const SmoothShape& edit, const Progress& progress)
+        : points_(stroke.points)
+        , recorded_(tipsOf(points_))
+        , wavelength_(edit.wavelength)
+        , tolerance_(edit.tolerance)
+        // Knots are dense enough to go round corners where the tube demands it.
+        , gap_(std::min(edit.wavelength / knotsInWavelength, knotsInTolerance * edit.tolerance))
+        , progress_(progress) {}
 
-    /// How far each point is from the other curve, mm; what is within the tolerance may be anything up to it.
-    std::vector<double> offsets(std::span<const glm::dvec3> smoothed) const {
-        const StrokeCurve other(smoothed, reach_);
-        std::vector<double> offsets(tips_.size(), 0.0);
-        for (std::size_t i = 0; i < tips_.size(); ++i)
-            if (glm::distance(tips_[i], smoothed[i]) > tolerance_)
-                offsets[i] =
-                    std::max(other.distance(tips_[i], i, tolerance_), curve_.distance(smoothed[i], i, tolerance_));
-        return offsets;
-    }
-
-    /// What could not be drawn into the tube stays as it was recorded.
-    void restoreOutside(std::vector<glm::dvec3>& smoothed, const Progress& progress) const {
-        for (std::size_t around = 0; !progress.cancelled(); around = 2 * around + 1) {
-            const std::vector<double> off = offsets(smoothed);
-            bool within = true;
-            for (std::size_t i = 0; i < off.size(); ++i) {
-                if (off[i] <= tolerance_) continue;
-                within = false;
-                const std::size_t first = i - std::min(i, around), last = std::min(i + around, off.size() - 1);
-                for (std::size_t k = first; k <= last; ++k) smoothed[k] = tips_[k];
-            }
-            if (within) return;
+    /// The tips, mm, point by point; nothing where the stroke is too short to have a shape, or the work was cancelled.
+    std::vector<glm::dvec3> smoothed() {
+        if (!findCourse()) return {};
+        const AddedTurns added(points_, course_, {wavelength_, bendShare * tolerance_}, progress_);
+        const ShapeCorners shape(points_, course_, {tolerance_, 2.0 * gap_, wavelength_}, progress_);
+        std::vector<std::size_t> corners = shape.sharperThan({sharpCorner, sharpCornerLeg * wavelength_});
+        fitBetween(corners, {});
+        if (corners.empty()) fitPiece(0, points_.size() - 1, true, true);
+        for (int round = 0; round < cornerRounds && !progress_.cancelled(); ++round) {
+            std::vector<bool> marked = added.in(smoothed_, progress_);
+            for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = marked[i] || outside_[i];
+            const std::vector<std::size_t> more =
+                shape.withCornersAt(marked, {corner, cornerLeg * wavelength_}, corners);
+            if (more.size() == corners.size()) break;
+            fitBetween(more, corners);
+            corners = more;
         }
+        added.undo(smoothed_, progress_);
+        ShapeTube(recorded_, tolerance_, wavelength_).restoreOutside(smoothed_, progress_);
+        return progress_.cancelled() ? std::vector<glm::dvec3>() : smoothed_;
     }
-
-    double tolerance() const noexcept { return tolerance_; }
+    std::span<const glm::dvec3> recorded() const noexcept { return recorded_; }
 
 private:
-    std::vector<glm::dvec3> tips_; // recorded, mm
-    StrokeCurve curve_;
-    double tolerance_, reach_; // mm; along the curve
-};
+    double shortest() const noexcept { return 4.0 * gap_; } // mm: less says nothing of a shape
 
-/// The curve at each point, drawn into the tube by giving weight to points that are outside of it.
-std::vector<glm::dvec3> fitInTube(ShapeFit& fit, const Tube& tube, std::size_t count, const Progress& progress) {
-    std::vector<glm::dvec3> smoothed(count);
-    for (int round = 0; round <= tubeRounds && !progress.cancelled(); ++round) {
-        fit.fit();
-        for (std::size_t i = 0; i < count; ++i) smoothed[i] = fit.tip(i);
-        const std::vector<double> off = tube.offsets(smoothed);
-        bool within = true;
-        for (std::size_t i = 0; i < count; ++i) {
-            if (off[i] <= tube.tolerance()) continue;
-            within = false;
-            const double times = off[i] / (tubeAim * tube.tolerance());
-            fit.weigh(i, times * times);
-        }
-        if (within) break;
+    /// How far along its own shape the stroke is at each point. False: it has none.
+    bool findCourse() {
+        course_ = shapeCourse(points_, chordShare * wavelength_, slackShare * wavelength_, progress_);
+        if (progress_.cancelled() || tolerance_ <= 0.0 || course_.empty() || course_.back() < shortest()) return false;
+        ShapeFit coarse(points_, course_, wavelength_, gap_);
+        coarse.fit();
+        course_ = courseAlong(coarse, points_);
+        smoothed_ = recorded_;
+        outside_.assign(points_.size(), false);
+        return course_.back() >= shortest();
     }
-    return smoothed;
-}
+
+    /// The pieces that a new corner begins or ends.
+    void fitBetween(const std::vector<std::size_t>& corners, const std::vector<std::size_t>& before) {
+        const std::size_t last = points_.size() - 1;
+        const auto isEnd = [&](std::size_t point) { return point == 0 || point == last; };
+        const auto stood = [&](std::size_t point) { return isEnd(point) || std::ranges::binary_search(before, point); };
+        for (std::size_t k = 0; k <= corners.size(); ++k) {
+            const std::size_t from = k == 0 ? 0 : corners[k - 1], to = k == corners.size() ? last : corners[k];
+            if (!stood(from) || !stood(to)) fitPiece(from, to, isEnd(from), isEnd(to));
+        }
+    }
+
+    /// @param free whether the curve may end elsewhere than the piece does
+    void fitPiece(std::size_t first, std::size_t last, bool freeStart, bool freeEnd) {
+        const std::size_t count = last - first + 1;
+        const auto points = std::span(points_).subspan(first, count);
+        std::vector<glm::dvec3> tips(recorded_.begin() + static_cast<std::ptrdiff_t>(first),
+                                     recorded_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+        std::vector<double> course(count);
+        for (std::size_t i = 0; i < count; ++i) course[i] = course_[first + i] - course_[first];
+        ShapeFit fit(points, course, wavelength_, gap_);
+        if (!freeStart) fit.pin(0);
+        if (!freeEnd) fit.pin(count - 1);
+        const ShapeTube tube(tips, tolerance_, wavelength_);
+        std::vector<glm::dvec3> drawn = tube.drawIn(fit, progress_);
+        if (!freeStart) drawn.front() = tips.front();
+        if (!freeEnd) drawn.back() = tips.back();
+        const std::vector<bool> outside = tube.outside(drawn);
+        tube.restoreOutside(drawn, progress_);
+        std::ranges::copy(drawn, smoothed_.begin() + static_cast<std::ptrdiff_t>(first));
+        for (std::size_t i = 0; i < count; ++i) outside_[first + i] = outside[i];
+    }
+
+    const std::vector<StrokePoint>& points_;
+    const std::vector<glm::dvec3> recorded_;    // mm
+    const double wavelength_, tolerance_, gap_; // mm
+    const Progress& progress_;
+    std::vector<double> course_;       // mm, of each point
+    std::vector<glm::dvec3> smoothed_; // mm
+    std::vector<bool> outside_;        // what could not be drawn into the tube
+};
 
 Deviation smooth(PathStroke& stroke, const SmoothShape& edit, const Progress& progress) {
-    std::vector<StrokePoint>& points = stroke.points;
-    // Knots are dense enough to go round corners where the tube demands it.
-    const double gap = std::min(edit.wavelength / knotsInWavelength, knotsInTolerance * edit.tolerance);
-    const double shortest = 4.0 * gap; // mm: less says nothing of a shape
-    std::vector<double> course =
-        shapeCourse(points, chordShare * edit.wavelength, slackShare * edit.wavelength, progress);
-    if (progress.cancelled() || edit.tolerance <= 0.0 || course.empty() || course.back() < shortest) return {};
-    ShapeFit coarse(points, course, edit.wavelength, gap);
-    coarse.fit();
-    course = courseAlong(coarse, points);
-    if (course.back() < shortest) return {};
-    std::vector<glm::dvec3> recorded;
-    for (const StrokePoint& point : points) recorded.push_back(point.tip);
-    ShapeFit fit(points, course, edit.wavelength, gap);
-    const double reach = edit.wavelength; // steps back of less than half of it go
-    const Tube tube(recorded, edit.tolerance, reach);
-    std::vector<glm::dvec3> smoothed = fitInTube(fit, tube, points.size(), progress);
-    tube.restoreOutside(smoothed, progress);
-    undoAddedTurns(points, course, {edit.wavelength, bendShare * edit.tolerance}, smoothed, progress);
-    tube.restoreOutside(smoothed, progress);
-    if (progress.cancelled()) return {};
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].tip = smoothed[i];
-    return curveDeviation(recorded, smoothed, reach);
+    StrokeSmoother smoother(stroke, edit, progress);
+    const std::vector<glm::dvec3> smoothed = smoother.smoothed();
+    if (smoothed.empty()) return {};
+    const Deviation deviation = curveDeviation(smoother.recorded(), smoothed, edit.wavelength);
+    for (std::size_t i = 0; i < smoothed.size(); ++i) stroke.points[i].tip = smoothed[i];
+    return deviation;
 }
 
 } // namespace

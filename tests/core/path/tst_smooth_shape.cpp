@@ -136,18 +136,26 @@ private slots:
         QVERIFY(farthestFrom(corners, tips) <= 0.01 + 0.003);
     }
 
-    /// The tremor between corners goes all the same.
+    /// The tremor between corners goes all the same, and close to them.
+    void tremorGoesBetweenCorners_data() {
+        QTest::addColumn<double>("margin"); // mm from the corner
+        QTest::addColumn<double>("least");  // times that it comes down
+        QTest::newRow("4 mm away") << 4.0 << 8.0;
+        QTest::newRow("up to 0.5 mm") << 0.5 << 5.0;
+    }
     void tremorGoesBetweenCorners() {
+        QFETCH(double, margin);
+        QFETCH(double, least);
         for (unsigned seed = 1; seed <= 5; ++seed) {
             std::vector<Tick> ticks = along({{0, 0, -1}, {40, 0, -1}, {40, 40, -1}}, 15.0);
             tremble(ticks, 0.03, seed);
             const auto path = run({takeOf(ticks)}, {{SmoothShape{3.0, 0.1}}}, context());
             QVERIFY(path);
-            const auto roughness = [](const std::vector<glm::dvec3>& tips) { // off the two lines, 4 mm from the corner
+            const auto roughness = [margin](const std::vector<glm::dvec3>& tips) { // off the two lines
                 double square = 0.0, count = 0.0;
                 for (const glm::dvec3& tip : tips) {
-                    if (tip.x > 36.0 && tip.y < 4.0) continue;
-                    const double across = tip.x > 36.0 ? tip.x - 40.0 : tip.y;
+                    if (tip.x > 40.0 - margin && tip.y < margin) continue;
+                    const double across = tip.x > 40.0 - margin ? tip.x - 40.0 : tip.y;
                     square += across * across + (tip.z + 1.0) * (tip.z + 1.0);
                     count += 1.0;
                 }
@@ -155,7 +163,33 @@ private slots:
             };
             const double before = roughness(tipsOf(ticks)), after = roughness(tipsOf(path->path.points));
             qInfo() << "off the lines" << 1000.0 * before << "um down to" << 1000.0 * after;
-            QVERIFY(8.0 * after <= before);
+            QVERIFY(least * after <= before);
+        }
+    }
+
+    /// Rows as short as the wavelength, as on small parts: the corners of a raster are no reason to keep the tremor.
+    void shortRowsAreSmoothed() {
+        for (unsigned seed = 1; seed <= 5; ++seed) {
+            std::vector<glm::dvec3> corners;
+            for (int row = 0; row < 12; ++row)
+                for (const int end : {row % 2, 1 - row % 2}) corners.emplace_back(5.0 * end, 0.8 * row, -1.0);
+            std::vector<Tick> ticks = along(corners, 15.0);
+            tremble(ticks, 0.01, seed);
+            const auto path = run({takeOf(ticks)}, {{SmoothShape{}}}, context());
+            QVERIFY(path);
+            const auto roughness = [](const std::vector<glm::dvec3>& tips) { // off the rows, 1 mm from their ends
+                double square = 0.0, count = 0.0;
+                for (const glm::dvec3& tip : tips) {
+                    if (tip.x < 1.0 || tip.x > 4.0) continue;
+                    const double across = tip.y - 0.8 * std::round(tip.y / 0.8);
+                    square += across * across + (tip.z + 1.0) * (tip.z + 1.0);
+                    count += 1.0;
+                }
+                return std::sqrt(square / count);
+            };
+            const double before = roughness(tipsOf(ticks)), after = roughness(tipsOf(path->path.points));
+            qInfo() << "off the rows" << 1000.0 * before << "um down to" << 1000.0 * after;
+            QVERIFY(5.0 * after <= before);
         }
     }
 
