@@ -14,6 +14,7 @@ constexpr NumberRange travel{1.0, 1e5};
 constexpr NumberRange feed{1.0, 1e6};
 constexpr NumberRange spindleSpeed{0.0, 1e6};
 constexpr NumberRange spindlePower{1.0, 1e6};
+constexpr NumberRange spindleTorque{1e-4, 1e5};
 constexpr NumberRange acceleration{1.0, 1e6};
 constexpr NumberRange jerk{1.0, 1e9};
 constexpr NumberRange blockRate{1.0, 1e6};
@@ -61,6 +62,17 @@ void readArcs(JsonObject& file, ArcRules& rules) {
     });
 }
 
+void readTorque(JsonObject& file, std::vector<SpindlePoint>& torque) {
+    if (!file.has("spindle_torque")) return;
+    file.objects("spindle_torque", [&](JsonObject& entry) {
+        const SpindlePoint point{entry.number("speed_rpm", spindleSpeed), entry.number("torque_nm", spindleTorque)};
+        if (!(point.speed > (torque.empty() ? 0.0 : torque.back().speed)))
+            entry.fail("speed_rpm", "has to be above 0 and above the one before");
+        torque.push_back(point);
+    });
+    if (torque.empty()) file.fail("spindle_torque", "has to hold a point at least");
+}
+
 void readSpindle(JsonObject& file, MachineProfile& machine) {
     machine.minimumSpindleSpeed = file.number("minimum_spindle_speed_rpm", spindleSpeed);
     machine.maximumSpindleSpeed = file.number("maximum_spindle_speed_rpm", spindleSpeed);
@@ -68,6 +80,7 @@ void readSpindle(JsonObject& file, MachineProfile& machine) {
     if (machine.minimumSpindleSpeed > machine.maximumSpindleSpeed)
         file.fail("minimum_spindle_speed_rpm", "has to be at most maximum_spindle_speed_rpm");
     if (file.has("spindle_power_w")) machine.spindlePower = file.number("spindle_power_w", spindlePower);
+    readTorque(file, machine.spindleTorque);
 }
 
 void readCoolants(JsonObject& file, MachineProfile& machine) {

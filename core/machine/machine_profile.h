@@ -7,6 +7,7 @@
 #include "core/geometry/box.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -37,6 +38,12 @@ struct ArcRules {
     double radiusMismatch = 0.002;  ///< mm, between the radii at start and end
 };
 
+/// What a spindle gives at one speed for as long as a cut takes.
+struct SpindlePoint {
+    double speed = 0.0;  ///< 1/min
+    double torque = 0.0; ///< N m
+};
+
 /// A three-axis machine and its control, plain data. resources/machines/<id>.json; core/machine/README.md says what
 /// each key means.
 struct MachineProfile {
@@ -52,6 +59,7 @@ struct MachineProfile {
     double minimumSpindleSpeed = 0.0;           ///< 1/min
     double maximumSpindleSpeed = 0.0;           ///< 1/min
     double spindlePower = 0.0;                  ///< W; 0: not stated
+    std::vector<SpindlePoint> spindleTorque{};  ///< by rising speed; empty: not stated (see torqueAt)
     double acceleration = 0.0;                  ///< mm/s², of an axis that has none of its own; 0: without limit
     glm::dvec3 axisAccelerations{0.0};          ///< mm/s², of each axis; 0: `acceleration` (see axisAcceleration)
     glm::dvec3 axisJerks{0.0};                  ///< mm/s³, of each axis; 0: without limit
@@ -72,6 +80,25 @@ struct MachineProfile {
     }
     /// mm/min, the greatest rate of an axis (0, 1, 2).
     double axisRate(int axis) const noexcept { return axisRates[axis] > 0.0 ? axisRates[axis] : rapidFeed; }
+    /// N m that the spindle gives at a speed; 0: not stated. Between two points its power goes in a straight line,
+    /// which is exact for constant torque as for constant power; below the first its torque stays, above the last its
+    /// power. @param speed 1/min, > 0
+    double torqueAt(double speed) const noexcept {
+        if (spindleTorque.empty()) return 0.0;
+        if (speed <= spindleTorque.front().speed) return spindleTorque.front().torque;
+        const auto above = std::ranges::lower_bound(spindleTorque, speed, {}, &SpindlePoint::speed);
+        const SpindlePoint& low = *(above - 1);
+        if (above == spindleTorque.end()) return low.torque * low.speed / speed;
+        const double share = (speed - low.speed) / (above->speed - low.speed);
+        return std::lerp(low.torque * low.speed, above->torque * above->speed, share) / speed;
+    }
+    /// W that the spindle gives at a speed, of its power and its torque the smaller; 0: not stated.
+    /// @param speed 1/min, > 0
+    double powerAt(double speed) const noexcept {
+        const double ofTorque = torqueAt(speed) * 2.0 * pi * speed / secondsPerMinute;
+        return spindlePower > 0.0 && ofTorque > 0.0 ? std::min(spindlePower, ofTorque)
+                                                    : std::max(spindlePower, ofTorque);
+    }
     /// mm/s², of an axis; 0: without limit.
     double axisAcceleration(int axis) const noexcept {
         return axisAccelerations[axis] > 0.0 ? axisAccelerations[axis] : acceleration;

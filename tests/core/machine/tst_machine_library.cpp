@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace burin;
 
@@ -78,6 +79,34 @@ private slots:
         QCOMPARE(loadMachine("fanuc-mill")->blocksPerSecond, 0.0);
     }
 
+    /// Constant torque up to 1000 1/min, then constant power, then falling: P = M · 2 pi n / 60 by hand.
+    void aSpindleGivesWhatItsCurveSays() {
+        QString text = QString::fromUtf8(shortProfile);
+        text.insert(1, "\"spindle_power_w\": 5000, \"spindle_torque\": [{\"speed_rpm\": 1000, \"torque_nm\": 30},"
+                       "{\"speed_rpm\": 3000, \"torque_nm\": 10}, {\"speed_rpm\": 6000, \"torque_nm\": 2.5}],");
+        const Result<MachineProfile> own = machineFromJson(text.toStdString(), "own.json");
+        QVERIFY(own.hasValue());
+        QCOMPARE(own->torqueAt(200.0), 30.0);
+        QVERIFY(std::abs(own->powerAt(200.0) - 628.3) < 0.1);
+        QVERIFY(std::abs(own->powerAt(1500.0) - 3141.6) < 0.1); // between the first two: constant power
+        QVERIFY(std::abs(own->torqueAt(1500.0) - 20.0) < 1e-9);
+        QVERIFY(std::abs(own->powerAt(4500.0) - 0.5 * (3141.6 + 1570.8)) < 0.1);
+        QVERIFY(std::abs(own->powerAt(8000.0) - 1570.8) < 0.1); // beyond the last it keeps its power
+        QVERIFY(std::abs(own->torqueAt(8000.0) - 1.875) < 1e-9);
+
+        const Result<MachineProfile> without = machineFromJson(shortProfile, "own.json");
+        QCOMPARE(without->torqueAt(1000.0), 0.0); // not stated
+        QCOMPARE(without->powerAt(1000.0), 0.0);
+    }
+    /// The curve that a machine is shipped with does not give more than the power that it states.
+    void torqueAndPowerOfAShippedMachineAgree() {
+        for (const std::string& id : machineIds()) {
+            const Result<MachineProfile> machine = loadMachine(id);
+            for (const SpindlePoint& point : machine->spindleTorque)
+                QVERIFY2(point.torque * point.speed * 2.0 * pi / 60.0 <= 1.01 * machine->spindlePower, id.c_str());
+        }
+    }
+
     void whatAMachineDoesNotStateHasItsDefault() {
         const Result<MachineProfile> own = machineFromJson(shortProfile, "own.json");
         QVERIFY(own.hasValue());
@@ -130,6 +159,10 @@ private slots:
         QTest::newRow("an axis beyond the rapids") << "[6000, 6000, 3000]"
                                                    << "[6000, 7000, 3000]"
                                                    << "axis_rates_mm_per_min[1]";
+        QTest::newRow("torque upside down") << "\"spindle_power_w\": 2200,"
+                                            << "\"spindle_torque\": [{\"speed_rpm\": 9000, \"torque_nm\": 1},"
+                                               "{\"speed_rpm\": 8000, \"torque_nm\": 1}],"
+                                            << "spindle_torque[1].speed_rpm";
         QTest::newRow("a blend by nothing") << R"("tolerance_mm": 0.01)"
                                             << R"("tolerance_mm": 0)"
                                             << "junctions.tolerance_mm";
