@@ -21,7 +21,7 @@ constexpr NumberRange blockRate{1.0, 1e6};
 constexpr NumberRange height{0.0, 1e4};
 constexpr NumberRange toolChange{0.0, 3600.0};
 constexpr NumberRange tolerance{0.0, 1.0};
-constexpr NumberRange sweep{1.0, 360.0};
+constexpr NumberRange sweep{0.0, 360.0};
 constexpr NumberRange radius{0.0, 1e6};
 
 glm::dvec3 axesOr(JsonObject& file, std::string_view key, NumberRange range) {

@@ -32,7 +32,7 @@ enum class JunctionRule : std::uint8_t {
 
 /// Which arcs a control takes. What is beyond has to be split or posted as lines.
 struct ArcRules {
-    double largestSweep = 2.0 * pi; ///< rad, of one block; a whole circle where it is 2 pi
+    double largestSweep = 2.0 * pi; ///< rad, of one block; a whole circle where it is 2 pi; 0: it takes no arcs
     double smallestRadius = 0.0;    ///< mm
     double largestRadius = 1e4;     ///< mm
     double radiusMismatch = 0.002;  ///< mm, between the radii at start and end

@@ -17,6 +17,8 @@ constexpr double smallestSweep = 1e-3; // rad
 constexpr double sweepTolerance = 0.1; // rad: a piece that turns by more or less has become another arc
 constexpr int mostHalvings = 3;
 constexpr double computed = 1e-9; // mm: what a control's own arithmetic may add
+/// The written arc leaves the true one by no more than so many steps of the last digit and so much more.
+constexpr double strayedSteps = 2.0, strayedBeyond = 0.0015; // mm
 
 glm::dvec3 placeOf(const StepPlace& steps, const NumberWords& numbers) {
     return {numbers.millimetresOf(steps[0]), numbers.millimetresOf(steps[1]), numbers.millimetresOf(steps[2])};
@@ -24,6 +26,19 @@ glm::dvec3 placeOf(const StepPlace& steps, const NumberWords& numbers) {
 
 StepPlace stepsOf(const glm::dvec3& place, const NumberWords& numbers) {
     return {numbers.stepsOf(place.x), numbers.stepsOf(place.y), numbers.stepsOf(place.z)};
+}
+
+/// How far quarters of an arc's way lie from another arc, in their plane, mm.
+double strayed(const Arc& wanted, const Arc& written) {
+    const int u = (wanted.axis + 1) % 3, v = (wanted.axis + 2) % 3;
+    const ArcTurn turn = turnOf(wanted), turnWritten = turnOf(written);
+    double farthest = 0.0;
+    for (const double share : {0.25, 0.5, 0.75}) {
+        const glm::dvec3 place = placeOn(wanted, turn, share) - written.centre;
+        const double radius = glm::mix(turnWritten.startRadius, turnWritten.endRadius, share);
+        farthest = std::max(farthest, std::abs(std::hypot(place[u], place[v]) - radius));
+    }
+    return farthest;
 }
 
 class ArcWriter {
@@ -36,7 +51,7 @@ public:
         const double radius = std::max(turn.startRadius, turn.endRadius);
         const bool rises = arc.to[arc.axis] != arc.from[arc.axis];
         if (radius > limits_.largestRadius || radius < limits_.smallestRadius || std::abs(turn.sweep) < smallestSweep ||
-            (rises && !limits_.helices)) {
+            limits_.largestSweep < 1.0 || (rises && !limits_.helices)) {
             lines(arc);
             return std::move(moves_);
         }
@@ -88,20 +103,19 @@ private:
         rounded.to = placeOf(move.to, numbers_);
         const double du = rounded.to[u] - rounded.from[u], dv = rounded.to[v] - rounded.from[v];
         const double chord = std::hypot(du, dv);
-        double astray = 0.0; // of the centre, along the chord
         if (chord > 0.0) {
             const double cu = arc.centre[u] - 0.5 * (rounded.from[u] + rounded.to[u]);
             const double cv = arc.centre[v] - 0.5 * (rounded.from[v] + rounded.to[v]);
-            astray = (cu * du + cv * dv) / chord;
-            rounded.centre[u] -= astray * du / chord;
-            rounded.centre[v] -= astray * dv / chord;
+            const double along = (cu * du + cv * dv) / chord;
+            rounded.centre[u] -= along * du / chord;
+            rounded.centre[v] -= along * dv / chord;
         }
         move.offset[axisIndex(u)] = numbers_.stepsOf(rounded.centre[u] - rounded.from[u]);
         move.offset[axisIndex(v)] = numbers_.stepsOf(rounded.centre[v] - rounded.from[v]);
         move.offset = bestOffset(rounded, move.offset);
         rounded.centre = rounded.from + placeOf(move.offset, numbers_);
         const ArcTurn turn = turnOf(rounded), wanted = turnOf(arc);
-        if (std::abs(astray) > limits_.largestMismatch ||
+        if (strayed(arc, rounded) > strayedSteps * numbers_.step() + strayedBeyond ||
             std::abs(turn.startRadius - turn.endRadius) > limits_.largestMismatch - computed ||
             std::min(turn.startRadius, turn.endRadius) < limits_.smallestRadius ||
             std::abs(turn.sweep - wanted.sweep) > sweepTolerance)

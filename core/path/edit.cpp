@@ -114,7 +114,7 @@ std::optional<Edit> updated(const Edit& edit) {
 }
 
 std::vector<Edit> standardEdits() {
-    return {{DropAirCuts{}}, {DropDwells{}}, {SmoothShape{}}, {HoldOut{}}, {Simplify{}}, {Link{}}, {SetFeed{}}};
+    return {{DropAirCuts{}}, {DropDwells{}}, {SmoothShape{}}, {HoldOut{}}, {FitArcs{}}, {Link{}}, {SetFeed{}}};
 }
 
 std::vector<Edit> everyEdit() {

@@ -2,17 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/parallel.h"
 #include "core/path/arc_fit.h"
+#include "core/path/back_steps.h"
 #include "core/path/part_guard.h"
 #include "core/path/polyline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace burin {
 namespace {
 
 /// An arc has to stand for so many moves at least.
 constexpr std::size_t fewestMoves = 3;
+/// Of the tolerance, what back-steps may be taken out by.
+constexpr double backStepShare = 0.5;
 
 /// A line or an arc to one of a stroke's points.
 struct Primitive {
@@ -32,7 +37,7 @@ public:
         while (first < last && !progress.cancelled()) {
             Primitive best = longest(first, first + 1, last, [&](std::size_t end) { return line(first, end); });
             const std::size_t nearest = std::max(first + fewestMoves, best.end + 1); // an arc has to get farther
-            for (const int axis : {2, 1, 0}) {
+            for (const int axis : axesOfArcs()) {
                 const Primitive arc =
                     longest(first, nearest, last, [&](std::size_t end) { return arcTo(first, end, axis); });
                 if (arc.end > best.end) best = arc;
@@ -45,6 +50,12 @@ public:
 
 private:
     using Found = std::optional<Primitive>;
+
+    /// None where the control takes no arcs.
+    std::span<const int> axesOfArcs() const noexcept {
+        static constexpr std::array axes{2, 1, 0};
+        return std::span(axes).first(rules_.largestSweep > 0.0 ? axes.size() : 0);
+    }
 
     std::span<const StrokePoint> stretch(std::size_t first, std::size_t end) const {
         return std::span(points_).subspan(first, end - first + 1);
@@ -113,9 +124,23 @@ std::vector<std::pair<std::size_t, std::size_t>> groupsOf(const std::vector<Stro
     return groups;
 }
 
-Deviation fitStroke(PathStroke& stroke, const ArcFitRules& rules, const PartGuard& guard, const Progress& progress) {
+/// Back-steps go first, as no arc and no line is fitted across one; what is left of the tolerance is the fit's.
+Deviation dropBackSteps(PathStroke& stroke, double tolerance, const PartGuard& guard, const Progress& progress) {
+    const auto staysClear = [&](const glm::dvec3& from, const glm::dvec3& to) {
+        return !progress.cancelled() && guard.isClear(from, to, stroke.required, defaultSampling);
+    };
+    std::vector<std::size_t> kept(stroke.points.size());
+    std::iota(kept.begin(), kept.end(), std::size_t{0});
+    const Deviation dropped = dropBackSteps(stroke.points, kept, tolerance, staysClear, progress);
+    if (!progress.cancelled()) keepOnly(stroke.points, kept);
+    return dropped;
+}
+
+Deviation fitStroke(PathStroke& stroke, ArcFitRules rules, const PartGuard& guard, const Progress& progress) {
     Deviation deviation;
     if (stroke.points.size() < 2) return deviation;
+    const Deviation dropped = dropBackSteps(stroke, backStepShare * rules.tolerance, guard, progress);
+    rules.tolerance -= dropped.distance;
     const auto groups = groupsOf(stroke.points);
     const Fitter fitter(rules, guard, stroke);
     std::vector<std::vector<Primitive>> fitted(groups.size());
@@ -138,7 +163,8 @@ Deviation fitStroke(PathStroke& stroke, const ArcFitRules& rules, const PartGuar
     }
     keepOnly(stroke.points, kept);
     for (std::size_t i = 0; i < arcs.size(); ++i) stroke.points[i].arc = arcs[i];
-    return deviation;
+    // One after the other: their sum bounds what they did together.
+    return {deviation.distance + dropped.distance, deviation.distance > 0.0 ? deviation.place : dropped.place};
 }
 
 } // namespace

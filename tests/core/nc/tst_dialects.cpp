@@ -14,6 +14,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <random>
+
 #include <cmath>
 
 using namespace burin;
@@ -203,6 +205,42 @@ private slots:
             for (const NcMove& move : moves)
                 if (move.kind == NcMoveKind::line) RC_ASSERT(distanceToLine(move.target, places) < 2.5 * digit);
         }));
+    }
+
+    void flatArcsStayArcs_data() { addDialects(); }
+    /// The rounded ends turn a short chord, which moves the centre of a large radius far along it: its way hardly
+    /// notices. Ends and centres lie on the figures of a control in millimetres, as fitted arcs have them.
+    void flatArcsStayArcs() {
+        QFETCH(QString, dialect);
+        QFETCH(bool, inch);
+        NcProgram program = referenceJob(unitsOf(inch), 1);
+        std::vector<NcMove>& moves = program.sections.front().moves;
+        moves = {rapidTo(0, 0, 10), lineTo(0, 0, -1, 300)};
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        const auto figure = [](double value) { return std::round(value * 1000.0) / 1000.0; };
+        constexpr int count = 200;
+        glm::dvec3 at(0.0, 0.0, -1.0);
+        for (int i = 0; i < count; ++i) {
+            const double radius = 3.0 * std::pow(30.0, share(random)), chord = 0.4 + 2.0 * share(random);
+            const double heading = 6.28 * share(random), sweep = 2.0 * std::asin(0.5 * chord / radius);
+            const glm::dvec3 centre = at - radius * glm::dvec3(std::cos(heading), std::sin(heading), 0.0);
+            const double end = heading + sweep;
+            NcMove move = lineTo(figure(centre.x + radius * std::cos(end)), figure(centre.y + radius * std::sin(end)),
+                                 -1, 300);
+            move.kind = NcMoveKind::arc;
+            move.arc = {{figure(centre.x), figure(centre.y), -1.0}, 2, false};
+            at = move.target;
+            moves.push_back(move);
+        }
+        const auto text = posted(dialect.toStdString(), program);
+        QVERIFY(text);
+        const auto parsed = parseProgram(*text, "job", *findControl(dialect.toStdString()));
+        QVERIFY(parsed);
+        const auto arcs =
+            std::ranges::count_if(parsed->motions, [](const NcMotion& one) { return one.kind == NcMotionKind::arc; });
+        qInfo() << arcs << "of" << count;
+        QVERIFY(arcs >= count * 95 / 100 && arcs <= count * 105 / 100);
     }
 
     void whatIsReadBackIsWhatWasMeant_data() { addDialects(); }
