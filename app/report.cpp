@@ -145,8 +145,11 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance) {
         text << "\n  warning  line " << pass.line << ": " << idOf(pass) << " " << formatFixed(pass.distance, 3)
              << " mm at (" << formatFixed(pass.place.x, 3) << ", " << formatFixed(pass.place.y, 3) << ", "
              << formatFixed(pass.place.z, 3) << ") mm";
+        if (pass.lines > 1)
+            text << "; " << pass.lines << " lines within " << formatShortest(nearPlace) << " mm of there";
     }
-    if (report.nearPasses.size() > 20) text << "\n  and " << report.nearPasses.size() - 20 << " more warnings";
+    if (report.nearPasses.size() > 20)
+        text << "\n  and " << report.nearPasses.size() - 20 << " more places with warnings";
     return text.str() + linesOf(program.lint);
 }
 

@@ -67,11 +67,22 @@ void NearPasses::add(const NearPass& pass) {
     if (!isNew && pass.distance < entry->second.distance) entry->second = pass;
 }
 
-std::vector<NearPass> NearPasses::inProgramOrder() const {
-    std::vector<NearPass> list;
-    list.reserve(nearest_.size());
-    for (const auto& [key, pass] : nearest_) list.push_back(pass);
-    return list;
+std::vector<NearPass> NearPasses::byPlace() const {
+    std::vector<NearPass> nearest;
+    for (const auto& [key, pass] : nearest_) nearest.push_back(pass);
+    std::ranges::stable_sort(nearest, {}, &NearPass::distance);
+    std::vector<NearPass> places;
+    for (const NearPass& pass : nearest) {
+        const auto place = std::ranges::find_if(places, [&](const NearPass& one) {
+            return one.section == pass.section && one.to == pass.to &&
+                   glm::distance(one.place, pass.place) <= nearPlace;
+        });
+        if (place == places.end())
+            places.push_back(pass);
+        else
+            ++place->lines;
+    }
+    return places;
 }
 
 std::string idOf(const NearPass& pass) {

@@ -11,11 +11,13 @@
 
 namespace burin {
 
-/// Collects near passes; of each program line, section and neighbour only the nearest is kept.
+/// Collects near passes. A holder may pass one wall on a thousand lines: of all that one section passes one neighbour
+/// by within `nearPlace` of where it is nearest, only that one is told, with the number of lines.
 class NearPasses {
 public:
     void add(const NearPass& pass);
-    std::vector<NearPass> inProgramOrder() const;
+    /// The nearest first.
+    std::vector<NearPass> byPlace() const;
 
 private:
     std::map<std::tuple<std::uint32_t, ToolSection, NearTo>, NearPass> nearest_;

@@ -78,6 +78,7 @@ NearPass nearPassFrom(const json& entry) {
     pass.line = entry.at("line").get<std::uint32_t>();
     pass.place = placeFrom(entry.at("place_mm"));
     pass.distance = entry.at("distance_mm").get<double>();
+    pass.lines = entry.value("lines", 1U); // not in verdicts of earlier versions
     for (const ToolSection section : {ToolSection::shank, ToolSection::holder})
         for (const NearTo to : {NearTo::stock, NearTo::part, NearTo::obstacle}) {
             pass.section = section;
@@ -101,7 +102,8 @@ std::string toJson(const VerifyReport& report) {
         warnings.push_back({{"kind", idOf(pass)},
                             {"line", pass.line},
                             {"place_mm", json::array({pass.place.x, pass.place.y, pass.place.z})},
-                            {"distance_mm", pass.distance}});
+                            {"distance_mm", pass.distance},
+                            {"lines", pass.lines}});
     return json{{"passed", report.passed()},
                 {"gouge_max_mm", report.gougeMax},
                 {"gouge_max_mesh_mm", report.gougeMaxMesh},

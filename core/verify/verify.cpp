@@ -112,7 +112,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     summariseExcess(report);
 
     report.findings = findings.inProgramOrder();
-    report.nearPasses = passes.inProgramOrder();
+    report.nearPasses = passes.byPlace();
     if (machined != nullptr) *machined = workpiece.snapshot();
     progress.report(1.0);
     return report;

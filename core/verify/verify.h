@@ -70,10 +70,12 @@ enum class NearTo : std::uint8_t { stock, part, obstacle };
 struct NearPass {
     ToolSection section = ToolSection::holder;
     NearTo to = NearTo::part;
-    std::uint32_t line = 0; ///< of the program's text, from 1
-    glm::dvec3 place{0.0};  ///< mm, setup frame: of what it comes near to
-    double distance = 0.0;  ///< mm; to the part or an obstacle exact on its mesh, to stock as its runs know it
+    std::uint32_t line = 0;  ///< of the program's text, from 1
+    glm::dvec3 place{0.0};   ///< mm, setup frame: of what it comes near to
+    double distance = 0.0;   ///< mm; to the part or an obstacle exact on its mesh, to stock as its runs know it
+    std::uint32_t lines = 1; ///< on which it passes the same neighbour within `nearPlace` of there; this is the nearest
 };
+inline constexpr double nearPlace = 10.0; ///< mm
 /// Stable id, for JSON: "holder_near_part", "shank_near_stock", …
 std::string idOf(const NearPass& pass);
 
@@ -104,7 +106,7 @@ struct VerifyReport {
     RapidMode rapids = RapidMode::synchronised; ///< the way that rapids were judged on
     std::vector<StatedPathMode> pathModes;      ///< what the program itself says of corners, and the time counts
     std::vector<Finding> findings;              ///< the worst of each kind on each line, in program order
-    std::vector<NearPass> nearPasses; ///< the nearest of each section and neighbour on each line, in program order
+    std::vector<NearPass> nearPasses;           ///< one a place, the nearest first
     std::vector<DeviationSample> deviations;
 
     /// True when nothing was found; a gouge within the tolerance is not a finding.

@@ -500,7 +500,7 @@ private slots:
         ProgramPanel panel;
         ProgramState state = examples::program();
         auto report = std::make_shared<VerifyReport>(*state.report);
-        report->nearPasses = {{ToolSection::shank, NearTo::stock, 30, {}, 0.2},
+        report->nearPasses = {{ToolSection::shank, NearTo::stock, 30, {}, 0.2, 1200},
                               {ToolSection::holder, NearTo::part, 12, {}, 0.4}};
         state.report = report;
         panel.setState(state);
@@ -509,8 +509,9 @@ private slots:
         click(panel, "exportButton");
         QCOMPARE(exported.size(), 1);
         QCOMPARE(child<Notice>(panel, "verdict").kind(), Notice::Kind::passed);
-        clickRow(panel, "findingList", 1);
+        clickRow(panel, "findingList", 0);
         QCOMPARE(line[0][0].toInt(), 30);
+        QVERIFY(nearPassText(report->nearPasses[0], LengthUnit::millimetre).contains(QStringLiteral("1200")));
         QCOMPARE(nearPassText(report->nearPasses[1], LengthUnit::millimetre),
                  QStringLiteral("Holder passes the part at 0.400\u00a0mm"));
     }

@@ -10,6 +10,7 @@
 #include <QBoxLayout>
 
 #include <algorithm>
+#include <span>
 
 namespace burin {
 
@@ -121,13 +122,10 @@ void ProgramEditor::gather() {
     if (state_.report) gatherNearPasses(state_.report->nearPasses);
 }
 
-/// The nearest ones: a holder may pass a wall near by on a thousand lines.
-void ProgramEditor::gatherNearPasses(std::vector<NearPass> passes) {
+/// The nearest first.
+void ProgramEditor::gatherNearPasses(const std::vector<NearPass>& passes) {
     constexpr std::size_t most = 50;
-    std::ranges::stable_sort(passes, {}, &NearPass::distance);
-    if (passes.size() > most) passes.resize(most);
-    std::ranges::stable_sort(passes, {}, &NearPass::line);
-    for (const NearPass& pass : passes)
+    for (const NearPass& pass : std::span(passes).first(std::min(passes.size(), most)))
         marks_.push_back({static_cast<int>(pass.line), LineMark::Kind::warning, nearPassText(pass, unit_)});
 }
 

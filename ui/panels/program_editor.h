@@ -53,7 +53,7 @@ private:
     void arrange();
     void refresh();
     void gather();
-    void gatherNearPasses(std::vector<NearPass> passes);
+    void gatherNearPasses(const std::vector<NearPass>& passes);
     std::vector<ListRow> rows() const;
 
     ProgramState state_;

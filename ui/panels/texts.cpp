@@ -204,9 +204,10 @@ QString findingText(const Finding& finding, LengthUnit unit) {
     return {};
 }
 
-QString nearPassText(const NearPass& pass, LengthUnit unit) {
+namespace {
+
+QString passText(const NearPass& pass, const QString& distance) {
     const bool shank = pass.section == ToolSection::shank;
-    const QString distance = lengthText(pass.distance, unit);
     switch (pass.to) {
     case NearTo::stock:
         return (shank ? PanelTexts::tr("Shank passes the stock at %1")
@@ -221,6 +222,15 @@ QString nearPassText(const NearPass& pass, LengthUnit unit) {
             .arg(distance);
     }
     return {};
+}
+
+} // namespace
+
+QString nearPassText(const NearPass& pass, LengthUnit unit) {
+    const QString text = passText(pass, lengthText(pass.distance, unit));
+    if (pass.lines == 1) return text;
+    return text + QStringLiteral("; ") +
+           PanelTexts::tr("%n lines near there", "near pass", static_cast<int>(pass.lines));
 }
 
 QString lintText(const LintMark& mark) {

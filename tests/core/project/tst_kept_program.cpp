@@ -25,7 +25,7 @@ CheckedProgram checked(const Tool& tool) {
     program.report.gougeMax = 0.1 + 0.2;
     program.report.removed = 1234.5678901234567;
     program.report.findings = {{FindingKind::shankCollision, 5, {1.5, -2.25, 3.125}, 0.1}};
-    program.report.nearPasses = {{ToolSection::shank, NearTo::obstacle, 6, {0.1, 0.2, 0.3}, 0.7}};
+    program.report.nearPasses = {{ToolSection::shank, NearTo::obstacle, 6, {0.1, 0.2, 0.3}, 0.7, 41}};
     return program;
 }
 
@@ -65,6 +65,7 @@ private slots:
         QCOMPARE(program.report.nearPasses.size(), std::size_t{1});
         QVERIFY(program.report.nearPasses[0].to == NearTo::obstacle);
         QVERIFY(program.report.nearPasses[0].section == ToolSection::shank);
+        QCOMPARE(program.report.nearPasses[0].lines, 41U);
         QVERIFY(!program.parsed.motions.empty());
         QVERIFY(!program.passed());
     }
