@@ -83,6 +83,20 @@ private:
 
 } // namespace
 
+namespace {
+
+/// Those between single points count as well: where two curves meet in a corner nearly as acute as a back-step.
+void countMovesThatStepBack(std::span<const StrokePoint> points, std::vector<std::size_t>& backSteps) {
+    constexpr double standing = 1e-6; // mm
+    std::vector<std::size_t> apart;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (apart.empty() || glm::distance(points[i].tip, points[apart.back()].tip) > standing) apart.push_back(i);
+    for (std::size_t k = 1; k + 1 < apart.size(); ++k)
+        if (isBackStep(points[apart[k - 1]].tip, points[apart[k]].tip, points[apart[k + 1]].tip)) ++backSteps[apart[k]];
+}
+
+} // namespace
+
 TurnCount::TurnCount(std::span<const StrokePoint> points, double detail, const Progress& progress)
     : turns(points.size(), 0.0), backSteps(points.size(), 0) {
     const auto anywhere = [](const glm::dvec3&, const glm::dvec3&) { return true; };
@@ -92,6 +106,7 @@ TurnCount::TurnCount(std::span<const StrokePoint> points, double detail, const P
         turns[kept[k]] = angleBetween(at - from, to - at);
         backSteps[kept[k]] = isBackStep(from, at, to) ? 1 : 0;
     }
+    countMovesThatStepBack(points, backSteps);
     for (std::size_t i = 1; i < points.size(); ++i) {
         turns[i] += turns[i - 1];
         backSteps[i] += backSteps[i - 1];

@@ -146,7 +146,7 @@ inline PathState path() {
     state.path.takes = {1, 2};
     state.path.edits = standardEdits();
     state.path.edits[1].enabled = false;
-    for (const char* id : {"drop-air-cuts", "smooth-shape", "hold-out", "simplify", "link", "set-feed"}) {
+    for (const char* id : {"drop-air-cuts", "smooth-shape", "hold-out", "fit-arcs", "link", "set-feed"}) {
         EditReport report;
         report.edit = id;
         report.pointsBefore = 89254;

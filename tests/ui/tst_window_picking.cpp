@@ -99,9 +99,7 @@ private slots:
         viewport.setStandardView(StandardView::top);
         QTest::qWait(400); // the view turns
         QVERIFY(recordCircle(driver, 9.0));
-        QVERIFY(newPath(driver));
-        driver.window().findChild<QAction*>("add-fit-arcs")->trigger();
-        QVERIFY(driver.waitFor([&] { return bench.path.outdated() || bench.path.busy(); }, 5000));
+        QVERIFY(newPath(driver)); // fits arcs
         QVERIFY(driver.waitFor([&] { return !bench.path.busy() && !bench.path.outdated(); }));
         const std::vector<PathPoint>& points = bench.path.evaluated()->path.points;
         std::size_t largest = 0;
