@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 
+#include "core/base/clean_text.h"
+#include "core/base/staged_file.h"
 #include "ui/messages/messages.h"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +12,8 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <mutex>
+#include <semaphore.h>
 #include <thread>
 #include <unistd.h>
 
@@ -19,8 +23,16 @@ namespace {
 
 Progress theProgress; // a signal handler can reach nothing else
 
+sem_t stopAsked;
+
 extern "C" void stopWork(int) {
     theProgress.cancel();
+    sem_post(&stopAsked);
+}
+
+/// Names of files may be no UTF-8.
+std::string written(const nlohmann::json& object) {
+    return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 } // namespace
@@ -50,7 +62,48 @@ private:
     std::thread thread_;
 };
 
+/// Waits for the wish to stop, and ends the program where its work does not.
+class CommandContext::Ender {
+public:
+    Ender() : thread_([this] { watch(); }) {}
+    ~Ender() {
+        ended_ = true;
+        sem_post(&stopAsked);
+        thread_.join();
+    }
+    Ender(const Ender&) = delete;
+    Ender& operator=(const Ender&) = delete;
+
+    void work(const std::string& title) {
+        const std::lock_guard guard(mutex_);
+        title_ = title;
+    }
+
+private:
+    static constexpr std::chrono::milliseconds patience{800};
+
+    void watch() {
+        while (sem_wait(&stopAsked) != 0) {
+        }
+        const auto end = std::chrono::steady_clock::now() + patience;
+        while (!ended_ && std::chrono::steady_clock::now() < end)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        if (ended_) return;
+        abandonStagedFiles();
+        const std::lock_guard guard(mutex_);
+        const std::string sentence = Messages::sentence({ErrorCode::cancelled, title_, {}, {}}).toStdString() + "\n";
+        static_cast<void>(!::write(STDERR_FILENO, sentence.data(), sentence.size()));
+        ::_exit(static_cast<int>(ErrorClass::cancelled));
+    }
+    std::mutex mutex_;
+    std::string title_ = "burin";
+    std::atomic<bool> ended_{false};
+    std::thread thread_;
+};
+
 CommandContext::CommandContext() {
+    sem_init(&stopAsked, 0, 0);
+    ender_ = std::make_unique<Ender>();
     std::signal(SIGINT, stopWork);
     std::signal(SIGTERM, stopWork);
 }
@@ -64,32 +117,33 @@ Progress& CommandContext::progress() noexcept {
 void CommandContext::stage(const std::string& title) {
     line_.reset();
     theProgress.stage(0.0, 1.0);
+    ender_->work(title);
     if (isatty(STDERR_FILENO) != 0) line_ = std::make_unique<ProgressLine>(title);
 }
 
 void CommandContext::answer(const nlohmann::json& object, const std::string& text) {
     line_.reset();
-    std::cout << (json ? object.dump(2) : text) << std::endl;
+    std::cout << (json ? written(object) : cleanText(text)) << std::endl;
 }
 
 void CommandContext::message(const std::string& text) {
     line_.reset();
-    std::cerr << text << std::endl;
+    std::cerr << cleanText(text) << std::endl;
 }
 
-int CommandContext::fail(const Error& error) {
+int CommandContext::fail(const Error& error, const QString& standing) {
     line_.reset();
-    const std::string sentence = Messages::sentence(error).toStdString();
+    QString words = Messages::sentence(error);
+    if (!standing.isEmpty()) words = words.chopped(1) + " (" + standing + ").";
+    const std::string sentence = cleanText(words.toStdString());
     std::cerr << sentence << std::endl;
     const int status = static_cast<int>(errorClass(error.code));
     if (json)
-        std::cout << nlohmann::json{{"error",
-                                     {{"sentence", sentence},
-                                      {"status", status},
-                                      {"subject", error.subject},
-                                      {"place", error.place}}}}
-                         .dump(2)
-                  << std::endl;
+        std::cout
+            << written(
+                   {{"error",
+                     {{"sentence", sentence}, {"status", status}, {"subject", error.subject}, {"place", error.place}}}})
+            << std::endl;
     return status;
 }
 

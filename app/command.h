@@ -5,6 +5,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 
+#include <QString>
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -27,7 +28,8 @@ public:
 
     bool json = false; ///< one JSON object on standard output instead of text
 
-    /// Cancelled by SIGINT and SIGTERM.
+    /// Cancelled by SIGINT and SIGTERM. Work that does not look at it, or that waits for a pipe, is ended all the same
+    /// in less than a second, as by a kill: what was recorded is on the disk, and no output is left half written.
     Progress& progress() noexcept;
     /// Begins a stage of work, named on a terminal together with its progress.
     void stage(const std::string& title);
@@ -35,11 +37,14 @@ public:
     void answer(const nlohmann::json& object, const std::string& text);
     /// A line on standard error.
     void message(const std::string& text);
-    /// Words an error on standard error, as {"error": …} with --json, and gives the exit status.
-    int fail(const Error& error);
+    /// Words an error on standard error, as {"error": …} with --json, and returns the exit status.
+    /// @param standing says in the same sentence what was kept in spite of it; empty: nothing was changed
+    int fail(const Error& error, const QString& standing = {});
 
 private:
     class ProgressLine;
+    class Ender;
+    std::unique_ptr<Ender> ender_;
     std::unique_ptr<ProgressLine> line_;
 };
 

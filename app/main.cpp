@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/parse_error.h"
 #include "app/workstation.h"
 #include "ui/messages/messages.h"
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <clocale>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -61,6 +63,7 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
 int run(int argc, char** argv) {
     if (burin::asksForWindow(argc, argv, isCommand)) return burin::runWorkstation(argc, argv);
     const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
+    std::setlocale(LC_NUMERIC, "C"); // Qt took the user's: numbers of arguments and files are the same everywhere
     QCoreApplication::setApplicationName("Burin");
     burin::Messages::install(QLocale::system());
 
@@ -75,8 +78,9 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& wrong) {
-        const int code = program.exit(wrong, std::cout, std::cerr);
-        return code == 0 ? 0 : static_cast<int>(burin::ErrorClass::wrongUse);
+        if (wrong.get_exit_code() == 0) return program.exit(wrong, std::cout, std::cerr); // --help, --version
+        std::cerr << burin::sentenceFor(wrong).toStdString() << std::endl;
+        return static_cast<int>(burin::ErrorClass::wrongUse);
     }
     return status;
 }

@@ -50,7 +50,7 @@ Result<void> checkPictureOptions(const PictureOptions& options) {
     return section ? Result<void>() : section.error();
 }
 
-Result<void> writePicture(PictureContent content, const PictureOptions& options, const std::string& file) {
+Result<std::string> pictureOf(PictureContent content, const PictureOptions& options) {
     content.view = views.at(options.view);
     content.opacity = 1.0 - options.transparency / 100.0;
     if (!options.section.empty()) {
@@ -63,7 +63,11 @@ Result<void> writePicture(PictureContent content, const PictureOptions& options,
                          "a position between " + formatFixed(low, 3) + " and " + formatFixed(high, 3) + " mm"};
         content.section = *section;
     }
-    const Result<std::string> png = drawPicture(content);
+    return drawPicture(content);
+}
+
+Result<void> writePicture(PictureContent content, const PictureOptions& options, const std::string& file) {
+    const Result<std::string> png = pictureOf(std::move(content), options);
     if (!png) return png.error();
     return writeFileAtomically(file, *png);
 }

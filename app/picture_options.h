@@ -24,8 +24,10 @@ struct PictureOptions {
 void addPictureOptions(CLI::App& command, PictureOptions& options);
 /// Before work that takes time: whether --section can be read. Errors: argumentInvalid.
 Result<void> checkPictureOptions(const PictureOptions& options);
-/// Draws a picture of `content` as asked into a PNG file. Errors: argumentInvalid (a section beside the workpiece),
-/// those of drawPicture and writeFileAtomically.
+/// The bytes of a PNG file with a picture of `content`. Errors: argumentInvalid (a section beside the workpiece), those
+/// of drawPicture.
+Result<std::string> pictureOf(PictureContent content, const PictureOptions& options);
+/// Writes it. Errors: also those of writeFileAtomically.
 Result<void> writePicture(PictureContent content, const PictureOptions& options, const std::string& file);
 
 } // namespace burin

@@ -15,6 +15,7 @@
 #include <QTranslator>
 
 #include <atomic>
+#include <clocale>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -71,6 +72,7 @@ int runWorkstation(int argc, char** argv) {
     }
     QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat()); // the window's own context has to share with the view's
     QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C"); // Qt took the user's, but files are the same everywhere
     QCoreApplication::setApplicationName(QStringLiteral("Burin"));
     QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));
     QGuiApplication::setWindowIcon(themedIcon(QStringLiteral("mill"), &Palette::accent));

@@ -3,7 +3,9 @@
 #include "app/command.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
+#include "core/base/staged_file.h"
 #include "core/cutting/calibration.h"
+#include "core/project/companions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -132,6 +134,28 @@ std::string textOf(const Calibrated& entry) {
     return text + "\n  " + (entry.file.empty() ? "not written (--dry-run)" : entry.file);
 }
 
+/// Writes the materials to the user's library, all or none, once all ids may be used.
+Result<void> keepMaterials(std::vector<Calibrated>& materials, const CalibrateArguments& arguments) {
+    const std::array<std::filesystem::path, 1> inputs{arguments.forces};
+    for (Calibrated& entry : materials) {
+        const Result<std::filesystem::path> file = userMaterialFile(entry.material.id, arguments.replace);
+        if (!file) return file.error();
+        if (Result<void> free = checkOutput("--material", *file, inputs); !free) return free;
+        entry.file = file->string();
+    }
+    std::vector<StagedFile> files;
+    for (const Calibrated& entry : materials) {
+        const std::filesystem::path file = entry.file;
+        std::error_code failed;
+        std::filesystem::create_directories(file.parent_path(), failed);
+        if (failed) return writeError(file, failed.value());
+        Result<StagedFile> staged = StagedFile::containing(file, toJson(entry.material));
+        if (!staged) return std::move(staged).error();
+        files.push_back(std::move(*staged));
+    }
+    return putInPlace(files);
+}
+
 int runCalibrate(const CalibrateArguments& arguments, CommandContext& context) {
     const Result<std::string> text = readFile(arguments.forces);
     if (!text) return context.fail(text.error());
@@ -146,18 +170,11 @@ int runCalibrate(const CalibrateArguments& arguments, CommandContext& context) {
         if (!one) return context.fail(one.error());
         materials.push_back(std::move(*one));
     }
-    // Before anything is written, all fits stand and all ids may be used.
-    for (const std::string& id : arguments.dryRun ? std::vector<std::string>{} : *ids)
-        if (const Result<std::filesystem::path> file = userMaterialFile(id, arguments.replace); !file)
-            return context.fail(file.error());
+    if (!arguments.dryRun)
+        if (const Result<void> kept = keepMaterials(materials, arguments); !kept) return context.fail(kept.error());
     json list = json::array();
     std::string words;
     for (Calibrated& entry : materials) {
-        if (!arguments.dryRun) {
-            const Result<std::filesystem::path> file = saveMaterial(entry.material, arguments.replace);
-            if (!file) return context.fail(file.error());
-            entry.file = file->string();
-        }
         list.push_back(jsonOf(entry));
         words += (words.empty() ? "" : "\n") + textOf(entry);
     }

@@ -5,16 +5,22 @@
 #include "app/report.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
+#include "core/base/staged_file.h"
+#include "core/base/steps.h"
 #include "core/cad/import.h"
+#include "core/project/companions.h"
 #include "core/project/job_paths.h"
 #include "core/project/kept_program.h"
 #include "core/project/milling.h"
+#include "core/project/project_change.h"
 #include "ui/scene/picture.h"
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <filesystem>
 #include <limits>
+#include <vector>
 
 namespace burin {
 
@@ -60,7 +66,7 @@ Result<Setup> partSetup(const DemoArguments& arguments, const Model& model) {
 }
 
 /// A new project with part, stock, material and tool. Errors: those of importing, placing and storing.
-Result<Project> makeProject(const DemoArguments& arguments, const Tool& tool, CommandContext& context) {
+Result<ProjectChange> makeProject(const DemoArguments& arguments, const Tool& tool, CommandContext& context) {
     Model model;
     if (!arguments.block) {
         context.stage("Importing");
@@ -75,11 +81,12 @@ Result<Project> makeProject(const DemoArguments& arguments, const Tool& tool, Co
     const Result<Property> material = loadMaterial(arguments.material);
     if (!material) return material.error();
     context.stage("Making the project");
-    Result<Project> project = Project::create(fs::path(arguments.output) / "demo.burin");
+    Result<ProjectChange> project = ProjectChange::create(fs::path(arguments.output) / "demo.burin");
     if (!project) return project;
-    for (const auto& step : {project->setModel(model), project->setSetup(*setup), project->setMaterials({*material}),
-                             project->setTool(tool), project->save()})
-        if (!step) return step.error();
+    Result<void> filled =
+        inOrder([&] { return (*project)->setModel(model); }, [&] { return (*project)->setSetup(*setup); },
+                [&] { return (*project)->setMaterials({*material}); }, [&] { return (*project)->setTool(tool); });
+    if (!filled) return std::move(filled).error();
     return project;
 }
 
@@ -97,6 +104,7 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     request.roughingStepOver = 0.85 * tool.cutter.diameter;
     request.finishingStepOver = tool.cutter.diameter / 17.0;
     request.seed = arguments.seed;
+    request.saves = false; // with everything else, at the end
     const auto field = clearanceField(*bench, request.allowance, context.progress());
     if (!field) return field.error();
     context.stage("Milling");
@@ -178,18 +186,53 @@ glm::dvec3 placeToShow(const Path& path) {
 }
 
 /// Without the path, whose fine passes would hide what they made.
-Result<void> drawResult(const DemoResult& result, const PictureOptions& options, const fs::path& file) {
+Result<StagedFile> drawResult(const DemoResult& result, const PictureOptions& options, const fs::path& file) {
     PictureContent content;
     content.workpiece = result.program.machined;
     content.part = result.bench.model;
     content.tool = result.bench.tool;
     content.pose.tip = placeToShow(result.path.path);
-    return writePicture(std::move(content), options, file.string());
+    const Result<std::string> png = pictureOf(std::move(content), options);
+    if (!png) return png.error();
+    return StagedFile::containing(file, *png);
+}
+
+/// Program, picture and report, and the project with its verdict: all or none of them.
+Result<void> writeAll(ProjectChange& project, const DemoResult& result, const DemoArguments& arguments,
+                      const fs::path& folder, const json& answer) {
+    std::vector<StagedFile> files;
+    const auto stage = [&](Result<StagedFile> file) -> Result<void> {
+        if (!file) return std::move(file).error();
+        files.push_back(std::move(*file));
+        return {};
+    };
+    if (result.program.report.passed()) {
+        const StoredProgram kept{"demo.ngc", ProgramRequest{}.dialect, arguments.machine, result.program.text,
+                                 burin::jsonOf(result.program.report).dump()};
+        Result<void> stored =
+            inOrder([&] { return project->addProgram(kept); },
+                    [&] { return keepVerdict(*project, result.program, arguments.machine, ProgramRequest{}.units); },
+                    [&] { return stage(StagedFile::containing(folder / "demo.ngc", result.program.text)); });
+        if (!stored) return stored;
+    }
+    return inOrder([&] { return stage(drawResult(result, arguments.picture, folder / "demo.png")); },
+                   [&] { return stage(StagedFile::containing(folder / "demo.json", answer.dump(2) + "\n")); },
+                   [&] { return project.save(files); });
+}
+
+/// None of what is written is the model.
+Result<void> checkOutputs(const DemoArguments& arguments) {
+    const fs::path folder = arguments.output;
+    const std::array<fs::path, 1> inputs{arguments.model};
+    for (const char* name : {"demo.burin", "demo.ngc", "demo.png", "demo.json"})
+        if (Result<void> free = checkOutput("--output", folder / name, inputs); !free) return free;
+    return {};
 }
 
 int runDemo(const DemoArguments& arguments, CommandContext& context) {
     if (const Result<void> readable = checkPictureOptions(arguments.picture); !readable)
         return context.fail(readable.error());
+    if (const Result<void> free = checkOutputs(arguments); !free) return context.fail(free.error());
     std::error_code failed;
     fs::create_directories(arguments.output, failed);
     if (failed) return context.fail(writeError(arguments.output, failed.value()));
@@ -197,35 +240,20 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
                                        : arguments.block       ? "ball-1"
                                                                : "ball-6");
     if (!tool) return context.fail(tool.error());
-    Result<Project> project = makeProject(arguments, *tool, context);
+    Result<ProjectChange> project = makeProject(arguments, *tool, context);
     if (!project) return context.fail(project.error());
-    const Result<DemoResult> result = work(*project, *tool, arguments, context);
+    const Result<DemoResult> result = work(**project, *tool, arguments, context);
     if (!result) return context.fail(result.error());
 
     context.stage("Writing");
     const fs::path folder = fs::absolute(arguments.output).lexically_normal();
+    const bool passed = result->program.report.passed();
     json answer = jsonOf(*result);
     answer["project"] = (folder / "demo.burin").string();
-    answer["program"] = nullptr;
-    const bool passed = result->program.report.passed();
-    if (passed) {
-        answer["program"] = (folder / "demo.ngc").string();
-        if (const Result<void> written = writeFileAtomically(folder / "demo.ngc", result->program.text); !written)
-            return context.fail(written.error());
-        const StoredProgram kept{"demo.ngc", ProgramRequest{}.dialect, arguments.machine, result->program.text,
-                                 burin::jsonOf(result->program.report).dump()};
-        if (const Result<void> added = project->addProgram(kept); !added) return context.fail(added.error());
-        if (const Result<void> stored =
-                keepVerdict(*project, result->program, arguments.machine, ProgramRequest{}.units);
-            !stored)
-            return context.fail(stored.error());
-    }
-    if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
-    if (const Result<void> drawn = drawResult(*result, arguments.picture, folder / "demo.png"); !drawn)
-        return context.fail(drawn.error());
+    answer["program"] = passed ? json((folder / "demo.ngc").string()) : json(nullptr);
     answer["picture"] = (folder / "demo.png").string();
     answer["report"] = (folder / "demo.json").string();
-    if (const Result<void> written = writeFileAtomically(folder / "demo.json", answer.dump(2) + "\n"); !written)
+    if (const Result<void> written = writeAll(*project, *result, arguments, folder, answer); !written)
         return context.fail(written.error());
     context.answer(answer, "project  " + answer["project"].get<std::string>() + "\nprogram  " +
                                (passed ? answer["program"].get<std::string>() : std::string("refused")) + ", " +

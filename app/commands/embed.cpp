@@ -4,12 +4,16 @@
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "core/base/numbers.h"
+#include "core/base/steps.h"
 #include "core/cad/import.h"
-#include "core/project/project.h"
+#include "core/project/companions.h"
+#include "core/project/project_change.h"
 #include "core/setup/setup.h"
 #include "ui/panels/embedding_words.h"
 
 #include <CLI/CLI.hpp>
+
+#include <array>
 
 namespace burin {
 
@@ -62,7 +66,7 @@ Result<std::vector<Property>> materialsOf(const Setup& setup) {
 Result<void> mayBeReplaced(const EmbedArguments& arguments) {
     std::error_code unreached;
     if (arguments.replace || !std::filesystem::exists(arguments.output, unreached)) return {};
-    const Result<Project> standing = Project::open(arguments.output);
+    const Result<Project> standing = Project::openForReading(arguments.output);
     if (!standing) return {};
     const Result<std::vector<TakeInfo>> takes = standing->takes();
     if (!takes || takes->empty()) return {};
@@ -70,7 +74,20 @@ Result<void> mayBeReplaced(const EmbedArguments& arguments) {
                  "another name, or --replace: the project there holds recordings, " + std::to_string(takes->size())};
 }
 
+/// The model and the fixtures: none of them is where the project, or what Burin keeps beside it, will be.
+Result<void> checkPlaces(const EmbedArguments& arguments) {
+    std::vector<std::filesystem::path> inputs{arguments.model};
+    inputs.insert(inputs.end(), arguments.around.fixtures.begin(), arguments.around.fixtures.end());
+    if (Result<void> free = checkOutput("--output", arguments.output, inputs); !free) return free;
+    const std::array<std::filesystem::path, 1> output{arguments.output};
+    for (const std::filesystem::path& input : inputs)
+        if (Result<void> free = checkDistinct(input == arguments.model ? "MODEL" : "--fixture", input, output); !free)
+            return free;
+    return {};
+}
+
 int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
+    if (const Result<void> free = checkPlaces(arguments); !free) return context.fail(free.error());
     if (const Result<void> allowed = mayBeReplaced(arguments); !allowed) return context.fail(allowed.error());
     if (arguments.stock != "box")
         return context.fail({ErrorCode::notSupported, "--stock " + arguments.stock, "--stock box", {}});
@@ -106,15 +123,14 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
     if (!embedded) return context.fail(embedded.error());
 
     context.stage("Saving");
-    Result<Project> project = Project::create(arguments.output);
+    Result<ProjectChange> project = ProjectChange::create(arguments.output);
     if (!project) return context.fail(project.error());
-    for (const auto& step : {project->setModel(*model), project->setSetup(*setup), project->setMaterials(*materials),
-                             project->setObstacles(*obstacles), project->setAxisMode(*axis),
-                             project->setTravelPlacement(*travel), project->save()})
-        if (!step) {
-            project->abandonChanges(); // nothing of the hand's is in it
-            return context.fail(step.error());
-        }
+    const Result<void> saved =
+        inOrder([&] { return (*project)->setModel(*model); }, [&] { return (*project)->setSetup(*setup); },
+                [&] { return (*project)->setMaterials(*materials); },
+                [&] { return (*project)->setObstacles(*obstacles); }, [&] { return (*project)->setAxisMode(*axis); },
+                [&] { return (*project)->setTravelPlacement(*travel); }, [&] { return project->save(); });
+    if (!saved) return context.fail(saved.error());
 
     const glm::ivec3 voxels = embedded->workpiece.grid().count();
     std::vector<std::string> warnings;

@@ -57,7 +57,7 @@ std::string verdictText(const ReopenedProgram& kept) {
 /// What a project lacks is null, so that a half-done project can be looked at too.
 int runInfo(const std::string& file, CommandContext& context) {
     context.stage("Opening");
-    const Result<Project> project = Project::open(file);
+    const Result<Project> project = Project::openForReading(file);
     if (!project) return context.fail(project.error());
     const Result<std::vector<TakeInfo>> takes = project->takes();
     if (!takes) return context.fail(takes.error());

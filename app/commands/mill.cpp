@@ -4,16 +4,21 @@
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "core/base/numbers.h"
+#include "core/base/staged_file.h"
 #include "core/device/device_registry.h"
 #include "core/haptics/operator.h"
 #include "core/haptics/trace_stylus.h"
+#include "core/project/companions.h"
 #include "core/project/milling.h"
 #include "ui/messages/messages.h"
 
 #include <CLI/CLI.hpp>
+#include <QCoreApplication>
 
+#include <array>
 #include <map>
 #include <optional>
+#include <span>
 
 namespace burin {
 
@@ -102,7 +107,8 @@ struct MillWork {
     const ToolBounds& bounds;
     CommandContext& context;
     Pace pace;
-    json& answer; ///< gets what is told of the whole session
+    json& answer;                     ///< gets what is told of the whole session
+    std::optional<StagedFile>& trace; ///< gets the trace that was asked for
 };
 
 /// How much of the cutting was felt, and who says so.
@@ -159,6 +165,8 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     request.cutsOnButton = cutsOnButton;
     request.period = 1.0 / work.arguments.rate;
     request.trace = work.arguments.trace;
+    request.traceOutput = &work.trace;
+    request.saves = false;
     if (work.arguments.deadMan > 0) request.forceButtons = 1U << static_cast<unsigned>(work.arguments.deadMan - 1);
     request.heardFault = [&work](const Error& fault) { work.context.message(Messages::sentence(fault).toStdString()); };
     if (work.arguments.seconds > 0.0) request.maximumSeconds = work.arguments.seconds;
@@ -214,6 +222,7 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     request.allowance = work.arguments.allowance.value_or(request.allowance);
     request.timeLimit = work.arguments.seconds;
     request.pace = work.pace;
+    request.saves = false;
     Result<OperatorOutcome> outcome =
         millWithOperator(work.project, work.bench, work.bounds, request, work.context.progress().cancelFlag());
     if (!outcome) return std::move(outcome).error();
@@ -232,7 +241,32 @@ Result<ToolBounds> boundsFor(const Project& project, const Bench& bench, const M
                              progress);
 }
 
+/// Saves what was milled, and the trace with it: both or neither.
+Result<void> saveWith(Project& project, std::optional<StagedFile>& trace) {
+    const Result<void> saved = project.save(trace ? std::span(&*trace, 1) : std::span<StagedFile>());
+    if (saved) project.abandonChanges(); // all of it is in the file
+    return saved;
+}
+
+/// What a fault leaves of a recording.
+QString keptRecording(const Project& project) {
+    const Result<bool> unsaved = project.unsaved();
+    if (!unsaved || !*unsaved) return {};
+    return QCoreApplication::translate("Command", "what was recorded is kept, and the next command that opens the "
+                                                  "project recovers it");
+}
+
+/// Errors: those of checkOutput.
+Result<void> checkTrace(const MillArguments& arguments) {
+    if (arguments.trace.empty()) return {};
+    const bool plays = arguments.stylus.starts_with(tracePrefix);
+    const std::array<std::filesystem::path, 2> inputs{
+        arguments.project, plays ? arguments.stylus.substr(tracePrefix.size()) : std::string()};
+    return checkOutput("--trace", arguments.trace, inputs);
+}
+
 int runMill(const MillArguments& arguments, CommandContext& context) {
+    if (const Result<void> free = checkTrace(arguments); !free) return context.fail(free.error());
     context.stage("Opening");
     Result<Project> project = Project::open(arguments.project);
     if (!project) return context.fail(project.error());
@@ -249,9 +283,12 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
 
     context.stage("Milling");
     json answer;
-    const auto outcome = millAsAsked(
-        {arguments, *project, *bench, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast, answer});
-    if (!outcome) return context.fail(outcome.error());
+    std::optional<StagedFile> trace;
+    const auto outcome = millAsAsked({arguments, *project, *bench, *bounds, context,
+                                      arguments.realtime ? Pace::realtime : Pace::fast, answer, trace});
+    if (!outcome) return context.fail(outcome.error(), keptRecording(*project));
+    if (const Result<void> saved = saveWith(*project, trace); !saved)
+        return context.fail(saved.error(), keptRecording(*project));
 
     const Box& travel = bounds->envelope().tips;
     answer.update({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},

@@ -5,13 +5,16 @@
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/path/milling_side.h"
+#include "core/project/companions.h"
 #include "core/project/job_paths.h"
+#include "core/project/project_change.h"
 #include "core/recording/take_csv.h"
 #include "core/recording/trace_file.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 namespace burin {
@@ -53,7 +56,7 @@ Result<StoredPath> pathWithId(const Project& project, std::int64_t id) {
 }
 
 int list(const PathArguments& arguments, CommandContext& context) {
-    const Result<Project> project = Project::open(arguments.project);
+    const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return context.fail(project.error());
     const Result<std::vector<StoredPath>> paths = project->paths();
     if (!paths) return context.fail(paths.error());
@@ -83,11 +86,11 @@ Result<std::string> toolForNew(const Project& project, const PathArguments& argu
 }
 
 int create(const PathArguments& arguments, CommandContext& context) {
-    Result<Project> project = Project::open(arguments.project);
+    Result<ProjectChange> project = ProjectChange::open(arguments.project);
     if (!project) return context.fail(project.error());
-    const Result<std::string> tool = toolForNew(*project, arguments);
+    const Result<std::string> tool = toolForNew(**project, arguments);
     if (!tool) return context.fail(tool.error());
-    Result<StoredPath> path = standardPath(*project, *tool);
+    Result<StoredPath> path = standardPath(**project, *tool);
     if (!path) return context.fail(path.error());
     path->name = arguments.name;
     for (const std::int64_t take : arguments.takes)
@@ -95,7 +98,7 @@ int create(const PathArguments& arguments, CommandContext& context) {
             return context.fail({ErrorCode::argumentInvalid, "--takes", std::to_string(take),
                                  "recordings made with " + *tool + ", as the first one"});
     if (!arguments.takes.empty()) path->takes = arguments.takes;
-    const Result<std::int64_t> id = project->addPath(*path);
+    const Result<std::int64_t> id = (*project)->addPath(*path);
     if (!id) return context.fail(id.error());
     path->id = *id;
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
@@ -106,12 +109,12 @@ int create(const PathArguments& arguments, CommandContext& context) {
 /// Changes the edits of one path and saves.
 int change(const PathArguments& arguments, CommandContext& context,
            const std::function<Result<void>(StoredPath&)>& changeEdits) {
-    Result<Project> project = Project::open(arguments.project);
+    Result<ProjectChange> project = ProjectChange::open(arguments.project);
     if (!project) return context.fail(project.error());
-    Result<StoredPath> path = pathWithId(*project, arguments.path);
+    Result<StoredPath> path = pathWithId(**project, arguments.path);
     if (!path) return context.fail(path.error());
     if (const Result<void> changed = changeEdits(*path); !changed) return context.fail(changed.error());
-    if (const Result<void> stored = project->setPath(*path); !stored) return context.fail(stored.error());
+    if (const Result<void> stored = (*project)->setPath(*path); !stored) return context.fail(stored.error());
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
     context.answer(jsonOf(*path), textOf(*path));
     return 0;
@@ -127,20 +130,20 @@ Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
     return {};
 }
 
-Result<void> checkPlace(const StoredPath& path, const PathArguments& arguments) {
+Result<void> checkPosition(const StoredPath& path, const PathArguments& arguments) {
     if (arguments.place < path.edits.size()) return {};
     return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
                  "0 to " + std::to_string(path.edits.size()) + " (exclusive)"};
 }
 
 Result<void> removeEdit(StoredPath& path, const PathArguments& arguments) {
-    if (const Result<void> there = checkPlace(path, arguments); !there) return there;
+    if (const Result<void> there = checkPosition(path, arguments); !there) return there;
     path.edits.erase(path.edits.begin() + static_cast<std::ptrdiff_t>(arguments.place));
     return {};
 }
 
 Result<void> updateEdit(StoredPath& path, const PathArguments& arguments) {
-    if (const Result<void> there = checkPlace(path, arguments); !there) return there;
+    if (const Result<void> there = checkPosition(path, arguments); !there) return there;
     const std::optional<Edit> newer = updated(path.edits[arguments.place]);
     if (!newer)
         return Error{ErrorCode::argumentInvalid, "--place", std::to_string(arguments.place),
@@ -171,10 +174,17 @@ std::string csvOf(const Path& path) {
     return text;
 }
 
+/// Errors: those of checkOutput.
+Result<void> checkPlace(const PathArguments& arguments, const char* option) {
+    const std::array<std::filesystem::path, 1> inputs{arguments.project};
+    return arguments.output.empty() ? Result<void>() : checkOutput(option, arguments.output, inputs);
+}
+
 /// Evaluates a path, reports its edits and, with an output, writes its points.
 int show(const PathArguments& arguments, CommandContext& context) {
+    if (const Result<void> free = checkPlace(arguments, "--csv"); !free) return context.fail(free.error());
     context.stage("Opening");
-    const Result<Project> project = Project::open(arguments.project);
+    const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return context.fail(project.error());
     const Result<StoredPath> stored = pathWithId(*project, arguments.path);
     if (!stored) return context.fail(stored.error());
@@ -214,7 +224,8 @@ int show(const PathArguments& arguments, CommandContext& context) {
 
 /// Writes a take as CSV: all that was recorded, or the stylus alone as a trace that `burin mill` plays.
 int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& context) {
-    const Result<Project> project = Project::open(arguments.project);
+    if (const Result<void> free = checkPlace(arguments, "--output"); !free) return context.fail(free.error());
+    const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return context.fail(project.error());
     const Result<Take> take = project->take(arguments.take);
     if (!take) return context.fail(take.error());

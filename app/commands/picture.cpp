@@ -3,11 +3,13 @@
 #include "ui/scene/picture.h"
 #include "app/command.h"
 #include "app/picture_options.h"
+#include "core/project/companions.h"
 #include "core/project/job_paths.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace burin {
@@ -49,7 +51,7 @@ Result<std::vector<std::shared_ptr<const EvaluatedPath>>> evaluatedPaths(const P
 /// The workpiece as the takes left it, with what stands around it.
 Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, CommandContext& context) {
     context.stage("Opening");
-    const Result<Project> project = Project::open(arguments.project);
+    const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return project.error();
     const Result<Tool> tool = anyTool(*project);
     if (!tool) return tool.error();
@@ -70,10 +72,9 @@ Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, Comma
 }
 
 int runPicture(const ProjectPictureArguments& arguments, CommandContext& context) {
-    std::error_code absent;
-    if (std::filesystem::equivalent(arguments.project, arguments.output, absent))
-        return context.fail(
-            {ErrorCode::argumentInvalid, "--output", arguments.output, "another file than the project"});
+    const std::array<std::filesystem::path, 1> inputs{arguments.project};
+    if (const Result<void> free = checkOutput("--output", arguments.output, inputs); !free)
+        return context.fail(free.error());
     if (const Result<void> readable = checkPictureOptions(arguments.options); !readable)
         return context.fail(readable.error());
     Result<PictureContent> content = contentOf(arguments, context);

@@ -3,13 +3,19 @@
 #include "app/command.h"
 #include "app/report.h"
 #include "app/surroundings.h"
-#include "core/base/file.h"
+#include "core/base/staged_file.h"
+#include "core/base/steps.h"
+#include "core/project/companions.h"
 #include "core/project/job_paths.h"
 #include "core/project/kept_program.h"
+#include "core/project/project_change.h"
 
 #include <CLI/CLI.hpp>
+#include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace burin {
 
@@ -39,22 +45,21 @@ Result<std::vector<StoredPath>> chosenPaths(Project& project, const std::vector<
 }
 
 int runPost(const PostArguments& arguments, CommandContext& context) {
-    std::error_code absent;
-    if (std::filesystem::equivalent(arguments.project, arguments.output, absent))
-        return context.fail(
-            {ErrorCode::argumentInvalid, "--output", arguments.output, "a file other than the project"});
+    const std::array<std::filesystem::path, 1> inputs{arguments.project};
+    if (const Result<void> free = checkOutput("--output", arguments.output, inputs); !free)
+        return context.fail(free.error());
     context.stage("Opening");
-    Result<Project> project = Project::open(arguments.project);
+    Result<ProjectChange> project = ProjectChange::open(arguments.project);
     if (!project) return context.fail(project.error());
-    const Result<std::vector<StoredPath>> stored = chosenPaths(*project, arguments.paths);
+    const Result<std::vector<StoredPath>> stored = chosenPaths(**project, arguments.paths);
     if (!stored) return context.fail(stored.error());
     std::vector<PathMatter> matters;
     for (const StoredPath& path : *stored) {
-        Result<PathMatter> matter = matterOf(*project, path);
+        Result<PathMatter> matter = matterOf(**project, path);
         if (!matter) return context.fail(matter.error());
         matters.push_back(std::move(*matter));
     }
-    Result<Bench> bench = makeBench(*project, matters.front().tool, arguments.machine, context.progress());
+    Result<Bench> bench = makeBench(**project, matters.front().tool, arguments.machine, context.progress());
     if (!bench) return context.fail(bench.error());
 
     context.stage("Editing");
@@ -64,7 +69,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     context.stage("Posting and checking");
     ProgramRequest request;
     request.name = std::filesystem::path(arguments.output).filename().string();
-    const Result<ProgramTarget> target = project->programTarget();
+    const Result<ProgramTarget> target = (*project)->programTarget();
     if (!target) return context.fail(target.error());
     request.dialect = dialectFor(arguments.dialect, *target, bench->machine);
     request.gougeTolerance = arguments.tolerance;
@@ -93,14 +98,18 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
                         "with --override; its header shows the reason.");
         return static_cast<int>(ErrorClass::checkFailed);
     }
-    if (const Result<void> written = writeFileAtomically(arguments.output, program->text); !written)
-        return context.fail(written.error());
+    Result<StagedFile> output = StagedFile::containing(arguments.output, program->text);
+    if (!output) return context.fail(output.error());
     const StoredProgram kept{request.name, request.dialect, bench->machine.id, program->text,
                              jsonOf(program->report).dump()};
-    if (const Result<void> added = project->addProgram(kept); !added) return context.fail(added.error());
-    if (const Result<void> judged = keepVerdict(*project, *program, bench->machine.id, request.units); !judged)
-        return context.fail(judged.error());
-    if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
+    const Result<void> saved =
+        inOrder([&] { return (*project)->addProgram(kept); },
+                [&] { return keepVerdict(**project, *program, bench->machine.id, request.units); },
+                [&] { return project->save(std::span(&*output, 1)); });
+    if (!saved)
+        return context.fail(saved.error(),
+                            QCoreApplication::translate("Command", "neither \"%1\" nor the project was changed")
+                                .arg(QString::fromStdString(arguments.output)));
     answer["program"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
     context.answer(answer, arguments.output + ": " + std::to_string(program->parsed.blocks) + " blocks\n" + verdict);
     return 0;
@@ -132,7 +141,9 @@ void registerPost(CLI::App& program, CommandContext& context, int& status) {
         ->add_option("--override", arguments->overrideReason,
                      "Write the program even if its check refuses it; states this reason in its header")
         ->check([](const std::string& reason) {
-            return reason.find_first_not_of(" \t\n") == std::string::npos ? "state a reason" : std::string();
+            return reason.find_first_not_of(" \t\n") == std::string::npos
+                       ? QT_TRANSLATE_NOOP("Command", "state a reason")
+                       : std::string();
         });
     addJsonFlag(*command, context);
     command->callback([arguments, &context, &status] { status = runPost(*arguments, context); });

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/surroundings.h"
+#include "core/base/steps.h"
 #include "core/machine/machine_library.h"
 #include "core/nc/dialect_library.h"
+#include "core/project/project_change.h"
 
 #include <CLI/CLI.hpp>
 
@@ -71,7 +73,7 @@ Result<void> changeTarget(ProgramTarget& target, const SetupArguments& arguments
 }
 
 /// What is wrong with the arguments is found before anything is kept.
-Result<void> change(Project& project, Around& around, const SetupArguments& arguments, Progress& progress) {
+Result<void> change(ProjectChange& project, Around& around, const SetupArguments& arguments, Progress& progress) {
     if (Result<void> done = changeObstacles(around.obstacles, arguments, progress); !done) return done;
     if (!arguments.around.axis.empty()) {
         const Result<AxisMode> axis = axisModeOf(arguments.around.axis);
@@ -84,24 +86,32 @@ Result<void> change(Project& project, Around& around, const SetupArguments& argu
         around.travel = *travel;
     }
     if (Result<void> done = changeTarget(around.target, arguments); !done) return done;
-    for (const Result<void>& step :
-         {project.setObstacles(around.obstacles), project.setAxisMode(around.axis),
-          project.setTravelPlacement(around.travel), project.setProgramTarget(around.target), project.save()})
-        if (!step) return step;
-    return {};
+    return inOrder([&] { return project->setObstacles(around.obstacles); },
+                   [&] { return project->setAxisMode(around.axis); },
+                   [&] { return project->setTravelPlacement(around.travel); },
+                   [&] { return project->setProgramTarget(around.target); }, [&] { return project.save(); });
+}
+
+Result<Around> changed(const SetupArguments& arguments, CommandContext& context) {
+    Result<ProjectChange> project = ProjectChange::open(arguments.project);
+    if (!project) return std::move(project).error();
+    Result<Around> around = aroundOf(**project);
+    if (!around) return around;
+    context.stage("Reading fixtures");
+    if (Result<void> done = change(*project, *around, arguments, context.progress()); !done)
+        return std::move(done).error();
+    return around;
+}
+
+Result<Around> shown(const SetupArguments& arguments) {
+    const Result<Project> project = Project::openForReading(arguments.project);
+    return project ? aroundOf(*project) : Result<Around>(project.error());
 }
 
 int runSetup(const SetupArguments& arguments, CommandContext& context) {
     context.stage("Opening");
-    Result<Project> project = Project::open(arguments.project);
-    if (!project) return context.fail(project.error());
-    Result<Around> around = aroundOf(*project);
+    const Result<Around> around = arguments.changes() ? changed(arguments, context) : shown(arguments);
     if (!around) return context.fail(around.error());
-    if (arguments.changes()) {
-        context.stage("Reading fixtures");
-        if (const Result<void> done = change(*project, *around, arguments, context.progress()); !done)
-            return context.fail(done.error());
-    }
     const ProgramTarget& target = around->target;
     std::string text = "axis     " + textOf(around->axis) + "\nmachine  " + target.machine;
     if (!target.dialect.empty()) text += ", dialect " + target.dialect;

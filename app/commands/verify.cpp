@@ -5,11 +5,14 @@
 #include "app/surroundings.h"
 #include "core/base/file.h"
 #include "core/nc/dialect_library.h"
+#include "core/project/companions.h"
 #include "core/project/program_job.h"
 #include "core/verify/deviation_scale.h"
 #include "ui/scene/deviation_map.h"
 
 #include <CLI/CLI.hpp>
+
+#include <array>
 
 namespace burin {
 
@@ -40,11 +43,15 @@ nlohmann::json jsonOf(const DeviationScale& scale) {
 }
 
 int runVerify(const VerifyArguments& arguments, CommandContext& context) {
+    const std::array<std::filesystem::path, 2> inputs{arguments.program, arguments.project};
+    if (!arguments.map.empty())
+        if (const Result<void> free = checkOutput("--map", arguments.map, inputs); !free)
+            return context.fail(free.error());
     Result<std::string> text = readFile(arguments.program);
     if (!text) return context.fail(text.error());
     if (text->empty()) return context.fail({ErrorCode::fileEmpty, arguments.program, {}, {}});
     context.stage("Opening");
-    const Result<Project> project = Project::open(arguments.project);
+    const Result<Project> project = Project::openForReading(arguments.project);
     if (!project) return context.fail(project.error());
     const Result<Tool> tool = chosenTool(*project, arguments.tool);
     if (!tool) return context.fail(tool.error());

@@ -18,17 +18,18 @@ Result<std::ifstream> openFileStream(const std::filesystem::path& file);
 /// file).
 Result<std::string> readFile(const std::filesystem::path& file);
 
-/// Writes `content` beside `file`, flushes it to the disk and renames it over `file`: afterwards either the whole new
-/// content stands there or what stood there before. Errors: fileNotWritable, diskFull.
+/// Writes `content` beside `file`, flushes it to the disk and renames it over `file`: afterwards either the complete
+/// new content stands there or what stood there before. Links, rights, FIFOs and devices: as StagedFile, which is for
+/// several files that belong together. Errors: fileNotWritable, diskFull.
 Result<void> writeFileAtomically(const std::filesystem::path& file, std::string_view content);
 
 /// Flushes `written` to the disk and renames it over `file`. For libraries that write a file by themselves: let them
 /// write to `temporaryBeside(file)`. On failure `written` is removed. The rename lasts through a loss of power where
 /// the folder may be read and its file system can flush one; else as far as that file system sees to it.
-/// Errors: fileNotWritable, diskFull.
+/// Errors: fileNotWritable, diskFull; what stood there stands there still.
 Result<void> replaceFile(const std::filesystem::path& written, const std::filesystem::path& file);
 
-/// A name in the folder of `file` that nobody else uses, for writing beside it.
+/// A name in the folder of `file` that nobody else uses, for writing beside it; short enough for any `file`.
 std::filesystem::path temporaryBeside(const std::filesystem::path& file);
 
 /// The error that `errno` value `systemError` means for reading `file`.

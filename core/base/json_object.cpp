@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/json_object.h"
 
+#include "core/base/clean_text.h"
 #include "core/base/json_number.h"
 #include "core/base/numbers.h"
 
@@ -119,7 +120,8 @@ bool JsonObject::booleanOr(std::string_view key, bool otherwise) {
 std::string JsonObject::text(std::string_view key) {
     const json* value = find(key);
     if (value == nullptr) return {};
-    if (value->is_string() && !value->get_ref<const std::string&>().empty()) return value->get<std::string>();
+    if (value->is_string() && !value->get_ref<const std::string&>().empty())
+        return cleanLine(value->get_ref<const std::string&>());
     fail(key, "has to be a text that is not empty");
     return {};
 }

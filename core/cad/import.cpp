@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/import.h"
 
+#include "core/base/clean_text.h"
 #include "core/base/file.h"
 #include "core/cad/part_edge.h"
 #include "core/cad/worker_process.h"
@@ -69,6 +70,9 @@ Result<Model> importModel(const fs::path& file, const ImportOptions& options, Pr
     auto* model = std::get_if<Model>(&answers->front());
     if (!model) return Error{ErrorCode::importCrashed, whole.string(), {}, "it answered something else"};
     model->sourceFile = whole.string();
+    // What a file calls its bodies goes to lists, terminals, projects and programs.
+    for (Body& body : model->bodies) body.name = cleanLine(body.name);
+    for (ImportNote& note : model->notes) note.text = cleanLine(note.text);
     return std::move(*model);
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, file.string(), {}, "for the imported model"};

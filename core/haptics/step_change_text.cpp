@@ -133,8 +133,7 @@ Change marked(JsonObject& object, std::string_view key) {
 
 /// Every change that needs nothing but its own numbers; nothing for guides and curves.
 std::optional<StepChange> plainChange(JsonObject& object) {
-    constexpr NumberRange atLeastNothing{0.0, std::numeric_limits<double>::infinity()};
-    if (object.has("allowance_mm")) return AllowanceChange{object.number("allowance_mm", atLeastNothing)};
+    if (object.has("allowance_mm")) return AllowanceChange{object.number("allowance_mm", {0.0, 10.0})};
     if (object.has("levels")) return LevelStep{object.integer("levels", -mostLevels, mostLevels)};
     if (object.has("workspace")) {
         WorkspaceSettings workspace;

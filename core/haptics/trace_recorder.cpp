@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/trace_recorder.h"
 
-#include "core/base/file.h"
 #include "core/recording/trace_file.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <utility>
 
@@ -19,17 +17,16 @@ constexpr std::chrono::milliseconds interval{50}; // between two looks at the ri
 
 Result<std::unique_ptr<TraceRecorder>> TraceRecorder::begin(const std::filesystem::path& file, TickSink& next,
                                                             const std::optional<TracedSession>& session) {
-    std::unique_ptr<TraceRecorder> recorder(new TraceRecorder(file, temporaryBeside(file), next, session));
-    if (!recorder->out_) return writeError(file, errno);
-    return recorder;
+    Result<StagedFile> staged = StagedFile::begin(file);
+    if (!staged) return std::move(staged).error();
+    return std::unique_ptr<TraceRecorder>(new TraceRecorder(std::move(*staged), next, session));
 }
 
-TraceRecorder::TraceRecorder(std::filesystem::path file, std::filesystem::path beside, TickSink& next,
-                             const std::optional<TracedSession>& session)
-    : file_(std::move(file)), beside_(std::move(beside)), next_(next), out_(beside_, std::ios::binary) {
-    if (!out_) return;
-    out_ << tickTraceMark << '\n' << tickTraceHeader << '\n';
-    if (session) out_ << changeMark << formatTracedSession(*session) << '\n';
+TraceRecorder::TraceRecorder(StagedFile file, TickSink& next, const std::optional<TracedSession>& session)
+    : file_(std::move(file)), next_(next) {
+    text_.append(tickTraceMark).append("\n").append(tickTraceHeader).append("\n");
+    if (session) text_.append(1, changeMark).append(formatTracedSession(*session)).append("\n");
+    outcome_ = file_.append(text_);
     thread_ = std::jthread([this](const std::stop_token& stop) { write(stop); });
 }
 
@@ -37,9 +34,6 @@ TraceRecorder::~TraceRecorder() {
     if (!thread_.joinable()) return;
     thread_.request_stop();
     thread_.join();
-    out_.close();
-    std::error_code ignored;
-    std::filesystem::remove(beside_, ignored);
 }
 
 AtEdge TraceRecorder::edge() noexcept {
@@ -80,7 +74,7 @@ void TraceRecorder::writeWaiting() {
             appendChangesBefore(written_++);
             appendTick(text_, batch[i]);
         }
-        out_ << text_;
+        if (outcome_) outcome_ = file_.append(text_); // after a fault the rest is of no use
     }
 }
 
@@ -95,16 +89,12 @@ void TraceRecorder::appendChangesBefore(std::size_t reading) {
     waiting_.erase(waiting_.begin(), later);
 }
 
-Result<void> TraceRecorder::finish() {
+Result<StagedFile> TraceRecorder::finish() {
     thread_.request_stop();
     thread_.join();
-    errno = 0;
-    out_.close();
-    if (out_) return replaceFile(beside_, file_);
-    const int systemError = errno;
-    std::error_code ignored;
-    std::filesystem::remove(beside_, ignored);
-    return writeError(file_, systemError);
+    if (outcome_) outcome_ = file_.flush();
+    if (!outcome_) return outcome_.error();
+    return std::move(file_);
 }
 
 } // namespace burin

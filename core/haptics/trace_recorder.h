@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/base/ring.h"
+#include "core/base/staged_file.h"
 #include "core/haptics/step_change_text.h"
 #include "core/haptics/tick_sink.h"
 #include "core/haptics/traced_session.h"
@@ -11,7 +12,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,8 +21,9 @@
 namespace burin {
 
 /// Writes every reading of a loop, with the period that its tick was told, and what its step is told between them, to a
-/// trace of ticks (trace_file.h) while the loop runs; the sink behind it goes on as without it. The file appears,
-/// whole, with `finish`. A ring that is full is told to the loop as any full sink is: nothing is left out.
+/// trace of ticks (trace_file.h) while the loop runs; the sink behind it goes on as without it. The file is complete
+/// with `finish`, and put in its place by whoever gets it. A ring that is full is told to the loop as any full sink is:
+/// nothing is left out.
 class TraceRecorder final : public TickSink, public StepChangeListener {
 public:
     /// The step whose changes are to be kept listens to it (HapticStep::listen). Curves of guides outlive `finish`.
@@ -30,7 +31,7 @@ public:
     /// @param session with what it begins; where it is not told, whoever plays the trace has to know it
     static Result<std::unique_ptr<TraceRecorder>> begin(const std::filesystem::path& file, TickSink& next,
                                                         const std::optional<TracedSession>& session = std::nullopt);
-    ~TraceRecorder() override; ///< without `finish`: the file is not written
+    ~TraceRecorder() override; ///< without `finish`: the file is removed
     TraceRecorder(const TraceRecorder&) = delete;
     TraceRecorder& operator=(const TraceRecorder&) = delete;
 
@@ -38,12 +39,11 @@ public:
     void tick(const Sample& sample, const TickTiming& timing) noexcept override;
     void changed(const StepChange& change) noexcept override;
 
-    /// Owner's thread, once no tick runs any more. Errors: fileNotWritable, diskFull.
-    Result<void> finish();
+    /// The complete trace. Owner's thread, once no tick runs any more, once. Errors: fileNotWritable, diskFull.
+    Result<StagedFile> finish();
 
 private:
-    TraceRecorder(std::filesystem::path file, std::filesystem::path beside, TickSink& next,
-                  const std::optional<TracedSession>& session);
+    TraceRecorder(StagedFile file, TickSink& next, const std::optional<TracedSession>& session);
     void write(const std::stop_token& stop);
     void writeWaiting();
     void appendChangesBefore(std::size_t reading);
@@ -51,7 +51,7 @@ private:
     static constexpr std::size_t capacity = 16384;     ///< s of ticks that the disk may keep us waiting for
     static constexpr std::size_t changeCapacity = 256; ///< that come in a moment
 
-    const std::filesystem::path file_, beside_;
+    StagedFile file_; ///< the writer's until it ended
     TickSink& next_;
     Ring<StylusState> readings_{capacity};
     Ring<TimedChange> changes_{changeCapacity};
@@ -60,8 +60,8 @@ private:
     std::size_t written_ = 0; ///< readings; the rest the writer's
     std::vector<TimedChange> waiting_;
     StepChangeWriter words_;
-    std::ofstream out_;
     std::string text_;
+    Result<void> outcome_; ///< the writer's until it ended
     std::mutex mutex_;
     std::condition_variable_any woken_;
     std::jthread thread_; // last: it uses the above

@@ -117,7 +117,7 @@ Result<TracedSession> readTracedSession(std::string_view text, const std::string
     object->object("session", [&session](JsonObject& inner) {
         inner.object("stylus", [&](JsonObject& stylus) { session.stylus = readStylus(stylus); });
         inner.object("mapping", [&](JsonObject& mapping) { session.mapping = readMapping(mapping); });
-        session.allowance = inner.number("allowance_mm", atLeastNothing);
+        session.allowance = inner.number("allowance_mm", {0.0, 10.0}); // as mill takes it
         session.period = inner.number("period_s", {1e-6, 1.0});
         session.cutsOnButton = inner.boolean("cuts_on_button");
         const double buttons = inner.number("force_buttons", {0.0, largestWord});

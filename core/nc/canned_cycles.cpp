@@ -12,7 +12,7 @@ namespace {
 
 constexpr double peckClearance = 0.254; // mm: 0.010 in
 constexpr int mostRepeats = 10000;
-constexpr double mostPecks = 1e5; // of one block; more is a slip, not a program
+constexpr double mostPecks = 1e4; // of one block; more is a slip, not a program
 
 char letterOf(int axis) noexcept {
     return static_cast<char>('X' + axis);

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/database.h"
 
+#include "core/base/file.h"
+
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <limits>
 #include <sqlite3.h>
+#include <unistd.h>
 
 namespace burin {
 
@@ -37,6 +41,7 @@ ErrorCode codeOf(int sqliteCode, int systemError) {
         return ErrorCode::projectNotBurin;
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
+    case SQLITE_PROTOCOL:
         return ErrorCode::projectInUse;
     case SQLITE_NOMEM:
     case SQLITE_TOOBIG:
@@ -53,13 +58,27 @@ ErrorCode codeOf(int sqliteCode, int systemError) {
     }
 }
 
+/// Where SQLite can't make a file beside the database it tries to open it without making it, and keeps the fault of
+/// that: there is none. Making another one fails for the reason that counts, or it has passed (0).
+int reasonBehind(sqlite3* handle) {
+    const char* const file = handle != nullptr ? sqlite3_db_filename(handle, "main") : nullptr;
+    if (file == nullptr || ::access(file, F_OK) != 0) return ENOENT;
+    const std::filesystem::path probe = temporaryBeside(file);
+    const int descriptor = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0) return errno;
+    ::close(descriptor);
+    ::unlink(probe.c_str());
+    return 0;
+}
+
 /// SQLite keeps the system's reason only where a call fails at once, not where a statement does in its last step; errno
 /// then still has it, having been cleared before the call.
 int systemErrorOf(sqlite3* handle, int code, int lastError) {
     const int primary = code & 0xff;
     if (primary != SQLITE_IOERR && primary != SQLITE_CANTOPEN) return 0;
     const int kept = handle != nullptr ? sqlite3_system_errno(handle) : 0;
-    return kept != 0 ? kept : lastError;
+    const int reason = kept != 0 ? kept : lastError;
+    return primary == SQLITE_CANTOPEN && reason == ENOENT ? reasonBehind(handle) : reason;
 }
 
 void distrustSchema(sqlite3* handle) {
@@ -69,6 +88,21 @@ void distrustSchema(sqlite3* handle) {
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_exec(handle, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
+}
+
+/// https://www.sqlite.org/uri.html, "immutable": no lock is taken and no journal looked for.
+std::string unchangingUri(const std::filesystem::path& file) {
+    std::string uri = "file:";
+    for (const char character : file.native()) {
+        if (character == '%' || character == '?' || character == '#') {
+            constexpr std::string_view digits = "0123456789abcdef";
+            const auto byte = static_cast<unsigned char>(character);
+            uri.append(1, '%').append(1, digits[byte >> 4U]).append(1, digits[byte & 15U]);
+        } else {
+            uri += character;
+        }
+    }
+    return uri + "?immutable=1";
 }
 
 const char* notNull(std::string_view bytes) {
@@ -104,10 +138,27 @@ Result<Database> Database::openNamed(const char* name, int flags, std::string su
 }
 
 Result<Database> Database::open(const std::filesystem::path& file, std::string subject, Access access) {
-    const int flags = access == Access::read    ? SQLITE_OPEN_READONLY
-                      : access == Access::write ? SQLITE_OPEN_READWRITE
-                                                : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-    return openNamed(file.c_str(), flags, std::move(subject));
+    switch (access) {
+    case Access::read:
+        return openNamed(file.c_str(), SQLITE_OPEN_READONLY, std::move(subject));
+    case Access::write:
+        return openNamed(file.c_str(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOFOLLOW, std::move(subject));
+    case Access::create:
+        return openNamed(file.c_str(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW,
+                         std::move(subject));
+    case Access::readJournal:
+        break;
+    case Access::readUnchanging:
+        return openNamed(unchangingUri(file).c_str(), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, std::move(subject));
+    }
+    Result<Database> database =
+        openNamed(file.c_str(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOFOLLOW, std::move(subject));
+    if (!database) return database;
+    sqlite3_db_config(database->connection_->handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+    // In this mode the index of the journal is kept in memory instead of in a file beside it.
+    for (const char* setting : {"PRAGMA locking_mode = EXCLUSIVE", "PRAGMA query_only = ON"})
+        if (Result<void> done = database->execute(setting); !done) return std::move(done).error();
+    return database;
 }
 
 Result<Database> Database::inMemory(std::string subject) {

@@ -21,7 +21,13 @@ namespace burin {
 /// knows, even where the connection is to a working copy of it. Thread: one at a time. Statements must end before it.
 class Database {
 public:
-    enum class Access : std::uint8_t { read, write, create };
+    enum class Access : std::uint8_t {
+        read,
+        write,
+        create,
+        readJournal,   ///< a WAL database that nobody else has open; nothing is written, nor made beside it
+        readUnchanging ///< a database that nobody can change meanwhile; its journal is not looked for
+    };
     /// Foreign triggers, views and functions of the schema are never run: a project may come from anybody.
     /// Errors: as `error` maps SQLite's codes.
     static Result<Database> open(const std::filesystem::path& file, std::string subject, Access access);

@@ -48,7 +48,7 @@ FoundWork leftWork(const fs::path& folder) {
             found.inUse = found.inUse || locked.error().code == ErrorCode::projectInUse;
             continue;
         }
-        const std::optional<DocumentState> state = (*locked)->state();
+        const Result<DocumentState> state = (*locked)->state();
         if (state && state->unsaved()) found.left.push_back({(*locked)->file(), changed});
     }
     std::ranges::sort(found.left, [](const LeftWork& a, const LeftWork& b) { return a.changed > b.changed; });

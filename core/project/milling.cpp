@@ -186,6 +186,7 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds&
     session.felt = request.felt;
     session.forceButtons = request.forceButtons;
     session.trace = request.trace;
+    session.traceOutput = request.traceOutput;
     session.replayed = request.replayed;
     session.flights = request.flights;
     StrokeHistory strokes;
@@ -202,9 +203,9 @@ Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds&
     }
     const Result<LoopStatistics> loop = (*live)->end();
     tellFaults();
-    const Result<void> saved = project.save();
     if (!loop) return loop.error();
-    if (!saved) return saved.error();
+    if (request.saves)
+        if (const Result<void> saved = project.save(); !saved) return saved.error();
     Result<TakeOutcome> outcome = outcomeOf(project, bench, (*live)->take());
     if (!outcome) return outcome;
     outcome->loop = *loop;
@@ -249,6 +250,7 @@ Result<OperatorOutcome> millWithOperator(Project& project, Bench& bench, const T
         take.mapping = mapping;
         take.felt = felt;
         take.pace = request.pace;
+        take.saves = request.saves;
         if (request.timeLimit > 0.0) take.maximumSeconds = request.timeLimit;
         if (request.intent == OperatorIntent::hostile) take.maximumSeconds = freeSeconds(request); // it never ends
         Result<TakeOutcome> recorded = recordTake(project, bench, bounds, stylus, take, stop);

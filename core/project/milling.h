@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/staged_file.h"
 #include "core/device/stylus_handle.h"
 #include "core/haptics/haptic_step.h"
 #include "core/haptics/operator.h"
@@ -15,6 +16,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +32,11 @@ struct TakeRequest {
     double period = 0.0;         ///< s of a tick; 0: as SessionRequest says
     bool cutsOnButton = false;   ///< the spindle turns only while the stylus' first button is down
     FeltCutting felt;
-    std::uint32_t forceButtons = 0;               ///< as in SessionRequest
-    std::filesystem::path trace, flights;         ///< as in SessionRequest
-    const SessionTrace* replayed = nullptr;       ///< as in SessionRequest
+    std::uint32_t forceButtons = 0;                   ///< as in SessionRequest
+    std::filesystem::path trace, flights;             ///< as in SessionRequest
+    std::optional<StagedFile>* traceOutput = nullptr; ///< as in SessionRequest
+    bool saves = true;                                ///< the project at the end; else the caller does
+    const SessionTrace* replayed = nullptr;           ///< as in SessionRequest
     std::function<void(const Error&)> heardFault; ///< in the calling thread: a fault after which the session goes on
 };
 
@@ -52,7 +56,8 @@ struct TakeOutcome {
 };
 
 /// Mills with a stylus and records every tick into the project while it is made; saves the project at the end.
-/// Errors: those of the stylus, the servo loop, the recorder and Project::save. What was recorded until then is kept.
+/// Errors: those of the stylus, the servo loop, the recorder and Project::save; the file is as it was then, and what
+/// was recorded until then is kept as unsaved work.
 Result<TakeOutcome> recordTake(Project& project, Bench& bench, const ToolBounds& bounds, const StylusHandle& stylus,
                                const TakeRequest& request, const std::atomic<bool>& stop);
 
@@ -69,6 +74,7 @@ struct OperatorRequest {
     double timeLimit = 0.0;         ///< s for all takes; 0: none, and 20 s of a scribble or of hostility
     std::uint64_t seed = 1;         ///< of the hand's tremor
     Pace pace = Pace::fast;
+    bool saves = true; ///< the project behind each take; else the caller does
 };
 
 struct OperatorOutcome {

@@ -43,6 +43,7 @@ public:
         , axis_(bounds.axis())
         , layerCount_(bounds.layers().size())
         , layersOn_(layersOn(bounds.layers()))
+        , traceOutput_(request.traceOutput)
         , servo_(servoSettings(stylus, request))
         , step_(bench.embedded.workpiece, bounds.boundaryLayers(), bench.tool,
                 hapticSettings(bench, bounds.axis(), stylus, request))
@@ -81,6 +82,7 @@ private:
     void collectStrokes();
     void makeRoom(const TickNews& news);
     void noteCut(const WorkpieceView& view);
+    Result<void> placeTrace(Result<StagedFile> trace);
     template <class Change>
     Result<void> changeWorkpiece(Change change);
 
@@ -92,6 +94,7 @@ private:
     const AxisMode axis_;
     const std::size_t layerCount_;
     std::uint64_t layersOn_; ///< wished, by bit
+    std::optional<StagedFile>* const traceOutput_;
     const ServoSettings servo_;
     std::atomic<bool> stop_{false}, ended_{false};
     HapticStep step_;
@@ -314,6 +317,13 @@ void LiveSession::takeTrace(std::vector<TracePoint>& points) {
         points.insert(points.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
+Result<void> LiveSession::placeTrace(Result<StagedFile> trace) {
+    if (!trace) return std::move(trace).error();
+    if (traceOutput_ == nullptr) return trace->putInPlace();
+    traceOutput_->emplace(std::move(*trace));
+    return {};
+}
+
 Result<LoopStatistics> LiveSession::end() {
     if (over_) return outcome_;
     over_ = true;
@@ -327,7 +337,7 @@ Result<LoopStatistics> LiveSession::end() {
     if (diskFault_) outcome_ = *diskFault_;
     step_.listen(nullptr);
     if (const std::unique_ptr<TraceRecorder> trace = std::move(trace_)) {
-        const Result<void> written = trace->finish();
+        const Result<void> written = placeTrace(trace->finish());
         if (!written && outcome_) outcome_ = written.error();
     }
     stylus_.device().close();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/staged_file.h"
 #include "core/device/stylus_handle.h"
 #include "core/haptics/guide.h"
 #include "core/haptics/haptic_settings.h"
@@ -75,6 +76,8 @@ struct SessionRequest {
     bool undoable = true;
     double period = 0.0; ///< s of a tick; 0: the stylus' own rate where it has one that it paces itself, or 1 kHz
     std::filesystem::path trace; ///< of ticks, written while the session lasts; empty: none
+    /// Gets the complete trace with `end`, to be put in its place together with the project. Null: it is put there.
+    std::optional<StagedFile>* traceOutput = nullptr;
     /// What a trace that is played was told between its ticks is told again; outlives the session. Null: nothing.
     const SessionTrace* replayed = nullptr;
     std::filesystem::path flights; ///< folder for records of faults (FlightRecorder); empty: beside the project

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/clean_text.h"
 #include "core/base/compression.h"
 #include "core/project/mesh_blob.h"
 #include "core/project/stores.h"
@@ -69,7 +70,7 @@ Result<void> loadBodies(Database& database, std::vector<Body>& bodies) {
     if (!rows) return std::move(rows).error();
     return forEachRow(*rows, [&]() -> Result<void> {
         Body body;
-        body.name = rows->text(0);
+        body.name = cleanLine(rows->text(0));
         if (!rows->isNull(1)) body.colour = unpacked(rows->integer(1));
         body.volume = rows->real(2);
         body.area = rows->real(3);
@@ -89,7 +90,7 @@ Result<void> loadNotes(Database& database, std::vector<ImportNote>& notes) {
     Result<Statement> rows = Statement::prepare(database, "SELECT kind, text FROM import_note ORDER BY position");
     if (!rows) return std::move(rows).error();
     return forEachRow(*rows, [&]() -> Result<void> {
-        notes.push_back({kindOf(rows->text(0)), std::string(rows->text(1))});
+        notes.push_back({kindOf(rows->text(0)), cleanLine(rows->text(1))});
         return {};
     });
 }
@@ -102,9 +103,9 @@ Result<Model> loadHead(Database& database) {
     if (!found) return found.error();
     if (!*found) return Error{ErrorCode::projectIncomplete, "model", "burin embed", database.subject()};
     Model model;
-    model.sourceFile = row->text(0);
-    model.format = row->text(1);
-    model.lengthUnit = row->text(2);
+    model.sourceFile = cleanLine(row->text(0));
+    model.format = cleanLine(row->text(1));
+    model.lengthUnit = cleanLine(row->text(2));
     model.unitScale = row->real(3);
     model.meshChord = row->real(4);
     std::optional<std::string> brep = decompress(row->blob(5), std::numeric_limits<std::int32_t>::max());

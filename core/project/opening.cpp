@@ -3,11 +3,15 @@
 #include "core/project/opening.h"
 
 #include "core/base/file.h"
+#include "core/project/companions.h"
 #include "core/project/saving.h"
 #include "core/project/schema.h"
 
-#include <optional>
+#include <array>
+#include <cerrno>
+#include <fcntl.h>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 namespace burin {
@@ -41,17 +45,37 @@ Result<void> checkContent(Database& database, const DocumentState& state) {
     return {};
 }
 
+/// Before anything else is asked of a file that may come from anybody.
+Result<void> checkForm(Database& database) {
+    if (Result<void> ours = checkIdentity(database); !ours) return ours;
+    return checkSchema(database);
+}
+
+/// Bytes 18 and 19 of a database: the form that writing and reading it take, 1 (journal) or 2 (WAL).
+Result<void> checkHeader(const fs::path& file) {
+    Result<std::ifstream> stream = openFileStream(file);
+    if (!stream) return std::move(stream).error();
+    std::array<char, 20> head{};
+    if (!stream->read(head.data(), head.size())) return {}; // too short: SQLite says what it is
+    const auto form = [&](std::size_t place) { return static_cast<unsigned char>(head[place]); };
+    if (form(18) > 2 || form(19) > 2) return Error{ErrorCode::fileDamaged, file.string(), "header", {}};
+    return {};
+}
+
 Result<SavedFile> openSaved(const fs::path& file) {
     std::error_code ignored;
     if (fs::is_directory(file, ignored)) return Error{ErrorCode::projectNotBurin, file.string(), {}, "a folder"};
     if (isEmptyFile(file)) return Error{ErrorCode::fileEmpty, file.string(), {}, {}};
+    if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
+        return Error{ErrorCode::projectNotBurin, file.string(), {}, "no regular file"};
     Result<Database> database = Database::open(file, file.string(), Database::Access::read);
     if (!database) {
         Error error = std::move(database).error();
         if (error.code == ErrorCode::fileNotWritable) error.code = ErrorCode::fileNotReadable; // "can't open"
         return error;
     }
-    if (Result<void> ours = checkIdentity(*database); !ours) return std::move(ours).error();
+    if (Result<void> ours = checkForm(*database); !ours) return std::move(ours).error();
+    if (Result<void> known = checkHeader(file); !known) return std::move(known).error();
     Result<DocumentState> state = documentState(*database);
     if (!state) return std::move(state).error();
     if (Result<void> sound = checkContent(*database, *state); !sound) return std::move(sound).error();
@@ -61,10 +85,18 @@ Result<SavedFile> openSaved(const fs::path& file) {
 /// What to do with a working copy that an earlier run left behind.
 enum class Leftover : std::uint8_t { none, holdsNothingNew, belongsToFile, belongsToAnother, unreadable };
 
-Leftover judge(const WorkingCopy& copy, const DocumentState& saved) {
+/// Whether an error says that a file's content can't be used, and no fault of the moment.
+bool isDamage(const Error& error) {
+    return error.code == ErrorCode::fileDamaged || error.code == ErrorCode::projectNotBurin;
+}
+
+/// Errors: faults that may pass, by which no copy is judged.
+Result<Leftover> judge(const WorkingCopy& copy, const DocumentState& saved) {
     if (!copy.exists()) return Leftover::none;
-    const std::optional<DocumentState> left = copy.state();
-    if (!left) return Leftover::unreadable;
+    if (copy.hasNoContent()) return Leftover::holdsNothingNew;
+    const Result<DocumentState> left = copy.state();
+    if (!left && isDamage(left.error())) return Leftover::unreadable;
+    if (!left) return left.error();
     if (left->saveId == saved.saveId) return left->unsaved() ? Leftover::belongsToFile : Leftover::holdsNothingNew;
     if (left->nextSaveId == saved.saveId) // killed between the rename of a save and its note in the copy
         return left->changes != saved.changes ? Leftover::belongsToFile : Leftover::holdsNothingNew;
@@ -90,18 +122,14 @@ Result<void> standOn(Database& copy, const DocumentState* saved) {
 Result<void> placeFresh(WorkingCopy& copy, SavedFile& saved) {
     return copy.place([&](Database& empty) -> Result<void> {
         if (Result<void> copied = copyDatabase(saved.database, empty); !copied) return copied;
-        Result<void> noted = standOn(empty, &saved.state);
-        // The folder took all pages: what forbids writing now is a header of a form that nobody writes.
-        if (!noted && noted.error().code == ErrorCode::fileNotWritable)
-            return Error{ErrorCode::fileDamaged, copy.file().string(), "header", noted.error().detail};
-        return noted;
+        return standOn(empty, &saved.state);
     });
 }
 
 Result<Database> adopt(const WorkingCopy& copy, const DocumentState* saved) {
     Result<Database> database = copy.connect();
     if (!database) return database;
-    if (Result<void> ours = checkIdentity(*database); !ours) return std::move(ours).error();
+    if (Result<void> ours = checkForm(*database); !ours) return std::move(ours).error();
     if (Result<void> sound = database->quickCheck(); !sound) return std::move(sound).error();
     if (Result<void> noted = standOn(*database, saved); !noted) return std::move(noted).error();
     return database;
@@ -114,32 +142,60 @@ Result<OpenedCopy> takeUp(std::shared_ptr<WorkingCopy> copy, const DocumentState
     return OpenedCopy{std::move(copy), std::move(*database), true, {}};
 }
 
+/// A copy that was just made of what the file holds goes again where it can't be used.
+Result<Database> connectFresh(WorkingCopy& copy) {
+    Result<Database> database = copy.connect();
+    if (database)
+        if (Result<void> current = upgrade(*database); !current) database = std::move(current).error();
+    if (!database) copy.abandon();
+    return database;
+}
+
 Result<OpenedCopy> startFrom(std::shared_ptr<WorkingCopy> copy, SavedFile& saved) {
     if (Result<void> placed = placeFresh(*copy, saved); !placed) return std::move(placed).error();
-    Result<Database> database = copy->connect();
+    Result<Database> database = connectFresh(*copy);
     if (!database) return std::move(database).error();
-    if (Result<void> current = upgrade(*database); !current) return std::move(current).error();
     return OpenedCopy{std::move(copy), std::move(*database), false, {}};
 }
 
-/// Without a right to write beside the file, a copy in memory serves reading.
-Result<OpenedCopy> openForReading(const fs::path& file) {
+/// What was opened, for reading alone. Of an older version a copy in memory is brought up to date.
+Result<OpenedCopy> forReading(Database database, bool recovered) {
+    const Result<std::int64_t> version = database.integer("PRAGMA user_version");
+    if (!version) return version.error();
+    if (*version != projectVersion) {
+        Result<Database> memory = Database::inMemory(database.subject());
+        if (!memory) return std::move(memory).error();
+        if (Result<void> copied = copyDatabase(database, *memory); !copied) return std::move(copied).error();
+        if (Result<void> current = upgrade(*memory); !current) return std::move(current).error();
+        database = std::move(*memory);
+    }
+    if (Result<void> closed = database.execute("PRAGMA query_only = ON"); !closed) return std::move(closed).error();
+    return OpenedCopy{nullptr, std::move(database), recovered, {}};
+}
+
+Result<OpenedCopy> savedForReading(const fs::path& file) {
     Result<SavedFile> saved = openSaved(file);
     if (!saved) return std::move(saved).error();
-    Result<Database> memory = Database::inMemory(file.string());
-    if (!memory) return std::move(memory).error();
-    if (Result<void> copied = copyDatabase(saved->database, *memory); !copied) return std::move(copied).error();
-    if (Result<void> current = upgrade(*memory); !current) return std::move(current).error();
-    if (Result<void> closed = memory->execute("PRAGMA query_only = ON"); !closed) return std::move(closed).error();
-    return OpenedCopy{nullptr, std::move(*memory), false, {}};
+    return forReading(std::move(saved->database), false);
+}
+
+/// Unsaved work as it was left, which stays as it is.
+Result<OpenedCopy> leftForReading(std::shared_ptr<WorkingCopy> copy) {
+    Result<Database> database = copy->connectForReading();
+    if (!database) return std::move(database).error();
+    if (Result<void> ours = checkForm(*database); !ours) return std::move(ours).error();
+    if (Result<void> sound = database->quickCheck(); !sound) return std::move(sound).error();
+    Result<OpenedCopy> opened = forReading(std::move(*database), true);
+    if (opened) opened->lock = std::move(copy);
+    return opened;
 }
 
 /// Another version's copy must never be judged, let alone moved, by this one.
 Result<void> checkLeftoverVersion(const WorkingCopy& copy) {
     if (!copy.exists()) return {};
-    Result<Database> database = Database::open(copy.path(), copy.file().string(), Database::Access::write);
+    Result<Database> database = copy.connectForReading();
     if (!database) return {};
-    if (Result<void> ours = checkIdentity(*database); !ours && ours.error().code == ErrorCode::fileFromNewerBurin)
+    if (Result<void> ours = checkForm(*database); !ours && ours.error().code == ErrorCode::fileFromNewerBurin)
         return ours;
     return {};
 }
@@ -147,17 +203,23 @@ Result<void> checkLeftoverVersion(const WorkingCopy& copy) {
 /// Name of the save that stands at `file` now; empty: none that could be told.
 Result<std::string> standingSave(const fs::path& file) {
     if (!stands(file) || isEmptyFile(file)) return std::string();
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored))
+        return Error{ErrorCode::projectNotBurin, file.string(), {}, "no regular file"};
     Result<Database> database = Database::open(file, file.string(), Database::Access::read);
     if (!database) return Error{ErrorCode::projectNotBurin, file.string(), {}, database.error().detail};
     const Result<std::int64_t> application = database->integer("PRAGMA application_id");
     if (!application || *application != projectApplicationId)
         return Error{ErrorCode::projectNotBurin, file.string(), {}, {}};
+    if (!checkForm(*database)) return std::string();
     Result<DocumentState> state = documentState(*database);
     return state ? state->saveId : std::string();
 }
 
 Result<OpenedCopy> openBeside(std::shared_ptr<WorkingCopy> copy, SavedFile& saved) {
-    const Leftover leftover = judge(*copy, saved.state);
+    const Result<Leftover> judged = judge(*copy, saved.state);
+    if (!judged) return judged.error();
+    const Leftover leftover = *judged;
     if (leftover == Leftover::belongsToFile) {
         Result<OpenedCopy> taken = takeUp(copy, &saved.state);
         // A copy that can't be read through goes aside below; the saved file is still whole.
@@ -177,9 +239,25 @@ Result<OpenedCopy> openBeside(std::shared_ptr<WorkingCopy> copy, SavedFile& save
 /// For a new working copy: what stands in its place goes, or aside where nobody saved it. The name that it got then.
 Result<fs::path> makeRoom(WorkingCopy& copy) {
     copy.removeAbandonedParts();
-    if (!copy.exists()) return fs::path();
-    const std::optional<DocumentState> left = copy.state();
+    if (!copy.exists() || copy.hasNoContent()) return fs::path();
+    const Result<DocumentState> left = copy.state();
+    if (!left && !isDamage(left.error())) return left.error();
     return !left || left->unsaved() ? copy.setAside() : Result<fs::path>(fs::path());
+}
+
+/// Errors: fileNotFound, fileNotReadable.
+Result<void> checkReached(const fs::path& file) {
+    std::error_code unreached;
+    static_cast<void>(fs::status(file, unreached));
+    if (unreached && !stands(WorkingCopy::pathBeside(file)) && !stands(Companions::unshortened(file).working))
+        return readError(file, unreached.value());
+    return {};
+}
+
+/// Whether it is for lack of rights that nothing can be made beside the file, which lasts, and no fault of the moment.
+bool isProtected(const fs::path& file) {
+    return ::faccessat(AT_FDCWD, file.parent_path().c_str(), W_OK, AT_EACCESS) != 0 &&
+           (errno == EACCES || errno == EROFS || errno == EPERM);
 }
 
 } // namespace
@@ -198,7 +276,7 @@ Result<OpenedCopy> createWorkingCopy(const fs::path& file) {
         return setDocumentState(empty, state);
     });
     if (!placed) return placed.error();
-    Result<Database> database = (*copy)->connect();
+    Result<Database> database = connectFresh(**copy);
     if (!database) return std::move(database).error();
     return OpenedCopy{std::move(*copy), std::move(*database), false, std::move(*keptAside)};
 }
@@ -209,20 +287,25 @@ Result<OpenedCopy> saveUnderAnotherName(Database& from, const fs::path& file) {
     if (const Result<std::string> standing = standingSave(file); !standing) return standing.error();
     Result<fs::path> keptAside = makeRoom(**copy);
     if (!keptAside) return std::move(keptAside).error();
-    if (Result<void> saved = saveCopy(from, file); !saved) return std::move(saved).error();
-    Result<SavedFile> whole = openSaved(file);
-    if (!whole) return std::move(whole).error();
-    Result<OpenedCopy> opened = startFrom(std::move(*copy), *whole);
-    if (opened) opened->keptAside = std::move(*keptAside);
+    Result<StagedFile> saved = saveCopy(from, file);
+    if (!saved) return std::move(saved).error();
+    Result<OpenedCopy> opened = [&]() -> Result<OpenedCopy> {
+        Result<SavedFile> whole = openSaved(file);
+        if (!whole) return std::move(whole).error();
+        return startFrom(std::move(*copy), *whole);
+    }();
+    if (opened)
+        opened->keptAside = std::move(*keptAside);
+    else
+        saved->takeBack();
     return opened;
 }
 
 Result<OpenedCopy> openWorkingCopy(const fs::path& file) {
-    std::error_code unreached;
-    static_cast<void>(fs::status(file, unreached));
-    if (unreached && !stands(WorkingCopy::pathBeside(file))) return readError(file, unreached.value());
+    if (const Result<void> reached = checkReached(file); !reached) return reached.error();
     Result<std::shared_ptr<WorkingCopy>> locked = WorkingCopy::lock(file);
-    if (!locked && locked.error().code == ErrorCode::fileNotWritable && stands(file)) return openForReading(file);
+    if (!locked && locked.error().code == ErrorCode::fileNotWritable && stands(file) && isProtected(file))
+        return savedForReading(file);
     if (!locked) return std::move(locked).error();
     std::shared_ptr<WorkingCopy> copy = std::move(*locked);
     copy->removeAbandonedParts();
@@ -232,9 +315,39 @@ Result<OpenedCopy> openWorkingCopy(const fs::path& file) {
     Result<SavedFile> saved = openSaved(file);
     if (saved) return openBeside(std::move(copy), *saved);
     // A file that was damaged since doesn't matter to the copy that was made of it when it was whole.
-    const bool salvage = saved.error().code == ErrorCode::fileDamaged && copy->state().has_value();
+    const bool salvage = saved.error().code == ErrorCode::fileDamaged && copy->exists() && copy->state();
     if (!salvage) return std::move(saved).error();
     return takeUp(std::move(copy), nullptr);
+}
+
+Result<OpenedCopy> openForReading(const fs::path& file) {
+    if (const Result<void> reached = checkReached(file); !reached) return reached.error();
+    Result<std::shared_ptr<WorkingCopy>> locked = WorkingCopy::lock(file);
+    // Without work that was left there is nothing that a lock is needed for.
+    if (!locked && locked.error().code != ErrorCode::projectInUse && stands(file) &&
+        (isProtected(file) || !stands(WorkingCopy::pathBeside(file))))
+        return savedForReading(file);
+    if (!locked) return std::move(locked).error();
+    std::shared_ptr<WorkingCopy> copy = std::move(*locked);
+    copy->removeAbandonedParts();
+    if (Result<void> readable = checkLeftoverVersion(*copy); !readable) return std::move(readable).error();
+
+    if (!stands(file)) return leftForReading(std::move(copy));
+    Result<SavedFile> saved = openSaved(file);
+    if (!saved) {
+        const bool salvage = saved.error().code == ErrorCode::fileDamaged && copy->exists() && copy->state();
+        return salvage ? leftForReading(std::move(copy)) : std::move(saved).error();
+    }
+    const Result<Leftover> leftover = judge(*copy, saved->state);
+    if (!leftover) return leftover.error();
+    if (*leftover == Leftover::belongsToFile) {
+        Result<OpenedCopy> left = leftForReading(copy);
+        if (left || !isDamage(left.error())) return left;
+    }
+    if (*leftover == Leftover::holdsNothingNew) copy->abandon();
+    Result<OpenedCopy> opened = forReading(std::move(saved->database), false);
+    if (opened) opened->lock = std::move(copy);
+    return opened;
 }
 
 } // namespace burin

@@ -15,11 +15,14 @@ struct OpenedCopy {
     Database database;
     bool recovered = false;
     std::filesystem::path keptAside;
+    std::shared_ptr<WorkingCopy> lock = nullptr; ///< of a project that is open for reading alone, where it could be had
 };
 
 /// @param file absolute. Errors: as Project::create and Project::open.
 Result<OpenedCopy> createWorkingCopy(const std::filesystem::path& file);
 Result<OpenedCopy> openWorkingCopy(const std::filesystem::path& file);
+/// As Project::openForReading.
+Result<OpenedCopy> openForReading(const std::filesystem::path& file);
 /// Saves what `from` holds as `file` and opens that. Errors: as Project::saveAs.
 Result<OpenedCopy> saveUnderAnotherName(Database& from, const std::filesystem::path& file);
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/clean_text.h"
 #include "core/project/stores.h"
 
 #include <algorithm>
@@ -110,7 +111,7 @@ Result<std::vector<StoredPath>> loadPaths(Database& database) {
     Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
         StoredPath path;
         path.id = rows->integer(0);
-        path.name = rows->text(1);
+        path.name = cleanLine(rows->text(1));
         if (Result<void> parts = loadParts(database, path); !parts) return parts;
         paths.push_back(std::move(path));
         return {};
@@ -131,9 +132,9 @@ Result<std::vector<StoredProgram>> loadPrograms(Database& database) {
     std::vector<StoredProgram> programs;
     Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
         StoredProgram program;
-        program.name = rows->text(0);
-        program.dialect = rows->text(1);
-        program.machine = rows->text(2);
+        program.name = cleanLine(rows->text(0));
+        program.dialect = cleanLine(rows->text(1));
+        program.machine = cleanLine(rows->text(2));
         program.text = rows->text(3);
         program.reportJson = rows->text(4);
         programs.push_back(std::move(program));

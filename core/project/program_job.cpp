@@ -8,6 +8,7 @@
 #include "core/path/milling_side.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -104,6 +105,26 @@ Result<std::vector<Tool>> toolsMeant(const ParsedProgram& program, const Bench& 
     if (Result<void> numbered = checkNumbers(called); !numbered) return numbered.error();
     // With a number that nobody has, all are named beside it.
     return called.size() < numbers.size() ? request.tools : called;
+}
+
+// What is checked takes time with the length of its moves: a slip of some digits would take hours. mm
+constexpr double longestMove = 1e6, longestProgram = 1e7;
+
+/// That a program is of a length that a machine could mill. Errors: programSyntax, with the line where it is not.
+Result<void> checkLength(const ParsedProgram& program, const std::string& origin) {
+    double all = 0.0;
+    for (const NcMotion& motion : program.motions) {
+        const double length = motion.startKnown() ? lengthOf(motion) : 0.0;
+        all += length;
+        if (length <= longestMove && all <= longestProgram) continue;
+        const bool move = !(length <= longestMove);
+        return Error{ErrorCode::programSyntax, origin, "line " + std::to_string(motion.line),
+                     move ? "a move of " + formatShortest(std::round(length)) + " mm, and up to " +
+                                formatShortest(longestMove) + " mm are checked"
+                          : "all moves up to here are longer than the " + formatShortest(longestProgram) +
+                                " mm that are checked"};
+    }
+    return {};
 }
 
 } // namespace
@@ -216,6 +237,7 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     const Control& control = controlOfDialect(request.dialect);
     Result<ParsedProgram> parsed = parseProgram(text, origin, control);
     if (!parsed) return std::move(parsed).error();
+    if (Result<void> checkable = checkLength(*parsed, origin); !checkable) return std::move(checkable).error();
     VerifyRequest verification;
     verification.program = &*parsed;
     verification.model = bench.model.get();

@@ -35,19 +35,21 @@ Result<Project> Project::create(const fs::path& file) {
     fs::path plain = plainName(file);
     Result<OpenedCopy> opened = createWorkingCopy(plain);
     if (!opened) return std::move(opened).error();
-    auto impl = std::make_unique<Impl>(std::move(plain), std::move(opened->copy), std::move(opened->database));
-    impl->keptAside = std::move(opened->keptAside);
-    return Project(std::move(impl));
+    return Project(std::make_unique<Impl>(std::move(plain), std::move(*opened)));
 }
 
 Result<Project> Project::open(const fs::path& file) {
     fs::path plain = plainName(file);
     Result<OpenedCopy> opened = openWorkingCopy(plain);
     if (!opened) return std::move(opened).error();
-    auto impl = std::make_unique<Impl>(std::move(plain), std::move(opened->copy), std::move(opened->database));
-    impl->recovered = opened->recovered;
-    impl->keptAside = std::move(opened->keptAside);
-    return Project(std::move(impl));
+    return Project(std::make_unique<Impl>(std::move(plain), std::move(*opened)));
+}
+
+Result<Project> Project::openForReading(const fs::path& file) {
+    fs::path plain = plainName(file);
+    Result<OpenedCopy> opened = burin::openForReading(plain);
+    if (!opened) return std::move(opened).error();
+    return Project(std::make_unique<Impl>(std::move(plain), std::move(*opened)));
 }
 
 const fs::path& Project::file() const noexcept {
@@ -70,8 +72,12 @@ Result<bool> Project::unsaved() const {
 }
 
 Result<void> Project::save() {
+    return save({});
+}
+
+Result<void> Project::save(std::span<StagedFile> outputs) {
     if (readOnly()) return Error{ErrorCode::fileNotWritable, impl_->file.string(), {}, "open for reading alone"};
-    return saveSnapshot(impl_->database, impl_->file);
+    return saveSnapshot(impl_->database, impl_->file, outputs);
 }
 
 Result<void> Project::saveAs(const fs::path& file) {
@@ -89,6 +95,7 @@ Result<void> Project::saveAs(const fs::path& file) {
     if (!readOnly()) impl_->copy->abandon();       // all of it is in the new file
     impl_->database = std::move(opened->database); // the old connection closes before its working copy goes
     impl_->copy = std::move(opened->copy);
+    impl_->lock.reset();
     impl_->file = std::move(plain);
     impl_->recovered = false;
     impl_->keptAside = std::move(opened->keptAside);

@@ -22,6 +22,7 @@
 
 namespace burin {
 
+class StagedFile;
 class WorkingCopy;
 
 /// A path as the project keeps it: takes plus edits; its points are evaluated, never stored as truth.
@@ -56,6 +57,9 @@ public:
     /// Errors: fileNotFound, fileEmpty, projectNotBurin, fileFromNewerBurin, projectInUse (detail: "process 4711"),
     /// fileDamaged, fileNotReadable, fileNotWritable, diskFull.
     static Result<Project> open(const std::filesystem::path& file);
+    /// For who only looks: nothing is made or changed on the disk, which may be full, and work that was left unsaved is
+    /// shown (`recovered`) and stays. `readOnly` is true. Errors: as `open`, without those of writing.
+    static Result<Project> openForReading(const std::filesystem::path& file);
     ~Project(); ///< discards the working copy if everything in it was saved, keeps it otherwise
     Project(Project&&) noexcept;
     Project& operator=(Project&&) noexcept;
@@ -73,6 +77,8 @@ public:
     /// Recordings may go on meanwhile; the file then holds what they had written when it began.
     /// Errors: diskFull, fileNotWritable; the file is then what it was before.
     Result<void> save();
+    /// Puts `outputs`, which were flushed, in their places together with the project's file: all or none.
+    Result<void> save(std::span<StagedFile> outputs);
     /// Saves under another name and goes on there; the file that it had stays as it was last saved. What stands at the
     /// new name is replaced, if it is a project that nobody has open. Afterwards `readOnly` is false.
     /// Errors: as `save`, projectInUse, projectNotBurin, argumentInvalid (a take is being recorded); nothing has

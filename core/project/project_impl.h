@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/project/opening.h"
 #include "core/project/project.h"
 #include "core/project/working_copy.h"
 
@@ -13,8 +14,13 @@ namespace burin {
 /// What a project holds open. The connection ends before the working copy does.
 class Project::Impl {
 public:
-    Impl(std::filesystem::path userFile, std::shared_ptr<WorkingCopy> workingCopy, Database connection)
-        : file(std::move(userFile)), copy(std::move(workingCopy)), database(std::move(connection)) {}
+    Impl(std::filesystem::path userFile, OpenedCopy opened)
+        : file(std::move(userFile))
+        , copy(std::move(opened.copy))
+        , lock(std::move(opened.lock))
+        , database(std::move(opened.database))
+        , recovered(opened.recovered)
+        , keptAside(std::move(opened.keptAside)) {}
 
     /// Runs `work` as one transaction that counts as a change.
     template <class Work>
@@ -47,6 +53,7 @@ public:
 
     std::filesystem::path file;
     std::shared_ptr<WorkingCopy> copy; ///< null: open for reading alone
+    std::shared_ptr<WorkingCopy> lock; ///< of a project that is open for reading alone, where it could be had
     Database database;
     bool recovered = false;
     std::filesystem::path keptAside;

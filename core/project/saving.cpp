@@ -3,12 +3,12 @@
 #include "core/project/saving.h"
 
 #include "core/base/file.h"
+#include "core/project/companions.h"
 #include "core/project/document_state.h"
 
 #include <cerrno>
+#include <fcntl.h>
 #include <string>
-#include <sys/stat.h>
-#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -30,6 +30,9 @@ Result<void> dropFreePages(Database& snapshot) {
 
 /// Writes the snapshot; its state as a saved file comes back.
 Result<DocumentState> writeSnapshot(Database& workingCopy, const fs::path& beside, const std::string& saveId) {
+    const int made = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (made < 0) return writeError(workingCopy.subject(), errno);
+    ::close(made);
     Result<Database> snapshot = Database::open(beside, workingCopy.subject(), Database::Access::create);
     if (!snapshot) return std::move(snapshot).error();
     // No journal and no flush: what doesn't get to its end is thrown away, and the end is flushed before the rename.
@@ -53,50 +56,63 @@ Result<DocumentState> writeSnapshot(Database& workingCopy, const fs::path& besid
     return state;
 }
 
-void keepRights(const fs::path& beside, const fs::path& file) {
-    struct stat standing {};
-    if (::stat(file.c_str(), &standing) == 0 && ::chmod(beside.c_str(), standing.st_mode & 07777) != 0) return;
-}
-
 /// Nothing that protects a file from being written is overcome by the rename.
 Result<void> mayBeReplaced(const fs::path& file) {
-    if (::access(file.c_str(), W_OK) != 0 && errno != ENOENT) return writeError(file, errno);
+    if (const int refused = refusalToWrite(file); refused != 0) return writeError(file, refused);
     return {};
 }
 
-Result<DocumentState> writeOver(Database& workingCopy, const fs::path& file, const std::string& saveId) {
+/// Puts `outputs` in their places and then the project: all or none.
+Result<void> placeTogether(StagedFile& project, std::span<StagedFile> outputs) {
+    const PlacingTogether alone;
+    if (Result<void> placed = putInPlace(outputs); !placed) return placed;
+    Result<void> placed = project.putInPlace();
+    if (!placed)
+        for (StagedFile& output : outputs) output.takeBack();
+    return placed;
+}
+
+/// A snapshot beside `file`, complete and flushed, and its state as a saved file.
+struct StagedSnapshot {
+    StagedFile file;
+    DocumentState state;
+};
+
+Result<StagedSnapshot> stageSnapshot(Database& workingCopy, const fs::path& file, const std::string& saveId) {
     const fs::path beside = temporaryBeside(file);
     Result<DocumentState> saved = writeSnapshot(workingCopy, beside, saveId);
     if (!saved) {
-        std::error_code ignored;
-        fs::remove(beside, ignored);
-        return saved;
+        removeDatabase(beside);
+        return std::move(saved).error();
     }
-    keepRights(beside, file);
-    if (Result<void> replaced = replaceFile(beside, file); !replaced) return std::move(replaced).error();
-    return saved;
+    Result<StagedFile> staged = StagedFile::adopt(beside, file);
+    if (!staged) return std::move(staged).error();
+    return StagedSnapshot{std::move(*staged), std::move(*saved)};
 }
 
 } // namespace
 
-Result<void> saveSnapshot(Database& workingCopy, const fs::path& file) {
+Result<void> saveSnapshot(Database& workingCopy, const fs::path& file, std::span<StagedFile> outputs) {
     if (Result<void> allowed = mayBeReplaced(file); !allowed) return allowed;
     const std::string saveId = newSaveId();
     if (Result<void> noted = run(workingCopy, "UPDATE document SET next_save_id = ?", BlobView{saveId}); !noted)
         return noted;
-    const Result<DocumentState> saved = writeOver(workingCopy, file, saveId);
-    if (!saved) return saved.error();
+    Result<StagedSnapshot> saved = stageSnapshot(workingCopy, file, saveId);
+    if (!saved) return std::move(saved).error();
+    if (Result<void> placed = placeTogether(saved->file, outputs); !placed) return placed;
     // Should this fail, the file is saved all the same, and `next_save_id` lets the next open see it.
     static_cast<void>(run(workingCopy,
                           "UPDATE document SET save_id = ?, next_save_id = x'', revision = ?, saved_changes = ?",
-                          BlobView{saveId}, saved->revision, saved->changes));
+                          BlobView{saveId}, saved->state.revision, saved->state.changes));
     return {};
 }
 
-Result<void> saveCopy(Database& workingCopy, const fs::path& file) {
-    if (Result<void> allowed = mayBeReplaced(file); !allowed) return allowed;
-    const Result<DocumentState> saved = writeOver(workingCopy, file, newSaveId());
-    return saved ? Result<void>() : Result<void>(saved.error());
+Result<StagedFile> saveCopy(Database& workingCopy, const fs::path& file) {
+    if (Result<void> allowed = mayBeReplaced(file); !allowed) return std::move(allowed).error();
+    Result<StagedSnapshot> saved = stageSnapshot(workingCopy, file, newSaveId());
+    if (!saved) return std::move(saved).error();
+    if (Result<void> placed = saved->file.putInPlace(); !placed) return std::move(placed).error();
+    return std::move(saved->file);
 }
 
 } // namespace burin

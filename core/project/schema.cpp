@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/project/schema.h"
 
+#include <map>
 #include <string>
+#include <string_view>
 
 namespace burin {
 
@@ -113,6 +115,25 @@ CREATE TABLE milling_setting(
     json TEXT NOT NULL);
 )sql";
 
+std::string withoutSpaces(std::string_view sql) {
+    std::string text;
+    for (const char character : sql)
+        if (character != ' ' && character != '\n' && character != '\t' && character != '\r') text += character;
+    return text;
+}
+
+/// The tables that `sql` makes, by name, as the database keeps their statements, without spaces.
+std::map<std::string, std::string> statementsOf(std::string_view sql) {
+    constexpr std::string_view make = "CREATE TABLE ";
+    std::map<std::string, std::string> statements;
+    for (std::size_t at = sql.find(make); at != std::string_view::npos; at = sql.find(make, at + 1)) {
+        const std::string_view statement = sql.substr(at, sql.find(';', at) - at);
+        const std::string_view name = statement.substr(make.size(), statement.find('(') - make.size());
+        statements[std::string(name)] = withoutSpaces(statement);
+    }
+    return statements;
+}
+
 Result<void> setVersion(Database& file, int version) {
     return file.execute(("PRAGMA user_version = " + std::to_string(version)).c_str());
 }
@@ -148,6 +169,30 @@ Result<void> checkIdentity(Database& file, int newest) {
     if (*version > newest) return Error{ErrorCode::fileFromNewerBurin, file.subject(), {}, std::to_string(*version)};
     if (*version < 1) return Error{ErrorCode::fileDamaged, file.subject(), {}, "version " + std::to_string(*version)};
     return {};
+}
+
+Result<void> checkSchema(Database& file) {
+    const Result<std::int64_t> version = file.integer("PRAGMA user_version");
+    if (!version) return version.error();
+    std::map<std::string, std::string> expected = statementsOf(tables);
+    if (*version >= 2) expected.merge(statementsOf(undoneStretch));
+    if (*version >= 3) expected.merge(statementsOf(surroundings));
+    Result<Statement> rows =
+        Statement::prepare(file, "SELECT name, sql FROM sqlite_schema WHERE type IN ('table', 'index')");
+    if (!rows) return std::move(rows).error();
+    for (;;) {
+        const Result<bool> row = rows->step();
+        if (!row) return row.error();
+        if (!*row) break;
+        const std::string name(rows->text(0));
+        const auto known = expected.find(name);
+        const bool own = name.starts_with("sqlite_"); // SQLite's: its names can't be taken
+        if (!own && (known == expected.end() || known->second != withoutSpaces(rows->text(1))))
+            return Error{ErrorCode::fileDamaged, file.subject(), name, "not in the schema"};
+        if (known != expected.end()) expected.erase(known);
+    }
+    if (expected.empty()) return {};
+    return Error{ErrorCode::fileDamaged, file.subject(), expected.begin()->first, "is missing"};
 }
 
 Result<void> upgrade(Database& file, std::span<const Migration> migrations) {

@@ -36,6 +36,12 @@ Result<void> createSchema(Database& file);
 /// fileDamaged.
 Result<void> checkIdentity(Database& file, int newest = projectVersion);
 
+/// That a project's tables are those of its version, and that it has no other: no index over an expression and no
+/// column that is worked out, which could make any question to it endless. To be asked before any other. Views and
+/// triggers are switched off (Database::open) and may stay.
+/// Errors: fileDamaged.
+Result<void> checkSchema(Database& file);
+
 /// Takes the steps that are missing; all of them or none. Errors: as `checkIdentity`, and those of the steps.
 Result<void> upgrade(Database& file, std::span<const Migration> migrations = projectMigrations);
 

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/clean_text.h"
 #include "core/project/sample_chunk.h"
 #include "core/project/stores.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -15,15 +17,24 @@ constexpr const char* selectTakes =
     "(SELECT COALESCE(SUM(count), 0) FROM sample_chunk WHERE take = take.id) FROM take";
 constexpr std::int64_t mostSamples = std::int64_t{1} << 62; ///< so that the end of a stretch is a number
 
+// What a recording can have. Earlier versions kept any number, so that others are brought to the nearest.
+constexpr double largestAllowance = 10.0;                // mm, as mill and the window take it
+constexpr double shortestTick = 1e-5, longestTick = 1.0; // s
+constexpr double latestTime = 1e11;                      // s
+
+double within(double value, double low, double high, double otherwise) {
+    return std::isnan(value) ? otherwise : std::clamp(value, low, high);
+}
+
 TakeInfo infoOf(const Statement& row) {
     TakeInfo info;
     info.id = row.integer(0);
-    info.name = row.text(1);
-    info.toolId = row.text(2);
-    info.allowance = row.real(3);
-    info.tickPeriod = row.real(4);
-    info.startedUnixTime = row.real(5);
-    info.stylus = row.text(6);
+    info.name = cleanLine(row.text(1));
+    info.toolId = cleanLine(row.text(2));
+    info.allowance = within(row.real(3), 0.0, largestAllowance, 0.0);
+    info.tickPeriod = within(row.real(4), shortestTick, longestTick, 0.001);
+    info.startedUnixTime = within(row.real(5), 0.0, latestTime, 0.0);
+    info.stylus = cleanLine(row.text(6));
     info.complete = row.integer(7) != 0;
     info.sampleCount = static_cast<std::uint64_t>(row.integer(8));
     return info;

@@ -3,6 +3,9 @@
 #include "core/project/working_copy.h"
 
 #include "core/base/file.h"
+#include "core/base/staged_file.h"
+#include "core/project/companions.h"
+#include "core/project/schema.h"
 
 #include <array>
 #include <cerrno>
@@ -20,24 +23,6 @@ namespace burin {
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path hiddenBeside(const fs::path& file, std::string_view ending) {
-    return file.parent_path() / ("." + file.filename().string() + std::string(ending));
-}
-
-fs::path lockBeside(const fs::path& file) {
-    return hiddenBeside(file, ".lock");
-}
-
-fs::path withEnding(const fs::path& file, const char* ending) {
-    fs::path result = file;
-    return result += ending;
-}
-
-void removeQuietly(const fs::path& file) {
-    std::error_code ignored;
-    fs::remove(file, ignored);
-}
 
 bool sameFile(int descriptor, const fs::path& path) {
     struct stat opened {};
@@ -59,11 +44,77 @@ void writeOwner(int descriptor) {
 }
 
 fs::path freeName(const fs::path& file) {
+    constexpr std::size_t room = 20; // ".kept-", a number, "-wal"
+    const std::string ending = file.extension().string();
+    const std::string stem = nameWithRoom(file.stem().string(), ending.size() + room);
     for (int number = 1;; ++number) {
-        const std::string name = file.stem().string() + ".kept-" + std::to_string(number) + file.extension().string();
+        fs::path name = file.parent_path() / (stem + ".kept-" + std::to_string(number) + ending);
         std::error_code ignored;
-        if (!fs::exists(file.parent_path() / name, ignored)) return file.parent_path() / name;
+        if (!fs::exists(fs::symlink_status(name, ignored))) return name;
     }
+}
+
+/// Opens a lock's file, which is made where there is none. Negative: errno says why not.
+int openLock(const fs::path& path) {
+    for (;;) {
+        int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (descriptor >= 0 || (errno != EEXIST && errno != EINTR)) return descriptor;
+        descriptor = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor < 0 && (errno == ENOENT || errno == EINTR)) continue; // its owner has just gone
+        return descriptor;
+    }
+}
+
+/// Whether the open file is one that Burin made for itself: regular, and under no other name, which would be somebody's
+/// file that is truncated.
+bool isOurs(int descriptor) {
+    struct stat opened {};
+    return ::fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_nlink <= 1;
+}
+
+bool isRegular(const fs::path& path) {
+    struct stat named {};
+    return ::lstat(path.c_str(), &named) == 0 && S_ISREG(named.st_mode);
+}
+
+Error notOurs(const fs::path& file, const fs::path& companion) {
+    return {ErrorCode::fileNotWritable, file.string(), {}, companion.filename().string() + " is in the way"};
+}
+
+/// A new file of SQLite's, so that its name is nobody else's and the reason is known where there is no room for it.
+int makeFile(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0) return errno == EEXIST ? 0 : errno;
+    ::close(descriptor);
+    return 0;
+}
+
+/// The lock of a file name, held. Errors: as WorkingCopy::lock.
+Result<int> lockedDescriptor(const fs::path& file, const fs::path& path) {
+    for (;;) {
+        const int descriptor = openLock(path);
+        if (descriptor < 0) return errno == ELOOP ? notOurs(file, path) : writeError(file, errno);
+        if (!isOurs(descriptor)) {
+            ::close(descriptor);
+            return notOurs(file, path);
+        }
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+            const int reason = errno;
+            Error error = reason == EWOULDBLOCK ? Error{ErrorCode::projectInUse, file.string(), {}, ownerIn(descriptor)}
+                                                : writeError(file, reason);
+            ::close(descriptor);
+            return error;
+        }
+        // Its last owner may have removed the name between our open and our lock: then it locks nothing.
+        if (sameFile(descriptor, path)) return descriptor;
+        ::close(descriptor);
+    }
+}
+
+/// Gives `file` the name `other` as well, or instead where the file system has no links. 0, or the errno value.
+int linkOrRename(const fs::path& file, const fs::path& other) {
+    if (::link(file.c_str(), other.c_str()) == 0) return 0;
+    return ::rename(file.c_str(), other.c_str()) == 0 ? 0 : errno;
 }
 
 /// Turns a copy into a saved project, so that it opens as any other.
@@ -83,45 +134,70 @@ Result<void> finishAsProject(Database& database) {
 WorkingCopy::WorkingCopy(fs::path file, int lockDescriptor) : file_(std::move(file)), lock_(lockDescriptor) {}
 
 Result<std::shared_ptr<WorkingCopy>> WorkingCopy::lock(const fs::path& file) {
-    const fs::path path = lockBeside(file);
-    for (;;) {
-        const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-        if (descriptor < 0) return writeError(file, errno);
-        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-            const int reason = errno;
-            Error error = reason == EWOULDBLOCK ? Error{ErrorCode::projectInUse, file.string(), {}, ownerIn(descriptor)}
-                                                : writeError(file, reason);
-            ::close(descriptor);
-            return error;
-        }
-        // Its last owner may have removed the name between our open and our lock: then it locks nothing.
-        if (sameFile(descriptor, path)) {
-            writeOwner(descriptor);
-            return std::shared_ptr<WorkingCopy>(new WorkingCopy(file, descriptor));
-        }
-        ::close(descriptor);
+    const Result<int> descriptor = lockedDescriptor(file, Companions::of(file).lock);
+    if (!descriptor) return descriptor.error();
+    std::shared_ptr<WorkingCopy> copy(new WorkingCopy(file, *descriptor));
+    if (Result<void> ours = copy->takeOldNames(); !ours) return std::move(ours).error();
+    writeOwner(copy->lock_);
+    std::error_code none;
+    if (fs::exists(fs::symlink_status(copy->path(), none)) && !isRegular(copy->path()))
+        return notOurs(file, copy->path());
+    return copy;
+}
+
+/// What an older Burin keeps under a longer name is respected while it runs, and taken over when it is gone.
+Result<void> WorkingCopy::takeOldNames() {
+    const Companions names = Companions::of(file_), old = Companions::unshortened(file_);
+    if (old.lock == names.lock) return {};
+    if (isRegular(old.lock)) {
+        const Result<int> descriptor = lockedDescriptor(file_, old.lock);
+        if (!descriptor) return descriptor.error();
+        oldLock_ = *descriptor;
     }
+    if (!isRegular(old.working) || exists()) return {};
+    for (const char* ending : {"-wal", ""}) // the journal first: without its database it is none
+        if (isRegular(withEnding(old.working, ending)))
+            if (const int reason = linkOrRename(withEnding(old.working, ending), withEnding(names.working, ending));
+                reason != 0)
+                return writeError(file_, reason);
+    removeDatabase(old.working);
+    return {};
 }
 
 WorkingCopy::~WorkingCopy() {
     if (exists()) {
-        const std::optional<DocumentState> left = abandoned_ ? std::nullopt : state();
-        if (abandoned_ || (left && !left->unsaved())) discard();
+        const bool saved = !abandoned_ && [&] {
+            const Result<DocumentState> left = state();
+            return left && !left->unsaved();
+        }();
+        if (abandoned_ || saved) discard();
     }
-    ::unlink(lockBeside(file_).c_str()); // while it is still ours
+    ::unlink(Companions::of(file_).lock.c_str()); // while it is still ours
     ::close(lock_);
+    if (oldLock_ < 0) return;
+    ::unlink(Companions::unshortened(file_).lock.c_str());
+    ::close(oldLock_);
 }
 
 fs::path WorkingCopy::pathBeside(const fs::path& file) {
-    return hiddenBeside(file, ".working");
+    return Companions::of(file).working;
 }
 
 bool WorkingCopy::exists() const {
-    std::error_code ignored;
-    return fs::exists(path(), ignored);
+    return isRegular(path());
+}
+
+bool WorkingCopy::hasNoContent() const {
+    constexpr std::uintmax_t journalHead = 32; // bytes, before the first page
+    std::error_code unknown, none;
+    const std::uintmax_t size = fs::file_size(path(), unknown),
+                         journal = fs::file_size(withEnding(path(), "-wal"), none);
+    return !unknown && size == 0 && (none || journal <= journalHead);
 }
 
 Result<Database> WorkingCopy::connect() const {
+    for (const char* ending : {"-wal", "-shm"})
+        if (const int reason = makeFile(withEnding(path(), ending)); reason != 0) return writeError(file_, reason);
     Result<Database> database = Database::open(path(), file_.string(), Database::Access::write);
     if (!database) return database;
     for (const char* setting : {"PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON"})
@@ -129,18 +205,26 @@ Result<Database> WorkingCopy::connect() const {
     return database;
 }
 
-std::optional<DocumentState> WorkingCopy::state() const {
-    Result<Database> database = Database::open(path(), file_.string(), Database::Access::write);
-    if (!database) return std::nullopt;
-    Result<DocumentState> state = documentState(*database);
-    if (!state) return std::nullopt;
-    return std::move(*state);
+Result<Database> WorkingCopy::connectForReading() const {
+    std::error_code none;
+    const bool journal = fs::file_size(withEnding(path(), "-wal"), none) > 0 && !none;
+    return Database::open(path(), file_.string(),
+                          journal ? Database::Access::readJournal : Database::Access::readUnchanging);
+}
+
+Result<DocumentState> WorkingCopy::state() const {
+    Result<Database> database = connectForReading();
+    if (!database) return std::move(database).error();
+    if (Result<void> ours = checkIdentity(*database); !ours) return std::move(ours).error();
+    if (Result<void> known = checkSchema(*database); !known) return std::move(known).error();
+    return documentState(*database);
 }
 
 Result<void> WorkingCopy::place(const std::function<Result<void>(Database& empty)>& fill) {
     const fs::path fresh = withEnding(path(), ".new");
     discard();
-    removeQuietly(fresh);
+    removeDatabase(fresh);
+    if (const int reason = makeFile(fresh); reason != 0) return writeError(file_, reason);
     const auto filled = [&]() -> Result<void> {
         Result<Database> database = Database::open(fresh, file_.string(), Database::Access::create);
         if (!database) return std::move(database).error();
@@ -149,7 +233,7 @@ Result<void> WorkingCopy::place(const std::function<Result<void>(Database& empty
         return fill(*database);
     }();
     if (!filled) {
-        removeQuietly(fresh);
+        removeDatabase(fresh);
         return filled;
     }
     if (Result<void> placed = replaceFile(fresh, path()); !placed)
@@ -162,30 +246,30 @@ Result<fs::path> WorkingCopy::setAside() {
     {
         Result<Database> database = Database::open(path(), file_.string(), Database::Access::write);
         // Where this fails the copy goes aside as it is, with its journal: nothing of it is lost.
-        if (database) static_cast<void>(finishAsProject(*database));
+        if (database && checkIdentity(*database) && checkSchema(*database))
+            static_cast<void>(finishAsProject(*database));
     }
-    removeQuietly(withEnding(path(), "-shm"));
-    ::rename(withEnding(path(), "-wal").c_str(), withEnding(aside, "-wal").c_str());
-    if (::rename(path().c_str(), aside.c_str()) != 0) return writeError(file_, errno);
+    // Both have both names before one goes: a kill in between loses nothing.
+    const fs::path journal = withEnding(path(), "-wal"), journalAside = withEnding(aside, "-wal");
+    const bool journalled = isRegular(journal);
+    if (journalled)
+        if (const int reason = linkOrRename(journal, journalAside); reason != 0) return writeError(file_, reason);
+    if (const int reason = linkOrRename(path(), aside); reason != 0) {
+        if (journalled && isRegular(journal)) ::unlink(journalAside.c_str());
+        if (journalled && !isRegular(journal)) ::rename(journalAside.c_str(), journal.c_str());
+        return writeError(file_, reason);
+    }
+    discard();
     return aside;
 }
 
 void WorkingCopy::discard() {
-    // The journal last would be a danger: SQLite would play it back into the next copy.
-    for (const char* ending : {"-wal", "-shm", ""}) removeQuietly(withEnding(path(), ending));
+    removeDatabase(path());
 }
 
 void WorkingCopy::removeAbandonedParts() const {
-    removeQuietly(withEnding(path(), ".new"));
-    const std::string start = "." + file_.filename().string() + ".";
-    std::error_code failed;
-    for (fs::directory_iterator entry(file_.parent_path(), failed), end; !failed && entry != end;
-         entry.increment(failed)) {
-        const std::string name = entry->path().filename().string();
-        const bool part = name.starts_with(start) && name.ends_with(".part") &&
-                          name.find_first_not_of("0123456789-", start.size()) == name.size() - 5;
-        if (part) removeQuietly(entry->path());
-    }
+    removeDatabase(withEnding(path(), ".new"));
+    burin::removeAbandonedParts(file_);
 }
 
 } // namespace burin

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/take_csv.h"
 
-#include "core/base/file.h"
 #include "core/base/numbers.h"
+#include "core/base/staged_file.h"
 
 #include <array>
-#include <cerrno>
-#include <fstream>
 #include <string_view>
 
 namespace burin {
@@ -73,29 +71,33 @@ void appendTakeCsvRow(std::string& text, const Sample& sample, std::span<const s
     text += '\n';
 }
 
-Result<void> writeTakeCsv(const std::filesystem::path& file, std::span<const Sample> samples) {
-    const std::filesystem::path temporary = temporaryBeside(file);
-    errno = 0;
-    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-    if (!stream) return writeError(file, errno);
+namespace {
+
+Result<StagedFile> stageTakeCsv(const std::filesystem::path& file, std::span<const Sample> samples) {
+    Result<StagedFile> staged = StagedFile::begin(file);
+    if (!staged) return staged;
     const std::vector<std::uint8_t> properties = removedProperties(samples);
     std::string text = takeCsvHeader(properties) + '\n';
+    const auto send = [&]() -> Result<void> {
+        Result<void> sent = staged->append(text);
+        text.clear();
+        return sent;
+    };
     for (const Sample& sample : samples) {
         appendTakeCsvRow(text, sample, properties);
         if (text.size() < pieceSize) continue;
-        stream << text;
-        text.clear();
-        if (!stream) break; // the disk is full: no need to format the rest
+        if (Result<void> sent = send(); !sent) return std::move(sent).error();
     }
-    stream << text;
-    stream.close();
-    if (stream.fail()) {
-        const int reason = errno;
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        return writeError(file, reason);
-    }
-    return replaceFile(temporary, file);
+    if (Result<void> sent = send(); !sent) return std::move(sent).error();
+    if (Result<void> flushed = staged->flush(); !flushed) return std::move(flushed).error();
+    return staged;
+}
+
+} // namespace
+
+Result<void> writeTakeCsv(const std::filesystem::path& file, std::span<const Sample> samples) {
+    Result<StagedFile> staged = stageTakeCsv(file, samples);
+    return staged ? staged->putInPlace() : std::move(staged).error();
 }
 
 } // namespace burin

@@ -23,11 +23,12 @@ inline QString burinProgram() {
     return QStringLiteral(BURIN_BUILD_DIRECTORY "/burin");
 }
 
-/// Runs `burin` with arguments to its end, at most ten minutes. English, whatever the tester's language.
-inline ProgramRun runBurin(const QStringList& arguments) {
+/// Runs `burin` with arguments to its end, at most ten minutes. English, whatever the tester's language is, unless
+/// another locale is asked for.
+inline ProgramRun runBurin(const QStringList& arguments, const QString& locale = "C.UTF-8") {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("LC_ALL", "C.UTF-8");
+    environment.insert("LC_ALL", locale);
     environment.remove("DISPLAY"); // no command needs one
     process.setProcessEnvironment(environment);
     process.start(burinProgram(), arguments);

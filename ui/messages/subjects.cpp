@@ -26,6 +26,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "device"),
     BURIN_TEXT("Subject", "dialect"),
     BURIN_TEXT("Subject", "edit"),
+    BURIN_TEXT("Subject", "file"),
     BURIN_TEXT("Subject", "machine"),
     BURIN_TEXT("Subject", "material"),
     BURIN_TEXT("Subject", "obstacle"),

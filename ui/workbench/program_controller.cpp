@@ -4,10 +4,12 @@
 
 #include "core/base/file.h"
 #include "core/nc/dialect_library.h"
+#include "core/project/companions.h"
 #include "core/verify/report_json.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace burin {
@@ -356,6 +358,8 @@ void ProgramController::exportTo(const std::filesystem::path& file) {
                 const Result<bool> same = isJudgedSo(project, *kept);
                 if (!same || !*same) return same;
             }
+            const std::array<std::filesystem::path, 1> inputs{project.file()};
+            if (Result<void> free = checkOutput("file", file, inputs); !free) return std::move(free).error();
             if (Result<void> written = writeFileAtomically(file, program->text); !written)
                 return std::move(written).error();
             return true;

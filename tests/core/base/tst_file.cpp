@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/clean_text.h"
 #include "core/base/file.h"
+#include "core/base/staged_file.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -8,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
@@ -179,9 +182,145 @@ private slots:
         QCOMPARE(*readFile(path("inbox/a")), std::string("content"));
     }
 
+    void rightsOfAReplacedFileStay() {
+        QVERIFY(writeFileAtomically(path("a"), "old"));
+        QVERIFY(::chmod(path("a").c_str(), 0640) == 0);
+        QVERIFY(writeFileAtomically(path("a"), "new"));
+        struct stat standing {};
+        QVERIFY(::stat(path("a").c_str(), &standing) == 0);
+        QCOMPARE(standing.st_mode & 07777U, 0640U);
+    }
+
+    void aProtectedFileIsNotReplaced() {
+        QVERIFY(writeFileAtomically(path("a"), "old"));
+        QVERIFY(::chmod(folder_.path().toLocal8Bit().constData(), 0777) == 0);
+        QVERIFY(::chmod(path("a").c_str(), 0444) == 0);
+        const WithoutRoot user;
+        if (!user.done()) QSKIP("root can't become another user here");
+        QCOMPARE(writeFileAtomically(path("a"), "new").error().code, ErrorCode::fileNotWritable);
+        QCOMPARE(*readFile(path("a")), std::string("old"));
+    }
+
+    /// As a shell's redirection does: the link stays, whether there is something at its end or not.
+    void linksAreFollowed() {
+        QVERIFY(writeFileAtomically(path("target"), "old"));
+        std::filesystem::create_symlink("target", path("link"));
+        std::filesystem::create_symlink(path("link"), path("further"));
+        QVERIFY(writeFileAtomically(path("further"), "new"));
+        QCOMPARE(*readFile(path("target")), std::string("new"));
+        std::filesystem::create_symlink("missing", path("dangling"));
+        QVERIFY(writeFileAtomically(path("dangling"), "made"));
+        QCOMPARE(*readFile(path("missing")), std::string("made"));
+        for (const char* link : {"link", "further", "dangling"}) QVERIFY(std::filesystem::is_symlink(path(link)));
+        QCOMPARE(files().size(), qsizetype{5});
+    }
+
+    void whatIsNoRegularFileIsWrittenTo() {
+        QVERIFY(::mkfifo(path("fifo").c_str(), 0600) == 0);
+        std::string got;
+        std::thread reader([&] {
+            const Result<std::string> read = readFile(path("fifo"));
+            if (read) got = *read;
+        });
+        const Result<void> sent = writeFileAtomically(path("fifo"), "content");
+        reader.join();
+        QVERIFY(sent);
+        QCOMPARE(got, std::string("content"));
+        QVERIFY(std::filesystem::is_fifo(path("fifo")));
+        QCOMPARE(writeFileAtomically("/dev/full", "content").error().code, ErrorCode::diskFull);
+        QVERIFY(std::filesystem::is_character_file("/dev/full"));
+        QVERIFY(writeFileAtomically("/dev/null", "content"));
+        std::array<int, 2> ends{};
+        QVERIFY(::pipe(ends.data()) == 0);
+        QVERIFY(writeFileAtomically("/proc/self/fd/" + std::to_string(ends[1]), "through a descriptor"));
+        std::array<char, 64> bytes{};
+        QCOMPARE(::read(ends[0], bytes.data(), bytes.size()), ssize_t{20});
+        for (const int end : ends) ::close(end);
+    }
+
+    void severalFilesAreWrittenAllOrNone() {
+        QVERIFY(writeFileAtomically(path("a"), "old"));
+        const auto stageBoth = [&] {
+            std::vector<StagedFile> staged;
+            for (const char* name : {"a", "b"}) {
+                Result<StagedFile> one = StagedFile::containing(path(name), "new");
+                if (one) staged.push_back(std::move(*one));
+            }
+            return staged;
+        };
+        {
+            std::vector<StagedFile> staged = stageBoth();
+            std::filesystem::create_directories(path("b/in the way")); // a rename over it fails
+            QVERIFY(!putInPlace(staged));
+        }
+        QCOMPARE(*readFile(path("a")), std::string("old"));
+        QCOMPARE(files(), QStringList{"a"});
+        std::filesystem::remove_all(path("b"));
+        {
+            std::vector<StagedFile> staged = stageBoth();
+            QVERIFY(putInPlace(staged));
+            QCOMPARE(*readFile(path("a")), std::string("new"));
+            for (StagedFile& one : staged) QVERIFY(one.takeBack());
+        }
+        QCOMPARE(*readFile(path("a")), std::string("old"));
+        QCOMPARE(files(), QStringList{"a"});
+    }
+
+    void whatAKilledProgramLeftIsRemoved() {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const Result<StagedFile> left = StagedFile::containing(path("a"), "half");
+            ::_exit(left ? 0 : 1);
+        }
+        int status = 1;
+        ::waitpid(child, &status, 0);
+        QCOMPARE(status, 0);
+        QCOMPARE(files().size(), qsizetype{1});
+        const Result<StagedFile> other = StagedFile::containing(path("a"), "under way"); // is not disturbed by the next
+        QVERIFY(writeFileAtomically(path("a"), "content"));
+        QCOMPARE(files().size(), qsizetype{2});
+    }
+
+    void anyNameCanBeWritten() {
+        std::string umlauts = "x";
+        while (umlauts.size() < 254) umlauts += "\u00e4";
+        for (const std::string& name : {std::string(255, 'n'), umlauts}) {
+            QVERIFY(writeFileAtomically(path(name.c_str()), "content"));
+            QCOMPARE(*readFile(path(name.c_str())), std::string("content"));
+        }
+        QCOMPARE(files().size(), qsizetype{2});
+    }
+
+    void textFromOutsideIsMadeValid_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("clean");
+        const QString no(QChar(0xFFFD));
+        QTest::newRow("plain") << QByteArray("Teil 1") << QString("Teil 1");
+        QTest::newRow("UTF-8") << QByteArray("Gehäuse 部品 🛠") << QString("Gehäuse 部品 🛠");
+        QTest::newRow("Latin-1") << QByteArray("Geh\xE4use") << QString("Geh%1use").arg(no);
+        QTest::newRow("cut off") << QByteArray("a\xF0\x9F") << "a" + no + no;
+        QTest::newRow("too long a form") << QByteArray("\xC0\xAF") << no + no;
+        QTest::newRow("surrogate") << QByteArray("\xED\xA0\x80") << no + no + no;
+        QTest::newRow("escape sequence") << QByteArray("\x1B[2J") << no + "[2J";
+        QTest::newRow("C1 control") << QByteArray("\xC2\x9B"
+                                                  "31m")
+                                    << no + "31m";
+        QTest::newRow("reversed") << QByteArray("a\xE2\x80\xAE"
+                                                "b")
+                                  << "a" + no + "b";
+        QTest::newRow("two lines") << QByteArray("a\nb") << QString("a b");
+    }
+    void textFromOutsideIsMadeValid() {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, clean);
+        QCOMPARE(QString::fromStdString(cleanLine(text.toStdString())), clean);
+        QCOMPARE(cleanText("a\nb\x07"), std::string("a\nb\xEF\xBF\xBD"));
+    }
+
     void fullDisksAreToldFromMissingRights() {
         QVERIFY(writeError(path("a"), ENOSPC).code == ErrorCode::diskFull);
         QVERIFY(writeError(path("a"), EACCES).code == ErrorCode::fileNotWritable);
+        QVERIFY(writeError(path("a"), 0).detail.find("Success") == std::string::npos);
         QCOMPARE(writeError(path("a"), EACCES).subject, path("a").string());
     }
 };

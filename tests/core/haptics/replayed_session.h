@@ -169,7 +169,9 @@ inline RecordedSession recordSession(const StylusHandle& stylus, const HapticSet
     const auto ran = runServoLoop(stylus, bench.step, **recorder, servo, stop);
     bench.step.listen(nullptr);
     if (!ran) return {{}, {}, ran.error().subject + " " + ran.error().detail};
-    if (const auto written = (*recorder)->finish(); !written) return {{}, {}, written.error().detail};
+    auto written = (*recorder)->finish();
+    if (!written) return {{}, {}, written.error().detail};
+    if (const auto placed = written->putInPlace(); !placed) return {{}, {}, placed.error().detail};
     bench.step.settle();
     return {std::move(log.samples), bench.volume.amounts(), {}};
 }

@@ -170,7 +170,8 @@ private slots:
             (*recorder)->tick({}, timing);
             ++ticks;
         }
-        QVERIFY((*recorder)->finish()); // either ring filled first: the log's or the recorder's own
+        auto written = (*recorder)->finish();
+        QVERIFY(written && written->putInPlace()); // either ring filled first: the log's or the recorder's own
         const auto read = readTrace(folder.filePath("trace.csv").toStdString());
         QVERIFY(read);
         QCOMPARE(read->readings.size(), static_cast<std::size_t>(ticks));

@@ -4,62 +4,15 @@
 #include "core/project/database.h"
 #include "core/project/project.h"
 #include "core/project/working_copy.h"
-#include "tests/core/project/processes.h"
-#include "tests/core/project/sample_project.h"
+#include "tests/core/project/dying_sessions.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 #include <filesystem>
-#include <fstream>
 
 using namespace burin;
+using namespace burin::fixture;
 namespace fs = std::filesystem;
-using fixture::modelNamed, fixture::nameIn;
-
-namespace {
-
-std::string nameInFile(const fs::path& file) {
-    Result<Project> project = Project::open(file);
-    return project ? nameIn(*project) : std::string("not opened");
-}
-
-bool saveAs(const fs::path& file, const std::string& name) {
-    Result<Project> project = Project::create(file);
-    return project && project->setModel(modelNamed(name)) && project->save();
-}
-
-/// A session that opens `file`, changes the model to `name` and dies.
-bool dieWith(const fs::path& file, const std::string& name) {
-    return fixture::inAnotherProcess([&] {
-               Result<Project> project = Project::open(file);
-               ::_exit(project && project->setModel(modelNamed(name)) ? 0 : 1);
-               return 1;
-           }) == 0;
-}
-
-/// A session that opens `file` and dies without a change.
-bool dieIdle(const fs::path& file) {
-    return fixture::inAnotherProcess([&] {
-               const Result<Project> project = Project::open(file);
-               ::_exit(project ? 0 : 1);
-               return 1;
-           }) == 0 &&
-           fs::exists(WorkingCopy::pathBeside(file));
-}
-
-fs::path fileIn(const QTemporaryDir& folder, const char* name = "p.burin") {
-    return folder.filePath(name).toStdString();
-}
-
-QStringList namesIn(const QTemporaryDir& folder) {
-    return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden, QDir::Name);
-}
-
-void write(const fs::path& file, const std::string& content) {
-    std::ofstream(file, std::ios::binary) << content;
-}
-
-} // namespace
 
 class TestRecovery : public QObject {
     Q_OBJECT
