@@ -59,6 +59,7 @@ void registerPost(CLI::App& program, CommandContext& context, int& status);
 void registerVerify(CLI::App& program, CommandContext& context, int& status);
 void registerInfo(CLI::App& program, CommandContext& context, int& status);
 void registerDevices(CLI::App& program, CommandContext& context, int& status);
+void registerMachines(CLI::App& program, CommandContext& context, int& status);
 void registerCalibrate(CLI::App& program, CommandContext& context, int& status);
 void registerDemo(CLI::App& program, CommandContext& context, int& status);
 void registerPicture(CLI::App& program, CommandContext& context, int& status);

@@ -22,10 +22,11 @@
 
 namespace {
 
-constexpr std::array commands{
-    burin::registerImport, burin::registerEmbed,   burin::registerSetup,  burin::registerMill,      burin::registerPath,
-    burin::registerPost,   burin::registerVerify,  burin::registerInfo,   burin::registerCalibrate, burin::registerDemo,
-    burin::registerBench,  burin::registerDevices, burin::registerPicture};
+constexpr std::array commands{burin::registerImport,  burin::registerEmbed,   burin::registerSetup,
+                              burin::registerMill,    burin::registerPath,    burin::registerPost,
+                              burin::registerVerify,  burin::registerInfo,    burin::registerCalibrate,
+                              burin::registerDemo,    burin::registerBench,   burin::registerDevices,
+                              burin::registerPicture, burin::registerMachines};
 
 /// CLI11 would only say that a command is missing.
 std::optional<burin::Error> unknownCommand(const CLI::App& program, int argc, char** argv) {

@@ -3,6 +3,7 @@
 #include "app/report.h"
 
 #include "core/base/numbers.h"
+#include "core/machine/machine_library.h"
 #include "core/verify/excess.h"
 #include "core/verify/report_json.h"
 
@@ -18,6 +19,13 @@ json jsonOf(const glm::dvec3& v) {
 
 json jsonOf(const Box& box) {
     return json::array({jsonOf(box.low), jsonOf(box.high)});
+}
+
+json jsonOf(const MachineProfile& machine) {
+    return {{"id", machine.id},
+            {"name", machine.name},
+            {"dialect", machine.dialect.empty() ? json(nullptr) : json(machine.dialect)},
+            {"typical", isTypicalMachine(machine.id)}};
 }
 
 json jsonOf(const Model& model) {
@@ -113,7 +121,14 @@ std::string linesOf(const std::vector<LintMark>& marks) {
 
 } // namespace
 
-std::string textOf(const CheckedProgram& program, double gougeTolerance) {
+std::string notWritten(const std::string& file) {
+    return "\"" + file +
+           "\" was not written: the program failed its check. To write it all the same, state a reason with "
+           "--override; "
+           "its header shows the reason.";
+}
+
+std::string textOf(const CheckedProgram& program, double gougeTolerance, const MachineProfile& machine) {
     const VerifyReport& report = program.report;
     std::ostringstream text;
     text << (program.passed() ? "passed" : "refused") << ": gouge " << formatFixed(report.gougeMax, 4)
@@ -123,7 +138,9 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance) {
          << (report.excessMax < longestExcess ? " mm at most, " : " mm or more, ") << formatFixed(report.excessMean, 3)
          << " mm in the mean, where the tool can reach\n"
          << "  removed  " << formatFixed(report.removed, 1) << " mm^3 in " << formatFixed(report.machiningSeconds, 0)
-         << " s at the programmed feeds";
+         << " s at the programmed feeds\n"
+         << "  machine  " << machine.name
+         << (isTypicalMachine(machine.id) ? ": typical values, not those of your machine (burin machines copy)" : "");
     for (std::size_t i = 0; i < report.pathModes.size() && i < 5; ++i) {
         const StatedPathMode& mode = report.pathModes[i];
         if (mode.mode == PathMode::machine) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/machine/machine_profile.h"
 #include "core/nc/lint.h"
 #include "core/path/evaluate.h"
 #include "core/project/program_job.h"
@@ -20,14 +21,18 @@ namespace burin {
 nlohmann::json jsonOf(const glm::dvec3& v);
 nlohmann::json jsonOf(const Box& box); ///< [[x, y, z], [x, y, z]]
 nlohmann::json jsonOf(const Model& model);
-nlohmann::json jsonOf(const Tool& tool); ///< {"type", "diameter_mm", "corner_radius_mm", …}
+nlohmann::json jsonOf(const Tool& tool);              ///< {"type", "diameter_mm", "corner_radius_mm", …}
+nlohmann::json jsonOf(const MachineProfile& machine); ///< {"id", "name", "dialect", "typical"}
 nlohmann::json jsonOf(const VerifyReport& report);
 nlohmann::json jsonOf(const std::vector<EditReport>& reports);
 nlohmann::json jsonOf(const std::vector<LintMark>& marks);
 
 /// The same for people, several lines.
 std::string textOf(const Model& model);
-/// What the check found and what the control would reject.
-std::string textOf(const CheckedProgram& program, double gougeTolerance);
+/// What the check found, what the control would reject and the machine that the program was judged for.
+std::string textOf(const CheckedProgram& program, double gougeTolerance, const MachineProfile& machine);
+
+/// Why a program that failed its check was not written, and how it is all the same.
+std::string notWritten(const std::string& file);
 
 } // namespace burin

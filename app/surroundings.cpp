@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/surroundings.h"
 
+#include "app/command.h"
 #include "app/report.h"
 #include "core/base/numbers.h"
 #include "core/cad/import.h"
 #include "core/geometry/pose.h"
+#include "core/machine/machine_library.h"
 
 #include <CLI/CLI.hpp>
 
@@ -161,6 +163,17 @@ Result<Around> aroundOf(const Project& project) {
     const Result<ProgramTarget> target = project.programTarget();
     if (!target) return target.error();
     return Around{std::move(*obstacles), *axis, *travel, *target};
+}
+
+std::string machineFor(const Project& project, const std::string& asked, CommandContext& context) {
+    if (!asked.empty()) return asked;
+    const Result<ProgramTarget> target = project.programTarget();
+    if (!target) return {}; // whoever makes the bench meets the same error
+    const Result<MachineProfile> machine = loadMachine(target->machine);
+    if (machine || machine.error().code != ErrorCode::nameUnknown) return target->machine;
+    context.message("The project's machine \"" + target->machine + "\" is not on this computer; \"" + firstMachine +
+                    "\" is used in its place. Choose another with --machine, or with burin setup --machine.");
+    return firstMachine;
 }
 
 std::string dialectFor(const std::string& asked, const ProgramTarget& target, const MachineProfile& machine) {

@@ -18,6 +18,8 @@ class App;
 
 namespace burin {
 
+class CommandContext;
+
 /// What the command line says of what stands around a setup and of the tool's axis, as it was written.
 struct SurroundingsArguments {
     std::vector<std::string> fixtures, keepOuts;
@@ -46,6 +48,10 @@ struct Around {
     ProgramTarget target;
 };
 Result<Around> aroundOf(const Project& project);
+
+/// Id of the machine asked for, or of the project's. Where that one is not known here another one stands in, and a
+/// message says which.
+std::string machineFor(const Project& project, const std::string& asked, CommandContext& context);
 
 /// What is asked for, or what the project's programs are for, or what another machine's control reads.
 std::string dialectFor(const std::string& asked, const ProgramTarget& target, const MachineProfile& machine);

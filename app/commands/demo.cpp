@@ -260,7 +260,7 @@ int runDemo(const DemoArguments& arguments, CommandContext& context) {
                                std::to_string(result->program.parsed.blocks) + " blocks\npicture  " +
                                answer["picture"].get<std::string>() + "\nreport   " +
                                answer["report"].get<std::string>() + "\n" +
-                               textOf(result->program, arguments.tolerance));
+                               textOf(result->program, arguments.tolerance, result->bench.machine));
     return passed ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 

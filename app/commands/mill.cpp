@@ -272,7 +272,8 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     if (!project) return context.fail(project.error());
     const Result<Tool> tool = toolFor(*project, arguments.tool);
     if (!tool) return context.fail(tool.error());
-    Result<Bench> bench = makeBench(*project, *tool, arguments.machine, context.progress());
+    Result<Bench> bench =
+        makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
     if (!bench) return context.fail(bench.error());
     if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)
         return context.fail(replayed.error());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/report.h"
+#include "app/surroundings.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/path/milling_side.h"
@@ -192,7 +193,8 @@ int show(const PathArguments& arguments, CommandContext& context) {
     if (!takes) return context.fail(takes.error());
     const Result<Tool> tool = toolFor(*project, toolOf(*stored, *takes));
     if (!tool) return context.fail(tool.error());
-    const Result<Bench> bench = makeBench(*project, *tool, arguments.machine, context.progress());
+    const Result<Bench> bench =
+        makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
     if (!bench) return context.fail(bench.error());
     context.stage("Editing");
     const Result<EvaluatedPath> path = evaluateInJob(*project, *bench, *stored, context.progress());

@@ -3,6 +3,7 @@
 #include "ui/scene/picture.h"
 #include "app/command.h"
 #include "app/picture_options.h"
+#include "app/surroundings.h"
 #include "core/project/companions.h"
 #include "core/project/job_paths.h"
 
@@ -55,7 +56,7 @@ Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, Comma
     if (!project) return project.error();
     const Result<Tool> tool = anyTool(*project);
     if (!tool) return tool.error();
-    Result<Bench> bench = makeBench(*project, *tool, {}, context.progress());
+    Result<Bench> bench = makeBench(*project, *tool, machineFor(*project, {}, context), context.progress());
     if (!bench) return std::move(bench).error();
     context.stage("Replaying the takes");
     if (const Result<void> replayed = replayTakes(*project, *bench, context.progress()); !replayed)

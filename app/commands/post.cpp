@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/commands/restart.h"
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "core/base/staged_file.h"
@@ -14,7 +15,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 namespace burin {
@@ -26,7 +26,15 @@ struct PostArguments {
     std::vector<std::int64_t> paths;
     double tolerance = 0.02;
     std::string units;
+    std::uint32_t from = 0; ///< line of the program that was posted before; 0: all of it
+    std::string interrupted;
 };
+
+int runFrom(const PostArguments& arguments, CommandContext& context) {
+    return runRestart({arguments.project, arguments.output, arguments.interrupted, arguments.from, arguments.dialect,
+                       arguments.machine, arguments.units, arguments.overrideReason, arguments.tolerance},
+                      context);
+}
 
 /// The paths asked for, or the first one of each tool.
 Result<std::vector<StoredPath>> chosenPaths(Project& project, const std::vector<std::int64_t>& wanted) {
@@ -45,9 +53,11 @@ Result<std::vector<StoredPath>> chosenPaths(Project& project, const std::vector<
 }
 
 int runPost(const PostArguments& arguments, CommandContext& context) {
-    const std::array<std::filesystem::path, 1> inputs{arguments.project};
+    std::vector<std::filesystem::path> inputs{arguments.project};
+    if (!arguments.interrupted.empty()) inputs.emplace_back(arguments.interrupted);
     if (const Result<void> free = checkOutput("--output", arguments.output, inputs); !free)
         return context.fail(free.error());
+    if (arguments.from > 0) return runFrom(arguments, context);
     context.stage("Opening");
     Result<ProjectChange> project = ProjectChange::open(arguments.project);
     if (!project) return context.fail(project.error());
@@ -59,7 +69,8 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
         if (!matter) return context.fail(matter.error());
         matters.push_back(std::move(*matter));
     }
-    Result<Bench> bench = makeBench(**project, matters.front().tool, arguments.machine, context.progress());
+    Result<Bench> bench = makeBench(**project, matters.front().tool, machineFor(**project, arguments.machine, context),
+                                    context.progress());
     if (!bench) return context.fail(bench.error());
 
     context.stage("Editing");
@@ -84,18 +95,17 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     answer["edits"] = jsonOf(edited->reports);
     answer["error_budget_mm"] = edited->errorBudget;
     answer["work_offset_mm"] = burin::jsonOf(bench->setup.workOffset);
+    answer["machine"] = jsonOf(bench->machine);
     answer["tool"] = jsonOf(bench->tool);
     answer["tools"] = nlohmann::json::array();
     for (const Tool& tool : edited->program.tools) answer["tools"].push_back(jsonOf(tool));
     answer["passed"] = program->passed();
     answer["lint"] = jsonOf(program->lint);
-    const std::string verdict = textOf(*program, arguments.tolerance);
+    const std::string verdict = textOf(*program, arguments.tolerance, bench->machine);
     answer["overridden"] = program->overridden;
     if (!program->released()) {
         context.answer(answer, verdict);
-        context.message("\"" + arguments.output +
-                        "\" was not written: the program failed its check. To write it all the same, state a reason "
-                        "with --override; its header shows the reason.");
+        context.message(notWritten(arguments.output));
         return static_cast<int>(ErrorClass::checkFailed);
     }
     Result<StagedFile> output = StagedFile::containing(arguments.output, program->text);
@@ -137,6 +147,19 @@ void registerPost(CLI::App& program, CommandContext& context, int& status) {
     command->add_option("--tolerance", arguments->tolerance, "Deepest gouge that passes, mm")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
+    CLI::Option* from =
+        command
+            ->add_option("--from", arguments->from,
+                         "Restart after a broken tool: line of the program that was posted last; the lines before it "
+                         "are done. Writes the rest, which leads back into the cut and is checked on the stock that is "
+                         "left")
+            ->check(CLI::Range(1, 100000000))
+            ->type_name("LINE");
+    command
+        ->add_option("--program", arguments->interrupted,
+                     "With --from: the interrupted program; without it the one that the project posted last")
+        ->needs(from)
+        ->type_name("FILE");
     command
         ->add_option("--override", arguments->overrideReason,
                      "Write the program even if its check refuses it; states this reason in its header")

@@ -55,7 +55,8 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!project) return context.fail(project.error());
     const Result<Tool> tool = chosenTool(*project, arguments.tool);
     if (!tool) return context.fail(tool.error());
-    const Result<Bench> bench = makeBench(*project, *tool, arguments.machine, context.progress());
+    const Result<Bench> bench =
+        makeBench(*project, *tool, machineFor(*project, arguments.machine, context), context.progress());
     if (!bench) return context.fail(bench.error());
 
     context.stage("Checking");
@@ -78,6 +79,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     answer["lint"] = jsonOf(checked->lint);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();
     answer["blocks"] = checked->parsed.blocks;
+    answer["machine"] = jsonOf(bench->machine);
     answer["tool"] = jsonOf(checked->tools.front());
     answer["work_offset_mm"] = burin::jsonOf(bench->setup.workOffset);
     if (!arguments.map.empty()) {
@@ -89,7 +91,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
         answer["map_scale"] = jsonOf(DeviationScale(tolerance));
         answer["map"] = std::filesystem::absolute(arguments.map).lexically_normal().string();
     }
-    context.answer(answer, textOf(*checked, arguments.tolerance));
+    context.answer(answer, textOf(*checked, arguments.tolerance, bench->machine));
     return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 

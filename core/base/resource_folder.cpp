@@ -34,6 +34,15 @@ std::string joined(const std::vector<std::string>& ids) {
     return text;
 }
 
+std::string fileName(std::string_view id) {
+    return std::string(id) + std::string(suffix);
+}
+
+bool isIn(const fs::path& folder, std::string_view id) {
+    std::error_code ignored;
+    return isResourceId(id) && !folder.empty() && fs::exists(folder / fileName(id), ignored);
+}
+
 } // namespace
 
 bool isResourceId(std::string_view id) {
@@ -58,7 +67,7 @@ std::vector<fs::path> resourceSearchPath(ResourceKind kind) {
 Result<ResourceText> findResource(ResourceKind kind, std::string_view id) {
     if (isResourceId(id)) {
         for (const fs::path& folder : resourceSearchPath(kind)) {
-            const fs::path file = folder / (std::string(id) + std::string(suffix));
+            const fs::path file = folder / fileName(id);
             std::error_code ignored;
             if (!fs::exists(file, ignored)) continue;
             Result<std::string> text = readFile(file);
@@ -79,6 +88,47 @@ std::vector<std::string> resourceIds(ResourceKind kind) {
         }
     }
     return {ids.begin(), ids.end()};
+}
+
+bool isShipped(ResourceKind kind, std::string_view id) {
+    return isIn(resourceDirectory() / kind.folder, id);
+}
+
+bool isOfUser(ResourceKind kind, std::string_view id) {
+    return isIn(userResourceDirectory(kind), id);
+}
+
+Result<fs::path> userResourceFile(ResourceKind kind, const std::string& id) {
+    if (!isResourceId(id))
+        return Error{ErrorCode::argumentInvalid, std::string(kind.name), id,
+                     "letters, digits, '-', '_' and '.', a letter or digit first"};
+    const fs::path folder = userResourceDirectory(kind);
+    if (folder.empty()) return Error{ErrorCode::fileNotWritable, fileName(id), {}, "there is no home folder"};
+    return folder / fileName(id);
+}
+
+Result<fs::path> saveUserResource(ResourceKind kind, const std::string& id, std::string_view content) {
+    Result<fs::path> file = userResourceFile(kind, id);
+    if (!file) return file;
+    std::error_code failed;
+    fs::create_directories(file->parent_path(), failed);
+    if (failed) return writeError(*file, failed.value());
+    if (Result<void> written = writeFileAtomically(*file, content); !written) return written.error();
+    return file;
+}
+
+Result<void> removeUserResource(ResourceKind kind, const std::string& id) {
+    const Result<fs::path> file = userResourceFile(kind, id);
+    if (!file) return file.error();
+    if (!isOfUser(kind, id)) {
+        std::vector<std::string> own = resourceIds(kind);
+        std::erase_if(own, [&](const std::string& one) { return !isOfUser(kind, one); });
+        return Error{ErrorCode::nameUnknown, std::string(kind.name), id, joined(own)};
+    }
+    std::error_code failed;
+    fs::remove(*file, failed);
+    if (failed) return writeError(*file, failed.value());
+    return {};
 }
 
 } // namespace burin

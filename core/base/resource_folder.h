@@ -44,4 +44,19 @@ Result<ResourceText> findResource(ResourceKind kind, std::string_view id);
 /// Ids of all files of a kind, sorted, each once.
 std::vector<std::string> resourceIds(ResourceKind kind);
 
+/// Burin is shipped with a file of this id; the user's own may stand before it.
+bool isShipped(ResourceKind kind, std::string_view id);
+/// The user has a file of this id.
+bool isOfUser(ResourceKind kind, std::string_view id);
+
+/// The user's own file of `id`, whether it is there or not. Errors: argumentInvalid (no id of a file),
+/// fileNotWritable (there is no home folder).
+Result<std::filesystem::path> userResourceFile(ResourceKind kind, const std::string& id);
+/// Writes the user's own file of `id`, its folder too where that is missing; the old content stands until the new one
+/// is complete. @return the file. Errors: those of userResourceFile and writeFileAtomically.
+Result<std::filesystem::path> saveUserResource(ResourceKind kind, const std::string& id, std::string_view content);
+/// Deletes the user's own file of `id`. Errors: those of userResourceFile, nameUnknown (the user has none; detail: the
+/// ids of those that the user has), fileNotWritable.
+Result<void> removeUserResource(ResourceKind kind, const std::string& id);
+
 } // namespace burin

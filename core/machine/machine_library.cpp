@@ -4,25 +4,13 @@
 
 #include "core/base/json_object.h"
 #include "core/base/resource_folder.h"
+#include "core/machine/machine_ranges.h"
 
 namespace burin {
 
 namespace {
 
-// Wide enough for any milling machine, narrow enough to catch a slip of the unit.
-constexpr NumberRange travel{1.0, 1e5};
-constexpr NumberRange feed{1.0, 1e6};
-constexpr NumberRange spindleSpeed{0.0, 1e6};
-constexpr NumberRange spindlePower{1.0, 1e6};
-constexpr NumberRange spindleTorque{1e-4, 1e5};
-constexpr NumberRange acceleration{1.0, 1e6};
-constexpr NumberRange jerk{1.0, 1e9};
-constexpr NumberRange blockRate{1.0, 1e6};
-constexpr NumberRange height{0.0, 1e4};
-constexpr NumberRange toolChange{0.0, 3600.0};
-constexpr NumberRange tolerance{0.0, 1.0};
-constexpr NumberRange sweep{0.0, 360.0};
-constexpr NumberRange radius{0.0, 1e6};
+using namespace machine_range;
 
 glm::dvec3 axesOr(JsonObject& file, std::string_view key, NumberRange range) {
     if (!file.has(key)) return glm::dvec3(0.0);
@@ -128,8 +116,8 @@ Result<MachineProfile> machineFromJson(std::string_view text, const std::string&
     readCoolants(*file, machine);
     machine.toolChangeHeight = file->number("tool_change_height_mm", height);
     machine.toolChangeSeconds = file->numberOr("tool_change_s", 0.0, toolChange);
-    machine.coordinateDecimals = file->integer("coordinate_decimals", 0, 9);
-    machine.maximumLineLength = file->integer("maximum_line_length", 20, 100000);
+    machine.coordinateDecimals = file->integer("coordinate_decimals", fewestDecimals, mostDecimals);
+    machine.maximumLineLength = file->integer("maximum_line_length", shortestLine, longestLine);
     readSources(*file, machine);
     checkTogether(*file, machine);
     if (Result<void> read = file->finish(); !read) return read.error();
@@ -147,6 +135,39 @@ Result<MachineProfile> loadMachine(std::string_view id) {
 
 std::vector<std::string> machineIds() {
     return resourceIds(machineResource);
+}
+
+MachineProfile copyOf(const MachineProfile& machine, const std::string& id, const std::string& name) {
+    MachineProfile copy = machine;
+    copy.id = id;
+    copy.name = name;
+    copy.source = "copy of " + machine.id + ": " + machine.source;
+    return copy;
+}
+
+bool isTypicalMachine(std::string_view id) {
+    return isShipped(machineResource, id) && !isOfUser(machineResource, id);
+}
+
+Result<std::filesystem::path> saveMachine(const MachineProfile& machine, bool replace) {
+    Result<std::filesystem::path> file = userResourceFile(machineResource, machine.id);
+    if (!file) return file;
+    if (isShipped(machineResource, machine.id))
+        return Error{ErrorCode::argumentInvalid, "machine", machine.id,
+                     "an id that no shipped machine has; shipped machines can be copied, not changed"};
+    if (!replace && isOfUser(machineResource, machine.id))
+        return Error{ErrorCode::argumentInvalid, "machine", machine.id, "an id that no machine has yet, or --replace"};
+    const std::string text = toJson(machine);
+    if (const Result<MachineProfile> sound = machineFromJson(text, file->filename().string()); !sound)
+        return sound.error();
+    return saveUserResource(machineResource, machine.id, text);
+}
+
+Result<void> removeMachine(const std::string& id) {
+    if (isTypicalMachine(id))
+        return Error{ErrorCode::argumentInvalid, "machine", id,
+                     "a machine of your own; those that Burin is shipped with can't be deleted"};
+    return removeUserResource(machineResource, id);
 }
 
 } // namespace burin

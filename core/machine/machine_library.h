@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/machine/machine_profile.h"
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,5 +18,22 @@ Result<MachineProfile> loadMachine(std::string_view id);
 std::vector<std::string> machineIds();
 /// @param origin file name for messages. Errors: resourceInvalid.
 Result<MachineProfile> machineFromJson(std::string_view text, const std::string& origin);
+/// The file of a machine: every key that the profile states. `machineFromJson` reads the same profile from it.
+std::string toJson(const MachineProfile& machine);
+
+/// The same machine under another id and name; its source says what it was copied from.
+MachineProfile copyOf(const MachineProfile& machine, const std::string& id, const std::string& name);
+
+/// The machine in force under this id is one that Burin is shipped with: its values are typical of a class of machines,
+/// and it can be copied, but neither changed nor deleted.
+bool isTypicalMachine(std::string_view id);
+
+/// Checks `machine` as a file is checked and adds it to the user's own machines.
+/// @param replace a machine of the user that has this id already
+/// @return its file. Errors: resourceInvalid, argumentInvalid (an id that a shipped machine has, or without `replace`
+/// one of the user's; no id of a file), fileNotWritable, diskFull.
+Result<std::filesystem::path> saveMachine(const MachineProfile& machine, bool replace);
+/// Deletes one of the user's own machines. Errors: argumentInvalid (a shipped one), nameUnknown, fileNotWritable.
+Result<void> removeMachine(const std::string& id);
 
 } // namespace burin

@@ -18,29 +18,6 @@ namespace burin {
 
 namespace {
 
-std::vector<std::string> headerLines(const Bench& bench, const std::vector<Tool>& tools) {
-    const auto length = [](double value) { return formatFixed(value, 3); };
-    const auto place = [&](const glm::dvec3& v) { return "X" + length(v.x) + " Y" + length(v.y) + " Z" + length(v.z); };
-    const Box& stock = bench.setup.stock;
-    std::vector<std::string> lines;
-    lines.push_back("Burin: path authored by hand, checked by re-simulation before export");
-    if (!bench.model->sourceFile.empty())
-        lines.push_back("Part: " + std::filesystem::path(bench.model->sourceFile).filename().string());
-    lines.push_back("Stock: " + bench.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
-    lines.push_back("Program zero: centre of the stock's top face; in the model's frame " +
-                    place(bench.setup.workOffset) + " mm");
-    lines.push_back("Stock in program coordinates: " + place(stock.low - bench.setup.workOffset) + " to " +
-                    place(stock.high - bench.setup.workOffset) + " mm");
-    const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
-    if (const Coolant advised = advisedCoolant(material); !bench.machine.has(advised))
-        lines.push_back("Coolant: " + std::string(idOf(advised)) + " is advised for " + material.name +
-                        ", the machine has none");
-    for (const Tool& tool : tools)
-        lines.push_back((tools.size() > 1 ? "Tool " + std::to_string(tool.number) + ": " : "Tool: ") + tool.name +
-                        ", stick-out at least " + length(tool.cutter.stickOut) + " mm");
-    return lines;
-}
-
 /// What was found and why the program is wanted all the same: one line a kind, with its worst amount.
 std::vector<std::string> overrideLines(const CheckedProgram& program, const std::string& reason) {
     struct Kind {
@@ -78,7 +55,7 @@ Result<std::string> post(const Bench& bench, const ProgramPaths& paths, const Pr
     if (Result<void> numbered = checkNumbers(paths.tools); !numbered) return numbered.error();
     PostRequest post;
     post.programName = request.name;
-    post.header = headerLines(bench, paths.tools);
+    post.header = programHeader(bench, paths.tools);
     post.workOffset = bench.setup.workOffset;
     post.units = request.units;
     for (const Tool& tool : paths.tools) post.tools[tool.id] = {tool.number, tool.name};
@@ -128,6 +105,29 @@ Result<void> checkLength(const ParsedProgram& program, const std::string& origin
 }
 
 } // namespace
+
+std::vector<std::string> programHeader(const Bench& bench, const std::vector<Tool>& tools) {
+    const auto length = [](double value) { return formatFixed(value, 3); };
+    const auto place = [&](const glm::dvec3& v) { return "X" + length(v.x) + " Y" + length(v.y) + " Z" + length(v.z); };
+    const Box& stock = bench.setup.stock;
+    std::vector<std::string> lines;
+    lines.push_back("Burin: path authored by hand, checked by re-simulation before export");
+    if (!bench.model->sourceFile.empty())
+        lines.push_back("Part: " + std::filesystem::path(bench.model->sourceFile).filename().string());
+    lines.push_back("Stock: " + bench.setup.stockMaterial + ", size " + place(stock.size()) + " mm");
+    lines.push_back("Program zero: centre of the stock's top face; in the model's frame " +
+                    place(bench.setup.workOffset) + " mm");
+    lines.push_back("Stock in program coordinates: " + place(stock.low - bench.setup.workOffset) + " to " +
+                    place(stock.high - bench.setup.workOffset) + " mm");
+    const Property& material = bench.embedded.workpiece.properties()[bench.embedded.stockProperty];
+    if (const Coolant advised = advisedCoolant(material); !bench.machine.has(advised))
+        lines.push_back("Coolant: " + std::string(idOf(advised)) + " is advised for " + material.name +
+                        ", the machine has none");
+    for (const Tool& tool : tools)
+        lines.push_back((tools.size() > 1 ? "Tool " + std::to_string(tool.number) + ": " : "Tool: ") + tool.name +
+                        ", stick-out at least " + length(tool.cutter.stickOut) + " mm");
+    return lines;
+}
 
 std::size_t CheckedProgram::errorCount() const noexcept {
     const auto rejected = std::ranges::count(lint, LintSeverity::error, &LintMark::severity);
@@ -253,6 +253,12 @@ Result<CheckedProgram> checkProgram(const Bench& bench, std::string text, const 
     checked.tools = std::move(*tools);
     verification.tool = checked.tools.front();
     if (checked.tools.size() > 1) verification.tools = checked.tools;
+    if (request.before) {
+        Result<std::vector<Tool>> before = toolsMeant(*request.before, bench, request);
+        if (!before) return std::move(before).error();
+        verification.before = request.before.get();
+        verification.toolsBefore = std::move(*before);
+    }
     verification.machine = bench.machine;
     verification.gougeTolerance = request.gougeTolerance;
     verification.exactSamples = request.exactSamples;

@@ -41,6 +41,8 @@ struct ProgramRequest {
     /// Why a program that its check refuses is wanted all the same, in the user's words; they and what was found stand
     /// in the program's header then. Empty: it is not wanted.
     std::string overrideReason;
+    /// What the workpiece was milled with before the program: it is judged on what that left. Null: on a fresh one.
+    std::shared_ptr<const ParsedProgram> before{};
 };
 
 /// A program that was posted, read back from its text and judged.
@@ -69,6 +71,9 @@ struct ProgramPaths {
     std::vector<Path> paths;
     std::vector<Tool> tools;
 };
+
+/// Comment lines that a program of these tools begins with: part, stock, zero, tools.
+std::vector<std::string> programHeader(const Bench& bench, const std::vector<Tool>& tools);
 
 /// Posts paths, reads the text back with Burin's own parser and re-simulates it. What is not `released` must not reach
 /// a machine. Errors: those of toProgram, the dialect, parseProgram and verify.

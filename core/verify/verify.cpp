@@ -53,6 +53,22 @@ void markGouges(const std::vector<GougePlace>& places, double voxel, std::vector
     }
 }
 
+/// Cuts what an earlier program cut; what was wrong with it is no fault of the one that is judged.
+Result<void> millBefore(const VerifyRequest& request, RunVolume& workpiece, Progress& progress) {
+    if (request.before == nullptr) return {};
+    VerifyRequest earlier;
+    earlier.program = request.before;
+    if (request.toolsBefore.size() == 1) earlier.tool = request.toolsBefore.front();
+    if (request.toolsBefore.size() > 1) earlier.tools = request.toolsBefore;
+    const Result<ProgramTools> tools = toolsOf(earlier);
+    if (!tools) return tools.error();
+    const std::vector<ToolMove> moves =
+        toolMoves(*request.before, request.setup.workOffset, request.machine, tools->ofMotion);
+    Findings unwanted;
+    const Result<std::vector<MoveCut>> cuts = replay(moves, tools->tools, workpiece, unwanted, progress);
+    return cuts ? Result<void>() : Result<void>(cuts.error());
+}
+
 void take(const GougeJudgement& gouges, VerifyReport& report) {
     report.gougeMax = gouges.maximum;
     report.gougeMaxMesh = gouges.maximumMesh;
@@ -72,6 +88,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
     if (!embedded) return std::move(embedded).error();
     RunVolume& workpiece = embedded->workpiece;
+    if (Result<void> milled = millBefore(request, workpiece, progress); !milled) return std::move(milled).error();
 
     const std::vector<ToolMove> moves =
         toolMoves(*request.program, request.setup.workOffset, request.machine, tools->ofMotion);

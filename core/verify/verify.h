@@ -30,6 +30,10 @@ struct VerifyRequest {
     std::vector<Obstacle> obstacles; ///< those that are on are judged
     Tool tool;                       ///< of every move, where `tools` is empty
     std::vector<Tool> tools;         ///< those that the program may call by their numbers; empty: it may call one alone
+    /// What the workpiece was milled with before, and the tools that it may call, as `tools`, or one for all. It is
+    /// not judged. Null: the workpiece is fresh.
+    const ParsedProgram* before = nullptr;
+    std::vector<Tool> toolsBefore;
     MachineProfile machine;
     Box travel; ///< mm, setup frame: where the machine lets the tip go; empty: where its travel lies is not known
     double gougeTolerance = 0.02;   ///< mm
@@ -113,9 +117,9 @@ struct VerifyReport {
     bool passed() const noexcept { return findings.empty(); }
 };
 
-/// Re-simulates a program on a fresh workpiece and judges it: flutes, shank and holder against stock and part, rapids,
-/// limits, gouges on the fine mesh and, at the worst samples, on exact geometry. core/verify/README.md states the
-/// rules.
+/// Re-simulates a program on a fresh workpiece, or as an earlier program left it, and judges it: flutes, shank and
+/// holder against stock and part, rapids, limits, gouges on the fine mesh and, at the worst samples, on exact geometry.
+/// core/verify/README.md states the rules.
 /// @param machined  the workpiece as the program leaves it, where not null
 /// Errors: those of embed and exactSignedDistances, nameUnknown (a tool that the request does not have), notSupported
 /// (several tools, and a request with one for all), cancelled.

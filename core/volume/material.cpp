@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/file.h"
 #include "core/base/json_object.h"
 #include "core/base/resource_folder.h"
 #include "core/volume/property_list.h"
@@ -79,24 +78,16 @@ std::vector<std::string> materialIds() {
 }
 
 Result<std::filesystem::path> userMaterialFile(const std::string& id, bool replace) {
-    if (!isResourceId(id))
-        return Error{ErrorCode::argumentInvalid, "material", id,
-                     "letters, digits, '-', '_' and '.', a letter or digit first"};
-    if (!replace && findResource(materialResource, id))
+    Result<std::filesystem::path> file = userResourceFile(materialResource, id);
+    if (file && !replace && findResource(materialResource, id))
         return Error{ErrorCode::argumentInvalid, "material", id, "an id that no material has yet, or --replace"};
-    const std::filesystem::path folder = userResourceDirectory(materialResource);
-    if (folder.empty()) return Error{ErrorCode::fileNotWritable, id + ".json", {}, "there is no home folder"};
-    return folder / (id + ".json");
+    return file;
 }
 
 Result<std::filesystem::path> saveMaterial(const Property& property, bool replace) {
-    Result<std::filesystem::path> file = userMaterialFile(property.id, replace);
+    const Result<std::filesystem::path> file = userMaterialFile(property.id, replace);
     if (!file) return file;
-    std::error_code failed;
-    std::filesystem::create_directories(file->parent_path(), failed);
-    if (failed) return writeError(*file, failed.value());
-    if (Result<void> written = writeFileAtomically(*file, toJson(property)); !written) return written.error();
-    return file;
+    return saveUserResource(materialResource, property.id, toJson(property));
 }
 
 } // namespace burin

@@ -44,6 +44,8 @@ private slots:
     void jsonStaysJsonWhenItFails();
     void aPictureIsCutOpen_data();
     void aPictureIsCutOpen();
+    void aMachineIsCopiedChangedAndDeleted();
+    void aProjectOutlivesItsMachine();
     void fullDiskKeepsTheOldProject();
     void fullDiskLeavesNothingOfANewProject();
     void stopsWhenAsked();
@@ -65,6 +67,9 @@ void CommandLineTest::initTestCase() {
     write("noise.stl", QByteArray("\x01\x02\x03 no model at all \xff\xfe"));
     write("text.burin", "not a project");
     write("wrong.ngc", "G21 G90\nG1 X10 F100\nBANANA\nM2\n");
+    QVERIFY(qputenv("XDG_DATA_HOME", folder_.filePath("data").toUtf8()));
+    QByteArray machine = runBurin({"machines", "show", "haas-mill"}).output;
+    write("machine.json", machine.replace("\"rapid_feed_mm_per_min\": ", "\"rapid_feed_mm_per_min\": -"));
     write("trace.csv", "time_s,x_mm\n0,zero\n");
     QVERIFY(QFile::copy(BURIN_FIXTURES "/models/cube.brep", folder_.filePath("cube.brep")));
     QCOMPARE(
@@ -75,7 +80,7 @@ void CommandLineTest::initTestCase() {
 void CommandLineTest::helpsWithEachCommand_data() {
     QTest::addColumn<QString>("command");
     for (const char* command : {"import", "embed", "setup", "mill", "path", "post", "verify", "info", "calibrate",
-                                "demo", "devices", "bench", "picture"})
+                                "demo", "devices", "bench", "picture", "machines"})
         QTest::newRow(command) << QString(command);
 }
 
@@ -132,7 +137,17 @@ void CommandLineTest::statusTellsWhatWentWrong_data() {
     row("section beside the stock", {"picture", "@/cube.burin", "-o", "@/x.png", "--section", "X=500"}, 2, "X=500");
     row("demo cut at no axis", {"demo", "--output", "@/out", "--section", "5"}, 2, "--section");
     row("picture of no path", {"picture", "@/cube.burin", "-o", "@/x.png", "--path", "9"}, 2, "path");
+    row("machine that is not there", {"machines", "show", "dmu-50"}, 2, "dmu-50");
+    row("copy over a shipped machine", {"machines", "copy", "haas-mill", "grbl-router", "--replace"}, 2, "grbl-router");
+    row("shipped machine deleted", {"machines", "remove", "haas-mill"}, 2, "haas-mill");
+    row("machine of nonsense", {"machines", "add", "@/machine.json"}, 3, "rapid_feed_mm_per_min");
     row("nothing recorded yet", {"post", "@/cube.burin", "-o", "@/x.ngc"}, 2, "burin mill");
+    row("restart without a program", {"post", "@/cube.burin", "-o", "@/x.ngc", "--from", "5"}, 2, "burin post");
+    row("restart at line 0", {"post", "@/cube.burin", "-o", "@/x.ngc", "--from", "0"}, 2, "--from");
+    row("interrupted program without a line", {"post", "@/cube.burin", "-o", "@/x.ngc", "--program", "@/wrong.ngc"}, 2,
+        "--from");
+    row("restart of nonsense", {"post", "@/cube.burin", "-o", "@/x.ngc", "--from", "2", "--program", "@/wrong.ngc"}, 2,
+        "burin mill");
     row("word that no control knows", {"verify", "@/wrong.ngc", "--project", "@/cube.burin", "--tool", "ball-6"}, 3,
         "wrong.ngc");
 }
@@ -201,6 +216,42 @@ void CommandLineTest::aPictureIsCutOpen() {
     const auto [part, all] = widths(open);
     QVERIFY2(std::abs(part - all * edge / stock) < 0.01 * all,
              qPrintable(QString("%1 of %2, %3 / %4").arg(part).arg(all).arg(edge).arg(stock)));
+}
+
+/// The machine's file goes out, is changed by hand and comes in again.
+void CommandLineTest::aMachineIsCopiedChangedAndDeleted() {
+    QCOMPARE(runBurin({"machines", "copy", "haas-mill", "vf-2", "--name", "VF-2 in the shop"}).status, 0);
+    QVERIFY(QFile::exists(folder_.filePath("data/burin/machines/vf-2.json")));
+    QByteArray text = runBurin({"machines", "show", "vf-2"}).output;
+    QVERIFY(text.contains("\"maximum_spindle_speed_rpm\": 8100"));
+    QFile file(folder_.filePath("changed.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text.replace("8100", "7500"));
+    file.close();
+    QCOMPARE(runBurin({"machines", "add", file.fileName()}).status, 2); // there is one of that ID
+    QCOMPARE(runBurin({"machines", "add", file.fileName(), "--replace"}).status, 0);
+    const QJsonObject shown = runBurin({"machines", "show", "vf-2", "--json"}).json();
+    QCOMPARE(shown["maximum_spindle_speed_rpm"].toDouble(), 7500.0);
+    bool own = false, typical = false;
+    for (const QJsonValue& one : runBurin({"machines", "list", "--json"}).json()["machines"].toArray()) {
+        if (one["id"] == "vf-2") own = !one["typical"].toBool() && one["name"] == "VF-2 in the shop";
+        if (one["id"] == "haas-mill") typical = one["typical"].toBool();
+    }
+    QVERIFY(own && typical);
+    QCOMPARE(runBurin({"machines", "remove", "vf-2"}).status, 0);
+    QVERIFY(!runBurin({"machines", "list"}).output.contains("vf-2"));
+}
+
+/// Its machine was deleted, or it comes from another computer: one sentence says which one stands in, and work goes on.
+void CommandLineTest::aProjectOutlivesItsMachine() {
+    const QString project = folder_.filePath("moved.burin");
+    QVERIFY(QFile::copy(folder_.filePath("cube.burin"), project));
+    QCOMPARE(runBurin({"machines", "copy", "haas-mill", "gone"}).status, 0);
+    QCOMPARE(runBurin({"setup", project, "--machine", "gone"}).status, 0);
+    QCOMPARE(runBurin({"machines", "remove", "gone"}).status, 0);
+    const ProgramRun run = runBurin({"mill", project, "--seconds", "0.2"});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    QVERIFY2(run.messages.contains("\"gone\"") && run.messages.contains("\"linuxcnc-mill\""), run.messages.constData());
 }
 
 void CommandLineTest::fullDiskKeepsTheOldProject() {

@@ -3,6 +3,9 @@
 #include "core/base/resource_folder.h"
 #include "core/machine/machine_library.h"
 
+#include <nlohmann/json.hpp>
+
+#include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -19,6 +22,24 @@ const char* const shortProfile =
     "\"maximum_feed_mm_per_min\": 1000, \"rapid_feed_mm_per_min\": 3000, \"minimum_spindle_speed_rpm\": 0,"
     "\"maximum_spindle_speed_rpm\": 8000, \"acceleration_mm_per_s2\": 250, \"tool_change_height_mm\": 20,"
     "\"coordinate_decimals\": 3, \"maximum_line_length\": 80}";
+
+/// With every key that a file may have, none of them at its default.
+const char* const fullProfile = R"({
+  "id": "full", "name": "All keys", "source": "nameplate", "sources": {"travel_mm": "measured", "coolant": "fitted"},
+  "dialect": "haas", "travel_mm": [301.5, 202, 103], "maximum_feed_mm_per_min": 1000, "rapid_feed_mm_per_min": 3000,
+  "axis_rates_mm_per_min": [3000, 2900, 1500], "acceleration_mm_per_s2": 250,
+  "axis_accelerations_mm_per_s2": [240, 230, 120.5], "axis_jerks_mm_per_s3": [9000, 8000, 7000],
+  "blocks_per_second": 40, "rapids": "tip", "junctions": {"rule": "deviation", "tolerance_mm": 0.015},
+  "minimum_spindle_speed_rpm": 100, "maximum_spindle_speed_rpm": 8000, "spindle_power_w": 750,
+  "spindle_torque": [{"speed_rpm": 500, "torque_nm": 12.5}, {"speed_rpm": 8000, "torque_nm": 0.9}],
+  "tool_change_height_mm": 20, "tool_change_s": 7.5,
+  "arcs": {"largest_sweep_deg": 355, "smallest_radius_mm": 0.05, "largest_radius_mm": 900, "radius_mismatch_mm": 0.004},
+  "coolant": {"mist": true, "flood": false}, "coordinate_decimals": 4, "maximum_line_length": 80})";
+
+/// A file as plain JSON, read by nobody but the JSON library.
+nlohmann::json plain(const std::string& text) {
+    return nlohmann::json::parse(text);
+}
 
 } // namespace
 
@@ -127,6 +148,68 @@ private slots:
         QCOMPARE(mill->maximumSpindleSpeed, 24000.0);
         QCOMPARE(mill->maximumLineLength, 255);
         QVERIFY(mill->source.find("example") != std::string::npos);
+    }
+
+    /// Nothing of a file gets lost, whatever it states: written again it says the same, key by key.
+    void aWrittenMachineIsTheOneThatWasRead() {
+        const Result<MachineProfile> full = machineFromJson(fullProfile, "full.json");
+        QVERIFY2(full.hasValue(), full ? "" : full.error().place.c_str());
+        QVERIFY(plain(toJson(*full)) == plain(fullProfile));
+        for (const std::string& id : machineIds()) {
+            const Result<ResourceText> file = findResource(machineResource, id);
+            QVERIFY(file.hasValue());
+            const nlohmann::json written = plain(toJson(*loadMachine(id)));
+            const nlohmann::json read = plain(file->text);
+            for (const auto& [key, value] : read.items())
+                QVERIFY2(written.contains(key) && written.at(key) == value, (id + ": " + key).c_str());
+        }
+        const Result<MachineProfile> brief = machineFromJson(shortProfile, "own.json");
+        const Result<MachineProfile> again = machineFromJson(toJson(*brief), "again.json");
+        QVERIFY(again.hasValue());
+        QCOMPARE(again->spindlePower, 0.0);
+        QVERIFY(!again->coolants && again->dialect.empty());
+        QCOMPARE(toJson(*again), toJson(*brief));
+    }
+
+    void aMachineOfTheUserIsKeptChangedAndDeleted() {
+        MachineProfile own = copyOf(*loadMachine("haas-mill"), "shop-vf2", "VF-2 in the shop");
+        QVERIFY(own.source.find("haas-mill") != std::string::npos);
+        QVERIFY(saveMachine(own, false).hasValue());
+        QVERIFY(!isTypicalMachine("shop-vf2"));
+        QCOMPARE(loadMachine("shop-vf2")->name, std::string("VF-2 in the shop"));
+        QVERIFY(saveMachine(own, false).error().code == ErrorCode::argumentInvalid); // there is one already
+        own.maximumSpindleSpeed = 7500.0;
+        QVERIFY(saveMachine(own, true).hasValue());
+        QCOMPARE(loadMachine("shop-vf2")->maximumSpindleSpeed, 7500.0);
+        QCOMPARE(QDir(userData_.filePath("burin/machines")).entryList(QDir::Files | QDir::Hidden),
+                 QStringList{"shop-vf2.json"}); // nothing else is left beside it
+        QVERIFY(removeMachine("shop-vf2").hasValue());
+        QVERIFY(loadMachine("shop-vf2").error().code == ErrorCode::nameUnknown);
+        QVERIFY(removeMachine("shop-vf2").error().code == ErrorCode::nameUnknown);
+    }
+
+    void aShippedMachineStaysAsItIs() {
+        MachineProfile shipped = *loadMachine("haas-mill");
+        QVERIFY(isTypicalMachine("haas-mill"));
+        shipped.maximumFeed = 1.0;
+        QVERIFY(saveMachine(shipped, true).error().code == ErrorCode::argumentInvalid);
+        QVERIFY(removeMachine("haas-mill").error().code == ErrorCode::argumentInvalid);
+        QVERIFY(loadMachine("haas-mill")->maximumFeed > 1.0);
+    }
+
+    /// What a file may not hold is not kept either, and the sentence's parts name file, key and what is allowed.
+    void aMachineOutOfRangeIsNotKept() {
+        MachineProfile own = copyOf(*loadMachine("haas-mill"), "wrong", "wrong");
+        own.acceleration = 0.0;
+        const Result<std::filesystem::path> kept = saveMachine(own, false);
+        QVERIFY(!kept.hasValue());
+        QCOMPARE(kept.error().subject, std::string("wrong.json"));
+        QCOMPARE(kept.error().place, std::string("acceleration_mm_per_s2"));
+        QVERIFY(kept.error().detail.find("1") != std::string::npos);
+        own.acceleration = 1000.0;
+        own.id = "../wrong";
+        QVERIFY(saveMachine(own, false).error().code == ErrorCode::argumentInvalid);
+        QVERIFY(!QDir(userData_.path()).exists("burin/machines/wrong.json"));
     }
 
     void anUnknownMachineNamesThoseThereAre() {

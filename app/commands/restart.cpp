@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/restart.h"
+
+#include "app/report.h"
+#include "app/surroundings.h"
+#include "core/base/file.h"
+#include "core/base/numbers.h"
+#include "core/project/kept_program.h"
+#include "core/project/restart_job.h"
+
+#include <filesystem>
+
+namespace burin {
+
+namespace {
+
+/// A program that was interrupted, and what it was made for.
+struct Interrupted {
+    std::string text, dialect, machine;
+    NcUnits units = NcUnits::millimetre;
+};
+
+/// The newest one that the project keeps. Errors: projectIncomplete.
+Result<Interrupted> keptIn(const Project& project, CommandContext& context) {
+    const Result<std::optional<ReopenedProgram>> reopened = reopenProgram(project);
+    if (!reopened) return reopened.error();
+    if (*reopened) {
+        const KeptProgram& kept = (*reopened)->kept;
+        if (!(*reopened)->upToDate)
+            context.message("The project changed after its program was posted; the restart is judged by the project "
+                            "as it is now.");
+        return Interrupted{kept.text, kept.dialect, kept.machine, kept.units};
+    }
+    const Result<std::vector<StoredProgram>> programs = project.programs();
+    if (!programs) return programs.error();
+    if (programs->empty()) return Error{ErrorCode::projectIncomplete, "program", "burin post", {}};
+    const StoredProgram& last = programs->back();
+    const Result<ProgramTarget> target = project.programTarget();
+    if (!target) return target.error();
+    return Interrupted{last.text, last.dialect, last.machine, target->units};
+}
+
+Result<Interrupted> interruptedProgram(const Project& project, const RestartArguments& arguments,
+                                       CommandContext& context) {
+    if (arguments.program.empty()) return keptIn(project, context);
+    Result<std::string> text = readFile(arguments.program);
+    if (!text) return std::move(text).error();
+    const Result<ProgramTarget> target = project.programTarget();
+    if (!target) return target.error();
+    return Interrupted{std::move(*text), {}, {}, target->units};
+}
+
+/// Tools that a text of the project may call.
+Result<std::vector<Tool>> toolsIn(const Project& project) {
+    Result<std::vector<Tool>> tools = project.tools();
+    if (!tools || !tools->empty()) return tools;
+    const Result<std::vector<TakeInfo>> takes = project.takes();
+    if (!takes) return takes.error();
+    if (takes->empty()) return Error{ErrorCode::projectIncomplete, "recording", "burin mill", {}};
+    Result<Tool> tool = toolFor(project, takes->front().toolId);
+    if (!tool) return std::move(tool).error();
+    return std::vector{std::move(*tool)};
+}
+
+std::string textOf(const RestartedProgram& restart) {
+    return "first cut: line " + std::to_string(restart.line) + " of the interrupted program, from " +
+           formatFixed(restart.lead, 1) + " mm of path before it";
+}
+
+} // namespace
+
+int runRestart(const RestartArguments& arguments, CommandContext& context) {
+    context.stage("Opening");
+    const Result<Project> project = Project::open(arguments.project);
+    if (!project) return context.fail(project.error());
+    Result<Interrupted> interrupted = interruptedProgram(*project, arguments, context);
+    if (!interrupted) return context.fail(interrupted.error());
+    Result<std::vector<Tool>> tools = toolsIn(*project);
+    if (!tools) return context.fail(tools.error());
+    const std::string& asked = arguments.machine.empty() ? interrupted->machine : arguments.machine;
+    const Result<Bench> bench =
+        makeBench(*project, tools->front(), machineFor(*project, asked, context), context.progress());
+    if (!bench) return context.fail(bench.error());
+    const Result<ProgramTarget> target = project->programTarget();
+    if (!target) return context.fail(target.error());
+
+    context.stage("Restarting and checking");
+    ProgramRequest request;
+    request.name = std::filesystem::path(arguments.output).filename().string();
+    request.dialect =
+        dialectFor(arguments.dialect.empty() ? interrupted->dialect : arguments.dialect, *target, bench->machine);
+    request.gougeTolerance = arguments.tolerance;
+    request.units = ncUnitsFromId(arguments.units).value_or(interrupted->units);
+    request.tools = std::move(*tools);
+    Result<RestartedProgram> restart =
+        makeRestart(*bench, interrupted->text, arguments.line, request, context.progress());
+    if (!restart) return context.fail(restart.error());
+    if (!restart->program.passed() && !arguments.overrideReason.empty()) {
+        Result<CheckedProgram> overridden =
+            overrideCheck(std::move(restart->program), arguments.overrideReason, bench->machine);
+        if (!overridden) return context.fail(overridden.error());
+        restart->program = std::move(*overridden);
+    }
+
+    const CheckedProgram& program = restart->program;
+    nlohmann::json answer = jsonOf(program.report);
+    answer["program"] = nullptr;
+    answer["restart_line"] = arguments.line;
+    answer["first_cut_line"] = restart->line;
+    answer["lead_mm"] = restart->lead;
+    answer["blocks"] = program.parsed.blocks;
+    answer["machine"] = jsonOf(bench->machine);
+    answer["passed"] = program.passed();
+    answer["overridden"] = program.overridden;
+    answer["lint"] = jsonOf(program.lint);
+    const std::string verdict = textOf(*restart) + "\n" + textOf(program, arguments.tolerance, bench->machine);
+    if (!program.released()) {
+        context.answer(answer, verdict);
+        context.message(notWritten(arguments.output));
+        return static_cast<int>(ErrorClass::checkFailed);
+    }
+    if (const Result<void> written = writeFileAtomically(arguments.output, program.text); !written)
+        return context.fail(written.error());
+    answer["program"] = std::filesystem::absolute(arguments.output).lexically_normal().string();
+    context.answer(answer, arguments.output + ": " + std::to_string(program.parsed.blocks) + " blocks\n" + verdict);
+    return 0;
+}
+
+} // namespace burin

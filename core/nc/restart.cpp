@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/nc/restart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace burin {
+
+namespace {
+
+constexpr double shortestRest = 0.01; // mm: less of a move is not worth a block
+
+bool isCut(const NcMotion& motion) noexcept {
+    return motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc;
+}
+
+bool endKnown(const NcMotion& motion) noexcept {
+    return motion.toKnown[0] && motion.toKnown[1] && motion.toKnown[2];
+}
+
+Error lineError(std::uint32_t line, std::string allowed) {
+    return {ErrorCode::argumentInvalid, "restart line", std::to_string(line), std::move(allowed)};
+}
+
+Coolant coolantOf(const NcMotion& motion) noexcept {
+    return motion.flood ? Coolant::flood : motion.mist ? Coolant::mist : Coolant::off;
+}
+
+/// mm that the control may leave the path by, as NcProgram has it.
+double blendOf(const NcMotion& motion) noexcept {
+    switch (motion.pathMode) {
+    case PathMode::machine:
+        return PostRequest{}.blendTolerance; // for the dialects that say it somewhere else
+    case PathMode::blend:
+        return motion.blendTolerance;
+    case PathMode::exactPath:
+    case PathMode::exactStop:
+        break;
+    }
+    return 0.0;
+}
+
+/// Cuts that differ in none of this stand in one section.
+bool sameSection(const NcMotion& a, const NcMotion& b) noexcept {
+    return a.tool == b.tool && a.spindle == b.spindle && a.spindleSpeed == b.spindleSpeed && a.mist == b.mist &&
+           a.flood == b.flood;
+}
+
+/// The lowest feed of the tool down into material, or `otherwise`.
+double plungeFeed(std::span<const NcMotion> motions, int tool, double otherwise) {
+    double feed = otherwise;
+    for (const NcMotion& motion : motions) {
+        if (motion.kind != NcMotionKind::line || motion.tool != tool || !motion.startKnown()) continue;
+        const double down = motion.from.z - motion.to.z;
+        if (down > 0.0 && down >= glm::length(glm::dvec2(motion.to - motion.from)) && motion.feed > 0.0)
+            feed = std::min(feed, motion.feed);
+    }
+    return feed;
+}
+
+NcMove moveTo(NcMoveKind kind, const glm::dvec3& target, double feed = 0.0) {
+    NcMove move;
+    move.kind = kind;
+    move.target = target;
+    move.feed = feed;
+    return move;
+}
+
+NcMove dwellOf(const NcMotion& motion) {
+    NcMove move = moveTo(NcMoveKind::dwell, motion.to);
+    move.seconds = motion.seconds;
+    return move;
+}
+
+/// Where the rest of a program begins: within a motion.
+struct Begin {
+    std::size_t motion = 0;
+    double share = 0.0; ///< of the motion that is left out
+    double lead = 0.0;  ///< mm of path up to the cut that is next
+};
+
+glm::dvec3 placeIn(const NcMotion& motion, double share) {
+    if (motion.kind == NcMotionKind::arc) return placeOn(motion.arc(), motion.turn(), share);
+    return glm::mix(motion.from, motion.to, share);
+}
+
+/// Back along the path from the start of a cut, over cuts of the same tool alone.
+Begin leadBefore(std::span<const NcMotion> motions, std::size_t cut, double lead) {
+    Begin begin{cut, 0.0, 0.0};
+    for (std::size_t i = cut; i-- > 0 && begin.lead < lead;) {
+        const NcMotion& motion = motions[i];
+        if (motion.kind == NcMotionKind::dwell) continue;
+        if (!isCut(motion) || motion.tool != motions[cut].tool || !motion.spindleOn() || !motion.startKnown()) break;
+        const double length = lengthOf(motion), left = lead - begin.lead;
+        begin.motion = i;
+        if (length > left + shortestRest) {
+            begin.share = 1.0 - left / length;
+            begin.lead = lead;
+            break;
+        }
+        begin.lead += length;
+    }
+    return begin;
+}
+
+/// Behind the last motion before a cut that ends at a free height with the same tool; the first one of the tool where
+/// there is none.
+Begin retractBefore(std::span<const NcMotion> motions, std::size_t cut, double freeHeight) {
+    std::size_t first = cut;
+    for (std::size_t i = cut; i-- > 0;) {
+        const NcMotion& motion = motions[i];
+        if (motion.tool != motions[cut].tool || !endKnown(motion)) break;
+        first = i;
+        if (motion.rapid() && motion.to.z >= freeHeight) break;
+    }
+    double lead = 0.0;
+    for (std::size_t i = first; i < cut; ++i)
+        if (isCut(motions[i])) lead += lengthOf(motions[i]);
+    return {first, 0.0, lead};
+}
+
+/// Gathers the moves of the rest in sections.
+class RestWriter {
+public:
+    RestWriter(const ParsedProgram& program, const RestartRequest& request, NcProgram& rest)
+        : motions_(program.motions), request_(request), rest_(rest) {}
+
+    Result<void> write(const Begin& begin, std::size_t cut) {
+        findNextCuts();
+        for (std::size_t i = begin.motion; i < motions_.size(); ++i) {
+            if (i == cut) comment_ = "Line " + std::to_string(motions_[i].line) + " of the interrupted program";
+            if (Result<void> added = add(i, i == begin.motion ? begin.share : 0.0); !added) return added;
+        }
+        return {};
+    }
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    /// By motion, the first cut at or behind it.
+    void findNextCuts() {
+        nextCut_.assign(motions_.size(), none);
+        std::size_t next = none;
+        for (std::size_t i = motions_.size(); i-- > 0;) {
+            if (isCut(motions_[i])) next = i;
+            nextCut_[i] = next;
+        }
+    }
+
+    Result<void> add(std::size_t i, double share) {
+        const NcMotion& motion = motions_[i];
+        if (!endKnown(motion) || nextCut_[i] == none) return {}; // the dialect's own blocks, which it writes again
+        const NcMotion& asCut = motions_[nextCut_[i]];
+        if (isCut(motion)) return addCut(motion, share);
+        if (motion.kind == NcMotionKind::dwell) {
+            if (open_ && sameSection(*open_, asCut)) push(dwellOf(motion));
+            return {};
+        }
+        if (motion.tool != asCut.tool) return {}; // back from the last cut of a tool: so does the section's end
+        if (!open_ || !sameSection(*open_, asCut))
+            if (Result<void> begun = beginSection(asCut); !begun) return begun;
+        push(moveTo(NcMoveKind::rapid, motion.to));
+        return {};
+    }
+
+    Result<void> addCut(const NcMotion& motion, double share) {
+        if (Result<void> sound = check(motion); !sound) return sound;
+        if (!open_ || !sameSection(*open_, motion)) {
+            if (Result<void> begun = beginSection(motion); !begun) return begun;
+            enter(placeIn(motion, share), motion);
+        }
+        if (motion.kind == NcMotionKind::arc)
+            addArc(motion, share);
+        else
+            push(moveTo(NcMoveKind::line, motion.to, motion.feed));
+        return {};
+    }
+
+    Result<void> check(const NcMotion& motion) const {
+        if (!motion.startKnown())
+            return lineError(request_.line, "a line with no cut from an unknown position behind it (line " +
+                                                std::to_string(motion.line) + ")");
+        if (!(motion.feed > 0.0))
+            return lineError(request_.line,
+                             "a line with no cut without a feed behind it (line " + std::to_string(motion.line) + ")");
+        if (!motion.spindleOn())
+            return lineError(request_.line, "a line with no cut without a spindle behind it (line " +
+                                                std::to_string(motion.line) + ")");
+        if (motion.ownZero)
+            return Error{ErrorCode::notSupported, "a restart of a program that sets its own zero", {}, {}};
+        if (motion.workOffset != rest_.workOffset)
+            return Error{ErrorCode::notSupported, "a restart over a change of the work offset", {}, {}};
+        if (blendOf(motion) != rest_.blendTolerance)
+            return Error{ErrorCode::notSupported, "a restart over a change of the path mode (G61, G64)", {}, {}};
+        return {};
+    }
+
+    Result<void> beginSection(const NcMotion& cut) {
+        const auto tool = request_.tools.find(cut.tool);
+        if (tool == request_.tools.end())
+            return Error{ErrorCode::nameUnknown, "tool", "T" + std::to_string(cut.tool), {}};
+        NcSection& section = rest_.sections.emplace_back();
+        section.toolNumber = tool->second.number;
+        section.toolName = tool->second.name;
+        section.spindleSpeed = cut.spindleSpeed;
+        section.direction =
+            cut.spindle == SpindleState::anticlockwise ? SpindleDirection::anticlockwise : SpindleDirection::clockwise;
+        section.coolant = coolantOf(cut);
+        open_ = &cut;
+        return {};
+    }
+
+    /// Over a place of the path, then straight down onto it: an upright tool that was there has room above.
+    void enter(const glm::dvec3& place, const NcMotion& cut) {
+        push(moveTo(NcMoveKind::rapid, {place.x, place.y, std::max(place.z, request_.freeHeight)}));
+        if (place.z < request_.freeHeight)
+            push(moveTo(NcMoveKind::line, place, plungeFeed(motions_, cut.tool, cut.feed)));
+    }
+
+    /// In as many pieces as it has turns: a block makes one at most.
+    void addArc(const NcMotion& motion, double share) {
+        const Arc arc = motion.arc();
+        const ArcTurn turn = motion.turn();
+        const double turns = std::abs(turn.sweep) * (1.0 - share) / (2.0 * pi);
+        const int pieces = std::max(1, static_cast<int>(std::ceil(turns - 1e-9)));
+        for (int i = 1; i <= pieces; ++i) {
+            const double end = i == pieces ? 1.0 : share + (1.0 - share) * i / pieces;
+            NcMove move = moveTo(NcMoveKind::arc, placeOn(arc, turn, end), motion.feed);
+            move.arc = {motion.centre, motion.arcAxis, motion.clockwise};
+            push(std::move(move));
+        }
+    }
+
+    void push(NcMove move) {
+        if (move.kind == NcMoveKind::line || move.kind == NcMoveKind::arc) {
+            move.comment = std::move(comment_);
+            comment_.clear();
+        }
+        rest_.sections.back().moves.push_back(std::move(move));
+    }
+
+    std::span<const NcMotion> motions_;
+    const RestartRequest& request_;
+    NcProgram& rest_;
+    std::vector<std::size_t> nextCut_;
+    const NcMotion* open_ = nullptr; ///< the cut that the last section was begun for
+    std::string comment_;
+};
+
+} // namespace
+
+Result<Restart> restartAt(const ParsedProgram& program, const RestartRequest& request) {
+    const std::span<const NcMotion> motions = program.motions;
+    const auto first = std::ranges::find_if(motions, [&](const NcMotion& one) { return one.line >= request.line; });
+    const auto cut = std::find_if(first, motions.end(), isCut);
+    if (cut == motions.end()) {
+        const auto last = std::find_if(motions.rbegin(), motions.rend(), isCut);
+        return lineError(request.line, last == motions.rend()
+                                           ? std::string("none; the program cuts nothing")
+                                           : "1 to " + std::to_string(last->line) + ", the line of the last cut");
+    }
+    const auto next = static_cast<std::size_t>(cut - motions.begin());
+    Restart restart;
+    restart.done = static_cast<std::size_t>(first - motions.begin());
+    restart.cut = cut->line;
+    NcProgram& rest = restart.program;
+    rest.name = request.programName;
+    rest.header = request.header;
+    rest.units = request.units;
+    rest.workOffset = cut->workOffset;
+    rest.safeHeight = request.safeHeight;
+    rest.blendTolerance = blendOf(*cut);
+    const Begin begin = request.entry == RestartEntry::retract ? retractBefore(motions, next, request.freeHeight)
+                        : cut == first                         ? leadBefore(motions, next, request.lead)
+                                                               : Begin{next, 0.0, 0.0};
+    restart.lead = begin.lead;
+    restart.place =
+        isCut(motions[begin.motion]) ? placeIn(motions[begin.motion], begin.share) : motions[begin.motion].to;
+    if (Result<void> written = RestWriter(program, request, rest).write(begin, next); !written) return written.error();
+    return restart;
+}
+
+} // namespace burin
