@@ -43,6 +43,8 @@ StallWatch::StallWatch(int& argc, char** argv) : QApplication(argc, argv), phase
 
 void StallWatch::beginPhase() {
     phase_ = Clock::now();
+    renderingProcessor_ = 0.0;
+    renderings_ = 0;
     all_.clear();
     worst_.clear();
 }
@@ -62,11 +64,16 @@ bool StallWatch::notify(QObject* receiver, QEvent* event) {
     const char* name = receiver->metaObject()->className(); // the receiver may be gone afterwards
     const int type = event->type();
     const bool renders = rendersView(*receiver, type);
+    const double processorBefore = renders ? processorTime() : 0.0;
     ++depth_;
     const bool answer = QApplication::notify(receiver, event);
     --depth_;
     const double took = millisecondsSince(begin);
-    if (renders) rendering_ += took;
+    if (renders) {
+        rendering_ += took;
+        renderingProcessor_ += processorTime() - processorBefore;
+        ++renderings_;
+    }
     // A dialog's event was handled while its own loop looked for new ones: that is no stall.
     if (took >= worthTelling && begin >= left_) handled_.push_back({depth_, name, type, took});
     return answer;

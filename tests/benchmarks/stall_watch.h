@@ -30,6 +30,9 @@ public:
     const std::vector<Stall>& worst() const { return worst_; } ///< of the phase, the longest first
     Stall longest() const { return worst_.empty() ? Stall{} : worst_.front(); }
     std::size_t longerThan(double milliseconds) const;
+    /// ms of this thread that rendering the view took once, the mean of the phase. All of it where software renders in
+    /// this thread (LP_NUM_THREADS=0): other programs take nothing of these.
+    double processorPerRendering() const { return renderings_ > 0 ? renderingProcessor_ / renderings_ : 0.0; }
 
     bool notify(QObject* receiver, QEvent* event) override;
 
@@ -48,6 +51,8 @@ private:
     bool away_ = false;
     Clock::time_point left_, phase_;
     double processorLeft_ = 0.0, rendering_ = 0.0; ///< ms: when the loop was left, and since
+    double renderingProcessor_ = 0.0;              ///< ms, of the phase
+    int renderings_ = 0;
     std::vector<Handled> handled_; ///< since the loop was left; what is handled within an event stands before it
     std::vector<double> all_;
     std::vector<Stall> worst_;

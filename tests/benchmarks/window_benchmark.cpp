@@ -254,6 +254,7 @@ int run(StallWatch& watch) {
     report.add("strokes", static_cast<double>(bench.bench.strokes().count()), "");
     report.add("paint_p95", drawn.paintP95, "ms");
     report.add("paint_max", drawn.paintMaximum, "ms");
+    report.add("paint_processor_mean", watch.processorPerRendering(), "ms");
     report.add("frames_per_second", static_cast<double>(drawn.frames) / seconds, "1/s");
     report.add("cores_used_by_others", others.coresUsed(), "");
     if (qEnvironmentVariableIsSet("BURIN_BENCHMARK_PICTURE")) driver.shoot("window-benchmark");

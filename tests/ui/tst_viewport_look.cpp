@@ -73,6 +73,19 @@ RunVolume milledAroundBar() {
     return volume;
 }
 
+/// Around the boss on its plate, up to a height, mm; nothing of it is milled.
+VolumeSnapshot blockUpTo(double top) {
+    PropertyList properties;
+    Property wax;
+    wax.id = wax.name = "wax";
+    wax.colour = {190, 190, 190};
+    const PropertyIndex stockIndex = *properties.add(wax);
+    const Grid grid = *Grid::make({-30.0, -22.0, -4.0}, 0.5, {120, 88, static_cast<int>(2.0 * (top + 4.0))});
+    RunVolume volume = *RunVolume::make(grid, properties);
+    (void)volume.fillBlock({0, 0}, {120, 88}, 0, grid.lineEnd(), stockIndex);
+    return volume.snapshot();
+}
+
 double lightnessOf(const QColor& colour) {
     return contrast(colour, Qt::black); // 1 … 21
 }
@@ -204,6 +217,39 @@ private slots:
                 if (image.pixelColor(x, y) == fixture::palette().text) ++ink;
         QVERIFY(ink > 60 * ratio);
         QVERIFY(bench_->save("viewport-scale", image));
+    }
+
+    /// It would cost every picture its triangles.
+    void aPartThatStockHidesIsNotDrawn() {
+        viewport_->setPartVisible(false);
+        viewport_->setWorkpiece(blockUpTo(18.0));
+        bench_->settle();
+        const std::size_t withPart = viewport_->statistics().triangles;
+        viewport_->setPart(nullptr);
+        bench_->settle();
+        QVERIFY(withPart > 0);
+        QCOMPARE(withPart, viewport_->statistics().triangles);
+        viewport_->setWorkpiece({});
+        viewport_->setPartVisible(true);
+    }
+
+    /// Beyond the voxels nothing is known to hide it.
+    void aPartThatStandsOutOfTheStockIsSeen() {
+        viewport_->setPart(bossOnPlate());
+        QTRY_VERIFY(bench_->ready());
+        viewport_->setPartVisible(false);
+        viewport_->setWorkpiece(blockUpTo(6.0));
+        bench_->settle();
+        const QImage image = viewport_->grabFramebuffer();
+        QVERIFY(bench_->save("viewport-part-out-of-stock", image));
+        const auto isPart = [&](const glm::dvec3& place) {
+            const QColor colour = pixelAt(image, place);
+            return colour.blue() > colour.red() + 40;
+        };
+        for (const glm::dvec3& place : {glm::dvec3(2.0, 1.0, 13.0), {-10.0, 1.0, 11.0}, {2.0, 8.0, 11.0}})
+            QVERIFY(isPart(place));
+        QVERIFY(!isPart({18.0, 13.0, 6.0})); // stock over the plate
+        viewport_->setWorkpiece({});
     }
 
     /// Not where its voxels lie, which are ten pixels wide: right up to its edges, and no farther.

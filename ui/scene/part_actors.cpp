@@ -45,14 +45,12 @@ CoarseBodies coarseBodies(const std::vector<ShadedBody>& bodies, double size) {
 
 void PartActors::setBodies(std::vector<ShadedBody> bodies) {
     for (const Drawn& body : bodies_) {
-        solids_.RemoveActor(body.surface);
-        solids_.RemoveActor(body.coarse);
-        solids_.RemoveActor(body.edges);
+        eachSolid(body, [&](vtkActor& actor) { solids_.RemoveActor(&actor); });
         marks_.RemoveActor(body.ghostSurface);
         marks_.RemoveActor(body.ghostEdges);
     }
     bodies_.clear();
-    triangles_ = coarseTriangles_ = 0;
+    triangles_ = 0;
     coarseError_ = 0.0;
     for (ShadedBody& body : bodies) add(std::move(body));
     refresh();
@@ -60,23 +58,21 @@ void PartActors::setBodies(std::vector<ShadedBody> bodies) {
 
 void PartActors::add(ShadedBody body) {
     const ShadedPolyData data = polyDataOf(*body.mesh);
-    Drawn drawn{surfaceActor(data.surface),
-                {},
-                raisedLineActor(data.creases, edgeHeight),
+    PartCells surface(*data.surface), edges(*data.creases);
+    Drawn drawn{{surface, surfaceActor(surface.data())},
+                std::nullopt,
+                {edges, raisedLineActor(edges.data(), edgeHeight)},
                 glassActor(data.surface),
                 lineActor(data.creases),
                 std::move(body)};
-    drawn.coarse = drawn.surface;
-    shadeSimply(*drawn.surface);
-    for (vtkActor* actor : {drawn.surface.Get(), drawn.edges.Get()}) {
-        clipBy(*actor, clip_);
-        solids_.AddActor(actor);
-    }
+    shadeSimply(*drawn.surface.actor);
+    eachSolid(drawn, [&](vtkActor& actor) {
+        clipBy(actor, clip_);
+        solids_.AddActor(&actor);
+    });
     marks_.AddActor(drawn.ghostSurface);
     marks_.AddActor(drawn.ghostEdges);
-    const std::size_t triangles = drawn.body.mesh->triangles.size() / 3;
-    triangles_ += triangles;
-    coarseTriangles_ += triangles;
+    triangles_ += drawn.body.mesh->triangles.size() / 3;
     bodies_.push_back(std::move(drawn));
 }
 
@@ -84,12 +80,10 @@ void PartActors::setCoarse(const CoarseBodies& coarse) {
     coarseError_ = coarse.error;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         if (coarse.surfaces[i] == nullptr) continue;
-        Drawn& body = bodies_[i];
-        body.coarse = surfaceActor(coarse.surfaces[i]);
-        shadeSimply(*body.coarse);
-        clipBy(*body.coarse, clip_);
-        coarseTriangles_ -= body.body.mesh->triangles.size() / 3;
-        coarseTriangles_ += static_cast<std::size_t>(coarse.surfaces[i]->GetNumberOfPolys());
+        const PartCells cells(*coarse.surfaces[i]);
+        Piece& piece = bodies_[i].coarse.emplace(Piece{cells, surfaceActor(cells.data())});
+        shadeSimply(*piece.actor);
+        clipBy(*piece.actor, clip_);
     }
     drawLast();
     refresh();
@@ -97,8 +91,7 @@ void PartActors::setCoarse(const CoarseBodies& coarse) {
 
 void PartActors::setClip(vtkPlane* clip) {
     clip_ = clip;
-    for (const Drawn& body : bodies_)
-        for (vtkActor* actor : {body.surface.Get(), body.coarse.Get(), body.edges.Get()}) clipBy(*actor, clip_);
+    for (const Drawn& body : bodies_) eachSolid(body, [&](vtkActor& actor) { clipBy(actor, clip_); });
 }
 
 void PartActors::setColours(const QColor& part, const QColor& edges) {
@@ -118,10 +111,16 @@ void PartActors::setInWorkpiece(bool drawn) {
     refresh();
 }
 
+void PartActors::setBare(const std::shared_ptr<const BareBricks>& bare) {
+    if (bare == bare_) return;
+    bare_ = bare;
+    showSolids();
+}
+
 void PartActors::drawLast() {
     for (const Drawn& body : bodies_) {
-        for (vtkActor* actor : {body.surface.Get(), body.coarse.Get(), body.edges.Get()}) solids_.RemoveActor(actor);
-        for (vtkActor* actor : {body.surface.Get(), body.coarse.Get(), body.edges.Get()}) solids_.AddActor(actor);
+        eachSolid(body, [&](vtkActor& actor) { solids_.RemoveActor(&actor); });
+        eachSolid(body, [&](vtkActor& actor) { solids_.AddActor(&actor); });
     }
 }
 
@@ -129,15 +128,31 @@ void PartActors::setDetail(bool moving, double pixel) {
     const bool coarse = moving || coarseError_ <= invisibleError * pixel;
     if (coarse == coarse_) return;
     coarse_ = coarse;
-    showSurfaces();
+    showSolids();
 }
 
-void PartActors::showSurfaces() {
-    const bool shown = drawn() && !covered_;
-    for (const Drawn& body : bodies_) {
-        body.surface->SetVisibility(shown && !coarse_);
-        if (coarse_ || body.coarse != body.surface) body.coarse->SetVisibility(shown && coarse_);
+void PartActors::showSolids() {
+    for (Drawn& body : bodies_) {
+        if (body.coarse) body.coarse->actor->VisibilityOff();
+        body.surface.actor->VisibilityOff();
+        show(body.shown(coarse_), drawn() && !covered_);
+        show(body.edges, drawn());
     }
+}
+
+/// Only what is in force is chosen: it costs.
+void PartActors::show(Piece& piece, bool shown) const {
+    if (shown) piece.cells.choose(visible_ ? nullptr : bare_);
+    piece.actor->SetVisibility(shown && piece.cells.count() > 0);
+}
+
+std::size_t PartActors::triangles() const {
+    std::size_t count = 0;
+    for (const Drawn& body : bodies_) {
+        const Piece& piece = body.shown(coarse_);
+        if (piece.actor->GetVisibility() != 0) count += piece.cells.count();
+    }
+    return count;
 }
 
 void PartActors::setGhost(bool visible) {
@@ -147,7 +162,7 @@ void PartActors::setGhost(bool visible) {
 }
 
 void PartActors::setDepthCue(const DepthCue& cue) {
-    for (const Drawn& body : bodies_) burin::setDepthCue(coarse_ ? *body.coarse : *body.surface, cue);
+    for (const Drawn& body : bodies_) burin::setDepthCue(*body.shown(coarse_).actor, cue);
 }
 
 void PartActors::setCovered(bool covered) {
@@ -173,12 +188,12 @@ std::optional<glm::dvec3> PartActors::pick(const Sight& sight) const {
 
 void PartActors::refresh() {
     for (const Drawn& body : bodies_) {
-        for (vtkActor* surface : {body.surface.Get(), body.coarse.Get()})
-            setColour(*surface, inWorkpiece_ ? part_ : body.body.colour.value_or(part_));
-        setColour(*body.edges, edges_);
-        setBlended(*body.edges, edgeOpacity);
-        burin::setLineWidth(*body.edges, lineWidth_);
-        body.edges->SetVisibility(drawn());
+        const QColor colour = inWorkpiece_ ? part_ : body.body.colour.value_or(part_);
+        setColour(*body.surface.actor, colour);
+        if (body.coarse) setColour(*body.coarse->actor, colour);
+        setColour(*body.edges.actor, edges_);
+        setBlended(*body.edges.actor, edgeOpacity);
+        burin::setLineWidth(*body.edges.actor, lineWidth_);
         setColour(*body.ghostSurface, part_);
         setColour(*body.ghostEdges, part_);
         body.ghostSurface->GetProperty()->SetOpacity(ghostOpacity);
@@ -187,7 +202,7 @@ void PartActors::refresh() {
         body.ghostSurface->SetVisibility(ghost_ && triangles_ <= ghostTriangles);
         body.ghostEdges->SetVisibility(ghost_);
     }
-    showSurfaces();
+    showSolids();
 }
 
 } // namespace burin

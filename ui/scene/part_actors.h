@@ -4,6 +4,7 @@
 
 #include "core/cad/model.h"
 #include "ui/scene/bench_lights.h"
+#include "ui/scene/part_cells.h"
 #include "ui/scene/shaded_mesh.h"
 #include "ui/scene/sight.h"
 
@@ -52,6 +53,8 @@ public:
     void setVisible(bool visible);
     /// Drawn in the part's blue where the workpiece is bare, whether visible or not; not picked for that.
     void setInWorkpiece(bool drawn);
+    /// Where that is; null: it may be bare anywhere.
+    void setBare(const std::shared_ptr<const BareBricks>& bare);
     /// Draws only what a plane doesn't cut off; null: all. The plane may be moved.
     void setClip(vtkPlane* clip);
     /// Of a part with very many triangles, the edges alone.
@@ -70,27 +73,43 @@ public:
     void setDepthCue(const DepthCue& cue);
     /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
-    std::size_t triangles() const noexcept {
-        return !drawn() || covered_ ? 0 : coarse_ ? coarseTriangles_ : triangles_;
-    }
+    std::size_t triangles() const;
 
 private:
-    struct Drawn {
-        vtkSmartPointer<vtkActor> surface, coarse, edges, ghostSurface, ghostEdges; ///< `coarse` may be `surface`
-        ShadedBody body;
+    /// Of the part's cells, those that are chosen.
+    struct Piece {
+        PartCells cells;
+        vtkSmartPointer<vtkActor> actor;
     };
+    struct Drawn {
+        Piece surface;
+        std::optional<Piece> coarse; ///< none: as the surface
+        Piece edges;
+        vtkSmartPointer<vtkActor> ghostSurface, ghostEdges;
+        ShadedBody body;
+        Piece& shown(bool coarsely) { return coarsely && coarse ? *coarse : surface; }
+        const Piece& shown(bool coarsely) const { return coarsely && coarse ? *coarse : surface; }
+    };
+    template <class Visit>
+    static void eachSolid(const Drawn& body, Visit visit) {
+        visit(*body.surface.actor);
+        if (body.coarse) visit(*body.coarse->actor);
+        visit(*body.edges.actor);
+    }
+    void show(Piece& piece, bool shown) const;
     bool drawn() const noexcept { return visible_ || inWorkpiece_; }
     void add(ShadedBody body);
     void refresh();
-    void showSurfaces();
+    void showSolids();
 
     vtkRenderer &solids_, &marks_;
     std::vector<Drawn> bodies_;
     vtkSmartPointer<vtkPlane> clip_;
     QColor part_, edges_;
     double lineWidth_ = 1.0;
-    std::size_t triangles_ = 0, coarseTriangles_ = 0;
-    double coarseError_ = 0.0; ///< mm
+    std::shared_ptr<const BareBricks> bare_;
+    std::size_t triangles_ = 0; ///< of all bodies in full
+    double coarseError_ = 0.0;  ///< mm
     bool coarse_ = false, visible_ = true, inWorkpiece_ = false, ghost_ = false, covered_ = false;
 };
 

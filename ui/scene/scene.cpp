@@ -235,6 +235,7 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     setLineWidths(ratio);
     part_.setDetail(moving, pixelAt(view, size, view.focus) / ratio);
     workpiece_.update(moving, toolMarks_.proxy.tip);
+    part_.setBare(workpiece_.bare());
     if (std::exchange(workpieceDrawn_, workpiece_.volume()) != workpiece_.volume()) part_.drawLast();
     stock_.drawLast();
     tool_.place(view);

@@ -46,11 +46,13 @@ struct LayerActor {
     vtkSmartPointer<vtkActor> actor = groupActor();
     std::optional<SurfaceUpdate> next; ///< newer than what the actor holds
     std::size_t triangles = 0;         ///< that the actor holds
+    std::vector<SurfaceBrick> bare;    ///< where it leaves out bare part
     bool loaded = false;               ///< the actor holds something
 
     void load() {
         static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(next->data);
         triangles = next->triangles;
+        bare = std::move(next->bare);
         loaded = true;
         next.reset();
     }
@@ -115,6 +117,7 @@ public:
         load(nearest, choose(nearest, moving));
         for (Group& group : groups_) draw(group);
         showGlass();
+        findBare();
         if (waiting_)
             ready_();
         else if (cut_)
@@ -126,6 +129,7 @@ public:
             if (group.drawn != nullptr) burin::setDepthCue(*group.drawn->actor, cue);
     }
 
+    const std::shared_ptr<const BareBricks>& bare() const noexcept { return bare_; }
     std::uint64_t volume() const noexcept { return volume_; }
     std::size_t triangles() const {
         return std::accumulate(groups_.begin(), groups_.end(), std::size_t{0}, [](std::size_t sum, const Group& group) {
@@ -154,6 +158,7 @@ private:
         if (delivery.volume != volume_) {
             removeGroups();
             volume_ = delivery.volume;
+            grid_ = delivery.grid;
             groups_.resize(delivery.groups.size());
             for (std::size_t i = 0; i < groups_.size(); ++i) {
                 groups_[i].centre = delivery.groups[i];
@@ -205,6 +210,14 @@ private:
         }
     }
 
+    void findBare() {
+        if (groups_.empty() || std::any_of(groups_.begin(), groups_.end(), [](const Group& g) { return !g.drawn; }))
+            return bare_.reset();
+        BareBricks bare(grid_);
+        for (const Group& group : groups_) bare.mark(group.drawn->bare);
+        if (!bare_ || bare != *bare_) bare_ = std::make_shared<const BareBricks>(std::move(bare));
+    }
+
     void draw(Group& group) const {
         for (LayerActor* one : {&group.moving, &group.rest})
             one->actor->SetVisibility(visible_ && opacity_ >= 1.0 && one == group.drawn && one->triangles > 0);
@@ -234,6 +247,8 @@ private:
     double opacity_ = 1.0;
     std::function<void()> ready_;
     std::vector<Group> groups_;
+    std::shared_ptr<const BareBricks> bare_;
+    Grid grid_;
     std::uint64_t volume_ = 0;
     bool visible_ = true, waiting_ = false;
     std::optional<CutTime> cut_, cutShown_;
@@ -270,6 +285,9 @@ void WorkpieceActors::update(bool moving, const glm::dvec3& focus) {
 }
 void WorkpieceActors::setDepthCue(const DepthCue& cue) {
     impl_->setDepthCue(cue);
+}
+const std::shared_ptr<const BareBricks>& WorkpieceActors::bare() const noexcept {
+    return impl_->bare();
 }
 std::uint64_t WorkpieceActors::volume() const {
     return impl_->volume();

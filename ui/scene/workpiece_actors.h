@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/volume/surface.h"
+#include "ui/scene/bare_bricks.h"
 #include "ui/scene/bench_lights.h"
 
 #include <vtkPlane.h>
@@ -50,6 +51,8 @@ public:
     /// Of the surfaces that are drawn now, before each paint.
     void setDepthCue(const DepthCue& cue);
 
+    /// Where bare part is left out in the next paint. Null: all of it may be, since the workpiece isn't drawn in full.
+    const std::shared_ptr<const BareBricks>& bare() const noexcept;
     std::size_t triangles() const; ///< that the next paint draws
     std::uint64_t volume() const;  ///< counts volumes: with another one, all actors were added anew
     bool fullDetail() const;       ///< everything is drawn at full detail

@@ -51,6 +51,7 @@ void giveBackUnused(SurfaceMesh& mesh) {
 void WorkpieceMesher::Layer::start(const WorkpieceGroups& groups) {
     step = 0;
     tiles.assign(groups.tileCount(), {});
+    bare.assign(groups.tileCount(), {});
     triangles.assign(groups.count(), 0);
     staleTiles.resize(groups.tileCount());
     staleGroups.resize(groups.count());
@@ -195,6 +196,7 @@ void WorkpieceMesher::startVolume() {
     {
         const std::lock_guard lock(mutex_);
         ++delivery_.volume;
+        delivery_.grid = shown_.empty() ? Grid() : shown_.grid();
         delivery_.groups = groups_.centres();
         delivery_.updates.clear();
     }
@@ -271,7 +273,11 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
     SurfaceMesh& mesh = layer(which).tiles[place];
     extractor_.extract(shown_, tile, {wanted.level, 0.0}, mesh);
     sharpening_.sharpen(tile, wanted.level, mesh);
-    if (withoutPart_) border_.draw(shown_, tile, wanted.level, mesh);
+    layer(which).bare[place].clear();
+    if (withoutPart_) {
+        findBareBricks(shown_, wanted.level, mesh, layer(which).bare[place]);
+        border_.draw(shown_, tile, wanted.level, mesh);
+    }
     simplifier_.simplify(mesh, 0.5 * wanted.tolerance * edge, // the other half is for the whole group
                          edge * (1 << wanted.level), sharpening_.faces());
     giveBackUnused(mesh);
@@ -286,10 +292,12 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
 SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, bool mixed) {
     const Layer& rest = layer(SurfaceLayer::rest);
     std::vector<const SurfaceMesh*> pieces;
+    std::vector<SurfaceBrick> bare;
     groups_.eachTile(group, [&](SurfaceTile tile) {
         const std::size_t place = groups_.place(tile);
-        const bool full = mixed && rest.staleTiles[place] == 0;
-        pieces.push_back(full ? &rest.tiles[place] : &layer(which).tiles[place]);
+        const Layer& from = mixed && rest.staleTiles[place] == 0 ? rest : layer(which);
+        pieces.push_back(&from.tiles[place]);
+        bare.insert(bare.end(), from.bare[place].begin(), from.bare[place].end());
     });
     simplifier_.join(pieces, joined_);
     const SurfaceDetail wanted = detail(which);
@@ -299,7 +307,7 @@ SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, 
     std::vector<std::uint32_t> rim = simplifier_.rim(joined_, rimTolerance * edge);
     if (withoutPart_) leaveOutBarePart(joined_, rim, shown_.properties());
     const std::vector<float> skirt = skirtDepths(shown_, joined_, rim, static_cast<float>(deepest));
-    SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size()};
+    SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size(), std::move(bare)};
     update.data = surfacePolyData(joined_, shown_.properties(), colour_, rim, skirt);
     layer(which).triangles[group] = update.triangles;
     layer(which).staleGroups[group] = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/volume/surface_simplification.h"
+#include "ui/scene/bare_bricks.h"
 #include "ui/scene/bare_part.h"
 #include "ui/scene/stock_sharpening.h"
 #include "ui/scene/workpiece_groups.h"
@@ -30,11 +31,13 @@ struct SurfaceUpdate {
     SurfaceLayer layer = SurfaceLayer::moving; ///< `moving` puts what the group has at rest out of date
     vtkSmartPointer<vtkPolyData> data;
     std::size_t triangles = 0;
+    std::vector<SurfaceBrick> bare; ///< where bare part was left out, some of them more than once
 };
 
 /// What the worker hands over.
 struct SurfaceDelivery {
     std::uint64_t volume = 0;           ///< counts volumes: with another one, all groups are new
+    Grid grid;                          ///< the volume's; of no meaning without groups
     std::vector<glm::dvec3> groups;     ///< centre of each group, mm
     std::vector<SurfaceUpdate> updates; ///< at most one a group and layer
     std::optional<CutTime> cut;         ///< the oldest of the cuts that the updates show for the first time
@@ -76,6 +79,7 @@ private:
     struct Layer {
         std::size_t step = 0; ///< on the ladder of details
         std::vector<SurfaceMesh> tiles;
+        std::vector<std::vector<SurfaceBrick>> bare; ///< by tile: where bare part is to be left out
         std::vector<std::uint8_t> staleTiles, staleGroups;
         std::vector<std::size_t> triangles; ///< by group
         void start(const WorkpieceGroups& groups);
