@@ -84,7 +84,7 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     for (const Tool& tool : edited->program.tools) answer["tools"].push_back(jsonOf(tool));
     answer["passed"] = program->passed();
     answer["lint"] = jsonOf(program->lint);
-    const std::string verdict = textOf(*program, arguments.tolerance);
+    const std::string verdict = textOf(*program, arguments.tolerance) + textOfOmissions(edited->reports);
     answer["overridden"] = program->overridden;
     if (!program->released()) {
         context.answer(answer, verdict);
