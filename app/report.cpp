@@ -69,14 +69,37 @@ json jsonOf(const VerifyReport& report) {
     return json::parse(toJson(report));
 }
 
+namespace {
+
+json jsonOf(const Omission& part) {
+    return {{"reason", idOf(part.reason)},
+            {"text", textOf(part.reason).text},
+            {"take", part.take},
+            {"first_tick", part.first},
+            {"last_tick", part.last},
+            {"from_mm", burin::jsonOf(part.line.front())},
+            {"to_mm", burin::jsonOf(part.line.back())},
+            {"length_mm", part.length}};
+}
+
+} // namespace
+
 json jsonOf(const std::vector<EditReport>& reports) {
     json list = json::array();
-    for (const EditReport& report : reports)
-        list.push_back({{"edit", report.edit},
-                        {"points_before", report.pointsBefore},
-                        {"points_after", report.pointsAfter},
-                        {"largest_deviation_mm", report.largestDeviation},
-                        {"worst_place_mm", jsonOf(report.worstPlace)}});
+    for (const EditReport& report : reports) {
+        json entry{{"edit", report.edit},
+                   {"points_before", report.pointsBefore},
+                   {"points_after", report.pointsAfter},
+                   {"largest_deviation_mm", report.largestDeviation},
+                   {"worst_place_mm", jsonOf(report.worstPlace)}};
+        if (!report.omissions.empty()) {
+            entry["length_before_mm"] = report.lengthBefore;
+            entry["left_out_mm"] = lengthOf(report.omissions);
+            entry["left_out"] = json::array();
+            for (const Omission& part : report.omissions) entry["left_out"].push_back(jsonOf(part));
+        }
+        list.push_back(std::move(entry));
+    }
     return list;
 }
 
@@ -126,6 +149,26 @@ std::string notWritten(const std::string& file) {
            "\" was not written: the program failed its check. To write it all the same, state a reason with "
            "--override; "
            "its header shows the reason.";
+}
+
+std::string textOfOmissions(const std::vector<EditReport>& reports) {
+    constexpr std::size_t most = 10;
+    std::ostringstream text;
+    for (const EditReport& report : reports) {
+        if (report.omissions.empty()) continue;
+        text << "\n  left out by " << report.edit << ": " << formatFixed(lengthOf(report.omissions), 1) << " mm of "
+             << formatFixed(report.lengthBefore, 1) << " mm, " << report.omissions.size()
+             << (report.omissions.size() == 1 ? " part" : " parts");
+        const std::vector<const Omission*> parts = longestFirst(report.omissions);
+        for (std::size_t i = 0; i < parts.size() && i < most; ++i) {
+            const Omission& part = *parts[i];
+            const glm::dvec3& place = part.line.front();
+            text << "\n    " << formatFixed(part.length, 2) << " mm from (" << formatFixed(place.x, 3) << ", "
+                 << formatFixed(place.y, 3) << ", " << formatFixed(place.z, 3) << ") mm: " << textOf(part.reason).text;
+        }
+        if (parts.size() > most) text << "\n    and " << parts.size() - most << " more";
+    }
+    return text.str();
 }
 
 std::string textOf(const CheckedProgram& program, double gougeTolerance, const MachineProfile& machine) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/operator_rims.h"
 #include "core/haptics/operator_strokes.h"
 
 #include <algorithm>
@@ -102,6 +103,8 @@ private:
             tip -= normal * (sample.clearance / slope);
         }
         tip.z = std::max(tip.z, request_.floor);
+        // At the rim of a wall the top would hold the tool while the hand goes down behind it.
+        if (field_.at(tip + overRim * (glm::dvec3(0.0, 0.0, 1.0) - normal)).clearance > 0.0) return std::nullopt;
         if (!(std::abs(field_.at(tip).clearance) < surfaceTolerance)) return std::nullopt;
         Touch touch{tip - request_.press * normal, tip};
         touch.aim.z = std::max(touch.aim.z, request_.floor);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
+#include "core/haptics/operator_rims.h"
 #include "core/haptics/operator_strokes.h"
 
 #include <algorithm>
@@ -9,6 +10,9 @@
 namespace burin {
 
 namespace {
+
+/// A rise that gets steeper by so much at once holds a tool that is pressed into its corner.
+constexpr double kinkSlope = 0.15;
 
 /// A place of a pass: where the hand aims and where the part stops the tool.
 struct Touch {
@@ -24,6 +28,7 @@ public:
         , request_(request)
         , heights_(heights)
         , writer_(heights, request.speeds)
+        , rims_(field, writer_.travelLevel(), request.floor)
         , sampling_(passSampling(tool.cutter)) {}
 
     std::vector<IntentPoint> plan() {
@@ -44,9 +49,7 @@ public:
     }
 
 private:
-    double reachedAt(double x, double y) const {
-        return lowestFeasibleHeight(field_, x, y, 0.0, writer_.travelLevel(), request_.floor);
-    }
+    double reachedAt(double x, double y) const { return rims_.reachedAt({x, y}); }
 
     /// The stretches of the pass at y that lie over the part or close beside it.
     std::vector<std::vector<Touch>> pass(double y) const {
@@ -78,7 +81,7 @@ private:
     void mill(const std::vector<Touch>& stretch, double y) {
         const glm::dvec2 start(stretch.front().x, y);
         if (writer_.empty() || glm::distance(glm::dvec2(writer_.tip()), start) > 4.0 * tool_.cutter.radius())
-            enter(start, stretch.front().reached);
+            enter(stretch, y);
         else
             cross(start);
         for (const Touch& touch : stretch)
@@ -98,7 +101,7 @@ private:
 
     /// Where the hand aims over a place at which the part stops the tip at `reached`.
     glm::dvec3 aimAt(const glm::dvec2& place, double reached) {
-        const double pressed = std::max(reached - request_.press, request_.floor);
+        const double pressed = reached - rims_.pressAt(place, reached, request_.press);
         // On its way between two places of a pass the tip rises and sinks along walls: either may hold while it does.
         const double safe = heights_.safeHeight({place, pressed}, sampling_);
         heldUp_ = safe > pressed;
@@ -120,12 +123,54 @@ private:
         return found ? tip : glm::dvec3(aim.x, aim.y, reached);
     }
 
-    void enter(const glm::dvec2& place, double reached) {
-        aim_ = aimAt(place, reached);
-        writer_.enterAt(aim_, tipAt(aim_, reached));
+    /// Comes down at the first place of a stretch: where stock stands there, down a ramp over the places behind it, and
+    /// back on the ground of what it cut.
+    void enter(const std::vector<Touch>& stretch, double y) {
+        const glm::dvec2 start(stretch.front().x, y);
+        climbing_ = false;
+        slope_ = 0.0;
+        const double reached = reached_ = stretch.front().reached;
+        aim_ = aimAt(start, reached);
+        const double depth = writer_.depthAt(tipAt(aim_, reached));
+        if (depth <= plungeDepth) {
+            writer_.enterAt(aim_, tipAt(aim_, reached));
+            return;
+        }
+        double height = tipAt(aim_, reached).z + depth;
+        aim_ = {start, height};
+        writer_.enterAt(aim_, aim_);
+        std::size_t end = 0;
+        for (std::size_t i = 1; i < stretch.size() && std::isfinite(stretch[i].reached); ++i) {
+            const Touch& touch = stretch[i];
+            if (touch.reached > height) break; // a wall
+            height -= rampSlope * std::abs(touch.x - stretch[i - 1].x);
+            const bool down = height <= touch.reached;
+            const glm::dvec3 ground = aimAt({touch.x, y}, touch.reached);
+            aim_ = {touch.x, y, std::max({height, touch.reached, ground.z})};
+            writer_.cutTo(aim_);
+            reached_ = touch.reached;
+            end = i;
+            if (down) break;
+        }
+        while (end-- > 0) touchAt({stretch[end].x, y}, stretch[end].reached);
+    }
+
+    /// Over the rim of a wall that it climbed, or what it was held by in a corner, slowly: a hand rounds its corners.
+    void goOverRim(const glm::dvec2& place, double reached) {
+        aim_.z = std::max({aim_.z, reached_ + overRim, reached + overRim});
+        writer_.cutTo(aim_);
+        aim_ = {place, aim_.z};
+        writer_.creepTo(aim_);
     }
 
     void touchAt(const glm::dvec2& place, double reached) {
+        const double slope = (reached - reached_) / std::max(1e-6, glm::distance(place, glm::dvec2(aim_)));
+        const bool climbs = rims_.isWall(glm::dvec2(aim_), reached_, place, reached) ||
+                            (slope - slope_ > kinkSlope && reached - reached_ > heightTolerance);
+        if (climbing_ && !climbs) goOverRim(place, reached);
+        climbing_ = climbs;
+        slope_ = slope;
+        reached_ = reached;
         const glm::dvec3 from = aim_;
         const bool wasHeldUp = heldUp_;
         aim_ = aimAt(place, reached);
@@ -147,9 +192,13 @@ private:
     FinishingRequest request_;
     WorkpieceHeights& heights_;
     StrokeWriter writer_;
-    double sampling_;     ///< mm along a pass
-    glm::dvec3 aim_{0.0}; ///< of the last stroke
-    bool heldUp_ = false; ///< it was kept above where the hand would have pressed
+    OperatorRims rims_;
+    double sampling_;       ///< mm along a pass
+    glm::dvec3 aim_{0.0};   ///< of the last stroke
+    double reached_ = 0.0;  ///< mm, where the part stops the tool at the last place
+    double slope_ = 0.0;    ///< of what stops it, on the way to there
+    bool heldUp_ = false;   ///< it was kept above where the hand would have pressed
+    bool climbing_ = false; ///< the last place is higher than the one before it, behind a wall or corner
 };
 
 } // namespace

@@ -113,9 +113,9 @@ double WorkpieceHeights::highestWithin(double x, double y, double radius) const 
     return highest;
 }
 
-double WorkpieceHeights::freeTip(double x, double y) const noexcept {
+double WorkpieceHeights::freeTip(double x, double y, double inset) const noexcept {
     double lowest = nothing;
-    visitDisc(x, y, cutter_.radius(), [&](std::size_t index, double distance) {
+    visitDisc(x, y, cutter_.radius() - inset, [&](std::size_t index, double distance) {
         lowest = std::max(lowest, heights_[index] - riseAt(distance));
     });
     return lowest;

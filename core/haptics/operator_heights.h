@@ -45,7 +45,8 @@ public:
     /// Highest stock within `radius` of (x, y), mm; `nothing` where there is none.
     double highestWithin(double x, double y, double radius) const noexcept;
     /// Lowest tip at (x, y) at which the flutes touch no stock; `nothing` beside the stock.
-    double freeTip(double x, double y) const noexcept;
+    /// @param inset mm: as if the cutter were so much narrower to each side
+    double freeTip(double x, double y, double inset = 0.0) const noexcept;
     /// Lowest height, not below the tip's, at which shank and holder, each with the lateral margin, keep above the
     /// stock.
     /// @param further mm that the tip may be beside where it is meant to be, beyond the margin.

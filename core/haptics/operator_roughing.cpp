@@ -178,7 +178,7 @@ private:
             Piece& piece = open[entry.piece];
             const double y = piece.y;
             const glm::dvec3 low(piece.low, y, level), high(piece.high, y, level);
-            if (entry.link.empty()) writer_.enterAt(entry.atHigh ? high : low, entry.atHigh ? high : low);
+            if (entry.link.empty()) writer_.rampInto(entry.atHigh ? high : low, entry.atHigh ? low : high);
             for (const glm::dvec3& tip : entry.link) writer_.cutTo(tip);
             writer_.cutTo(entry.atHigh ? low : high);
             cameFrom_ = entry.atHigh ? 1.0 : -1.0;
@@ -235,6 +235,7 @@ private:
         const bool sameLevel = std::abs(tip.z - end.z) <= tolerance;
         const bool straightDown = glm::distance(glm::dvec2(tip), glm::dvec2(end)) <= tolerance;
         if (!sameLevel && !straightDown) return {};
+        if (straightDown && writer_.depthAt(end) > plungeDepth) return {}; // down a ramp
         if (std::vector<glm::dvec3> straight{end}; allows(straight)) return straight;
         const double inward = atHigh ? -1.0 : 1.0;
         if (!sameLevel || inward != cameFrom_) return {};

@@ -10,11 +10,21 @@
 namespace burin {
 
 namespace {
-constexpr double approach = 1.0; // mm above stock at which coming down gets slow
+constexpr double approach = 1.0;    // mm above stock at which coming down gets slow
+constexpr double longestLeg = 30.0; // mm of a ramp
+constexpr int mostTurns = 8;        // of a ramp
 } // namespace
 
 void StrokeWriter::cutTo(const glm::dvec3& aim, const glm::dvec3& tip) {
     points_.push_back({aim, speeds_.cutting});
+    heights_->cut(tip_, tip);
+    tip_ = tip;
+}
+
+void StrokeWriter::creepTo(const glm::dvec3& tip) {
+    constexpr double slowest = 1.0; // mm/s
+    const double seconds = 1.5 * MotionLimits{}.cornerSeconds;
+    points_.push_back({tip, std::clamp(glm::distance(points_.back().tip, tip) / seconds, slowest, speeds_.cutting)});
     heights_->cut(tip_, tip);
     tip_ = tip;
 }
@@ -28,6 +38,39 @@ void StrokeWriter::enterAt(const glm::dvec3& aim, const glm::dvec3& tip) {
     points_.push_back({aim, slow > tip.z ? speeds_.plunging : speeds_.travelling});
     heights_->cut(tip);
     tip_ = tip;
+}
+
+void StrokeWriter::rampTo(const glm::dvec3& tip) {
+    points_.push_back({tip, speeds_.plunging});
+    heights_->cut(tip_, tip);
+    tip_ = tip;
+}
+
+double StrokeWriter::depthAt(const glm::dvec3& tip) const noexcept {
+    // Beside a wall that it has cut the raster leaves stock at the edge of the tool.
+    const double stock = heights_->freeTip(tip.x, tip.y, heights_->raster());
+    return std::max(0.0, std::min(travelLevel(), stock) - tip.z);
+}
+
+void StrokeWriter::rampInto(const glm::dvec3& entry, const glm::dvec3& other) {
+    const double depth = depthAt(entry), length = glm::distance(entry, other);
+    if (depth <= plungeDepth || length <= 0.0) return enterAt(entry, entry);
+    const glm::dvec3 surface = entry + glm::dvec3(0.0, 0.0, depth);
+    const bool above = !empty() && glm::distance(glm::dvec2(tip_), glm::dvec2(entry)) <= heightTolerance &&
+                       tip_.z >= surface.z - heightTolerance;
+    if (above)
+        rampTo(surface);
+    else
+        enterAt(surface, surface);
+    // Whole turns, so that it ends where the stroke begins. A short stretch takes many, or it gets steep.
+    const double leg = std::min(length, longestLeg);
+    const glm::dvec3 far = glm::mix(entry, other, leg / length);
+    const int turns = std::clamp(static_cast<int>(std::ceil(0.5 * depth / (rampSlope * leg))), 1, mostTurns);
+    for (int i = 1; i <= 2 * turns; ++i) {
+        glm::dvec3 tip = i % 2 == 1 ? far : entry;
+        tip.z = entry.z + depth * (1.0 - static_cast<double>(i) / (2 * turns));
+        rampTo(tip);
+    }
 }
 
 void StrokeWriter::finish() {

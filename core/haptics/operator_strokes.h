@@ -18,23 +18,37 @@ public:
     /// Aims at `aim`, cutting; the part holds the tip back at `tip`.
     void cutTo(const glm::dvec3& aim, const glm::dvec3& tip);
     void cutTo(const glm::dvec3& tip) { cutTo(tip, tip); }
+    /// The same in the air, so slowly that the hand, which rounds its corners, gets as far as what it aimed at before.
+    void creepTo(const glm::dvec3& tip);
     /// Lifts, travels above the stock, comes down: fast in the air, slowly in stock. Without a point so far: begins
     /// there.
     void enterAt(const glm::dvec3& aim, const glm::dvec3& tip);
+    /// The same, but in stock down a ramp: to and fro between the entry and another tip at the same height, with the
+    /// part and all that shank and holder may touch below that stretch. Ends at the entry.
+    void rampInto(const glm::dvec3& entry, const glm::dvec3& other);
     /// Lifts above the stock, where anything was done.
     void finish();
 
     bool empty() const noexcept { return points_.empty(); }
     const glm::dvec3& tip() const noexcept { return tip_; } ///< where the last stroke ended
+    /// How far a tip is below the stock that stands in its way from above, mm; 0: not at all.
+    double depthAt(const glm::dvec3& tip) const noexcept;
     double travelLevel() const noexcept { return heights_->stock().high.z + travelHeight; }
     std::vector<IntentPoint> take() { return std::move(points_); }
 
 private:
+    void rampTo(const glm::dvec3& tip);
+
     WorkpieceHeights* heights_;
     HandSpeeds speeds_;
     std::vector<IntentPoint> points_;
     glm::dvec3 tip_{0.0};
 };
+
+/// How steep the operator goes down into stock, as a slope: makers of end mills allow 3 to 10 degrees.
+inline constexpr double rampSlope = 0.07;
+/// mm of stock that a tool may meet straight from above: what a trembling hand leaves.
+inline constexpr double plungeDepth = 0.15;
 
 using NamedNumbers = std::initializer_list<std::pair<const char*, double>>;
 /// Errors: argumentInvalid where a number is not finite or not above 0.

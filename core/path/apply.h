@@ -51,7 +51,6 @@ Result<Deviation> apply(const ReplaceStretch& edit, PathUnderEdit& state, const 
                         Progress& progress);
 Result<Deviation> apply(const RemoveArea& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const LiftArea& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
-/// Errors: pathGouges, where no place nearby is clear of the part.
 Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const LayOnPart& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const Offset& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
@@ -62,7 +61,7 @@ Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathCon
 Result<Deviation> apply(const RoundCorners& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const LeadIn& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const LeadOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
-/// Errors: pathGouges, where the tool can't get to a stroke from above without entering the part.
+/// Errors: those of PathContext::lendStock.
 Result<Deviation> apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 /// Errors: argumentInvalid (no stock, no feeds yet), those of PathContext::lendStock.

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/evaluate.h"
 
+#include "core/base/numbers.h"
 #include "core/path/apply.h"
 #include "core/path/edit_step.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -20,7 +22,21 @@ Result<EditReport> applyOne(const Edit& edit, PathUnderEdit& state, const PathCo
     report.pointsAfter = state.count();
     report.largestDeviation = deviation->distance;
     report.worstPlace = deviation->place;
+    report.omissions = std::exchange(state.omissions, {});
+    report.lengthBefore = std::exchange(state.lengthBefore, 0.0);
     return report;
+}
+
+/// Why nothing is left of a path.
+Error nothingLeft(const std::string& name, const std::vector<EditReport>& reports) {
+    const auto last = std::ranges::find_if(reports.rbegin(), reports.rend(),
+                                           [](const EditReport& report) { return !report.omissions.empty(); });
+    if (last == reports.rend()) return {ErrorCode::pathEmpty, name, "", ""};
+    const Omission& part = last->omissions.front();
+    const glm::dvec3& place = part.line.front();
+    return {ErrorCode::pathGouges, name,
+            formatFixed(place.x, 3) + " " + formatFixed(place.y, 3) + " " + formatFixed(place.z, 3) + " mm",
+            textOf(part.reason).text};
 }
 
 } // namespace
@@ -50,7 +66,7 @@ Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>&
     evaluated.path.spindleSpeed = state->spindleSpeed;
     evaluated.path.coolant = state->coolant;
     evaluated.path.points = pointsOf(*state);
-    if (evaluated.path.points.empty()) return Error{ErrorCode::pathEmpty, name, "", ""};
+    if (evaluated.path.points.empty()) return nothingLeft(name, evaluated.reports);
     progress.report(1.0);
     return evaluated;
 }

@@ -9,6 +9,7 @@
 #include "core/machine/machine_profile.h"
 #include "core/path/edit.h"
 #include "core/path/milling_stretch.h"
+#include "core/path/omission.h"
 #include "core/path/path.h"
 #include "core/recording/sample.h"
 #include "core/setup/obstacle.h"
@@ -49,8 +50,10 @@ struct PathContext {
 struct EditReport {
     std::string edit; ///< its id
     std::size_t pointsBefore = 0, pointsAfter = 0;
-    double largestDeviation = 0.0; ///< mm, between the path before and after, at the worst place (never understated)
-    glm::dvec3 worstPlace{0.0};    ///< mm, setup frame
+    double largestDeviation = 0.0;   ///< mm, between the path before and after, at the worst place (never understated)
+    glm::dvec3 worstPlace{0.0};      ///< mm, setup frame
+    std::vector<Omission> omissions; ///< what it left out as it can't be made
+    double lengthBefore = 0.0;       ///< mm of strokes that it had before it, where it may leave out any; else 0
 };
 
 struct EvaluatedPath {
@@ -71,7 +74,7 @@ struct EvaluatedPath {
 /// are never part of a path. Without Link each stroke is reached by a straight rapid move, which only a drawing may
 /// use. Any thread; the work is shared among all cores, the result does not depend on them. Cost: 300,000 ticks on
 /// 360,000 triangles in about 8 s on two cores. Cancellable. Errors: pathEmpty, argumentInvalid, notSupported (tilted
-/// axis), pathGouges (no way around the part), cancelled.
+/// axis), pathGouges (all of it had to be left out; place: where, detail: textOf the reason), cancelled.
 Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>& takes, const std::vector<Edit>& edits,
                                const PathContext& context, Progress& progress);
 

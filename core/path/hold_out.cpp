@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/apply.h"
 
-#include "core/base/numbers.h"
 #include "core/base/parallel.h"
 #include "core/path/part_guard.h"
 #include "core/path/polyline.h"
+#include "core/path/stroke_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +37,12 @@ struct Held {
     glm::dvec3 origin{0.0}; ///< where the path was before, mm
 };
 
+/// Held points one after the other.
+struct Chain {
+    std::vector<Held> points;
+    std::vector<std::size_t> breaks; ///< of the points, those that no clear motion leads to from the one before
+};
+
 class Holder {
 public:
     Holder(const PartGuard& guard, const HoldOut& edit, double allowance)
@@ -60,13 +66,16 @@ public:
         lift(tip);
     }
 
-    /// What has to stand between two held points so that each move is clear, both ends left out.
-    /// @return false where nothing helps
-    bool bridge(const Held& from, const Held& to, std::vector<Held>& between, int depth = 0) const {
+    /// Adds to a chain what has to stand between two held points so that each move is clear, both ends left out. Where
+    /// nothing helps the chain is broken, in as short an interval as there is.
+    void bridge(const Held& from, const Held& to, Chain& chain, int depth = 0) const {
         const auto dip = guard_.deepestDip(from.point.tip, to.point.tip, required_, sampling_);
-        if (!dip) return true;
+        if (!dip) return;
         const double length = glm::distance(from.point.tip, to.point.tip);
-        if (length < shortestMove || depth > deepest) return leadOver(from, to, between);
+        if (length < shortestMove || depth > deepest) {
+            if (!leadOver(from, to, chain.points)) chain.breaks.push_back(chain.points.size());
+            return;
+        }
         // Near an end the dip is split in the middle, else the halves would not get shorter.
         const double part = std::clamp(dip->part, 0.1, 0.9);
         Held middle;
@@ -75,9 +84,9 @@ public:
         middle.point.tip = glm::mix(from.point.tip, to.point.tip, part);
         middle.origin = glm::mix(from.origin, to.origin, part);
         push(middle.point.tip);
-        if (!bridge(from, middle, between, depth + 1)) return false;
-        between.push_back(middle);
-        return bridge(middle, to, between, depth + 1);
+        bridge(from, middle, chain, depth + 1);
+        chain.points.push_back(middle);
+        bridge(middle, to, chain, depth + 1);
     }
 
 private:
@@ -122,34 +131,123 @@ private:
     double required_; // mm, of every place of every move
 };
 
-Error stuck(const glm::dvec3& place) {
-    return Error{ErrorCode::pathGouges, "path",
-                 "at " + formatFixed(place.x, 3) + " " + formatFixed(place.y, 3) + " " + formatFixed(place.z, 3) +
-                     " mm",
-                 "no way around the part was found"};
-}
-
 /// A stretch of one stroke: from one of its points to another, both included.
 struct Piece {
     std::size_t stroke = 0, first = 0, last = 0;
-    std::vector<Held> between; ///< all held points behind the first one
-    bool stuck = false;
+    Chain chain; ///< all held points behind the first one
 };
 
 std::vector<Piece> piecesOf(const std::vector<std::vector<Held>>& strokes) {
     std::vector<Piece> pieces;
     for (std::size_t s = 0; s < strokes.size(); ++s) {
         for (std::size_t i = 0; i + 1 < strokes[s].size(); i += pieceLength)
-            pieces.push_back({s, i, std::min(i + pieceLength, strokes[s].size() - 1), {}, false});
+            pieces.push_back({s, i, std::min(i + pieceLength, strokes[s].size() - 1), {}});
     }
     return pieces;
 }
 
 void hold(Piece& piece, const std::vector<Held>& points, const Holder& holder) {
-    for (std::size_t i = piece.first; i < piece.last && !piece.stuck; ++i) {
-        piece.stuck = !holder.bridge(points[i], points[i + 1], piece.between);
-        piece.between.push_back(points[i + 1]);
+    for (std::size_t i = piece.first; i < piece.last; ++i) {
+        holder.bridge(points[i], points[i + 1], piece.chain);
+        piece.chain.points.push_back(points[i + 1]);
     }
+}
+
+/// Held points in runs that clear motions lead through.
+using Runs = std::vector<std::vector<Held>>;
+
+double originLength(const std::vector<Held>& run) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < run.size(); ++i) length += glm::distance(run[i - 1].origin, run[i].origin);
+    return length;
+}
+
+/// The last point of a run before a break may have been pushed back along the path: it ends where it got to.
+/// @param backwards the first point of a run behind a break, in the same way
+void endWhereItGot(std::vector<Held>& run, bool backwards) {
+    constexpr double least = 0.05; // of the path's length: the run went on
+    if (backwards) std::ranges::reverse(run);
+    const auto isStanding = [&] {
+        const Held &last = run.back(), &before = run[run.size() - 2];
+        return glm::distance(last.point.tip, before.point.tip) <= least * glm::distance(last.origin, before.origin);
+    };
+    while (run.size() > 1 && isStanding()) run.pop_back();
+    if (run.size() > 1) {
+        const glm::dvec3 from = run[run.size() - 2].origin, way = run.back().origin - from;
+        const double square = glm::dot(way, way);
+        const double part = square > 0.0 ? glm::dot(run.back().point.tip - from, way) / square : 1.0;
+        run.back().origin = from + std::clamp(part, 0.0, 1.0) * way;
+    }
+    if (backwards) std::ranges::reverse(run);
+}
+
+/// Runs of a stroke that was broken become strokes; what is between them, and what is too short to be worth a link, is
+/// left out.
+class Breaker {
+public:
+    Breaker(PathUnderEdit& state, double shortest) : state_(state), shortest_(shortest) {}
+
+    std::vector<PathStroke> strokesOf(const PathStroke& stroke, const Runs& runs) {
+        std::vector<PathStroke> strokes;
+        PathStroke gap = stroke; // as the path was before
+        gap.points.clear();
+        for (const std::vector<Held>& run : runs) {
+            const bool kept = runs.size() == 1 || originLength(run) >= shortest_;
+            gap.points.push_back(atOrigin(run.front()));
+            if (kept) {
+                report(gap);
+                PathStroke& part = strokes.emplace_back(stroke);
+                part.points.clear();
+                for (const Held& held : run) {
+                    part.points.push_back(held.point);
+                    pushed.include(glm::distance(held.point.tip, held.origin), held.origin);
+                }
+                gap.points = {atOrigin(run.back())};
+            } else {
+                for (std::size_t i = 1; i < run.size(); ++i) gap.points.push_back(atOrigin(run[i]));
+            }
+        }
+        report(gap);
+        return strokes;
+    }
+
+    Deviation pushed; ///< of what is kept
+
+private:
+    static StrokePoint atOrigin(const Held& held) {
+        StrokePoint point = held.point;
+        point.tip = held.origin;
+        return point;
+    }
+    void report(const PathStroke& gap) {
+        if (gap.points.size() > 1) state_.omissions.push_back(omissionOf(gap, OmissionReason::part));
+    }
+
+    PathUnderEdit& state_;
+    double shortest_; // mm
+};
+
+/// The runs of each stroke.
+std::vector<Runs> runsOf(const std::vector<std::vector<Held>>& strokes, const std::vector<Piece>& pieces) {
+    std::vector<Runs> runs(strokes.size());
+    for (std::size_t s = 0; s < strokes.size(); ++s)
+        if (!strokes[s].empty()) runs[s] = {{strokes[s].front()}};
+    for (const Piece& piece : pieces) {
+        auto next = piece.chain.breaks.begin();
+        for (std::size_t i = 0; i < piece.chain.points.size(); ++i) {
+            if (next != piece.chain.breaks.end() && *next == i) {
+                runs[piece.stroke].emplace_back();
+                ++next;
+            }
+            runs[piece.stroke].back().push_back(piece.chain.points[i]);
+        }
+    }
+    for (Runs& parts : runs)
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (i + 1 < parts.size()) endWhereItGot(parts[i], false);
+            if (i > 0) endWhereItGot(parts[i], true);
+        }
+    return runs;
 }
 
 } // namespace
@@ -180,23 +278,17 @@ Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathCon
         if (!progress.cancelled()) hold(piece, strokes[piece.stroke], holder);
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
-    Deviation pushed;
-    for (std::size_t s = 0; s < strokes.size(); ++s) {
-        state.strokes[s].points.clear();
+    const std::vector<Runs> runs = runsOf(strokes, pieces);
+    Breaker breaker(state, shortestKept(context.tool.cutter.diameter));
+    std::vector<PathStroke> held;
+    for (std::size_t s = 0; s < runs.size(); ++s) {
+        state.lengthBefore += lengthOf(state.strokes[s]);
         state.strokes[s].required = requiredBetween(edit, state.strokes[s].allowance);
-        if (strokes[s].empty()) continue;
-        state.strokes[s].points.push_back(strokes[s].front().point);
-        pushed.include(glm::distance(strokes[s].front().point.tip, strokes[s].front().origin),
-                       strokes[s].front().origin);
+        std::ranges::move(breaker.strokesOf(state.strokes[s], runs[s]), std::back_inserter(held));
     }
-    for (const Piece& piece : pieces) {
-        if (piece.stuck) return stuck(piece.between.back().point.tip);
-        for (const Held& held : piece.between) {
-            state.strokes[piece.stroke].points.push_back(held.point);
-            pushed.include(glm::distance(held.point.tip, held.origin), held.origin);
-        }
-    }
+    state.strokes = std::move(held);
     // Both happened one after the other, so their sum bounds what they did together.
+    const Deviation& pushed = breaker.pushed;
     return Deviation{thinned.distance + pushed.distance, pushed.distance > 0.0 ? pushed.place : thinned.place};
 }
 

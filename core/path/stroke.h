@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/path/evaluate.h"
+#include "core/path/omission.h"
 #include "core/path/path.h"
 #include "core/recording/sample.h"
 
@@ -51,6 +52,8 @@ struct PathUnderEdit {
     bool linked = false;
     double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
     Coolant coolant = Coolant::off;
+    std::vector<Omission> omissions; ///< by the edit that is applied now
+    double lengthBefore = 0.0;       ///< mm of its strokes, those parts among them, where it may leave out any
 
     std::size_t count() const noexcept;
 };

@@ -71,6 +71,24 @@ std::vector<IntentPoint> freeHandGrooves(const Bench& bench) {
     return points;
 }
 
+/// How deep, of its diameter, a tool is taken through a material in rows nearly as wide as it is, by what cutting takes
+/// in energy: workshop rules of a full diameter and more in wax and board, half of one in aluminium, a quarter in
+/// steel. Estimates; a tool's own limit holds as well.
+double depthShare(const Property& material) {
+    constexpr double soft = 0.2, light = 1.5; // J/mm³
+    const double energy = material.valueOr(specificCuttingEnergy, light);
+    return energy <= soft ? 2.0 : energy <= light ? 0.5 : 0.25;
+}
+
+/// The tool as the operator uses it in the stock.
+Tool operatedTool(const Bench& bench) {
+    Tool tool = bench.tool;
+    const double most =
+        depthShare(bench.embedded.workpiece.properties()[bench.embedded.stockProperty]) * tool.cutter.diameter;
+    tool.maximumDepthOfCut = tool.maximumDepthOfCut > 0.0 ? std::min(tool.maximumDepthOfCut, most) : most;
+    return tool;
+}
+
 Result<MillingPlan> planFor(const Bench& bench, const PlanningFrame& frame, const OperatorRequest& request,
                             const OperatorSettings& hand, double scale) {
     if (bench.model->bodies.empty()) {
@@ -91,7 +109,7 @@ Result<MillingPlan> planFor(const Bench& bench, const PlanningFrame& frame, cons
     wanted.finishing.stepOver = request.finishingStepOver;
     wanted.motion = inSetup(hand.motion, scale);
     wanted.timeLimit = request.timeLimit;
-    return planMilling(frame.field(), bench.tool, wanted);
+    return planMilling(frame.field(), operatedTool(bench), wanted);
 }
 
 /// Where a hand without a plan moves: from a little above the stock down to its middle.

@@ -97,6 +97,41 @@ private slots:
         QCOMPARE(controlsOf(panel)[&add], before.at(&add));
     }
 
+    /// Its card says how much, and where in its tool tip; the panel says what is to be done about the longest part.
+    void whatIsLeftOutIsSaidWhereItWasLeftOut() {
+        PathPanel panel;
+        PathState state = examples::path();
+        state.outdated = false;
+        state.zero = {10.0, 0.0, 0.0};
+        panel.setState(state);
+        show(panel);
+        const auto before = controlsOf(panel);
+        QVERIFY(!child<Notice>(panel, "pathNotice").isVisible());
+        EditReport& link = state.reports[4];
+        link.omissions = {{OmissionReason::holder, 1, 5, 9, {{1.0, 0.0, 0.0}, {1.5, 0.0, 0.0}}, 0.5},
+                          {OmissionReason::shank, 2, 0, 70, {{12.5, -3.0, -8.0}, {14.5, -3.0, -8.0}}, 2.0}};
+        panel.setState(state);
+        QVERIFY(controlsOf(panel) == before);
+        const auto plain = [](QString text) { return text.replace(QChar(QChar::Nbsp), QLatin1Char(' ')); };
+        const auto& report = child<QLabel>(panel, "edit5Report");
+        QVERIFY2(plain(report.text()).startsWith(QStringLiteral("2.500 mm left out")), qPrintable(report.text()));
+        const QStringList lines = plain(report.toolTip()).split(QLatin1Char('\n'));
+        QCOMPARE(lines.size(), 2);
+        QVERIFY2(lines[0].startsWith(QStringLiteral("2.000 mm from X 2.500, Y -3.000, Z -8.000: The shank")),
+                 qPrintable(lines[0]));
+        QVERIFY(lines[1].contains(QStringLiteral("The holder")));
+        QVERIFY(child<QLabel>(panel, "edit3Report").toolTip().isEmpty());
+        const auto& notice = child<Notice>(panel, "pathNotice");
+        QCOMPARE(notice.kind(), Notice::Kind::warning);
+        QVERIFY2(plain(notice.sentence()).startsWith(QStringLiteral("2.500 mm of the path")) &&
+                     notice.sentence().contains(QStringLiteral("longer flutes")),
+                 qPrintable(notice.sentence()));
+        link.omissions.clear();
+        panel.setState(state);
+        QVERIFY(notice.sentence().isEmpty());
+        QVERIFY(report.toolTip().isEmpty());
+    }
+
     void aLevelIsMeasuredAsItsGoalIs() {
         PathPanel panel;
         PathState state = examples::path();

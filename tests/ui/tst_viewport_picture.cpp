@@ -335,8 +335,26 @@ private slots:
         QVERIFY(countLike(image, image.rect(), palette.conventionalPath, 3) > pink + cuts / 4);
         QVERIFY(countLike(image, image.rect(), palette.plungePath, 6) > 20);
         QVERIFY(bench_->save("viewport-path"));
+        // What an edit left out is red, a part that is too short for a line as well.
+        const auto red = [&] {
+            const QImage now = viewport_->grabFramebuffer();
+            return countLike(now, now.rect(), palette.force, 3);
+        };
+        const int none = red();
+        const glm::dvec3 from = path.path.points[last / 2].tip + glm::dvec3(0.0, 0.0, 6.0);
+        EditReport report;
+        report.omissions = {{OmissionReason::shank, 1, 0, 9, {from, from + glm::dvec3(1e-3, 0.0, 0.0)}, 1e-3}};
+        path.reports = {report};
+        viewport_->setPath(path);
+        const int dot = red();
+        QVERIFY2(dot > none + 8, qPrintable(QString::number(dot)));
+        path.reports.front().omissions.front().line.back() = from + glm::dvec3(12.0, 4.0, 0.0);
+        viewport_->setPath(path);
+        QVERIFY(red() > dot + 60);
+        QVERIFY(bench_->save("viewport-path-omission"));
         viewport_->setPathVisible(false);
         QCOMPARE(countLike(viewport_->grabFramebuffer(), image.rect(), palette.path, 3), 0);
+        QCOMPARE(red(), none);
     }
 
     /// A plate with 0.3 mm of stock on its left half, a gouge in it, and nothing measured on the right: each is told by

@@ -8,6 +8,7 @@
 #include "ui/panels/elided_label.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/named_switch.h"
+#include "ui/panels/omission_words.h"
 #include "ui/panels/texts.h"
 #include "ui/theme/number_font.h"
 
@@ -30,7 +31,7 @@ EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent) : QFram
     report_->setFont(numberFont(report_->font()));
     column->addWidget(report_);
     showEdit(edit, zero_, {});
-    showReport(nullptr, LengthUnit::millimetre);
+    showReport(nullptr, LengthUnit::millimetre, zero_);
 }
 
 void EditCard::addHead(const QString& name) {
@@ -102,9 +103,12 @@ void EditCard::setMovable(bool earlier, bool later) {
     setEnabledKeepingFocus(later_, later);
 }
 
-void EditCard::showReport(const EditReport* report, LengthUnit unit) {
+void EditCard::showReport(const EditReport* report, LengthUnit unit, const glm::dvec3& zero) {
+    report_->setToolTip(report == nullptr ? QString() : omissionLines(*report, zero, unit));
     if (report == nullptr) return report_->setText(QString(QChar::Nbsp)); // as high as one: the fields below stay
+    const QString omitted = omittedText(*report, unit);
     QString text = tr("%1 → %2 points").arg(countText(report->pointsBefore), countText(report->pointsAfter));
+    if (!omitted.isEmpty()) text = omitted + QStringLiteral(" · ") + text; // first: the end may have no room
     if (report->largestDeviation > 0.0)
         text += QStringLiteral(" · ") + tr("error %1").arg(lengthText(report->largestDeviation, unit));
     if (report_->text() != text) report_->setText(text);

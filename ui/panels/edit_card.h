@@ -27,7 +27,8 @@ public:
     /// Shows values without a signal. The kind of edit must be the one it was made for. @param zero  mm, of the
     /// program, in the setup frame @param takes  whose names and times are told
     void showEdit(const Edit& edit, const glm::dvec3& zero, const std::vector<TakeInfo>& takes);
-    void showReport(const EditReport* report, LengthUnit unit); ///< null: none (switched off, or not evaluated)
+    /// What it did. @param report null: none (switched off, or not evaluated) @param zero as for showEdit
+    void showReport(const EditReport* report, LengthUnit unit, const glm::dvec3& zero);
     void setUnit(LengthUnit unit);
     /// Whether the edit may go one place up, one down.
     void setMovable(bool earlier, bool later);

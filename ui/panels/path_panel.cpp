@@ -11,6 +11,7 @@
 #include "ui/panels/field_row.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
+#include "ui/panels/omission_words.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/selection_card.h"
 #include "ui/panels/texts.h"
@@ -191,6 +192,8 @@ void PathPanel::Fields::tell() {
                       PathPanel::tr("The path of %1, which is milled before, can't be made. Its stock counts as not "
                                     "removed here; load that tool to see why.")
                           .arg(state.missingBefore));
+    else if (const QString omitted = omissionNotice(state.reports, state.zero, unit); !omitted.isEmpty())
+        notice_->tell(Notice::Kind::warning, omitted);
     else
         notice_->clear();
 }
@@ -298,7 +301,7 @@ void PathPanel::Fields::refreshEdits() {
         cards_[i]->showEdit(edit, state.zero, state.takes);
         const bool reported =
             edit.enabled && next < state.reports.size() && state.reports[next].edit == cards_[i]->kind();
-        cards_[i]->showReport(reported ? &state.reports[next] : nullptr, unit);
+        cards_[i]->showReport(reported ? &state.reports[next] : nullptr, unit, state.zero);
         next += reported ? 1 : 0;
         const bool drawn = state.drawnField && state.drawnField->edit == i;
         cards_[i]->setDrawing(drawn ? std::string_view(state.drawnField->key) : std::string_view());

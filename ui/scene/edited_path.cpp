@@ -24,11 +24,23 @@ std::size_t indexOf(MoveKind kind) {
     return static_cast<std::size_t>(kind);
 }
 
+/// Each with a dot where it begins, as some are too short to be seen as lines.
+PlaceChains omissionsOf(const EvaluatedPath& path) {
+    PlaceChains chains;
+    for (const EditReport& report : path.reports)
+        for (const Omission& part : report.omissions) {
+            chains.push_back(part.line);
+            chains.push_back({part.line.front()});
+        }
+    return chains;
+}
+
 } // namespace
 
 EditedPath::EditedPath(vtkRenderer& renderer)
     : lines_{HaloedLines(renderer), HaloedLines(renderer), HaloedLines(renderer), HaloedLines(renderer),
-             HaloedLines(renderer)} {}
+             HaloedLines(renderer)}
+    , omitted_(renderer) {}
 
 void EditedPath::setPalette(const Palette& palette) {
     const auto colour = [&](std::size_t kind, const QColor& line) { lines_[kind].setColours(line, palette.pathHalo); };
@@ -37,10 +49,12 @@ void EditedPath::setPalette(const Palette& palette) {
     colour(indexOf(MoveKind::rapid), palette.rapidPath);
     colour(indexOf(MoveKind::plunge), palette.plungePath);
     colour(indexOf(MoveKind::retract), palette.rapidPath);
+    omitted_.setColours(palette.force, palette.pathHalo);
 }
 
 void EditedPath::setLineWidth(double screenPixels) {
     for (HaloedLines& lines : lines_) lines.setWidth(screenPixels);
+    omitted_.setLineWidth(screenPixels);
 }
 
 void EditedPath::setPath(const EvaluatedPath& evaluated) {
@@ -65,6 +79,9 @@ void EditedPath::setPath(const EvaluatedPath& evaluated) {
             addMove(kind, from, point);
     }
     for (std::size_t kind = 0; kind < kinds; ++kind) lines_[kind].setLines(lineData(lines[kind]));
+    omissions_ = omissionsOf(evaluated);
+    for (const std::vector<glm::dvec3>& chain : omissions_)
+        for (const glm::dvec3& point : chain) box_.include(point);
     empty_ = path.points.empty();
     setVisible(visible_);
 }
@@ -72,6 +89,7 @@ void EditedPath::setPath(const EvaluatedPath& evaluated) {
 void EditedPath::setVisible(bool visible) {
     visible_ = visible;
     for (HaloedLines& lines : lines_) lines.setVisible(visible_ && !empty_);
+    omitted_.set(visible_ ? omissions_ : PlaceChains{});
 }
 
 } // namespace burin

@@ -5,6 +5,7 @@
 #include "core/geometry/box.h"
 #include "core/path/evaluate.h"
 #include "ui/scene/haloed_lines.h"
+#include "ui/scene/marked_lines.h"
 #include "ui/theme/theme.h"
 
 #include <vtkRenderer.h>
@@ -14,7 +15,8 @@
 namespace burin {
 
 /// What the machine shall do, told apart by colour and by stroke: cuts in orange, conventional ones in pink, rapids
-/// grey and dashed, plunges in short white dashes, retracts in an unbroken grey.
+/// grey and dashed, plunges in short white dashes, retracts in an unbroken grey; what edits left out, as it was before
+/// them, in red with a dot where it begins.
 class EditedPath {
 public:
     explicit EditedPath(vtkRenderer& renderer);
@@ -27,6 +29,8 @@ public:
 private:
     static constexpr std::size_t kinds = 5, conventional = 4;
     std::array<HaloedLines, kinds> lines_; ///< by MoveKind; then conventional cuts
+    MarkedLines omitted_;
+    PlaceChains omissions_;
     Box box_;
     bool visible_ = true, empty_ = true;
 };

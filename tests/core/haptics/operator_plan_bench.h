@@ -82,6 +82,26 @@ inline void follow(const std::vector<IntentPoint>& points, const std::function<v
     }
 }
 
+struct Plunges {
+    double deepest = 0.0; ///< mm of stock that the middle of the ball met on a way down
+    double lowest = 1e9;  ///< mm, tip
+};
+
+/// What a ball of 6 mm meets from above, held up at a height.
+inline Plunges deepestPlunge(const std::vector<IntentPoint>& points, const Box& stockBox, double resting) {
+    StockRaster stock(stockBox);
+    Plunges plunges;
+    glm::dvec3 before = points.front().tip;
+    follow(points, [&](const glm::dvec3& hand) {
+        const glm::dvec3 tip(hand.x, hand.y, std::max(hand.z, resting));
+        if (tip.z < before.z - 1e-9) plunges.deepest = std::max(plunges.deepest, stock.highestAround(tip, 0.4));
+        stock.cutBall(tip, 3.0);
+        plunges.lowest = std::min(plunges.lowest, tip.z);
+        before = tip;
+    });
+    return plunges;
+}
+
 inline RoughingRequest roughingRequest(double bottom = 0.0) {
     RoughingRequest request;
     request.bottom = bottom;

@@ -83,7 +83,7 @@ void OperatorPlanTest::timeLimitIsKept_data() {
     QTest::addColumn<double>("limit");
     QTest::addColumn<bool>("truncated");
     QTest::newRow("faster hand") << 240.0 << false;
-    QTest::newRow("wider passes") << 130.0 << false;
+    QTest::newRow("wider passes") << 150.0 << false;
     QTest::newRow("the upper part") << 60.0 << true;
     QTest::newRow("too short") << 20.0 << true;
     QTest::newRow("hopeless") << 1.0 << true;
@@ -103,7 +103,7 @@ void OperatorPlanTest::timeLimitIsKept() {
           plan->speedFactor, plan->finishingStepOver);
     QVERIFY(plan->roughingSeconds + plan->finishingSeconds <= limit);
     QCOMPARE(plan->truncated, truncated);
-    QCOMPARE(plan->finishingStepOver > 0.4 + 1e-9, limit <= 130.0);
+    QCOMPARE(plan->finishingStepOver > 0.4 + 1e-9, limit <= 150.0);
     QVERIFY(plan->finishingStepOver <= 0.5 + 1e-9 && plan->speedFactor > 1.0);
     for (const auto& points : {plan->roughing, plan->finishing}) {
         for (const IntentPoint& point : points) QVERIFY(point.speed <= fastestHand.travelling);

@@ -18,6 +18,7 @@ private slots:
     void levelsAreNoDeeperThanAskedAndEndAtTheBottom();
     void roughingLeavesNoMoreThanALevelAboveThePart();
     void rowsEnterFromBesideTheStock();
+    void aPitIsEnteredDownARamp();
     void shankNeverReachesStandingStock_data();
     void shankNeverReachesStandingStock();
     void rowsPassStandingStockOnlyWithRoomForTheShank();
@@ -122,6 +123,24 @@ void OperatorRoughingTest::rowsEnterFromBesideTheStock() {
         before = tip;
     });
     QVERIFY2(deepestPlunge < 1.0, qPrintable(QString::number(deepestPlunge)));
+}
+
+/// Between walls there is no way in from beside.
+void OperatorRoughingTest::aPitIsEnteredDownARamp() {
+    const std::vector<Box> walls{{{-40, -30, 0}, {-22, 30, 12}},
+                                 {{22, -30, 0}, {40, 30, 12}},
+                                 {{-40, -30, 0}, {40, -14, 12}},
+                                 {{-40, 14, 0}, {40, 30, 12}}};
+    const Blocks part(3.0, walls);
+    const Box stockBox{{-40, -30, 0}, {40, 30, 12}};
+    WorkpieceHeights heights(stockBox, ballTool().cutter);
+    RoughingRequest request = roughingRequest();
+    request.levelDepth = 3.0;
+    const Result<RoughingPlan> plan = planRoughing(part, ballTool(), request, heights);
+    QVERIFY(plan);
+    const auto [deepest, lowest] = deepestPlunge(plan->points, stockBox, 0.0);
+    QCOMPARE(lowest, 0.0);
+    QVERIFY2(deepest < 0.4, qPrintable(QString::number(deepest))); // straight down: 3 mm, a level
 }
 
 void OperatorRoughingTest::shankNeverReachesStandingStock_data() {

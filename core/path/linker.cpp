@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/linker.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+/// The same arc, in the other direction.
+std::optional<PathArc> turnedBack(std::optional<PathArc> arc) {
+    if (arc) arc->clockwise = !arc->clockwise;
+    return arc;
+}
+
+} // namespace
+
+Linker::Linker(LinkRoom& room, const PartGuard& guard, const PathContext& context, ShankWatch* watch)
+    : room_(room)
+    , guard_(guard)
+    , watch_(watch)
+    , stockTop_(context.stock.high.z)
+    , shortestKept_(shortestKept(context.tool.cutter.diameter)) {}
+
+void Linker::add(const PathStroke& stroke, const StrokeAccess& access) {
+    if (!access.found)
+        leaveOut(stroke, OmissionReason::access);
+    else if (mayTouch(stroke))
+        addWatched(stroke, access);
+    else
+        append(begin(stroke, access));
+}
+
+/// Straight from the last point, or from above: then the last stroke is left.
+Linker::Piece Linker::begin(const PathStroke& stroke, const StrokeAccess& access) {
+    Piece piece{&stroke, access, false, {}};
+    piece.joined =
+        !mustLift_ && !points.empty() && back_.empty() &&
+        room_.canJoin(points.back().tip, stroke.points.front().tip, std::min(lastRequired_, stroke.required));
+    if (piece.joined) return piece;
+    depart();
+    piece.swing = swingIn(stroke, access.entry);
+    return piece;
+}
+
+void Linker::append(const Piece& piece) {
+    const PathStroke& stroke = *piece.stroke;
+    if (!piece.joined) {
+        const glm::dvec3& entry = piece.swing.front();
+        travel(points.empty() ? LinkRoute{room_.safeHeight(), {}} : room_.wayTo(points.back().tip, entry), entry);
+        enter(piece);
+    } else {
+        cut(stroke, 0, {});
+    }
+    for (std::size_t i = 1; i < stroke.points.size(); ++i) cut(stroke, i, stroke.points[i].arc);
+    for (std::size_t i = stroke.points.size() - 1; i > piece.access.exit; --i) back_.push_back({&stroke, i - 1});
+    lastRequired_ = stroke.required;
+    mustLift_ = false;
+}
+
+void Linker::leave() {
+    if (points.empty()) return;
+    depart();
+    const glm::dvec3 tip = points.back().tip;
+    go(lift(room_.safeHeight()), MoveKind::retract);
+    if (points.back().tip.z < room_.safeHeight()) go({tip.x, tip.y, room_.safeHeight()}, MoveKind::rapid);
+}
+
+/// All moves come by here.
+void Linker::make(const PathPoint& point) {
+    if (watch_ != nullptr && !rehearsed_ && !points.empty() && point.kind != MoveKind::rapid) {
+        const glm::dvec3& from = points.back().tip;
+        if (point.arc)
+            watch_->cut(Arc{from, point.tip, point.arc->centre, point.arc->axis, point.arc->clockwise});
+        else
+            watch_->cut(from, point.tip);
+    }
+    points.push_back(point);
+}
+
+/// To where the last stroke can be left, and on from its end.
+void Linker::depart() {
+    for (const auto& [stroke, index] : back_) cut(*stroke, index, turnedBack(stroke->points[index + 1].arc));
+    back_.clear();
+    swingOut();
+}
+
+/// On from the end of a stroke and up, at the feed.
+void Linker::swingOut() {
+    if (points.size() < 2 || points.back().kind != MoveKind::cut || points.back().arc) return;
+    const glm::dvec3 tip = points.back().tip;
+    const std::vector<glm::dvec3> places = room_.swing(tip, tip - points[points.size() - 2].tip, lastRequired_);
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        room_.cleared().cut(places[i - 1], places[i]);
+        go(places[i], MoveKind::retract);
+    }
+}
+
+/// From above to where a stroke is entered; that point alone where it is entered straight down.
+std::vector<glm::dvec3> Linker::swingIn(const PathStroke& stroke, std::size_t entry) const {
+    const glm::dvec3& tip = stroke.points[entry].tip;
+    if (entry != 0 || stroke.points.size() < 2 || stroke.points[1].arc) return {tip};
+    std::vector<glm::dvec3> places = room_.swing(tip, tip - stroke.points[1].tip, stroke.required);
+    std::reverse(places.begin(), places.end());
+    return places;
+}
+
+/// A little up, which is made at the feed; and on as long as the flutes cut on it.
+glm::dvec3 Linker::lift(double height) const {
+    const glm::dvec3& tip = points.back().tip;
+    return {tip.x, tip.y, std::min(std::max(tip.z + room_.approach(), room_.cleared().risenHeight(tip)), height)};
+}
+
+/// Up, across, and rapidly down to the approach above what is left over an entry.
+void Linker::travel(const LinkRoute& route, const glm::dvec3& entry) {
+    std::vector<glm::dvec3> rapids;
+    if (!points.empty()) {
+        go(lift(route.height), MoveKind::retract);
+        const glm::dvec3& tip = points.back().tip;
+        rapids.push_back(tip);
+        if (tip.z < route.height) rapids.emplace_back(tip.x, tip.y, route.height);
+    }
+    for (const glm::dvec2& corner : route.corners) rapids.emplace_back(corner, route.height);
+    rapids.emplace_back(entry.x, entry.y, route.height);
+    const double free = std::max(room_.cleared().freeHeight(entry.x, entry.y) + room_.approach(), entry.z);
+    if (free < route.height) rapids.emplace_back(entry.x, entry.y, free);
+    const std::size_t first = points.empty() ? 0 : 1;
+    if (room_.rounding() > 0.0) rapids = room_.rounded(rapids);
+    for (std::size_t i = first; i < rapids.size(); ++i) go(rapids[i], MoveKind::rapid);
+}
+
+/// To a point of a stroke, along the arc or straight.
+void Linker::cut(const PathStroke& stroke, std::size_t index, const std::optional<PathArc>& arc) {
+    const StrokePoint& point = stroke.points[index];
+    const glm::dvec3 from = points.empty() ? point.tip : points.back().tip;
+    if (arc)
+        room_.cleared().cut(Arc{from, point.tip, arc->centre, arc->axis, arc->clockwise});
+    else
+        room_.cleared().cut(from, point.tip);
+    make({point.tip, MoveKind::cut, 0.0, stroke.take, point.sample, arc});
+}
+
+/// To the stroke's first point at the plunge feed.
+void Linker::enter(const Piece& piece) {
+    const PathStroke& stroke = *piece.stroke;
+    const StrokePoint& entry = stroke.points[piece.access.entry];
+    for (const glm::dvec3& tip : piece.swing) {
+        room_.cleared().cut(points.back().tip, tip);
+        make({tip, MoveKind::plunge, 0.0, stroke.take, entry.sample});
+    }
+    for (std::size_t i = piece.access.entry; i > 0; --i) cut(stroke, i - 1, turnedBack(stroke.points[i].arc));
+}
+
+} // namespace burin

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/link_room.h"
+#include "core/path/omission.h"
+#include "core/path/shank_watch.h"
+#include "core/path/stroke_access.h"
+#include "core/path/stroke_steps.h"
+
+#include <deque>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace burin {
+
+/// Strings strokes together, with rapids between them. What can't be reached, and what would take shank or holder into
+/// material, is left out: the tool retracts before it, and goes on behind it.
+class Linker {
+public:
+    /// Keeps references to all of them. @param watch of the stock before the path; null: there is none to touch
+    Linker(LinkRoom& room, const PartGuard& guard, const PathContext& context, ShankWatch* watch);
+
+    /// @param stroke of at least one point, which has to stay as it is until the last one was added
+    void add(const PathStroke& stroke, const StrokeAccess& access);
+    /// Up to where nothing stands, behind the last one.
+    void leave();
+
+    std::vector<PathPoint> points;
+    std::vector<Omission> omissions;
+
+private:
+    /// What is strung on next, and how it is entered.
+    struct Piece {
+        const PathStroke* stroke = nullptr;
+        StrokeAccess access;
+        bool joined = false;           ///< straight from the last point
+        std::vector<glm::dvec3> swing; ///< from above to where it is entered
+    };
+    /// How far a piece can be made.
+    struct Rehearsal {
+        std::size_t reached = 0; ///< the last step that is clear
+        std::optional<ToolSection> touching{};
+    };
+
+    Piece begin(const PathStroke& stroke, const StrokeAccess& access);
+    void append(const Piece& piece);
+    void addWatched(const PathStroke& stroke, const StrokeAccess& access);
+    std::size_t appendUntilContact(const PathStroke& whole, const Piece& piece, std::span<const StrokeStep> steps,
+                                   const Rehearsal& rehearsal);
+    Rehearsal rehearse(const Piece& piece, std::span<const StrokeStep> steps);
+    std::optional<ToolSection> rehearseEntry(const Piece& piece);
+    std::optional<std::size_t> clearFrom(const std::vector<StrokeStep>& steps, std::size_t first);
+    void leaveOut(const PathStroke& part, OmissionReason reason);
+    bool mayTouch(const PathStroke& stroke) const;
+
+    void make(const PathPoint& point);
+    void go(const glm::dvec3& tip, MoveKind kind) { make({tip, kind, 0.0, 0, -1}); }
+    void depart();
+    void swingOut();
+    std::vector<glm::dvec3> swingIn(const PathStroke& stroke, std::size_t entry) const;
+    glm::dvec3 lift(double height) const;
+    void travel(const LinkRoute& route, const glm::dvec3& entry);
+    void enter(const Piece& piece);
+    void cut(const PathStroke& stroke, std::size_t index, const std::optional<PathArc>& arc);
+
+    LinkRoom& room_;
+    const PartGuard& guard_;
+    ShankWatch* watch_;
+    double stockTop_, shortestKept_;                              // mm
+    double lastRequired_ = 0.0;                                   // mm from the part, of the stroke before
+    bool mustLift_ = false;                                       // something was left out since
+    bool rehearsed_ = false;                                      // the watch has cut what is made now
+    std::deque<PathStroke> pieces_;                               // of strokes that are not whole
+    std::vector<std::pair<const PathStroke*, std::size_t>> back_; // back to where the last stroke can be left
+};
+
+} // namespace burin

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/linker.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+OmissionReason reasonOf(ToolSection touching) {
+    return touching == ToolSection::shank ? OmissionReason::shank : OmissionReason::holder;
+}
+
+} // namespace
+
+/// Whether shank or holder come down to where stock may be left.
+bool Linker::mayTouch(const PathStroke& stroke) const {
+    return watch_ != nullptr && std::ranges::any_of(stroke.points, [&](const StrokePoint& point) {
+               return point.tip.z + watch_->lowestGuard() < stockTop_;
+           });
+}
+
+/// A piece is strung on as far as it is clear; the next one begins where the tool may stand for a while again.
+void Linker::addWatched(const PathStroke& stroke, const StrokeAccess& access) {
+    const std::vector<StrokeStep> steps = stepsOf(stroke, watch_->step());
+    const std::size_t last = steps.size() - 1;
+    std::optional<std::size_t> from = 0;
+    while (from) {
+        const std::span<const StrokeStep> rest = std::span(steps).subspan(*from);
+        const PathStroke* left = &stroke;
+        StrokeAccess entry = access;
+        if (*from > 0) {
+            left = &pieces_.emplace_back(between(stroke, steps[*from].position, steps[last].position));
+            entry = accessOf(*left, guard_, room_.safeHeight());
+        }
+        if (!entry.found) {
+            leaveOut(*left, OmissionReason::access);
+            return;
+        }
+        const Piece piece = begin(*left, entry);
+        watch_->keep();
+        const Rehearsal rehearsal = rehearse(piece, rest);
+        if (!rehearsal.touching) {
+            rehearsed_ = true;
+            append(piece);
+            rehearsed_ = false;
+            return;
+        }
+        const std::size_t made = *from + appendUntilContact(stroke, piece, rest, rehearsal);
+        from = clearFrom(steps, *from + rehearsal.reached + 1);
+        leaveOut(between(stroke, steps[made].position, steps[from.value_or(last)].position),
+                 reasonOf(*rehearsal.touching));
+    }
+}
+
+/// @return the step that it was made up to; 0: nothing was worth it, and the stock is as it was
+std::size_t Linker::appendUntilContact(const PathStroke& whole, const Piece& piece, std::span<const StrokeStep> steps,
+                                       const Rehearsal& rehearsal) {
+    const StrokeStep &first = steps.front(), &last = steps[rehearsal.reached];
+    if (last.at - first.at >= shortestKept_) {
+        Piece made = piece;
+        made.stroke = &pieces_.emplace_back(between(whole, first.position, last.position));
+        made.access = accessOf(*made.stroke, guard_, room_.safeHeight());
+        if (made.access.found && made.access.entry == piece.access.entry) {
+            rehearsed_ = true;
+            append(made);
+            rehearsed_ = false;
+            return rehearsal.reached;
+        }
+    }
+    watch_->goBack();
+    return 0;
+}
+
+/// Makes a piece in the stock alone, until shank or holder would touch something.
+Linker::Rehearsal Linker::rehearse(const Piece& piece, std::span<const StrokeStep> steps) {
+    Rehearsal rehearsal;
+    rehearsal.touching = rehearseEntry(piece);
+    for (std::size_t i = 1; i < steps.size() && !rehearsal.touching; ++i) {
+        rehearsal.touching = watch_->contactAt(steps[i].tip);
+        if (rehearsal.touching) break;
+        watch_->cut(steps[i - 1].tip, steps[i].tip);
+        rehearsal.reached = i;
+    }
+    return rehearsal;
+}
+
+/// The same of the motion to the piece's first point.
+std::optional<ToolSection> Linker::rehearseEntry(const Piece& piece) {
+    const PathStroke& stroke = *piece.stroke;
+    if (piece.joined) return watch_->cutClear(points.back().tip, stroke.points.front().tip);
+    glm::dvec3 at(piece.swing.front().x, piece.swing.front().y, room_.safeHeight());
+    for (const glm::dvec3& tip : piece.swing) {
+        if (const auto touching = watch_->cutClear(at, tip)) return touching;
+        at = tip;
+    }
+    if (piece.access.entry == 0) return std::nullopt;
+    const PathStroke back = reversed(between(stroke, {0, 1.0}, {piece.access.entry, 1.0}));
+    for (const StrokeStep& step : stepsOf(back, watch_->step())) {
+        if (const auto touching = watch_->cutClear(at, step.tip)) return touching;
+        at = step.tip;
+    }
+    return std::nullopt;
+}
+
+/// From where on the tool may stand in what is left now, for as long as a piece has to be.
+std::optional<std::size_t> Linker::clearFrom(const std::vector<StrokeStep>& steps, std::size_t first) {
+    std::optional<std::size_t> start;
+    for (std::size_t i = first; i < steps.size(); ++i) {
+        if (watch_->contactAt(steps[i].tip)) {
+            start.reset();
+            continue;
+        }
+        if (!start) start = i;
+        if (steps[i].at - steps[*start].at >= shortestKept_) return start;
+    }
+    return std::nullopt;
+}
+
+void Linker::leaveOut(const PathStroke& part, OmissionReason reason) {
+    omissions.push_back(omissionOf(part, reason));
+    mustLift_ = true;
+}
+
+} // namespace burin

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/part_guard.h"
+#include "core/path/stroke.h"
+
+#include <cstddef>
+
+namespace burin {
+
+/// Which points of a stroke the tool can get to from above, and leave upwards. On a part without undercuts these are
+/// its ends; under an overhang the tool goes back along the stroke until the way up is free.
+struct StrokeAccess {
+    std::size_t entry = 0, exit = 0;
+    bool found = false;
+};
+
+/// @param height mm, of a tip above everything. Any thread.
+StrokeAccess accessOf(const PathStroke& stroke, const PartGuard& guard, double height);
+
+} // namespace burin

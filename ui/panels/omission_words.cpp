@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/omission_words.h"
+
+#include "ui/messages/messages.h"
+#include "ui/panels/texts.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace burin {
+
+namespace {
+
+class OmissionTexts {
+    Q_DECLARE_TR_FUNCTIONS(OmissionTexts)
+};
+
+QString omissionLine(const Omission& part, const glm::dvec3& zero, LengthUnit unit) {
+    const glm::dvec3 from = part.line.front() - zero;
+    return OmissionTexts::tr("%1 from X %2, Y %3, Z %4: %5")
+        .arg(lengthText(part.length, unit), lengthNumber(from.x, unit), lengthNumber(from.y, unit),
+             lengthNumber(from.z, unit), Messages::text(textOf(part.reason)));
+}
+
+} // namespace
+
+QString omittedText(const EditReport& report, LengthUnit unit) {
+    if (report.omissions.empty()) return {};
+    return OmissionTexts::tr("%1 left out").arg(lengthText(lengthOf(report.omissions), unit));
+}
+
+QString omissionLines(const EditReport& report, const glm::dvec3& zero, LengthUnit unit) {
+    constexpr std::size_t most = 10;
+    const std::vector<const Omission*> parts = longestFirst(report.omissions);
+    QStringList lines;
+    for (std::size_t i = 0; i < parts.size() && i < most; ++i) lines.append(omissionLine(*parts[i], zero, unit));
+    if (parts.size() > most) lines.append(OmissionTexts::tr("and %1 more").arg(countText(parts.size() - most)));
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString omissionNotice(const std::vector<EditReport>& reports, const glm::dvec3& zero, LengthUnit unit) {
+    std::vector<Omission> parts;
+    for (const EditReport& report : reports)
+        parts.insert(parts.end(), report.omissions.begin(), report.omissions.end());
+    if (parts.empty()) return {};
+    const QString all =
+        OmissionTexts::tr("%1 of the path are left out (red in the view).").arg(lengthText(lengthOf(parts), unit));
+    return all + QLatin1Char(' ') + omissionLine(*longestFirst(parts).front(), zero, unit);
+}
+
+} // namespace burin
